@@ -31,7 +31,7 @@ void expect_no_warnings(const Scene& scene, bool strict) {
 SignalTable table_without_signals(const Scene& scene) {
   SignalTable table;
   for (const Label& label : scene.labels) {
-    const double requirement = scene.type_of(label).requirement();
+    const double requirement = scene.requirement_of(label);
     table.labels.push_back({label.id, requirement, requirement, 0, 0});
   }
   for (const Transceiver& unit : scene.transceivers)

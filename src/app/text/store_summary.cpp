@@ -146,12 +146,6 @@ void print_transceiver_types(const Scene& scene, const Counts& counts) {
   print_table(rows, 2);
 }
 
-void print_light(const char* heading, const std::vector<std::string>& paths) {
-  if (paths.empty()) return;
-  fmt::print("\n{}:\n", heading);
-  for (const std::string& light : paths) fmt::print("  {}\n", one_line(light));
-}
-
 void print_warning(const std::string& text) {
   fmt::print("{} {}\n", styled(Style::warning, "warning:"), one_line(text));
 }
@@ -161,6 +155,12 @@ void print_warnings(const Scene& scene) {
 }
 
 }  // namespace
+
+void print_list(std::string_view heading, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  fmt::print("\n{}:\n", heading);
+  for (const std::string& line : lines) fmt::print("  {}\n", one_line(line));
+}
 
 void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy) {
   if (common.json || common.quiet) return;
@@ -180,8 +180,8 @@ void print_summary(const Scene& scene, const std::string& written) {
   print_label_types(scene, counts);
   fmt::print("\n");
   print_transceiver_types(scene, counts);
-  print_light("not simulated unless the transceiver type has a radius", uncovered_light(scene));
-  print_light("sampled only by chance, with large errors", chance_light(scene));
+  print_list("not simulated unless the transceiver type has a radius", uncovered_light(scene));
+  print_list("sampled only by chance, with large errors", chance_light(scene));
 }
 
 nlohmann::ordered_json summary_json(const Scene& scene) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -16,6 +18,8 @@ namespace shelfbeam::app {
 nlohmann::ordered_json summary_json(const Scene& scene);
 /// The warnings and `written`, a line about the file that was written, if any, come before the tables.
 void print_summary(const Scene& scene, const std::string& written);
+/// A heading and a line per member; nothing for an empty list.
+void print_list(std::string_view heading, const std::vector<std::string>& lines);
 
 /// Prints one line per warning of a scene and per kind of light that its simulation samples only by chance;
 /// nothing with --json or --quiet.

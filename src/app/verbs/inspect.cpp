@@ -1,6 +1,8 @@
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,11 +14,13 @@
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/scene/glb/scene_glb.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
 
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/terminal.hpp"
+#include "app/text/variation_text.hpp"
 #include "app/verbs.hpp"
 
 namespace shelfbeam::app {
@@ -26,16 +30,19 @@ namespace {
 struct Options {
   CommonOptions common;
   std::filesystem::path store, drawing;
+  std::optional<std::uint64_t> state;
   bool allow_outside = false, strict = false;
 };
 
 /// A kind of drawing, its name in the output, and the function that makes the file.
 struct DrawingFormat {
   std::string_view suffix, name;
-  std::string (*draw)(const Scene&);
+  std::string (*draw)(const Store&, const Scene&);
 };
-constexpr std::array<DrawingFormat, 2> formats{
-    {{".svg", "floor plan", floor_plan_svg}, {".glb", "3-D model", scene_glb}}};
+const std::array<DrawingFormat, 3> formats{
+    {{".svg", "floor plan", [](const Store&, const Scene& scene) { return floor_plan_svg(scene); }},
+     {".glb", "3-D model", [](const Store&, const Scene& scene) { return scene_glb(scene); }},
+     {".json", "store", resolved_store_json}}};
 
 /// Throws InputError for an unknown suffix.
 const DrawingFormat& format_of(const std::filesystem::path& drawing) {
@@ -45,21 +52,29 @@ const DrawingFormat& format_of(const std::filesystem::path& drawing) {
   throw InputError(
       drawing.string(),
       suffix.empty() ? "has no extension" : fmt::format("has the unknown extension '{}'", suffix),
-      "use .svg for the floor plan or .glb for the 3-D model");
+      "use .svg for the floor plan, .glb for the 3-D model or .json for the store");
 }
 
 int run_inspect(const Options& options) {
   const std::filesystem::path& drawing = options.drawing;
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
-  const Scene scene = make_inspected_scene(load_store(options.store, options.allow_outside, 0, drawing));
-  if (format != nullptr) write_file(drawing, format->draw(scene));
+  Store store = load_store(options.store, options.allow_outside, 0, drawing);
+  Scene scene = make_inspected_scene(store);
+  expect_no_warnings(scene, options.strict);
+  if (options.state) {
+    store = StoreStates(store, scene, options.common.seed).state(*options.state);
+    scene = make_scene(store);
+  }
+  if (format != nullptr) write_file(drawing, format->draw(store, scene));
   if (options.common.json) {
-    print_json(summary_json(scene));
+    nlohmann::ordered_json json = summary_json(scene);
+    if (store.variation) json["variation"] = variation_lines(store);
+    print_json(json);
   } else if (!options.common.quiet) {
     print_summary(scene, format == nullptr ? "" : fmt::format("{}: {}", format->name, drawing.string()));
+    print_list("varies", variation_lines(store));
   }
-  expect_no_warnings(scene, options.strict);
   return done;
 }
 
@@ -71,14 +86,19 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<Options>();
   add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "-o,--output", options->drawing,
-           "File to write: .svg for the floor plan, .glb for a 3-D model");
+           "File to write: .svg for the floor plan, .glb for a 3-D model, .json for the store without "
+           "references");
+  verb->add_option("--state", options->state,
+                   "Inspect the shop in this state, from 0, of its 'variation' and of --seed")
+      ->option_text("K");
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
   add_common_options(*verb, options->common);
   verb->footer(
       "Examples:\n"
       "  shelfbeam inspect store.json -o plan.svg\n"
-      "  shelfbeam inspect store.json -o store.glb");
+      "  shelfbeam inspect store.json -o store.glb\n"
+      "  shelfbeam inspect store.json --state 17 -o state17.json");
   verb->callback([options, &chosen] { chosen = [options] { return run_inspect(*options); }; });
 }
 

@@ -17,6 +17,7 @@ struct LabelType {
   double safety_factor = 1;      ///< gamma
   double link_cost = 0;          ///< c^E (3.3)
   double signal_cost = 0;        ///< delta (3.14)
+  double availability = 0.95;    ///< least share of the states of a shop in which a label is reached
   /// Distance at which the unit that gives the threshold is just heard ("hears ... at_m"), m; 0 for a number.
   double range_m = 0;
 

@@ -31,6 +31,8 @@ std::vector<bool> named_materials(const Store& store, const Scene& scene) {
           }
         },
         fixture);
+  if (store.variation)
+    for (const StandingBoxes& boxes : store.variation->boxes) use(boxes.material);
   return named;
 }
 

@@ -202,6 +202,30 @@ std::optional<PolygonFault> fault_of(const Polygon& polygon) {
                       "give the corners in order, with edges that do not cross"};
 }
 
+// By a separating line, which is parallel to an edge of one of the two.
+bool overlap(std::span<const Vec2> a, std::span<const Vec2> b) {
+  constexpr double rounding = 1e-9;  // m
+  const auto is_separated = [&](std::span<const Vec2> edges) {
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const Vec2 &p = edges[k], &q = edges[(k + 1) % edges.size()];
+      const double x = q[1] - p[1], y = p[0] - q[0], length = std::hypot(x, y);
+      if (length == 0) continue;
+      const auto extent = [&](std::span<const Vec2> points) {
+        std::array<double, 2> ends{HUGE_VAL, -HUGE_VAL};
+        for (const Vec2& r : points) {
+          const double along = (x * r[0] + y * r[1]) / length;
+          ends = {std::min(ends[0], along), std::max(ends[1], along)};
+        }
+        return ends;
+      };
+      const auto of_a = extent(a), of_b = extent(b);
+      if (of_a[1] <= of_b[0] + rounding || of_b[1] <= of_a[0] + rounding) return true;
+    }
+    return false;
+  };
+  return !is_separated(a) && !is_separated(b);
+}
+
 bool is_convex(const Polygon& polygon) {
   constexpr double rounding = 1e-9;  // m^2
   for (std::size_t k = 0; k < polygon.size(); ++k) {

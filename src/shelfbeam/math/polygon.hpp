@@ -26,6 +26,9 @@ std::optional<PolygonFault> fault_of(const Polygon& polygon);
 /// Positive if the corners are counter-clockwise.
 double signed_area(std::span<const Vec2> polygon);
 
+/// Whether two convex polygons share more than a border. They may be degenerate to a line.
+bool overlap(std::span<const Vec2> a, std::span<const Vec2> b);
+
 /// Whether a counter-clockwise polygon without fault turns nowhere to the right, except by rounding.
 bool is_convex(const Polygon& polygon);
 

@@ -242,7 +242,7 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
   Certificate& certificate = plan.certificate.emplace();
   certificate.confidence = options.confidence;
   for (const Label& label : scene.labels)
-    certificate.labels.push_back({.requirement = scene.type_of(label).requirement()});
+    certificate.labels.push_back({.requirement = scene.requirement_of(label)});
   Rounds rounds(options.confidence, options.budget, options.simulation.seed);
   LabelRounds verdicts(scene, options.simulation, certificate.labels);
   verdicts.select(problem, placement.selected, std::move(planned), true);

@@ -64,7 +64,7 @@ class Steps {
         simulation_(effort.simulation),
         batches_(effort.batches),
         control_(control) {
-    for (const Label& label : scene_.labels) requirement_.push_back(scene_.type_of(label).requirement());
+    for (const Label& label : scene_.labels) requirement_.push_back(scene_.requirement_of(label));
     as_given_ = sample(scene_);
   }
 

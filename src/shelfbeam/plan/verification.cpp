@@ -83,7 +83,7 @@ std::vector<LabelVerdict> verify(const PreparedScene& prepared, const BatchReque
   const std::size_t rows = request.labels.size(), columns = scene.transceivers.size();
   std::vector<LabelVerdict> labels(rows);
   for (std::size_t k = 0; k < rows; ++k)
-    labels[k].requirement = scene.type_of(scene.labels[request.labels[k]]).requirement();
+    labels[k].requirement = scene.requirement_of(scene.labels[request.labels[k]]);
   if (rows == 0) return labels;
   if (columns == 0) {
     for (LabelVerdict& label : labels) label.verdict = Verdict::missed;

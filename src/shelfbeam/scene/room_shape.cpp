@@ -201,4 +201,13 @@ RoomShape RoomShape::scaled(double factor) const {
   return large;
 }
 
+const Polygon& polygon_of(const PlanArea& area, const RoomShape* room) {
+  if (const auto* polygon = std::get_if<Polygon>(&area)) return *polygon;
+  const std::string& name = std::get<std::string>(area);
+  if (name == "room") return room->outline;
+  return std::find_if(room->zones.begin(), room->zones.end(),
+                      [&](const CeilingZone& zone) { return zone.id == name; })
+      ->polygon;
+}
+
 }  // namespace shelfbeam

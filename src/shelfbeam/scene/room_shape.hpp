@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "shelfbeam/math/vec3.hpp"
@@ -25,6 +26,9 @@ struct CeilingZone {
   Polygon polygon;
   CeilingHeight height;
 };
+
+/// A part of the plan: "room" for all of it, the id of a zone, or a polygon.
+using PlanArea = std::variant<std::string, Polygon>;
 
 /// A wall of the outline, in plan.
 struct OuterWall {
@@ -84,5 +88,8 @@ struct RoomShape {
   std::optional<std::pair<std::string, double>> surface_before(const Vec3& p, const Vec3& direction) const;
   RoomShape scaled(double factor) const;
 };
+
+/// The polygon of an area. A name requires a room and is that of one of its zones, or "room".
+const Polygon& polygon_of(const PlanArea& area, const RoomShape* room);
 
 }  // namespace shelfbeam

@@ -21,6 +21,7 @@ struct Label {
   Vec3 position;  ///< m
   Vec3 normal;    ///< unit length
   LabelTypeId type;
+  double relative_sensitivity = 1;  ///< to that of its type
 };
 
 struct Transceiver {
@@ -30,6 +31,7 @@ struct Transceiver {
   double roll_deg = 0;
   TransceiverTypeId type;
   bool installed = false;
+  double relative_power = 1;  ///< to that of its type
 };
 
 struct NamedMaterial {
@@ -99,6 +101,11 @@ struct Scene {
 
   const LabelType& type_of(const Label& label) const { return label_types[label.type.value]; }
   const TransceiverType& type_of(const Transceiver& t) const { return transceiver_types[t.type.value]; }
+
+  /// gamma tau (3.6) of a label, in the signal's unit of measure.
+  double requirement_of(const Label& label) const {
+    return type_of(label).requirement() / label.relative_sensitivity;
+  }
 
   /// The number of inner walls among `fixtures`.
   std::size_t inner_walls() const {

@@ -159,7 +159,7 @@ TEST_F(Inspect, WritesAModel) {
 }
 
 TEST_F(Inspect, RefusesUnknownDrawingsBeforeItReads) {
-  const std::string remedy = "; use .svg for the floor plan or .glb for the 3-D model\n";
+  const std::string remedy = "; use .svg for the floor plan, .glb for the 3-D model or .json for the store\n";
   for (const char* store : {"@store.json", "@missing.json"}) {
     refused(std::string("inspect ") + store + " -o @plan.png",
             {"error: " + path("plan.png") + ": has the unknown extension '.png'" + remedy});

@@ -51,8 +51,8 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
-  tested["store/room.md"] = tested["store/fixtures.md"] = tested["store/transceivers.md"] =
-      tested["store/labels.md"] = 1;
+  tested["store/variation.md"] = tested["store/room.md"] = tested["store/fixtures.md"] =
+      tested["store/transceivers.md"] = tested["store/labels.md"] = 1;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 1}}));
 }
@@ -147,6 +147,24 @@ TEST(Documentation, ExampleOfMountsIsAccepted) {
   EXPECT_FALSE(ids.contains("A1-3-3/a1")) << "over the counter";
 }
 
+TEST(Documentation, ExampleOfVariationIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  const Json part = Json::parse(fenced_blocks("store/variation.md", "jsonc").at(0), nullptr, true, true);
+  store["variation"] = part["variation"];
+  store["materials"]["clothes"] = {{"type", "lambertian"}, {"reflectance", 0.4}};
+  const std::string message = [&] {
+    try {
+      test::scene_of(store);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  }();
+  EXPECT_NE(message.find("doors[0].fixtures: matches no fixture with doors"), std::string::npos) << message;
+  store["variation"].erase("doors");
+  EXPECT_EQ(test::read_text(store.dump()).variation->boxes.size(), 2U);
+}
+
 TEST(Documentation, ExampleOfLabelsAtPlacesIsAccepted) {
   Json store = Json::parse(example_store(), nullptr, true, true);
   store["materials"]["pine"] = store["materials"]["white"];
@@ -224,36 +242,41 @@ std::vector<std::string> undocumented(const Json& schema, const std::vector<std:
 TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
   const std::vector<std::string> materials{"store/materials.md"}, label_types{"store/label_types.md"},
       transceiver_types{"store/transceiver_types.md"}, fixtures{"store/fixtures.md"},
-      fixtures_with_labels{"store/fixtures.md", "store/labels.md"}, transceivers{"store/transceivers.md"};
-  const std::map<std::string, std::vector<std::string>> pages{{"planogram", {"store/labels.md"}},
-                                                              {"box_room", {"store/room.md"}},
-                                                              {"outline_room", {"store/room.md"}},
-                                                              {"zones", {"store/room.md"}},
-                                                              {"inner_walls", {"store/room.md"}},
-                                                              {"material", materials},
-                                                              {"smooth", materials},
-                                                              {"facets", materials},
-                                                              {"label_type", label_types},
-                                                              {"responsivity", label_types},
-                                                              {"transceiver_type", transceiver_types},
-                                                              {"emission", transceiver_types},
-                                                              {"fixture", fixtures},
-                                                              {"whole_fixture", fixtures},
-                                                              {"repeat", fixtures},
-                                                              {"against", fixtures},
-                                                              {"prism", fixtures},
-                                                              {"cylinder", fixtures},
-                                                              {"panel", fixtures},
-                                                              {"sized_box", fixtures},
-                                                              {"gondola", fixtures_with_labels},
-                                                              {"freezer", fixtures_with_labels},
-                                                              {"box", fixtures},
-                                                              {"mesh_file", fixtures},
-                                                              {"inline_mesh", fixtures},
-                                                              {"label", {"store/labels.md"}},
-                                                              {"transceivers", transceivers},
-                                                              {"transceiver", transceivers},
-                                                              {"csv_file", {"store/csv.md"}}};
+      fixtures_with_labels{"store/fixtures.md", "store/labels.md"},
+      transceivers{"store/transceivers.md", "store/variation.md"};
+  const std::map<std::string, std::vector<std::string>> pages{
+      {"planogram", {"store/labels.md"}},
+      {"variation", {"store/variation.md"}},
+      {"own_variation", {"store/variation.md"}},
+      {"share_range", {"store/variation.md"}},
+      {"box_room", {"store/room.md"}},
+      {"outline_room", {"store/room.md"}},
+      {"zones", {"store/room.md"}},
+      {"inner_walls", {"store/room.md"}},
+      {"material", materials},
+      {"smooth", materials},
+      {"facets", materials},
+      {"label_type", label_types},
+      {"responsivity", label_types},
+      {"transceiver_type", transceiver_types},
+      {"emission", transceiver_types},
+      {"fixture", fixtures},
+      {"whole_fixture", fixtures},
+      {"repeat", fixtures},
+      {"against", fixtures},
+      {"prism", fixtures},
+      {"cylinder", fixtures},
+      {"panel", fixtures},
+      {"sized_box", fixtures},
+      {"gondola", fixtures_with_labels},
+      {"freezer", fixtures_with_labels},
+      {"box", fixtures},
+      {"mesh_file", fixtures},
+      {"inline_mesh", fixtures},
+      {"label", {"store/labels.md", "store/variation.md"}},
+      {"transceivers", transceivers},
+      {"transceiver", transceivers},
+      {"csv_file", {"store/csv.md"}}};
   Json schema = Json::parse(read_file(SHELFBEAM_SOURCE_DIR "/data/store.schema.json"));
   const std::vector<std::string> none;
   for (const auto& [name, part] : schema["$defs"].items()) {

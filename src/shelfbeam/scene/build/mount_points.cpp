@@ -191,7 +191,7 @@ class Generator {
 
   // Along x and y.
   std::array<Cells, 2> cells(const MountArea& mount) const {
-    const PlanBounds area = shelfbeam::bounds_of(polygon_of(mount, *scene_.room)),
+    const PlanBounds area = shelfbeam::bounds_of(polygon_of(mount.area, &*scene_.room)),
                      room = shelfbeam::bounds_of(scene_.room->outline);
     const auto along = [&](std::size_t axis) {
       return Cells::of(area.low[axis], area.high[axis], room.low[axis], room.high[axis], mount.spacing);
@@ -202,7 +202,7 @@ class Generator {
   // At the middle of each cell of a grid over the bounds of the area.
   Outcome add_area(std::size_t index, const UseCandidate& use) const {
     const auto& [mount, where] = store_.areas[index];
-    const Polygon& polygon = polygon_of(mount, *scene_.room);
+    const Polygon& polygon = polygon_of(mount.area, &*scene_.room);
     const auto [x, y] = cells(mount);
     Outcome outcome;
     for (std::size_t iy = y.begin; iy < y.end; ++iy)

@@ -7,7 +7,7 @@
 #include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_values.hpp"
-#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
 
@@ -64,12 +64,14 @@ Json with_type(const Variant& value) {
 }
 
 Json resolved(const LabelType& type) {
-  return {{"responsivity", with_type(type.responsivity)},
-          {"size", type.size},
-          {"threshold", type.threshold},
-          {"safety_factor", type.safety_factor},
-          {"link_cost", type.link_cost},
-          {"signal_cost", type.signal_cost}};
+  Json json{{"responsivity", with_type(type.responsivity)},
+            {"size", type.size},
+            {"threshold", type.threshold},
+            {"safety_factor", type.safety_factor},
+            {"link_cost", type.link_cost},
+            {"signal_cost", type.signal_cost}};
+  if (type.availability != LabelType{}.availability) json["availability"] = type.availability;
+  return json;
 }
 
 Json resolved(const TransceiverType& type) {
@@ -117,6 +119,7 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   for (const LabelType& type : store.label_types) json["label_types"][type.name] = resolved(type);
   for (const TransceiverType& type : store.transceiver_types)
     json["transceiver_types"][type.name] = resolved(type);
+  if (store.variation) json["variation"] = resolved(*store.variation, store);
   std::string text = json.dump(1);
   text.resize(text.size() - 2);  // without "\n}"
   text += ",\n \"fixtures\": ";
@@ -128,18 +131,22 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   });
   text += ",\n \"labels\": ";
   append_list(text, 1, scene.labels, [&](const Label& label) {
-    return Json{{"id", label.id},
-                {"position", array_of(label.position)},
-                {"normal", array_of(label.normal)},
-                {"type", scene.type_of(label).name}};
+    Json one{{"id", label.id},
+             {"position", array_of(label.position)},
+             {"normal", array_of(label.normal)},
+             {"type", scene.type_of(label).name}};
+    if (label.relative_sensitivity != 1) one["relative_sensitivity"] = label.relative_sensitivity;
+    return one;
   });
   text += ",\n \"transceivers\": {\n  \"list\": ";
   append_list(text, 2, scene.transceivers, [&](const Transceiver& unit) {
-    return Json{{"id", unit.id},
-                {"position", array_of(unit.position)},
-                {"axis", array_of(unit.axis)},
-                {"roll_deg", unit.roll_deg},
-                {"type", scene.type_of(unit).name}};
+    Json one{{"id", unit.id},
+             {"position", array_of(unit.position)},
+             {"axis", array_of(unit.axis)},
+             {"roll_deg", unit.roll_deg},
+             {"type", scene.type_of(unit).name}};
+    if (unit.relative_power != 1) one["relative_power"] = unit.relative_power;
+    return one;
   });
   std::vector<std::string> installed;
   for (const Transceiver& unit : scene.transceivers)
@@ -159,11 +166,15 @@ std::string scene_hash(const Scene& scene) {
   for (const LabelType& type : scene.label_types) json["label_types"].push_back({type.name, resolved(type)});
   for (const TransceiverType& type : scene.transceiver_types)
     json["transceiver_types"].push_back({type.name, resolved(type)});
-  for (const Label& label : scene.labels)
+  for (const Label& label : scene.labels) {
     json["labels"].push_back({label.id, array_of(label.position), array_of(label.normal), label.type.value});
-  for (const Transceiver& unit : scene.transceivers)
+    if (label.relative_sensitivity != 1) json["labels"].back().push_back(label.relative_sensitivity);
+  }
+  for (const Transceiver& unit : scene.transceivers) {
     json["transceivers"].push_back({unit.id, array_of(unit.position), array_of(unit.axis), unit.roll_deg,
                                     unit.type.value, unit.installed});
+    if (unit.relative_power != 1) json["transceivers"].back().push_back(unit.relative_power);
+  }
   for (const EmittingSurface& surface : scene.emitting_surfaces)
     json["emitting_surfaces"].push_back({surface.id, surface.material.value, surface.radiance});
   return content_hash(json.dump(-1, ' ', false, Json::error_handler_t::replace));

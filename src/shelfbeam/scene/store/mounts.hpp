@@ -23,14 +23,11 @@ struct MountedType {
 /// Candidates on a grid over a part of the plan, at a height or below the ceiling.
 struct MountArea {
   MountedType unit;
-  std::variant<std::string, Polygon> area;  ///< "room", the id of a zone, or a polygon
+  PlanArea area;
   double spacing = 1;
   std::optional<double> z;   ///< m
   double below_ceiling = 0;  ///< m, without `z`
 };
-
-/// Its part of the plan. "room" means the whole room even if a zone has that id.
-const Polygon& polygon_of(const MountArea& mount, const RoomShape& room);
 
 /// Candidates along a line of straight pieces, with one at each end.
 struct MountRail {

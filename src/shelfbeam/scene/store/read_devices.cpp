@@ -40,14 +40,20 @@ TransceiverGrid read_grid(const JsonCursor& cursor, const StoreNames& names) {
   return grid;
 }
 
+double read_factor(const JsonCursor& device, std::string_view key) {
+  const auto factor = device.find(key);
+  return factor ? factor->number(1e-3, 1e3) : 1;
+}
+
 Transceiver read_transceiver(const JsonCursor& cursor, const StoreNames& names) {
-  cursor.expect_keys({"id", "position", "axis", "roll_deg", "type"});
+  cursor.expect_keys({"id", "position", "axis", "roll_deg", "type", "relative_power"});
   Transceiver unit;
   unit.id = read_name(cursor["id"]);
   unit.position = read_point(cursor["position"]);
   if (const auto axis = cursor.find("axis")) unit.axis = read_direction(*axis);
   if (const auto roll = cursor.find("roll_deg")) unit.roll_deg = read_angle_deg(*roll);
   unit.type = names.transceiver_type(cursor["type"]);
+  unit.relative_power = read_factor(cursor, "relative_power");
   return unit;
 }
 
@@ -124,9 +130,9 @@ void each_record(const std::filesystem::path& path, const Columns& known, Length
 }  // namespace
 
 Label read_label(const JsonCursor& json, const StoreNames& names) {
-  json.expect_keys({"id", "position", "normal", "type"});
+  json.expect_keys({"id", "position", "normal", "type", "relative_sensitivity"});
   return {read_name(json["id"]), read_point(json["position"]), read_direction(json["normal"]),
-          names.label_type(json["type"])};
+          names.label_type(json["type"]), read_factor(json, "relative_sensitivity")};
 }
 
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,

@@ -31,18 +31,8 @@ class MountReader {
     json.expect_keys({"type", "area", "spacing", "z", "below_ceiling", "axes", "roll_deg"});
     MountArea mount;
     mount.unit = read_unit(json);
-    const JsonCursor area = json["area"];
     if (!store_.room) json.fail("requires a room", "add a room, or use 'grids'");
-    if (area.is_string()) {
-      const std::string name = area.text();
-      const auto& zones = store_.room->shape.zones;
-      if (name != "room" &&
-          std::none_of(zones.begin(), zones.end(), [&](const CeilingZone& zone) { return zone.id == name; }))
-        area.fail("is neither 'room' nor the id of a zone", "correct it, or give a polygon");
-      mount.area = name;
-    } else {
-      mount.area = read_polygon(area);
-    }
+    mount.area = read_plan_area(json["area"], store_);
     mount.spacing = read_length(json["spacing"]);
     const auto z = json.find("z"), below = json.find("below_ceiling");
     if (z && below) below->fail("has no effect beside 'z'", "remove one of the two");
@@ -175,13 +165,15 @@ KeepOut read_keep_out(const JsonCursor& json) {
   return area;
 }
 
-const Polygon& polygon_of(const MountArea& mount, const RoomShape& room) {
-  if (const auto* polygon = std::get_if<Polygon>(&mount.area)) return *polygon;
-  const std::string& name = std::get<std::string>(mount.area);
-  if (name == "room") return room.outline;
-  const auto zone = std::find_if(room.zones.begin(), room.zones.end(),
-                                 [&](const CeilingZone& one) { return one.id == name; });
-  return zone->polygon;
+PlanArea read_plan_area(const JsonCursor& json, const Store& store) {
+  if (!json.is_string()) return read_polygon(json);
+  if (!store.room) json.fail("requires a room", "add a room, or give a polygon");
+  std::string name = json.text();
+  const auto& zones = store.room->shape.zones;
+  if (name != "room" &&
+      std::none_of(zones.begin(), zones.end(), [&](const CeilingZone& zone) { return zone.id == name; }))
+    json.fail("is neither 'room' nor the id of a zone", "correct it, or give a polygon");
+  return name;
 }
 
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store) {

@@ -15,6 +15,7 @@
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/mounts.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
+#include "shelfbeam/scene/variation.hpp"
 
 namespace shelfbeam {
 
@@ -55,6 +56,7 @@ struct Store {
   std::vector<Listed<Transceiver>> transceivers;
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;
+  std::optional<StoreVariation> variation;
   /// Memory limit of its scene, bytes (StoreTrust::memory).
   std::size_t memory = StoreLimits{}.memory;
 };

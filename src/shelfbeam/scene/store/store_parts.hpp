@@ -27,9 +27,16 @@ Label read_label(const JsonCursor& json, const StoreNames& names);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store);
 /// The areas, rails and faces of the section "transceivers". Requires the room and the fixtures.
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store);
+/// Throws InputError for a name that the store's room does not have.
+PlanArea read_plan_area(const JsonCursor& json, const Store& store);
 KeepOut read_keep_out(const JsonCursor& json);
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                        Store& store);
+
+/// The section "variation". Requires the room and the fixtures.
+StoreVariation read_variation(const JsonCursor& json, const StoreNames& names, const Store& store);
+/// Every value of the section; `read_variation` restores them to the bit.
+nlohmann::ordered_json resolved(const StoreVariation& variation, const Store& store);
 
 /// Reads labels from a CSV with the header `id,x,y,z,nx,ny,nz,type`. Throws InputError with file and line.
 void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store);

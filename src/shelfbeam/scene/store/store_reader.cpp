@@ -70,7 +70,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
     expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
   root.expect_keys({"$schema", "format", "units", "currency", "name", "wavelength_nm", "catalogues",
                     "presets", "room", "materials", "label_types", "transceiver_types", "fixtures", "labels",
-                    "planogram", "transceivers"});
+                    "planogram", "transceivers", "variation"});
   const StoreFolder folder(path, trust);
   Store store;
   store.file = name;
@@ -102,6 +102,8 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   if (const auto labels = root.find("labels")) read_labels(*labels, names, folder, store);
   if (const auto planogram = root.find("planogram")) read_planogram(*planogram, names, folder, store);
   read_transceivers(root["transceivers"], names, folder, store);
+  if (const auto variation = root.find("variation"))
+    store.variation = read_variation(*variation, names, store);
   return store;
 }
 

@@ -81,26 +81,10 @@ UnitGroups::UnitGroups(const World& world) {
       std::sort(leaf.begin(), leaf.end());
       Group group = pattern;
       group.count = leaf.size();
-      group.peak = peak;
-      Vec3 centre;
-      for (std::size_t k = 0; k < lanes; ++k) {
-        const Transceiver& unit = scene.transceivers[leaf[std::min(k, leaf.size() - 1)]];
-        group.columns[k] = leaf[std::min(k, leaf.size() - 1)];
-        group.x[k] = static_cast<float>(unit.position.x);
-        group.y[k] = static_cast<float>(unit.position.y);
-        group.z[k] = static_cast<float>(unit.position.z);
-        group.ax[k] = static_cast<float>(unit.axis.x);
-        group.ay[k] = static_cast<float>(unit.axis.y);
-        group.az[k] = static_cast<float>(unit.axis.z);
-        group.scale[k] = k < leaf.size() ? scale : 0;
-        if (k < leaf.size()) centre = centre + unit.position / static_cast<double>(leaf.size());
-      }
-      for (const std::uint32_t j : leaf)
-        group.radius =
-            std::max(group.radius, static_cast<float>(length(scene.transceivers[j].position - centre)));
-      group.centre = {static_cast<float>(centre.x), static_cast<float>(centre.y),
-                      static_cast<float>(centre.z)};
-      group.nearest = std::max(0.5F, group.radius / 2);
+      for (std::size_t k = 0; k < lanes; ++k) group.columns[k] = leaf[std::min(k, leaf.size() - 1)];
+      group.type_scale = scale;
+      group.type_peak = peak;
+      place(group, scene);
       groups_.push_back(group);
     }
   }
@@ -120,6 +104,39 @@ UnitGroups::UnitGroups(const World& world) {
   for (std::size_t g = 0; g < groups_.size(); ++g)
     for (std::size_t k = 0; k < groups_[g].count; ++k)
       lane_indices_[groups_[g].columns[k]] = static_cast<std::uint32_t>(g * lanes + k);
+}
+
+UnitGroups::UnitGroups(const World& changed, const UnitGroups& like)
+    : groups_(like.groups_), no_cap_(like.no_cap_), lane_indices_(like.lane_indices_), tables_(like.tables_) {
+  for (Group& group : groups_) {
+    group.cap = no_cap_;
+    if (group.columns.front() < changed.scene.transceivers.size()) place(group, changed.scene);
+  }
+}
+
+// Sets everything that depends on the units besides their type.
+void UnitGroups::place(Group& group, const Scene& scene) {
+  Vec3 centre;
+  group.peak = 0;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Transceiver& unit = scene.transceivers[group.columns[k]];
+    group.x[k] = static_cast<float>(unit.position.x);
+    group.y[k] = static_cast<float>(unit.position.y);
+    group.z[k] = static_cast<float>(unit.position.z);
+    group.ax[k] = static_cast<float>(unit.axis.x);
+    group.ay[k] = static_cast<float>(unit.axis.y);
+    group.az[k] = static_cast<float>(unit.axis.z);
+    const auto power = static_cast<float>(unit.relative_power);
+    group.scale[k] = k < group.count ? group.type_scale * power : 0;
+    group.peak = std::max(group.peak, group.type_peak * power);
+    if (k < group.count) centre = centre + unit.position / static_cast<double>(group.count);
+  }
+  group.radius = 0;
+  for (std::size_t k = 0; k < group.count; ++k)
+    group.radius = std::max(
+        group.radius, static_cast<float>(length(scene.transceivers[group.columns[k]].position - centre)));
+  group.centre = {static_cast<float>(centre.x), static_cast<float>(centre.y), static_cast<float>(centre.z)};
+  group.nearest = std::max(0.5F, group.radius / 2);
 }
 
 void UnitGroups::set_cap(std::size_t column, float cap) {

@@ -37,6 +37,8 @@ struct LanePoint {
 class UnitGroups {
  public:
   explicit UnitGroups(const World& world);
+  /// The units of a changed world, in the groups and lanes of `like`.
+  UnitGroups(const World& changed, const UnitGroups& like);
 
   std::size_t size() const { return groups_.size(); }
   /// Column of the matrix in a lane; lanes from `count` on are padding without emission. Emitting surfaces
@@ -89,7 +91,10 @@ class UnitGroups {
     bool is_approximate = false;
     std::array<float, 3> centre{};
     float radius = 0, nearest = 0, peak = 0;
+    float type_scale = 1, type_peak = 0;  ///< of a unit with the power of its type
   };
+  static void place(Group& group, const Scene& scene);
+
   std::vector<Group> groups_;
   LaneValues no_cap_{};
   std::vector<std::uint32_t> lane_indices_;

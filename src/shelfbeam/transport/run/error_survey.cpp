@@ -47,7 +47,7 @@ Reachable ErrorSurvey::reachable(std::size_t item, const RelativeError& wanted) 
 }
 
 double ErrorSurvey::requirement(std::size_t i) const {
-  return world_.scene.type_of(world_.scene.labels[i]).requirement();
+  return world_.scene.requirement_of(world_.scene.labels[i]);
 }
 
 ErrorSurvey::Shortfall ErrorSurvey::shortfall(const RelativeError& wanted, std::size_t named) const {

@@ -93,7 +93,7 @@ LabelRow describe(const Scene& scene, const Label& label) {
   row.type = type.name;
   row.position = label.position;
   row.normal = label.normal;
-  row.requirement = type.requirement();
+  row.requirement = scene.requirement_of(label);
   row.link_cost = type.link_cost;
   row.signal_cost = type.signal_cost;
   return row;

@@ -36,7 +36,7 @@ Emitters::Emitters(const Scene& scene) {
       disc_planes_[found->second].discs.push_back(static_cast<std::uint32_t>(units_.size()));
     }
     units_.push_back({unit.position, Frame::of_device(unit.axis, radians(unit.roll_deg)), type.radius,
-                      pi * type.radius * type.radius, &type.emission, &unit.id});
+                      pi * type.radius * type.radius, &type.emission, unit.relative_power, &unit.id});
   }
   for (const EmittingSurface& source : scene.emitting_surfaces) {
     Surface surface{&source.id, source.material, source.radiance, {}, {}};
@@ -76,7 +76,7 @@ LightPoint Emitters::point(std::size_t j, double u1, double u2) const {
 double Emitters::intensity(std::size_t j, const LightPoint& from, const Vec3& direction) const {
   if (j < units_.size()) {
     const Unit& unit = units_[j];
-    return shelfbeam::intensity(*unit.emission, unit.frame.to_local(direction));
+    return unit.relative_power * shelfbeam::intensity(*unit.emission, unit.frame.to_local(direction));
   }
   return radiance(j) * from.area * std::abs(dot(from.normal, direction));
 }
@@ -87,7 +87,7 @@ std::optional<Emitted> Emitters::emit(std::size_t j, const std::array<double, 4>
     const Unit& unit = units_[j];
     const auto drawn = sample(*unit.emission, u[0], u[1]);
     if (!drawn) return std::nullopt;
-    return Emitted{from, unit.frame.to_world(drawn->direction), power(*unit.emission)};
+    return Emitted{from, unit.frame.to_world(drawn->direction), unit.relative_power * power(*unit.emission)};
   }
   // Each side gets half of the random numbers.
   const bool above = u[0] < 0.5;

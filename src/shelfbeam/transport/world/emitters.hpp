@@ -83,6 +83,7 @@ class Emitters {
     Frame frame;
     double radius, area;
     const Emission* emission;
+    double relative_power;
     const std::string* id;
   };
   struct DiscPlane {  ///< all discs of a grid lie in one plane, which a ray intersects once

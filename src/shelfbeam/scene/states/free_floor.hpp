@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// The floor of a shop between its fixtures and walls.
+class FreeFloor {
+ public:
+  /// `scene` must outlive the object.
+  explicit FreeFloor(const Scene& scene);
+
+  /// Whether a block of this height may stand on a convex part of the plan: within the room, below its
+  /// ceilings, outside holes and inner walls, and clear of fixtures, labels and installed units.
+  bool is_free(const Polygon& plan, double height) const;
+
+ private:
+  struct Obstacle {
+    Polygon plan;  ///< convex
+    double bottom = 0, top = 0;
+  };
+  static std::vector<Obstacle> obstacles_of(const Scene& scene);
+  static std::vector<Bounds> bounds_of(const std::vector<Obstacle>& obstacles);
+
+  const Scene& scene_;
+  std::vector<Obstacle> obstacles_;
+  BoxIndex index_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,274 @@
+#include "shelfbeam/scene/states/store_states.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/fixture/turn.hpp"
+#include "shelfbeam/scene/states/draws.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+double share_open(const StoreVariation& variation, const Shelving& shelves) {
+  if (shelves.variation.open) return *shelves.variation.open;
+  double open = variation.open_doors;
+  for (const OpenDoors& doors : variation.doors)
+    if (matches_glob(shelves.id, doors.fixtures)) open = doors.open;
+  return open;
+}
+
+// By inversion: the smallest n with P(N <= n) > u.
+std::int64_t poisson(double mean, double u) {
+  double probability = std::exp(-mean), sum = probability;
+  std::int64_t n = 0;
+  const auto most = static_cast<std::int64_t>(mean + 20 * std::sqrt(mean) + 20);
+  while (sum <= u && n < most) {
+    ++n;
+    probability *= mean / static_cast<double>(n);
+    sum += probability;
+  }
+  return n;
+}
+
+std::int64_t number_of(const StandingBoxes& boxes, double u) {
+  if (const auto* poisson_number = std::get_if<PoissonNumber>(&boxes.number))
+    return poisson(poisson_number->mean, u);
+  if (const auto* ends = std::get_if<UniformNumber>(&boxes.number))
+    return ends->low + static_cast<std::int64_t>(u * static_cast<double>(ends->high - ends->low + 1));
+  return u < std::get<Presence>(boxes.number).probability ? 1 : 0;
+}
+
+double decibels(double value) {
+  return std::pow(10, value / 10);
+}
+
+}  // namespace
+
+/// One state in the making.
+class StoreStates::Drawing {
+ public:
+  Drawing(const StoreStates& states, std::uint64_t k)
+      : states_(states), variation_(*states.store_.variation), k_(k), state_(states.store_) {}
+
+  Store drawn() {
+    state_.variation.reset();
+    if (!state_.name.empty()) state_.name += fmt::format(", state {}", k_);
+    list_devices();
+    for (Listed<Fixture>& fixture : state_.fixtures) vary(fixture.value);
+    for (const StandingBoxes& boxes : variation_.boxes) stand(boxes);
+    return std::move(state_);
+  }
+
+ private:
+  Draws draws(std::string_view kind, std::string_view id) const {
+    return Draws(states_.seed_, k_, fmt::format("{}/{}", kind, id));
+  }
+
+  void list_devices() {
+    const Scene& scene = states_.scene_;
+    const std::string where = fmt::format("{}: state {}", state_.file, k_);
+    state_.labels.clear();
+    for (const Label& label : scene.labels) {
+      state_.labels.push_back({label, where});
+      if (variation_.label_sensitivity_db > 0)
+        state_.labels.back().value.relative_sensitivity *=
+            factor(variation_.label_sensitivity_db, draws("label", label.id));
+    }
+    state_.grids.clear();
+    state_.areas.clear();
+    state_.rails.clear();
+    state_.faces.clear();
+    state_.keep_out.clear();
+    state_.transceivers.clear();
+    state_.installed.clear();
+    for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
+      Transceiver unit = scene.transceivers[j];
+      move(unit);
+      if (unit.installed) state_.installed.push_back({unit.id, where});
+      state_.transceivers.push_back({std::move(unit), where});
+    }
+  }
+
+  static double factor(double sigma_db, const Draws& draws) {
+    return rounded(std::clamp(decibels(sigma_db * draws.normal(0)), 0.01, 100.0), 1e6);
+  }
+
+  // Options of a mounting point move together, in the plane of the surface that it is on: horizontal, except
+  // for units that face sideways.
+  void move(Transceiver& unit) const {
+    const auto& [px, py, pz] = unit.position;
+    const std::string mount = fmt::format("{:.4f} {:.4f} {:.4f}", px, py, pz);
+    if (variation_.unit_power_db > 0)
+      unit.relative_power *= factor(variation_.unit_power_db, draws("power", mount));
+    const Draws draws = this->draws("mount", mount);
+    if (variation_.position > 0) {
+      const Frame plane = Frame::about({0, 0, 1});
+      constexpr int attempts = 20;
+      for (std::uint32_t a = 0; a < attempts; ++a) {
+        const double x = variation_.position * draws.normal(2 * a),
+                     y = variation_.position * draws.normal(2 * a + 1);
+        const Vec3 p = unit.position + plane.x * x + plane.y * y;
+        const Vec3 moved{rounded(p.x, 1e6), rounded(p.y, 1e6), rounded(p.z, 1e6)};
+        if (states_.scene_.room && !states_.scene_.room->beyond(moved, 0).empty()) continue;
+        unit.position = moved;
+        break;
+      }
+    }
+    if (variation_.tilt_deg > 0) {
+      const Frame frame = Frame::about(unit.axis);
+      constexpr std::uint32_t first = 1000;
+      const double x = std::tan(radians(variation_.tilt_deg * draws.normal(first))),
+                   y = std::tan(radians(variation_.tilt_deg * draws.normal(first + 1)));
+      const Vec3 axis = unit.axis + frame.x * x + frame.y * y;
+      unit.axis = normalized({rounded(axis.x, 1e9), rounded(axis.y, 1e9), rounded(axis.z, 1e9)});
+    }
+  }
+
+  void vary(Fixture& fixture) const {
+    std::visit(
+        [&]<class T>(T& one) {
+          if constexpr (std::is_base_of_v<Shelving, T>) {
+            vary_stock(one);
+            if (one.doors && draws("doors", one.id).uniform(0) < share_open(variation_, one))
+              one.doors_open = true;
+            one.variation = {};
+            one.labels.reset();  // the state lists them
+          }
+        },
+        fixture);
+  }
+
+  // The levels of rows have a Gaussian copula, so each is uniformly distributed.
+  template <class T>
+  void vary_stock(T& shelves) const {
+    const Range range = shelves.variation.stocking.value_or(variation_.stocking);
+    const Draws draws = this->draws("stocking", shelves.id);
+    constexpr std::uint32_t number = 1'000'000'000;
+    shelves.arrangement = 1 + to_index(draws.bits(0), number);
+    shelves.row_stocking.clear();
+    const auto level = [&](double share) { return rounded(range.at(share), 1e3); };
+    if (variation_.correlation == 1 || range.low == range.high) {
+      shelves.stocking = level(draws.uniform(1));
+      return;
+    }
+    const double common = std::sqrt(variation_.correlation) * draws.normal(2),
+                 own = std::sqrt(1 - variation_.correlation);
+    std::uint32_t row = 3;
+    const auto add_rows = [&](Face face, std::size_t count) {
+      for (std::size_t k = 0; k < count; ++k) {
+        const double z = common + own * draws.normal(row++);
+        shelves.row_stocking[face].push_back(level(0.5 * std::erfc(-z / std::sqrt(2.0))));
+      }
+    };
+    if constexpr (std::is_same_v<T, Gondola>)
+      for (const Face face : shelves.faces) add_rows(face, shelves.shelves.size() + 1);
+    else
+      for (const Face face : {Face::front, Face::back}) add_rows(face, 1);
+  }
+
+  // Boxes without a free place after many attempts are omitted: the area is full.
+  void stand(const StandingBoxes& boxes) {
+    const Scene& scene = states_.scene_;
+    const Polygon& area = polygon_of(boxes.area, scene.room ? &*scene.room : nullptr);
+    const PlanBounds bounds = bounds_of(area);
+    const std::int64_t number = number_of(boxes, draws("number", boxes.id).uniform(0));
+    const bool is_single = std::holds_alternative<Presence>(boxes.number);
+    for (std::int64_t n = 1; n <= number; ++n) {
+      const std::string id = is_single ? boxes.id : fmt::format("{} {}", boxes.id, n);
+      const Draws draws = this->draws("place", id);
+      constexpr std::uint32_t attempts = 1000;
+      for (std::uint32_t a = 0; a < attempts; ++a) {
+        const auto within = [&](std::size_t axis) {
+          return bounds.low[axis] + draws.uniform(4 * a + static_cast<std::uint32_t>(axis)) *
+                                        (bounds.high[axis] - bounds.low[axis]);
+        };
+        const Vec2 middle{within(0), within(1)};
+        if (!contains(area, middle)) continue;
+        const double rotation_deg = rounded(360 * draws.uniform(4 * a + 2), 10);
+        const Vec2 half = turned({boxes.size.x / 2, boxes.size.y / 2}, rotation_deg);
+        const Vec2 at{rounded(middle[0] - half[0], 1e3), rounded(middle[1] - half[1], 1e3)};
+        Polygon plan;
+        for (const auto& [x, y] :
+             {Vec2{0, 0}, {boxes.size.x, 0}, {boxes.size.x, boxes.size.y}, {0, boxes.size.y}}) {
+          const Vec2 corner = turned({x, y}, rotation_deg);
+          plan.push_back({at[0] + corner[0], at[1] + corner[1]});
+        }
+        if (!states_.floor_.is_free(plan, boxes.size.z) ||
+            std::any_of(taken_.begin(), taken_.end(),
+                        [&](const Polygon& other) { return overlap(other, plan); }))
+          continue;
+        add_box(boxes, id, {at[0], at[1], 0}, rotation_deg);
+        taken_.push_back(std::move(plan));
+        break;
+      }
+    }
+  }
+
+  void add_box(const StandingBoxes& boxes, const std::string& id, const Vec3& at, double rotation_deg) {
+    if (ids_.empty())
+      for (const FixtureOutline& fixture : states_.scene_.fixtures) ids_.insert(fixture.id);
+    Box box;
+    box.id = id;
+    while (!ids_.insert(box.id).second) box.id += "'";
+    box.min = at;
+    box.size = boxes.size;
+    box.max = at + boxes.size;
+    box.rotation_deg = rotation_deg;
+    box.material = boxes.material;
+    state_.fixtures.push_back({std::move(box), fmt::format("{}: state {}", state_.file, k_)});
+  }
+
+  const StoreStates& states_;
+  const StoreVariation& variation_;
+  std::uint64_t k_;
+  Store state_;
+  std::vector<Polygon> taken_;  ///< by people and objects
+  std::set<std::string> ids_;
+};
+
+StoreStates::StoreStates(const Store& store, const Scene& scene, std::uint64_t seed)
+    : store_(store), scene_(scene), seed_(seed), floor_(scene) {
+  if (!store.variation)
+    throw InputError(store.file, "has no section 'variation', so it has only one state",
+                     "add the section, even if it is empty");
+}
+
+Store StoreStates::state(std::uint64_t k) const {
+  return Drawing(*this, k).drawn();
+}
+
+std::vector<std::string> StoreStates::assumptions() const {
+  const StoreVariation& variation = *store_.variation;
+  bool has_stock = false, has_doors = false;
+  for (const auto& [fixture, where] : store_.fixtures)
+    if (const Shelving* shelves = shelving_of(fixture)) {
+      has_stock |= !shelves->variation.stocking;
+      has_doors |= shelves->doors && !shelves->variation.open &&
+                   std::none_of(variation.doors.begin(), variation.doors.end(), [&](const OpenDoors& doors) {
+                     return matches_glob(shelves->id, doors.fixtures);
+                   });
+    }
+  std::vector<std::string> assumed;
+  if (has_stock && variation.is_assumed)
+    assumed.push_back(fmt::format("shelves are filled to between {:.0f} and {:.0f} %",
+                                  100 * variation.stocking.low, 100 * variation.stocking.high));
+  if (has_doors)
+    assumed.push_back(fmt::format("doors are open for {:.2g} % of the time", 100 * variation.open_doors));
+  return assumed;
+}
+
+}  // namespace shelfbeam

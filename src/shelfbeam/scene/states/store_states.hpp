@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/states/free_floor.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+namespace shelfbeam {
+
+/// The states of a shop: draws of the variation of its store file (docs/formats/store/variation.md). State k
+/// depends on the store, the seed and k only.
+class StoreStates {
+ public:
+  /// `scene` is that of the store, perhaps with some of its labels and transceivers; both must outlive the
+  /// object. Throws InputError if the store has no section "variation".
+  StoreStates(const Store& store, const Scene& scene, std::uint64_t seed);
+
+  /// The store in state k, an ordinary store: its labels and candidates are listed in the order of the scene,
+  /// people and objects are boxes, and it has no variation.
+  Store state(std::uint64_t k) const;
+
+  /// The values that the store file does not give, for users: "stocking between 0.4 and 1".
+  std::vector<std::string> assumptions() const;
+
+ private:
+  class Drawing;
+
+  const Store& store_;
+  const Scene& scene_;
+  std::uint64_t seed_;
+  FreeFloor floor_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/room_shape.hpp"
+
+namespace shelfbeam {
+
+/// A number between two ends, uniformly distributed.
+struct Range {
+  double low = 0, high = 1;
+
+  double at(double share) const { return low + share * (high - low); }
+};
+
+class JsonCursor;
+
+/// A share from 0 to 1: a number, or { "uniform": [low, high] }. Throws InputError.
+Range read_share_range(const JsonCursor& json);
+nlohmann::ordered_json resolved(const Range& range);
+
+/// Distributions of the number of boxes.
+struct PoissonNumber {
+  double mean = 0;
+};
+struct UniformNumber {
+  std::int64_t low = 0, high = 0;  ///< both included
+};
+/// One or none.
+struct Presence {
+  double probability = 0;
+};
+
+/// Boxes that stand on the floor at random free places of an area, turned by random angles: people, pallets.
+struct StandingBoxes {
+  std::string id;  ///< the boxes are named after it
+  PlanArea area;
+  std::variant<PoissonNumber, UniformNumber, Presence> number;
+  Vec3 size;  ///< m
+  MaterialId material;
+  bool is_person = false;
+};
+
+/// Doors of the fixtures whose ids match a pattern ('*' and '?').
+struct OpenDoors {
+  std::string fixtures;
+  double open = 0;  ///< share of the time
+};
+
+/// The changes of a shop (docs/formats/store/variation.md). A state is one draw of all of them.
+struct StoreVariation {
+  Range stocking{0.4, 1};    ///< level of every fixture
+  double correlation = 1;    ///< between the levels of a fixture's rows
+  bool is_assumed = true;    ///< the file does not give `stocking`
+  double open_doors = 0.03;  ///< share of the time, of doors that no member of `doors` names
+  std::vector<OpenDoors> doors;
+  std::vector<StandingBoxes> boxes;  ///< people, then objects
+  /// Standard deviations.
+  double position = 0, tilt_deg = 0, unit_power_db = 0, label_sensitivity_db = 0;
+};
+
+}  // namespace shelfbeam

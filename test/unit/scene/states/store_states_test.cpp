@@ -1,0 +1,232 @@
+#include "shelfbeam/scene/states/store_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/stats/moments.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Json;
+
+// A store with shelves, a cabinet, a counter, people and pallets.
+Json shop() {
+  Json store = test::sample_store();
+  store["room"] = Json::parse(R"({"outline": [[0, 0], [12, 0], [12, 5], [20, 6], [20, 14], [0, 14]],
+    "holes": [[[8, 8], [9, 8], [9, 9], [8, 9]]], "height": 3, "floor": "tile", "ceiling": "white", "walls": "white",
+    "zones": [{"id": "low", "polygon": [[12, 5], [20, 6], [20, 10], [12, 10]], "height": 1.7}],
+    "inner_walls": [{"id": "W", "from": [4, 0], "to": [4, 6], "openings": [{"at": 1, "width": 2, "top": 2.1}]}]})");
+  store["fixtures"] = Json::parse(R"([
+    {"type": "gondola", "id": "A", "at": [6, 2], "length": 3, "depth": 0.9, "height": 1.8, "rotation_deg": 20,
+     "material": "steel", "shelves": [0.4, 0.9, 1.3], "labels": {"type": "small", "count": 2}},
+    {"type": "gondola", "id": "chiller", "at": [1, 12.9], "length": 3, "depth": 0.9, "height": 1.8, "faces": ["front"],
+     "material": "steel", "shelves": [0.4], "doors": "door", "variation": {"stocking": 0.7}},
+    {"type": "freezer", "id": "F", "at": [1, 8], "length": 2, "depth": 0.8, "height": 0.9, "material": "steel"},
+    {"type": "prism", "id": "counter", "polygon": [[10, 10], [13, 10], [13, 13], [12, 11]], "top": 1, "material": "white"}])");
+  store["labels"] = Json::array();
+  store["transceivers"] =
+      Json::parse(R"({"areas": [{"type": "down", "area": "room", "spacing": 3, "below_ceiling": 0.02,
+    "axes": [[0, 0, -1], [0.5, 0, -0.8]]}], "keep_out": [{"min": [0, 0], "max": [3, 3]}], "installed": ["A1-2-3/a1"]})");
+  store["variation"] = Json::parse(R"({"stocking": {"uniform": [0.4, 0.9]}, "correlation": 0.6,
+    "people": [{"area": "room", "number": {"poisson": 4}, "size": [0.5, 0.3, 1.75], "material": "carton"}],
+    "doors": [{"fixtures": "chill*", "open": 0.25}],
+    "objects": [{"id": "pallet", "present": 0.3, "area": [[9, 1], [12, 1], [12, 5], [9, 5]], "size": [1.2, 0.8, 1.4],
+                 "material": "carton"}],
+    "mounting": {"position": 0.05, "tilt_deg": 2}, "unit_power_db": 0.5, "label_sensitivity_db": 1})");
+  return store;
+}
+
+struct Shop {
+  explicit Shop(const Json& json = shop(), std::uint64_t seed = 1)
+      : store(test::read_text(json.dump())), scene(make_scene(store)), states(store, scene, seed) {}
+
+  Store store;
+  Scene scene;
+  StoreStates states;
+};
+
+std::string text_of(const Store& state) {
+  return resolved_store_json(state, make_scene(state));
+}
+
+const Shelving& shelves(const Store& state, std::size_t fixture) {
+  return *shelving_of(state.fixtures[fixture].value);
+}
+
+TEST(StoreStates, DependOnSeedAndNumberOnly) {
+  const Shop one, two, other(shop(), 2);
+  const std::string third = text_of(one.states.state(3));
+  EXPECT_EQ(text_of(two.states.state(3)), third);
+  EXPECT_NE(text_of(one.states.state(4)), third);
+  EXPECT_NE(text_of(other.states.state(3)), third);
+}
+
+TEST(StoreStates, AreOrdinaryStores) {
+  const Shop one;
+  for (int k = 0; k < 20; ++k) {
+    const std::string text = text_of(one.states.state(k));
+    const Store again = test::read_text(text);
+    EXPECT_FALSE(again.variation);
+    EXPECT_EQ(text_of(again), text);
+  }
+}
+
+TEST(StoreStates, KeepLabelsAndCandidatesInTheirOrder) {
+  const Shop one;
+  const Scene scene = make_scene(one.states.state(5));
+  ASSERT_EQ(scene.labels.size(), one.scene.labels.size());
+  ASSERT_EQ(scene.transceivers.size(), one.scene.transceivers.size());
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    EXPECT_EQ(scene.labels[i].id, one.scene.labels[i].id);
+    EXPECT_EQ(scene.labels[i].position, one.scene.labels[i].position);
+  }
+  std::size_t installed = 0;
+  for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
+    EXPECT_EQ(scene.transceivers[j].id, one.scene.transceivers[j].id);
+    installed += scene.transceivers[j].installed ? 1 : 0;
+  }
+  EXPECT_EQ(installed, 1U);
+}
+
+// z-tests of 2000 states at 5 standard errors each: a correct program fails with a probability of 1e-5.
+TEST(StoreStates, HaveTheGivenDistributions) {
+  const Shop one;
+  constexpr int states = 2000;
+  Moments stock, squared_stock, product, people, squared_people, open, pallets, power, position, tilt;
+  for (int k = 0; k < states; ++k) {
+    const Store state = one.states.state(static_cast<std::uint64_t>(k));
+    const auto& rows = shelves(state, 0).row_stocking;
+    ASSERT_EQ(rows.at(Face::front).size(), 4U);
+    const double a = (rows.at(Face::front)[0] - 0.65) / 0.25, b = (rows.at(Face::back)[2] - 0.65) / 0.25;
+    stock.add(a);
+    squared_stock.add(a * a);
+    product.add(a * b);
+    EXPECT_EQ(shelves(state, 1).stocking, 0.7);
+    open.add(shelves(state, 1).doors_open ? 1 : 0);
+    double persons = 0, has_pallet = 0;
+    for (const auto& [fixture, where] : state.fixtures) {
+      persons += id_of(fixture).starts_with("person") ? 1 : 0;
+      has_pallet += id_of(fixture) == "pallet" ? 1 : 0;
+    }
+    people.add(persons);
+    squared_people.add((persons - 4) * (persons - 4));
+    pallets.add(has_pallet);
+    const Transceiver &unit = state.transceivers[20].value, &planned = one.scene.transceivers[20];
+    power.add(10 * std::log10(unit.relative_power) / 0.5);
+    position.add((unit.position.x - planned.position.x) / 0.05);
+    tilt.add(std::acos(std::min(1.0, dot(unit.axis, planned.axis))) * 180 / pi);
+  }
+  const auto expect = [](const Moments& found, double mean, double deviation, const char* what) {
+    EXPECT_NEAR(found.mean(), mean, 5 * deviation / std::sqrt(states)) << what;
+  };
+  expect(stock, 0, std::sqrt(1 / 3.0), "stocking");
+  expect(squared_stock, 1 / 3.0, std::sqrt(1 / 5.0 - 1 / 9.0), "its square");
+  // Of uniform variables with a Gaussian copula: Spearman's rho is 6 / pi asin(r / 2).
+  expect(product, 2 / pi * std::asin(0.3), 0.45, "correlation");
+  expect(people, 4, 2, "people");
+  expect(squared_people, 4, std::sqrt(4 + 2 * 16.0), "their variance");
+  expect(open, 0.25, std::sqrt(0.25 * 0.75), "doors");
+  expect(pallets, 0.3, std::sqrt(0.3 * 0.7), "pallets");
+  expect(power, 0, 1, "power");
+  expect(position, 0, 1, "position");
+  expect(tilt, 2 * std::sqrt(pi / 2), 2 * std::sqrt(2 - pi / 2), "tilt");
+  // The control: one of independent rows.
+  EXPECT_GT(std::abs(product.mean()), 5 / 3.0 / std::sqrt(states));
+}
+
+TEST(StoreStates, StandPeopleAndObjectsOnFreeFloor) {
+  Json crowded = shop();
+  crowded["variation"]["people"][0]["number"] = 60;
+  const Shop one(crowded);
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const Store state = one.states.state(k);
+    const Scene scene = make_scene(state);
+    std::vector<const Part*> boxes, others;
+    for (const Part& part : scene.parts) {
+      const std::string& id = scene.fixtures[part.fixture].id;
+      (id.starts_with("person") || id == "pallet" ? boxes : others).push_back(&part);
+    }
+    EXPECT_GT(boxes.size(), 55U);
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+      for (const Vec2& corner : boxes[b]->footprint) {
+        EXPECT_TRUE(scene.room->covers(corner));
+        EXPECT_GE(scene.room->ceiling_over(corner).at(corner), boxes[b]->top) << "not below the low ceiling";
+      }
+      for (std::size_t c = 0; c < b; ++c) EXPECT_FALSE(overlap(boxes[b]->footprint, boxes[c]->footprint));
+      for (const Part* part : others)
+        EXPECT_FALSE(part->bottom < boxes[b]->top && part->kind != PartKind::mesh &&
+                     overlap(boxes[b]->footprint, part->footprint));
+    }
+    EXPECT_EQ(scene.warnings, std::vector<std::string>());
+  }
+}
+
+TEST(StoreStates, OptionsOfAMountingPointMoveTogether) {
+  const Shop one;
+  const Scene scene = make_scene(one.states.state(0));
+  std::map<std::string, Vec3> first;
+  std::size_t pairs = 0;
+  for (const Transceiver& unit : scene.transceivers) {
+    const std::string mount = unit.id.substr(0, unit.id.find('/'));
+    const auto [found, is_new] = first.emplace(mount, unit.position);
+    if (is_new) continue;
+    EXPECT_EQ(found->second, unit.position) << mount;
+    ++pairs;
+  }
+  EXPECT_GT(pairs, 10U);
+}
+
+TEST(StoreStates, SayWhatTheyAssume) {
+  Json store = shop();
+  EXPECT_EQ(Shop(store).states.assumptions(), std::vector<std::string>());
+  store["variation"] = Json::object();
+  EXPECT_EQ(Shop(store).states.assumptions(),
+            (std::vector<std::string>{"shelves are filled to between 40 and 100 %",
+                                      "doors are open for 3 % of the time"}));
+  store.erase("variation");
+  test::expect_input_error([&] { Shop{store}; }, std::string_view("has no section 'variation'"));
+}
+
+TEST(StoreStates, VariationIsReadBackToTheBit) {
+  const Shop one;
+  const std::string text = text_of(one.store);
+  EXPECT_EQ(text_of(test::read_text(text)), text);
+  EXPECT_NE(text.find("\"variation\""), std::string::npos);
+}
+
+TEST(Variation, RefusesFaultsWithTheirPlace) {
+  for (const auto& [pointer, value, message] : std::vector<std::array<const char*, 3>>{
+           {"/variation/doors/0/fixtures", R"("A*")",
+            "variation.doors[0].fixtures: matches no fixture with doors"},
+           {"/variation/people/0/number", R"({"poisson": 3, "uniform": [0, 1]})",
+            "variation.people[0].number: must have one of 'poisson' and 'uniform'"},
+           {"/variation/people/0/number", R"({"uniform": [3, 1]})", "has its second number below its first"},
+           {"/variation/people/0/area", R"("bakery")", "is neither 'room' nor the id of a zone"},
+           {"/variation/stocking", R"({"uniform": [0.9, 0.4]})",
+            "variation.stocking.uniform: has its second"},
+           {"/variation/objects/0/id", R"("person")",
+            "variation.objects[0].id: is the duplicate id 'person'"},
+           {"/fixtures/0/variation", R"({"open": 0.1})", "fixtures[0].variation.open: requires doors"},
+           {"/fixtures/0/stocking", R"({"front": [0.4, 0.5]})",
+            "fixtures[0].stocking: does not have 4 numbers for 'front'"}}) {
+    Json store = shop();
+    store[Json::json_pointer(pointer)] = Json::parse(value);
+    test::expect_input_error([&] { test::read_text(store.dump()); }, std::string_view(message));
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam
