@@ -60,6 +60,9 @@ struct SignalMatrix {
   /// Empty unless requested.
   std::vector<SignalLayer> by_length;
   double length_step = 0;  ///< m
+  /// Layer k: state k of a shop that varies, with signals multiplied by the relative sensitivity of the
+  /// label. `mean` is then that of the states. Empty unless requested.
+  std::vector<SignalLayer> by_state;
   double wavelength_nm = 940;
   std::string currency;  ///< of the costs of transceivers; empty: not given
   Provenance provenance;

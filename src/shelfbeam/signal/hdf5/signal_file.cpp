@@ -73,6 +73,7 @@ class MatrixWriter {
     layers("bounce", "/bounces", 0, rows_.bounce_layers());
     if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
     layers("length", "/lengths", rows_.bounce_layers(), rows_.length_layers());
+    layers("state", "/states", rows_.bounce_layers() + rows_.length_layers(), rows_.state_layers());
 
     file_.group("/labels");
     each_label_member([&](const auto& path, auto member) { column(path, matrix_.labels, member); });
@@ -140,14 +141,21 @@ class OwnRows : public SignalRows {
   }
   void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                   std::span<float> values) const override {
-    const SignalLayer& part =
-        layer < bounce_layers() ? matrix_.by_bounce[layer] : matrix_.by_length[layer - bounce_layers()];
+    const SignalLayer& part = layer_of(layer);
     copy(quantity == Quantity::mean ? part.mean : part.standard_error, row, values);
   }
   std::size_t bounce_layers() const override { return matrix_.by_bounce.size(); }
   std::size_t length_layers() const override { return matrix_.by_length.size(); }
+  std::size_t state_layers() const override { return matrix_.by_state.size(); }
 
  private:
+  const SignalLayer& layer_of(std::size_t layer) const {
+    for (const auto* layers : {&matrix_.by_bounce, &matrix_.by_length}) {
+      if (layer < layers->size()) return (*layers)[layer];
+      layer -= layers->size();
+    }
+    return matrix_.by_state[layer];
+  }
   template <class T>
   static void copy(const std::vector<T>& from, std::size_t row, std::span<T> values) {
     const auto part = std::span(from).subspan(row * values.size(), values.size());
@@ -189,6 +197,7 @@ class MatrixReader {
     if (file_.has("/flags")) matrix.flags = flags("/flags", matrix);
     matrix.by_bounce = layers("bounce", "/bounces", matrix);
     matrix.by_length = layers("length", "/lengths", matrix);
+    matrix.by_state = layers("state", "/states", matrix);
     if (!matrix.by_length.empty()) {
       matrix.length_step = file_.attribute<double>("length_step");
       if (!(std::isfinite(matrix.length_step) && matrix.length_step > 0))
@@ -234,7 +243,13 @@ class MatrixReader {
     for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>(kind + "_layers"); ++k) {
       SignalLayer& layer = layers.emplace_back();
       layer.standard_error = entries(fmt::format("{}/{}/standard_error", path, k), matrix);
-      layer.mean = means(fmt::format("{}/{}/mean", path, k), matrix, layer.standard_error);
+      const std::string mean = fmt::format("{}/{}/mean", path, k);
+      // A single state has few batches, so its errors are too uncertain for a judgement of negative means.
+      layer.mean =
+          kind == "state"
+              ? checked<float>(mean, matrix,
+                               [](std::size_t, float value) { return amount_problem(std::abs(value)); })
+              : means(mean, matrix, layer.standard_error);
     }
     return layers;
   }

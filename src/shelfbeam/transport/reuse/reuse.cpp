@@ -23,6 +23,8 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::size_t largest_cluster = 96;
+// The spread between the states of a shop is many times the noise of a single state.
+constexpr ReuseEffort effort_of_states{.lookups = 48, .points = 1, .gather_rays = 12, .later_gather_rays = 8};
 // The cache keeps irradiances above this share of the smallest requirement.
 constexpr double min_share = 0.005;
 
@@ -35,7 +37,7 @@ std::vector<std::uint32_t> all_numbers(std::size_t count) {
 double smallest_requirement(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Label& label : scene.labels) {
-    const double requirement = scene.type_of(label).requirement();
+    const double requirement = scene.requirement_of(label);
     if (requirement > 0) smallest = std::min(smallest, requirement);
   }
   return std::isfinite(smallest) ? smallest : 1e-3;
@@ -68,8 +70,21 @@ struct ReuseEstimator::Tables {
         effort(e),
         units(w),
         spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
-        cache(w, units, static_cast<float>(min_share * requirement), mix_key(s, hash64("radiance cache")),
-              control),
+        shared_cache(std::make_shared<const RadianceCache>(w, units,
+                                                           static_cast<float>(min_share * requirement),
+                                                           mix_key(s, hash64("radiance cache")), control)),
+        cache(*shared_cache),
+        residual(w, units, cache, spots, requirement, e) {}
+
+  // For another state of the world, with the cache of the first.
+  Tables(const World& w, std::uint64_t s, const ReuseEffort& e, const Tables& first)
+      : world(w),
+        requirement(first.requirement),
+        effort(e),
+        units(w, first.units),
+        spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
+        shared_cache(first.shared_cache),
+        cache(*shared_cache),
         residual(w, units, cache, spots, requirement, e) {}
 
   // Adds the cache's light on every label, from many rays that only look up the cache, and the light of
@@ -222,7 +237,7 @@ struct ReuseEstimator::Tables {
     if (j >= world.scene.transceivers.size()) return 1;
     const double away = length(world.scene.transceivers[j].position - world.scene.labels[i].position);
     const double most = static_cast<double>(units.peak(units.lane_index(j) / lanes)) / (away * away);
-    return most > little * world.scene.type_of(world.scene.labels[i]).requirement() ? 1 : seldom;
+    return most > little * world.scene.requirement_of(world.scene.labels[i]) ? 1 : seldom;
   }
 
   // Density per area with which a label's rays sample a point, without visibility.
@@ -239,7 +254,8 @@ struct ReuseEstimator::Tables {
   ReuseEffort effort;
   UnitGroups units;
   BrightSpots spots;
-  RadianceCache cache;
+  std::shared_ptr<const RadianceCache> shared_cache;
+  const RadianceCache& cache;
   Residual residual;
   mutable tbb::enumerable_thread_specific<Workspace> workspaces;
 };
@@ -276,6 +292,11 @@ std::string ReuseEstimator::name() const {
 std::unique_ptr<Estimator> ReuseEstimator::part(std::span<const std::uint32_t> labels, std::uint64_t seed,
                                                 std::uint64_t) const {
   return std::unique_ptr<Estimator>(new ReuseEstimator(tables_, labels, seed));
+}
+std::unique_ptr<Estimator> ReuseEstimator::for_state(const World& changed, std::uint64_t seed) const {
+  auto tables = std::make_shared<const Tables>(changed, seed, effort_of_states, *tables_);
+  return std::unique_ptr<Estimator>(
+      new ReuseEstimator(std::move(tables), all_numbers(changed.receivers.size()), seed));
 }
 std::size_t ReuseEstimator::bytes() const {
   return tables_->cache.bytes();

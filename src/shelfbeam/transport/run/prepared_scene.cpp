@@ -31,6 +31,14 @@ PreparedScene::PreparedScene(const Scene& scene, const SimulationOptions& option
   if (!direct_.is_complete()) throw Interrupted("the simulation was stopped");
 }
 
+PreparedScene::PreparedScene(const Scene& state, const PreparedScene& first, const SimulationOptions& options,
+                             const RunControl& control)
+    : world_(state),
+      estimator_(first.estimator_->for_state(world_, options.seed)),
+      direct_(world_, options.rules(), control) {
+  if (!direct_.is_complete()) throw Interrupted("the simulation was stopped");
+}
+
 std::unique_ptr<const PreparedScene> prepare(const Scene& scene, const SimulationOptions& options,
                                              bool keeps_matrix, const RunControl& control) {
   const ThreadLimit allowed(control.threads);

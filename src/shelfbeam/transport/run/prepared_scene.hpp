@@ -19,6 +19,11 @@ class PreparedScene {
   PreparedScene(const Scene& scene, const SimulationOptions& options, bool keeps_matrix,
                 const RunControl& control);
 
+  /// Another state of a prepared scene, with the same labels, candidates and materials. It shares tables with
+  /// `first`, which makes it cheap, and has few samples per batch (Estimator::for_state).
+  PreparedScene(const Scene& state, const PreparedScene& first, const SimulationOptions& options,
+                const RunControl& control);
+
   const World& world() const { return world_; }
   const Estimator& estimator() const { return *estimator_; }
   const detail::AnalyticDirect& direct() const { return direct_; }

@@ -19,6 +19,8 @@
 
 namespace shelfbeam {
 
+struct World;
+
 /// The result of one batch of one item: means over its samples, for the entries that are not zero.
 struct BatchValues {
   struct Value {
@@ -78,6 +80,11 @@ class Estimator {
   /// unbiased. Throws InputError for particles, whose batches have no rows.
   virtual std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
                                           std::uint64_t min_samples) const = 0;
+
+  /// The same estimator for a changed scene with the same labels, candidates and materials, with few samples
+  /// per batch. It may share tables of this estimator and outlives it; whatever the tables are, batches are
+  /// unbiased. `changed` must outlive the result.
+  virtual std::unique_ptr<Estimator> for_state(const World& changed, std::uint64_t seed) const = 0;
 
   /// Memory for the estimator's own tables, in bytes.
   virtual std::size_t bytes() const { return 0; }

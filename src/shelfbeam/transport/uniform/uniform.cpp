@@ -49,6 +49,10 @@ std::string UniformEstimator::name() const {
   return name;
 }
 
+std::unique_ptr<Estimator> UniformEstimator::for_state(const World& changed, std::uint64_t seed) const {
+  return std::make_unique<UniformEstimator>(changed, rules_, seed, per_batch_);
+}
+
 std::unique_ptr<Estimator> UniformEstimator::part(std::span<const std::uint32_t> labels, std::uint64_t seed,
                                                   std::uint64_t min_samples) const {
   if (by_source_)

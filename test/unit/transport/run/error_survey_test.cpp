@@ -27,6 +27,7 @@ class OneRow : public Estimator {
                                   std::uint64_t) const override {
     return nullptr;
   }
+  std::unique_ptr<Estimator> for_state(const World&, std::uint64_t) const override { return nullptr; }
 
  private:
   Block block_{{0}, {0, 1}};
