@@ -60,12 +60,9 @@ int run_inspect(const Options& options) {
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
   Store store = load_store(options.store, options.allow_outside, 0, drawing);
-  Scene scene = make_inspected_scene(store);
-  expect_no_warnings(scene, options.strict);
-  if (options.state) {
-    store = StoreStates(store, scene, options.common.seed).state(*options.state);
-    scene = make_scene(store);
-  }
+  const Scene nominal = make_inspected_scene(store);
+  if (options.state) store = StoreStates(store, nominal, options.common.seed).state(*options.state);
+  const Scene scene = options.state ? make_scene(store) : nominal;
   if (format != nullptr) write_file(drawing, format->draw(store, scene));
   if (options.common.json) {
     nlohmann::ordered_json json = summary_json(scene);
@@ -75,6 +72,7 @@ int run_inspect(const Options& options) {
     print_summary(scene, format == nullptr ? "" : fmt::format("{}: {}", format->name, drawing.string()));
     print_list("varies", variation_lines(store));
   }
+  expect_no_warnings(nominal, options.strict);
   return done;
 }
 

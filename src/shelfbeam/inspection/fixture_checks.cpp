@@ -24,41 +24,9 @@ namespace {
 // m by which fixtures that touch may overlap: cabinets have walls beyond their nominal length.
 constexpr double contact = 0.05;
 
-struct Interval {
-  double low = HUGE_VAL, high = -HUGE_VAL;
-
-  void include(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  double overlap(const Interval& other) const {
-    return std::min(high, other.high) - std::max(low, other.low);
-  }
-};
-
-Interval extent(const std::vector<Vec2>& polygon, double x, double y) {
-  Interval interval;
-  for (const Vec2& q : polygon) interval.include(x * q[0] + y * q[1]);
-  return interval;
-}
-
-// The distance by which one of two convex polygons must move until they no longer overlap (separating axes).
-double overlap(const std::vector<Vec2>& one, const std::vector<Vec2>& other) {
-  double smallest = HUGE_VAL;
-  for (const auto* polygon : {&one, &other})
-    for (std::size_t k = 0; k < polygon->size(); ++k) {
-      const Vec2 &a = (*polygon)[k], &b = (*polygon)[(k + 1) % polygon->size()];
-      const double x = a[1] - b[1], y = b[0] - a[0], edge = std::hypot(x, y);
-      if (edge > 0)
-        smallest =
-            std::min(smallest, extent(one, x / edge, y / edge).overlap(extent(other, x / edge, y / edge)));
-    }
-  return smallest;
-}
-
 double overlap(const Part& one, const Part& other) {
-  return std::min(Interval{one.bottom, one.top}.overlap({other.bottom, other.top}),
-                  overlap(one.footprint, other.footprint));
+  return std::min(std::min(one.top, other.top) - std::max(one.bottom, other.bottom),
+                  overlap_depth(one.footprint, other.footprint));
 }
 
 // The share of the smaller of two upright boxes that is inside the other.
@@ -231,8 +199,8 @@ bool touches_room(const Scene& scene, const Part& part) {
   }
   const RoomShape& room = *scene.room;
   const std::vector<PlanPart> parts = plan_parts(room, part.footprint);
-  return std::any_of(parts.begin(), parts.end(), [](const PlanPart& p) { return p.ceiling == nullptr; }) ||
-         part.top > lowest_ceiling(parts) - contact || is_near(part.footprint, room.outline, contact) ||
+  return leave_room(parts) || part.top > lowest_ceiling(parts) - contact ||
+         is_near(part.footprint, room.outline, contact) ||
          std::any_of(room.holes.begin(), room.holes.end(),
                      [&](const Polygon& hole) { return is_near(part.footprint, hole, contact); });
 }

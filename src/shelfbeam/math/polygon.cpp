@@ -202,28 +202,30 @@ std::optional<PolygonFault> fault_of(const Polygon& polygon) {
                       "give the corners in order, with edges that do not cross"};
 }
 
-// By a separating line, which is parallel to an edge of one of the two.
-bool overlap(std::span<const Vec2> a, std::span<const Vec2> b) {
-  constexpr double rounding = 1e-9;  // m
-  const auto is_separated = [&](std::span<const Vec2> edges) {
-    for (std::size_t k = 0; k < edges.size(); ++k) {
-      const Vec2 &p = edges[k], &q = edges[(k + 1) % edges.size()];
-      const double x = q[1] - p[1], y = p[0] - q[0], length = std::hypot(x, y);
-      if (length == 0) continue;
-      const auto extent = [&](std::span<const Vec2> points) {
-        std::array<double, 2> ends{HUGE_VAL, -HUGE_VAL};
-        for (const Vec2& r : points) {
-          const double along = (x * r[0] + y * r[1]) / length;
-          ends = {std::min(ends[0], along), std::max(ends[1], along)};
-        }
-        return ends;
-      };
-      const auto of_a = extent(a), of_b = extent(b);
-      if (of_a[1] <= of_b[0] + rounding || of_b[1] <= of_a[0] + rounding) return true;
+double overlap_depth(std::span<const Vec2> one, std::span<const Vec2> other) {
+  const auto extent = [](std::span<const Vec2> polygon, double x, double y) {
+    std::array<double, 2> ends{HUGE_VAL, -HUGE_VAL};
+    for (const Vec2& q : polygon) {
+      const double along = x * q[0] + y * q[1];
+      ends = {std::min(ends[0], along), std::max(ends[1], along)};
     }
-    return false;
+    return ends;
   };
-  return !is_separated(a) && !is_separated(b);
+  double smallest = HUGE_VAL;
+  for (const auto& polygon : {one, other})
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+      const double x = a[1] - b[1], y = b[0] - a[0], edge = std::hypot(x, y);
+      if (!(edge > 0)) continue;
+      const auto mine = extent(one, x / edge, y / edge), theirs = extent(other, x / edge, y / edge);
+      smallest = std::min(smallest, std::min(mine[1], theirs[1]) - std::max(mine[0], theirs[0]));
+    }
+  return smallest;
+}
+
+bool overlap(std::span<const Vec2> one, std::span<const Vec2> other) {
+  constexpr double rounding = 1e-9;  // m
+  return overlap_depth(one, other) > rounding;
 }
 
 bool is_convex(const Polygon& polygon) {

@@ -26,8 +26,11 @@ std::optional<PolygonFault> fault_of(const Polygon& polygon);
 /// Positive if the corners are counter-clockwise.
 double signed_area(std::span<const Vec2> polygon);
 
-/// Whether two convex polygons share more than a border. They may be degenerate to a line.
-bool overlap(std::span<const Vec2> a, std::span<const Vec2> b);
+/// The distance by which one of two convex polygons must move until they no longer overlap (separating axes);
+/// not positive if they do not. They may be degenerate to a line.
+double overlap_depth(std::span<const Vec2> one, std::span<const Vec2> other);
+/// Whether two convex polygons share more than a border.
+bool overlap(std::span<const Vec2> one, std::span<const Vec2> other);
 
 /// Whether a counter-clockwise polygon without fault turns nowhere to the right, except by rounding.
 bool is_convex(const Polygon& polygon);

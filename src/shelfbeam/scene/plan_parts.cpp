@@ -41,12 +41,6 @@ PlanPart part_around(const RoomShape& shape, const Vec2& inside) {
 
 }  // namespace
 
-const CeilingZone* zone_over(const RoomShape& shape, const Vec2& p) {
-  const auto found = std::find_if(shape.zones.begin(), shape.zones.end(),
-                                  [&](const CeilingZone& zone) { return contains(zone.polygon, p); });
-  return found == shape.zones.end() ? nullptr : &*found;
-}
-
 std::vector<PlanPart> plan_parts(const RoomShape& shape, const Polygon& polygon) {
   const double negligible = rounding * perimeter_of(polygon);
   if (!(std::abs(signed_area(polygon)) > negligible)) return {};
@@ -77,6 +71,16 @@ std::vector<PlanPart> plan_parts(const RoomShape& shape, const Polygon& polygon)
   for (std::size_t f = 0; f < parts.size(); ++f)
     if (areas[f] > negligible && contains(polygon, map.inside[f])) kept.push_back(std::move(parts[f]));
   return kept;
+}
+
+bool leave_room(const std::vector<PlanPart>& parts) {
+  return std::any_of(parts.begin(), parts.end(),
+                     [](const PlanPart& part) { return part.ceiling == nullptr; });
+}
+
+bool is_within_room(const RoomShape& shape, const Polygon& polygon, double top) {
+  const std::vector<PlanPart> parts = plan_parts(shape, polygon);
+  return !leave_room(parts) && lowest_ceiling(parts) >= top;
 }
 
 double lowest_ceiling(const std::vector<PlanPart>& parts) {

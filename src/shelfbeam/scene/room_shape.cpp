@@ -8,7 +8,6 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
 
@@ -43,7 +42,7 @@ bool touches_no_zone(const RoomShape& shape, const Vec2& plan) {
   for (int k = 0; k < directions; ++k) {
     const double phi = 0.1 + 2 * pi * k / directions;  // not along the axes, as most edges are
     const Vec2 beside{plan[0] + radius * std::cos(phi), plan[1] + radius * std::sin(phi)};
-    if (shape.covers(beside) && zone_over(shape, beside) == nullptr) return true;
+    if (shape.covers(beside) && shape.zone_over(beside) == nullptr) return true;
   }
   return false;
 }
@@ -104,8 +103,14 @@ bool RoomShape::covers(const Vec2& p) const {
          std::none_of(holes.begin(), holes.end(), [&](const Polygon& hole) { return contains(hole, p); });
 }
 
+const CeilingZone* RoomShape::zone_over(const Vec2& p) const {
+  const auto found = std::find_if(zones.begin(), zones.end(),
+                                  [&](const CeilingZone& zone) { return contains(zone.polygon, p); });
+  return found == zones.end() ? nullptr : &*found;
+}
+
 const CeilingHeight& RoomShape::ceiling_over(const Vec2& p) const {
-  const CeilingZone* zone = zone_over(*this, p);
+  const CeilingZone* zone = zone_over(p);
   return zone == nullptr ? height : zone->height;
 }
 
@@ -123,8 +128,8 @@ std::string RoomShape::beyond(const Vec3& p, double slack) const {
     if (!side.empty()) return side;
   }
   // On the border of a zone, the highest ceiling that touches the point counts.
-  const CeilingZone* highest = zone_over(*this, plan);
-  double top = ceiling_over(plan).at(plan);
+  const CeilingZone* highest = zone_over(plan);
+  double top = (highest == nullptr ? height : highest->height).at(plan);
   bool is_on_border = false;
   for (const CeilingZone& zone : zones) {
     if (distance_to_border(zone.polygon, plan) > slack) continue;

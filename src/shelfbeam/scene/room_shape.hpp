@@ -78,6 +78,8 @@ struct RoomShape {
   OuterWall wall(std::size_t k) const;
   /// Within the outline and outside the holes.
   bool covers(const Vec2& p) const;
+  /// The zone that contains a point of the plan, or nothing.
+  const CeilingZone* zone_over(const Vec2& p) const;
   /// The ceiling above a point of the plan.
   const CeilingHeight& ceiling_over(const Vec2& p) const;
   /// The side beyond which a point lies ("above the ceiling (4.2 m > 4 m)"); empty within the room and within

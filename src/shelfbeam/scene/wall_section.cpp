@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "shelfbeam/math/polygon.hpp"
@@ -41,11 +42,11 @@ Polygon without_straight_corners(const Polygon& loop) {
 // The outlines of the area that triangles cover: their edges without those between two of them.
 std::vector<Polygon> outlines_of(const PlanarMap& map, const std::vector<std::size_t>& triangles) {
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
-  std::map<Edge, bool> edges;
+  std::set<Edge> edges;
   for (const std::size_t t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) edges[{map.triangles[t][k], map.triangles[t][(k + 1) % 3]}] = true;
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace(map.triangles[t][k], map.triangles[t][(k + 1) % 3]);
   std::multimap<std::uint32_t, std::uint32_t> ways;
-  for (const auto& [edge, present] : edges)
+  for (const Edge& edge : edges)
     if (!edges.contains({edge.second, edge.first})) ways.insert(edge);
   std::vector<Polygon> loops;
   while (!ways.empty()) {

@@ -12,16 +12,10 @@ namespace shelfbeam {
 
 double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
                        const PlacementProblem& problem) {
-  const bool cooperative = problem.model == CommunicationModel::cooperative;
-  double result = 0, largest = 0;
-  for (const SignalEntry& entry : row) {
-    if (!chosen[entry.transceiver]) continue;
-    // Adding the smaller of the two omits the largest signal without a subtraction that could cancel.
-    const double part = problem.redundant ? std::min(largest, entry.signal) : entry.signal;
-    largest = std::max(largest, entry.signal);
-    result = cooperative ? result + part : std::max(result, part);
-  }
-  return result;
+  ReceivedSignal received(problem);
+  for (const SignalEntry& entry : row)
+    if (chosen[entry.transceiver]) received.add(entry.signal);
+  return received.value();
 }
 
 double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,

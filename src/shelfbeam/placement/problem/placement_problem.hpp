@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -100,8 +101,26 @@ inline double requirement_of(const SignalTable::Label& label, CommunicationModel
 ///
 ///   sum_j M_ij T_j - max_j M_ij T_j      or      the second largest M_ij with T_j = 1.
 ///
-/// Only this function implements the rule. Terms are summed in the order of the row, so results are
+/// Only this class implements the rule. Terms are summed in the order of the row, so results are
 /// bit-identical everywhere, and a larger selection never has a smaller S_i, rounding included.
+class ReceivedSignal {
+ public:
+  explicit ReceivedSignal(const PlacementProblem& problem)
+      : cooperative_(problem.model == CommunicationModel::cooperative), redundant_(problem.redundant) {}
+
+  void add(double signal) {
+    // Adding the smaller of the two omits the largest signal without a subtraction that could cancel.
+    const double part = redundant_ ? std::min(largest_, signal) : signal;
+    largest_ = std::max(largest_, signal);
+    value_ = cooperative_ ? value_ + part : std::max(value_, part);
+  }
+  double value() const { return value_; }
+
+ private:
+  bool cooperative_, redundant_;
+  double value_ = 0, largest_ = 0;
+};
+
 double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
                        const PlacementProblem& problem);
 double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,

@@ -27,15 +27,6 @@ struct Extent {
   bool is_slanted = false;
 };
 
-bool is_concave(const Polygon& polygon) {
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()],
-               &c = polygon[(k + 2) % polygon.size()];
-    if ((b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) < -1e-9) return true;
-  }
-  return false;
-}
-
 // The square in a concave fixture about the point that is farthest from its border.
 Extent extent_within(const PlanView& view, const Polygon& polygon) {
   constexpr int steps = 24;
@@ -59,7 +50,7 @@ Extent extent_within(const PlanView& view, const Polygon& polygon) {
 }
 
 Extent extent_of(const PlanView& view, const FixtureOutline& fixture) {
-  if (is_concave(fixture.footprint)) return extent_within(view, fixture.footprint);
+  if (!is_convex(fixture.footprint)) return extent_within(view, fixture.footprint);
   const Directions d(fixture.rotation_deg);
   const Outline outline(d, fixture);
   const double u = (outline.u.low + outline.u.high) / 2, v = (outline.v.low + outline.v.high) / 2;

@@ -109,19 +109,15 @@ void warn_of_overhang(const Scene& scene, const std::string& place, const std::s
 bool crosses_border(const Scene& scene, const Part& part) {
   const RoomShape& room = *scene.room;
   if (room.is_box && room.zones.empty()) return false;
-  const auto is_outside = [&](const Polygon& plan, double top) {
-    const std::vector<PlanPart> parts = plan_parts(room, plan);
-    return lowest_ceiling(parts) < top - rounding ||
-           std::any_of(parts.begin(), parts.end(), [](const PlanPart& p) { return p.ceiling == nullptr; });
-  };
-  if (part.kind != PartKind::mesh) return is_outside(part.footprint, part.top);
+  const double top = part.top - rounding;
+  if (part.kind != PartKind::mesh) return !is_within_room(room, part.footprint, top);
   // A concave prism; other meshes may surround a hole with their hull.
   if (scene.fixtures[part.fixture].type != Prism::type_name) return false;
   for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
     Polygon plan;
     for (const std::uint32_t v : scene.mesh.triangles[t])
       plan.push_back({scene.mesh.vertices[v].x, scene.mesh.vertices[v].y});
-    if (is_outside(plan, part.top)) return true;
+    if (!is_within_room(room, plan, top)) return true;
   }
   return false;
 }

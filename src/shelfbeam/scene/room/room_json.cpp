@@ -154,10 +154,7 @@ void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
 // room, so the middle of the wall decides, where panes are.
 bool is_cut_off(const RoomShape& shape, InnerWall wall, const WallOpening& opening) {
   wall.thickness = 1e-3;
-  const std::vector<PlanPart> parts =
-      plan_parts(shape, wall.footprint(opening.at, opening.at + opening.width));
-  return std::any_of(parts.begin(), parts.end(),
-                     [](const PlanPart& part) { return part.ceiling == nullptr; });
+  return leave_room(plan_parts(shape, wall.footprint(opening.at, opening.at + opening.width)));
 }
 
 WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const RoomShape& shape) {

@@ -61,13 +61,7 @@ std::vector<Bounds> FreeFloor::bounds_of(const std::vector<Obstacle>& obstacles)
 
 bool FreeFloor::is_free(const Polygon& plan, double height) const {
   constexpr double kerb = 0.02;  // m: carpets, thresholds
-  if (scene_.room) {
-    const std::vector<PlanPart> parts = plan_parts(*scene_.room, plan);
-    if (std::any_of(parts.begin(), parts.end(),
-                    [](const PlanPart& part) { return part.ceiling == nullptr; }) ||
-        lowest_ceiling(parts) < height)
-      return false;
-  }
+  if (scene_.room && !is_within_room(*scene_.room, plan, height)) return false;
   Bounds block;
   for (const Vec2& p : plan) {
     block.include(Vec3{p[0], p[1], kerb});

@@ -1,7 +1,5 @@
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -27,27 +25,22 @@ SignalLayer simulate_state(const Scene& scene, const PreparedScene& first, const
   const std::size_t m = scene.labels.size(), n = scene.transceivers.size();
   std::vector<std::uint32_t> labels(m);
   std::iota(labels.begin(), labels.end(), 0U);
-  std::vector<double> sums(m * n), squares(m * n);
+  std::vector<PowerSums> sums(m * n);
   const BatchRun run = sample_batches(
       prepared, {labels, options.seed, batches},
       [&](const BatchRow& row) {
-        for (std::size_t j = 0; j < n; ++j) {
-          sums[row.label * n + j] += row.values[j];
-          squares[row.label * n + j] += row.values[j] * row.values[j];
-        }
+        for (std::size_t j = 0; j < n; ++j) sums[row.label * n + j].add(row.values[j]);
       },
       control);
   SignalLayer layer;
   layer.mean.resize(m * n);
   layer.standard_error.resize(m * n);
-  const double count = batches;
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t e = i * n + j;
-      const double factor = scene.labels[i].relative_sensitivity, mean = sums[e] / count;
-      const double variance = std::max(0.0, squares[e] / count - mean * mean) / (count - 1);
-      layer.mean[e] = static_cast<float>(factor * (mean + static_cast<double>(run.known[e])));
-      layer.standard_error[e] = static_cast<float>(factor * std::sqrt(variance));
+      const double factor = scene.labels[i].relative_sensitivity;
+      layer.mean[e] = static_cast<float>(factor * (sums[e].mean() + static_cast<double>(run.known[e])));
+      layer.standard_error[e] = static_cast<float>(factor * sums[e].standard_error());
     }
   return layer;
 }
