@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
@@ -12,10 +11,10 @@
 
 namespace shelfbeam {
 
-/// A selection that misses no label in more states than allowed, and a bound on all of these.
+/// A selection that misses labels no more often than allowed, and a bound on all of these.
 struct StatePlacement {
   std::vector<std::uint32_t> selected;  ///< ascending; with every installed unit
-  std::vector<std::uint32_t> misses;    ///< of each label, by misses_of
+  StateMisses misses;                   ///< by misses_of
   /// Count or new spend; infinite if no selection was found.
   double value = std::numeric_limits<double>::infinity();
   double lower_bound = 0;  ///< proven for these states; infinite if no selection exists
@@ -27,19 +26,20 @@ struct StatePlacement {
   bool is_proven() const { return value <= lower_bound * (1 + 1e-9); }
 };
 
-/// Finds the selection of the fewest units, or of the smallest new spend, for which label i is missed in at
-/// most allowed[i] of the states, both communication models, with all constraints.
+/// Finds the selection of the fewest units, or of the smallest new spend, which keeps to the allowed misses,
+/// both communication models, with all constraints.
 ///
-/// The bound comes from cuts, which every such selection satisfies. For label i with k allowed misses and any
-/// set T of t > k states, at least t - k states of T have sum_j min(1, M_ijs / requirement_i) x_j >= 1.
-/// The mean over them gives sum_j a_j x_j >= 1, a_j the mean of the t - k largest shares of unit j in T. If
-/// label i is missed too often even with all units of a set W, another unit is required: sum over j not in W
-/// of x_j >= 1. `place` solves the cuts exactly; a selection that misses a label too often violates new ones.
-/// With unit failure, the strongest unit is omitted from the sums, and sets W give no cuts.
+/// The bound comes from cuts, which every such selection satisfies. Let k be the number of cases, a label in
+/// a state each, of which a rule allows misses: of one label, or one case per state, or any. In any set of
+/// t > k cases, at least t - k have sum_j min(1, M_ijs / requirement_i) x_j >= 1. The mean over these gives
+/// sum_j a_j x_j >= 1, a_j the mean of the t - k largest shares of unit j. If a rule is broken even with all
+/// units of a set W, another unit is required: sum over j not in W of x_j >= 1. `place` solves the cuts
+/// exactly; a selection that breaks a rule violates new ones. With unit failure, the strongest unit is
+/// omitted from the sums, and sets W give no cuts.
 ///
 /// Throws InputError for an objective other than the count or the spend, and as `place`.
 StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
-                                 std::span<const std::uint32_t> allowed, const PlaceOptions& options,
+                                 const MissAllowance& allowance, const PlaceOptions& options,
                                  const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -1,49 +1,46 @@
 #include "shelfbeam/placement/states/state_cuts.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
+#include <string>
 
-#include <fmt/format.h>
+#include "shelfbeam/placement/problem/label_shares.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
 constexpr double violated = 1 - 1e-6;
+constexpr std::size_t max_labels = 32;   ///< that give cuts at once
+constexpr std::size_t max_cases = 4000;  ///< of one cut
+constexpr std::size_t max_sizes = 64;    ///< that are tried for one cut
 
 }  // namespace
 
 StateCuts::StateCuts(const StateTable& states, const PlacementProblem& problem,
-                     std::span<const std::uint32_t> allowed)
-    : states_(states), problem_(problem), allowed_(allowed) {
+                     const MissAllowance& allowance)
+    : states_(states), problem_(problem), allowance_(allowance) {
   table_ = states.table;
   table_.labels.clear();
   table_.scenarios.clear();
   table_.entries.clear();
   table_.row_begin = {0};
-  std::vector<std::uint32_t> all(states.states);
-  std::iota(all.begin(), all.end(), 0U);
   for (std::size_t i = 0; i < states.table.rows(); ++i)
-    if (allowed[i] < states.states) append(i, mean_of_largest(i, all));
+    if (const std::uint64_t limit = allowance.limit(i); limit < states.states)
+      append(mean_of_largest(cases_of(i, {}), states.states - limit));
 }
 
-// Clipped at 1; in the non-cooperative model 0 or 1.
-double StateCuts::share(std::size_t label, std::size_t state, std::uint32_t column) const {
-  const double requirement = requirement_of(states_.table.labels[label], problem_.model);
-  const auto signal = static_cast<double>(states_.row(label, state)[column]);
-  if (problem_.model == CommunicationModel::cooperative) return std::min(1.0, signal / requirement);
-  return is_met(signal, requirement) ? 1 : 0;
+double StateCuts::share(const Case& at, std::uint32_t column) const {
+  return detail::share_of(static_cast<double>(states_.of(column, at.label)[at.state]), requirement(at.label),
+                          problem_);
 }
 
-// Of every column: the mean of the t - k largest shares in t states.
-std::vector<double> StateCuts::mean_of_largest(std::size_t label,
-                                               std::span<const std::uint32_t> order) const {
-  const std::size_t kept = order.size() - allowed_[label];
-  std::vector<double> result(states_.table.columns()), shares(order.size());
+// Of every column: the mean of its largest shares in the cases.
+std::vector<double> StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept) const {
+  std::vector<double> result(states_.table.columns()), shares(cases.size());
   for (std::uint32_t j = 0; j < result.size(); ++j) {
-    for (std::size_t s = 0; s < order.size(); ++s) shares[s] = share(label, order[s], j);
+    std::transform(cases.begin(), cases.end(), shares.begin(), [&](const Case& at) { return share(at, j); });
     const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(kept);
     std::nth_element(shares.begin(), middle - 1, shares.end(), std::greater<>());
     result[j] = std::accumulate(shares.begin(), middle, 0.0) / static_cast<double>(kept);
@@ -53,28 +50,30 @@ std::vector<double> StateCuts::mean_of_largest(std::size_t label,
 
 double StateCuts::left_side(const std::vector<double>& shares,
                             std::span<const std::uint32_t> selected) const {
-  double sum = 0, largest = 0;
-  for (const std::uint32_t j : selected) {
-    sum += shares[j];
-    largest = std::max(largest, shares[j]);
-  }
-  return problem_.redundant ? sum - largest : sum;
+  PlacementProblem of_shares = problem_;
+  of_shares.model = CommunicationModel::cooperative;
+  ReceivedSignal received(of_shares);
+  for (const std::uint32_t j : selected) received.add(shares[j]);
+  return received.value();
 }
 
-// Over the states in which the selection gives the label least, as many as make the left side smallest.
-std::vector<double> StateCuts::violated_cut(std::size_t label,
+std::vector<StateCuts::Case> StateCuts::cases_of(std::size_t label,
+                                                 std::span<const std::uint32_t> selected) const {
+  const std::vector<double> received = received_signals(states_, problem_, label, selected);
+  std::vector<Case> cases;
+  for (std::uint32_t s = 0; s < received.size(); ++s)
+    cases.push_back({static_cast<std::uint32_t>(label), s, received[s] / requirement(label)});
+  return cases;
+}
+
+// Over the cases that receive least, as many as make the left side smallest.
+std::vector<double> StateCuts::violated_cut(std::span<const Case> cases, std::size_t allowed,
                                             std::span<const std::uint32_t> selected) const {
-  std::vector<double> received(states_.states);
-  for (std::size_t s = 0; s < received.size(); ++s)
-    received[s] = shelfbeam::received_signal(states_.row(label, s), selected, problem_);
-  std::vector<std::uint32_t> order(states_.states);
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return received[a] < received[b]; });
   std::vector<double> best;
   double least = violated;
-  for (std::size_t t = allowed_[label] + 1; t <= order.size(); ++t) {
-    std::vector<double> shares = mean_of_largest(label, std::span(order).first(t));
+  const std::size_t step = std::max<std::size_t>(1, (cases.size() - allowed) / max_sizes);
+  for (std::size_t t = allowed + 1; t <= cases.size(); t += step) {
+    std::vector<double> shares = mean_of_largest(cases.first(t), t - allowed);
     const double left = left_side(shares, selected);
     if (left >= least) continue;
     least = left;
@@ -83,34 +82,43 @@ std::vector<double> StateCuts::violated_cut(std::size_t label,
   return best;
 }
 
-// Extends the selection to a large set of units with which the label is still missed too often.
-std::vector<double> StateCuts::cover_cut(std::size_t label, std::span<const std::uint32_t> selected) const {
+// Extends the selection to a large set of units with which more cases, or states, than allowed are missed.
+std::vector<double> StateCuts::cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_state,
+                                         std::span<const std::uint32_t> selected) const {
   if (problem_.redundant) return {};
-  const double requirement = requirement_of(states_.table.labels[label], problem_.model);
+  std::erase_if(cases, [](const Case& at) { return is_met(at.received, 1); });
   const std::size_t n = states_.table.columns();
-  std::vector<double> received(states_.states, 0), total(n, 0);
-  std::vector<bool> within(n, false);
-  const bool adds = problem_.model == CommunicationModel::cooperative;
-  const auto with = [&](std::size_t s, std::uint32_t j) {
-    const auto signal = static_cast<double>(states_.row(label, s)[j]);
-    return adds ? received[s] + signal : std::max(received[s], signal);
-  };
-  const auto include = [&](std::uint32_t j) {
-    for (std::size_t s = 0; s < received.size(); ++s) received[s] = with(s, j);
-    within[j] = true;
-  };
-  for (const std::uint32_t j : selected) include(j);
+  std::vector<double> total(n, 0);
   for (std::uint32_t j = 0; j < n; ++j)
-    for (std::size_t s = 0; s < received.size(); ++s) total[j] += share(label, s, j);
+    for (const Case& at : cases) total[j] += share(at, j);
+  const auto with = [&](const Case& at, std::uint32_t j) {
+    const double signal = static_cast<double>(states_.of(j, at.label)[at.state]) / requirement(at.label);
+    return problem_.model == CommunicationModel::cooperative ? at.received + signal
+                                                             : std::max(at.received, signal);
+  };
+  const auto misses = [&](const std::vector<Case>& some) {
+    if (!by_state) return some.size();
+    std::vector<std::uint32_t> missed;
+    for (const Case& at : some) missed.push_back(at.state);
+    std::sort(missed.begin(), missed.end());
+    return static_cast<std::size_t>(std::unique(missed.begin(), missed.end()) - missed.begin());
+  };
+  std::vector<bool> within(n, false);
+  for (const std::uint32_t j : selected) within[j] = true;
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return total[a] < total[b]; });
   for (const std::uint32_t j : order) {
     if (within[j]) continue;
-    std::size_t misses = 0;
-    for (std::size_t s = 0; s < received.size(); ++s) misses += is_met(with(s, j), requirement) ? 0 : 1;
-    if (misses > allowed_[label]) include(j);
+    std::vector<Case> still;
+    for (Case at : cases) {
+      at.received = with(at, j);
+      if (!is_met(at.received, 1)) still.push_back(at);
+    }
+    if (misses(still) <= allowed) continue;
+    cases = std::move(still);
+    within[j] = true;
   }
   std::vector<double> shares(n, 0);
   for (std::uint32_t j = 0; j < n; ++j)
@@ -118,30 +126,50 @@ std::vector<double> StateCuts::cover_cut(std::size_t label, std::span<const std:
   return shares;
 }
 
-std::size_t StateCuts::add(std::span<const std::uint32_t> selected,
-                           const std::vector<std::uint32_t>& misses) {
-  constexpr std::size_t at_once = 32;
-  std::vector<std::uint32_t> worst;
-  for (std::uint32_t i = 0; i < misses.size(); ++i)
-    if (misses[i] > allowed_[i]) worst.push_back(i);
-  std::stable_sort(worst.begin(), worst.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return misses[a] - allowed_[a] > misses[b] - allowed_[b];
-  });
-  if (worst.size() > at_once) worst.resize(at_once);
+void StateCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_state,
+                         std::span<const std::uint32_t> selected) {
+  std::stable_sort(cases.begin(), cases.end(),
+                   [](const Case& a, const Case& b) { return a.received < b.received; });
+  if (const auto cut = cover_cut(cases, allowed, by_state, selected); !cut.empty()) append(cut);
+  // Of each state the case that receives least.
+  std::vector<bool> has(states_.states, false);
+  if (by_state)
+    std::erase_if(cases, [&](const Case& at) {
+      const bool had = has[at.state];
+      has[at.state] = true;
+      return had;
+    });
+  const std::span<const Case> part = std::span(cases).first(std::min(cases.size(), allowed + max_cases));
+  if (const auto cut = violated_cut(part, allowed, selected); !cut.empty()) append(cut);
+}
+
+std::size_t StateCuts::add(std::span<const std::uint32_t> selected, const StateMisses& misses) {
   const std::size_t before = size();
-  for (const std::uint32_t i : worst) {
-    if (const auto cut = violated_cut(i, selected); !cut.empty()) append(i, cut);
-    if (const auto cut = cover_cut(i, selected); !cut.empty()) append(i, cut);
-  }
+  std::vector<std::uint32_t> worst;
+  for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
+    if (misses.of_label[i] > allowance_.limit(i)) worst.push_back(i);
+  std::stable_sort(worst.begin(), worst.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return misses.of_label[a] - allowance_.limit(a) > misses.of_label[b] - allowance_.limit(b);
+  });
+  if (worst.size() > max_labels) worst.resize(max_labels);
+  for (const std::uint32_t i : worst) add_cuts(cases_of(i, selected), allowance_.limit(i), false, selected);
+  const bool too_many_states = allowance_.of_shop && misses.of_shop > *allowance_.of_shop;
+  const bool too_many_cases = allowance_.total && misses.total() > *allowance_.total;
+  if (!too_many_states && !too_many_cases) return size() - before;
+  std::vector<Case> all;
+  constexpr double near = 1.5;
+  for (std::size_t i = 0; i < states_.table.rows(); ++i)
+    for (const Case& at : cases_of(i, selected))
+      if (at.received < near) all.push_back(at);
+  if (too_many_states) add_cuts(all, *allowance_.of_shop, true, selected);
+  if (too_many_cases) add_cuts(std::move(all), *allowance_.total, false, selected);
   return size() - before;
 }
 
-void StateCuts::append(std::size_t label, const std::vector<double>& shares) {
+void StateCuts::append(const std::vector<double>& shares) {
   // Sums of a selection that reaches the label may fall below 1 by the tolerance of is_met and by rounding.
   constexpr double reserve = 1 + 1e-8;
-  table_.labels.push_back({.id = fmt::format("{}#{}", states_.table.labels[label].id, size()),
-                           .requirement = 1,
-                           .single_requirement = 1});
+  table_.labels.push_back({.id = std::to_string(size()), .requirement = 1, .single_requirement = 1});
   for (std::uint32_t j = 0; j < shares.size(); ++j)
     if (shares[j] > 0) table_.entries.push_back({j, std::min(1.0, shares[j]) * reserve});
   table_.row_begin.push_back(table_.entries.size());

@@ -1,68 +1,57 @@
 #include "shelfbeam/placement/states/state_table.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace shelfbeam {
 
-StateTable make_state_table(const SignalMatrix& matrix, SignalTable table) {
+StateTable make_state_table(const SignalMatrix& matrix, SignalTable table, double errors) {
   StateTable states;
   states.table = std::move(table);
   states.states = matrix.by_state.size();
   const std::size_t m = matrix.rows(), n = matrix.columns();
   states.signal.resize(m * states.states * n);
-  for (std::size_t s = 0; s < states.states; ++s)
+  for (std::size_t s = 0; s < states.states; ++s) {
+    const SignalLayer& layer = matrix.by_state[s];
     for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        states.signal[(i * states.states + s) * n + j] = std::max(0.0F, matrix.by_state[s].mean[i * n + j]);
+      for (std::size_t j = 0; j < n; ++j) {
+        const std::size_t e = i * n + j;
+        const float signal = layer.mean[e] + static_cast<float>(errors) * layer.standard_error[e];
+        states.signal[(j * m + i) * states.states + s] = std::max(0.0F, signal);
+      }
+  }
   return states;
 }
 
-double received_signal(std::span<const float> row, std::span<const std::uint32_t> selected,
-                       const PlacementProblem& problem) {
-  double sum = 0, largest = 0, second = 0;
+std::vector<double> received_signals(const StateTable& states, const PlacementProblem& problem,
+                                     std::size_t label, std::span<const std::uint32_t> selected) {
+  std::vector<ReceivedSignal> received(states.states, ReceivedSignal(problem));
   for (const std::uint32_t j : selected) {
-    const auto signal = static_cast<double>(row[j]);
-    sum += signal;
-    if (signal > largest)
-      second = std::exchange(largest, signal);
-    else
-      second = std::max(second, signal);
+    const std::span<const float> signal = states.of(j, label);
+    for (std::size_t s = 0; s < signal.size(); ++s) received[s].add(static_cast<double>(signal[s]));
   }
-  if (problem.model == CommunicationModel::cooperative) return problem.redundant ? sum - largest : sum;
-  return problem.redundant ? second : largest;
+  std::vector<double> values(states.states);
+  std::transform(received.begin(), received.end(), values.begin(),
+                 [](const ReceivedSignal& one) { return one.value(); });
+  return values;
 }
 
-std::vector<std::uint32_t> misses_of(const StateTable& states, const PlacementProblem& problem,
-                                     std::span<const std::uint32_t> selected) {
-  std::vector<std::uint32_t> misses(states.table.rows(), 0);
-  for (std::size_t i = 0; i < misses.size(); ++i) {
+StateMisses misses_of(const StateTable& states, const PlacementProblem& problem,
+                      std::span<const std::uint32_t> selected) {
+  StateMisses misses;
+  misses.of_label.assign(states.table.rows(), 0);
+  std::vector<bool> any(states.states, false);
+  for (std::size_t i = 0; i < states.table.rows(); ++i) {
     const double requirement = requirement_of(states.table.labels[i], problem.model);
-    for (std::size_t s = 0; s < states.states; ++s)
-      if (!is_met(received_signal(states.row(i, s), selected, problem), requirement)) ++misses[i];
+    const std::vector<double> received = received_signals(states, problem, i, selected);
+    for (std::size_t s = 0; s < received.size(); ++s)
+      if (!is_met(received[s], requirement)) {
+        ++misses.of_label[i];
+        any[s] = true;
+      }
   }
+  misses.of_shop = static_cast<std::uint32_t>(std::count(any.begin(), any.end(), true));
   return misses;
-}
-
-std::uint32_t allowed_misses(double availability, std::size_t states) {
-  constexpr double rounding = 1e-9;
-  return static_cast<std::uint32_t>(std::floor((1 - availability) * static_cast<double>(states) + rounding));
-}
-
-// P(N > k) of the binomial distribution, term by term in logarithms.
-std::uint32_t widened_misses(double availability, std::size_t states, double level) {
-  const auto count = static_cast<double>(states);
-  const double miss = 1 - availability;
-  if (miss <= 0 || states == 0) return 0;
-  if (availability <= 0) return static_cast<std::uint32_t>(states);
-  double below = 0;  // P(N <= k)
-  for (std::uint32_t k = 0; k < states; ++k) {
-    below += std::exp(std::lgamma(count + 1) - std::lgamma(k + 1.0) - std::lgamma(count - k + 1) +
-                      k * std::log(miss) + (count - k) * std::log(availability));
-    if (1 - below <= level) return k;
-  }
-  return static_cast<std::uint32_t>(states);
 }
 
 }  // namespace shelfbeam

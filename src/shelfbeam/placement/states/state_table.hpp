@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/states/misses.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -15,30 +16,24 @@ namespace shelfbeam {
 struct StateTable {
   SignalTable table;  ///< labels, columns, mounting points and conflicts; entries: the means of the states
   std::size_t states = 0;
-  std::vector<float> signal;  ///< by label, state and column
+  std::vector<float> signal;  ///< by column, label and state
 
-  std::span<const float> row(std::size_t label, std::size_t state) const {
-    return std::span(signal).subspan((label * states + state) * table.columns(), table.columns());
+  /// The signals of one label from one column in all states.
+  std::span<const float> of(std::uint32_t column, std::size_t label) const {
+    return std::span(signal).subspan((column * table.rows() + label) * states, states);
   }
 };
 
-/// The table of a matrix with states. `table` is its SignalTable with all constraints.
-StateTable make_state_table(const SignalMatrix& matrix, SignalTable table);
+/// The table of a matrix with states. `table` is its SignalTable with all constraints. `errors`: standard
+/// errors by which all signals are raised.
+StateTable make_state_table(const SignalMatrix& matrix, SignalTable table, double errors = 0);
 
-/// received_signal (placement_problem.hpp) of a label in one state, from the chosen columns, ascending.
-double received_signal(std::span<const float> row, std::span<const std::uint32_t> selected,
-                       const PlacementProblem& problem);
+/// received_signal (placement_problem.hpp) of a label in every state, from the chosen columns, ascending.
+std::vector<double> received_signals(const StateTable& states, const PlacementProblem& problem,
+                                     std::size_t label, std::span<const std::uint32_t> selected);
 
-/// The number of states in which each label is missed, from the signals alone.
-std::vector<std::uint32_t> misses_of(const StateTable& states, const PlacementProblem& problem,
-                                     std::span<const std::uint32_t> selected);
-
-/// The largest number of misses in `states` that a label of this availability keeps to: the whole part of
-/// (1 - availability) states.
-std::uint32_t allowed_misses(double availability, std::size_t states);
-
-/// The same widened, so that a label which is reached with at least this probability in each of independent
-/// states exceeds it with a probability of at most `level`.
-std::uint32_t widened_misses(double availability, std::size_t states, double level);
+/// The misses of a selection, from the signals alone, without solver or cuts.
+StateMisses misses_of(const StateTable& states, const PlacementProblem& problem,
+                      std::span<const std::uint32_t> selected);
 
 }  // namespace shelfbeam
