@@ -11,13 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint_records.hpp"
-#include "shelfbeam/signal/text_file.hpp"
 
 namespace shelfbeam {
 namespace fs = std::filesystem;
@@ -31,34 +27,11 @@ namespace {
 constexpr std::string_view any_version = "shelfbeam checkpoint ",
                            checkpoint_line = "shelfbeam checkpoint 1\n";
 
-std::string to_text(const CheckpointIdentity& identity) {
-  std::string text;
-  for (const auto& [name, value] : identity) text += fmt::format("{}: {}\n", name, value);
-  return text;
-}
-
-// The value of a name in a text from `to_text`.
-std::string value_of(std::string_view text, const std::string& name) {
-  const std::string begin = name + ": ";
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, text.find('\n'));
-    if (line.starts_with(begin)) return std::string(line.substr(begin.size()));
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
-  }
-  return "unknown";
-}
-
 }  // namespace
 
 CheckpointFile::CheckpointFile(fs::path path, CheckpointIdentity identity, std::uint32_t items)
     : path_(std::move(path)), identity_(std::move(identity)), saved_(items) {
-  std::error_code unknown;
-  const fs::file_status found = fs::symlink_status(path_, unknown);
-  if (!fs::exists(found)) return;
-  if (!fs::is_regular_file(found) ||
-      !detail::read_first_bytes(path_, any_version.size()).starts_with(any_version))
-    throw InputError(path_.string(), "is not a checkpoint, though its name is that of one",
-                     "move it elsewhere, or choose another output");
+  detail::expect_checkpoint(path_, any_version);
 }
 
 CheckpointFile::~CheckpointFile() = default;
@@ -73,14 +46,8 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
   const auto first = file.next();
   if (!first) file.fail();
   const std::string found(*first);
-  for (const auto& [name, value] : identity_)
-    if (const std::string theirs = value_of(found, name); theirs != value)
-      throw InputError(path_.string(),
-                       fmt::format("belongs to another simulation: its {} is {} instead of {}", name,
-                                   in_quotes(theirs), in_quotes(value)),
-                       "resume with the same store and options, or start again without resuming",
-                       Setting::resumption);
-  if (found != to_text(identity_)) file.fail();
+  detail::expect_identity(identity_, found, path_);
+  if (found != detail::to_text(identity_)) file.fail();
 
   std::vector<double> values;
   while (const auto record = file.next()) {
@@ -128,7 +95,7 @@ void CheckpointFile::rewrite(const std::function<CheckpointState(std::uint32_t)>
   AtomicFile file(path_);
   auto writer = std::make_unique<RecordWriter>(file.temporary(), path_.string());
   writer->line(checkpoint_line);
-  writer->record(to_text(identity_));
+  writer->record(detail::to_text(identity_));
   for (std::uint32_t item = 0; item < saved_.size(); ++item)
     if (const CheckpointState now = state(item); now.batches > 0) writer->state(item, now);
   writer->flush();

@@ -6,19 +6,15 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
+
+#include "shelfbeam/signal/checkpoint/checkpoint_identity.hpp"
 
 namespace shelfbeam {
 
 namespace detail {
 class RecordWriter;
 }
-
-/// The properties that a simulation must share with a checkpoint to resume from it: names and values, in a
-/// fixed order, without line breaks.
-using CheckpointIdentity = std::vector<std::pair<std::string, std::string>>;
 
 /// The state of an item of work: its completed batches and its sums over them.
 struct CheckpointState {
