@@ -21,6 +21,7 @@ inline constexpr auto mounting_table_name = "mounting.csv";
 inline constexpr auto mounting_drawing_name = "mounting.dxf";
 inline constexpr auto verification_name = "verification.csv";
 inline constexpr auto report_name = "report.html";
+inline constexpr auto states_checkpoint_name = "states.checkpoint";  ///< of an interrupted run
 
 /// The folder of a plan during a run, which no other run can use.
 class PlanFolder {

@@ -1,12 +1,19 @@
 #include "shelfbeam/transport/run/simulate.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
+#include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
@@ -28,23 +35,48 @@ struct Options {
   SimulationFlags simulation;
   std::filesystem::path store, output;
   std::uint32_t states = 0;
+  std::size_t hard_labels = 1000;
+  std::optional<std::uint64_t> state;
   bool allow_outside = false, strict = false;
 };
 
-void simulate_states_to_file(const Options& options, const Store& store, const Scene& scene,
-                             const SimulationOptions& simulation, const CancelToken& cancel) {
+int simulate_states_to_file(const Options& options, const Store& store, const Scene& scene,
+                            const SimulationOptions& simulation, const CancelToken& cancel) {
   SignalMatrix matrix;
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel, progress.sink()};
-    matrix = simulate_states(store, scene, simulation, {.first = 0, .count = options.states}, control);
+    const CheckpointOptions& checkpoint = simulation.checkpoint;
+    ResultLog log(checkpoint.path, identity_of_states(scene.store_hash, simulation), checkpoint.resume,
+                  checkpoint.interval_s);
+    try {
+      matrix = simulate_states(store, scene, simulation, {.first = 0, .count = options.states},
+                               options.hard_labels, log, control);
+    } catch (const Interrupted&) {
+      log.flush();
+      if (!options.common.quiet)
+        print_message("stopped early: nothing is written; repeat the command with '--resume' to continue\n");
+      return stopped_early;
+    }
   }
   write_signal_file(matrix, options.output);
+  remove_checkpoint(simulation.checkpoint.path);
   if (options.common.json)
-    print_json({{"signal", options.output.string()}, {"states", options.states}});
+    print_json({{"signal", options.output.string()},
+                {"states", options.states},
+                {"hard_labels", matrix.states.hard.size()}});
   else if (!options.common.quiet)
-    fmt::print("{}: {} labels x {} candidates in {} states\n", options.output.string(), matrix.rows(),
-               matrix.columns(), options.states);
+    fmt::print("{}: {} labels x {} candidates in {} states; every state of the {} hardest labels\n",
+               options.output.string(), matrix.rows(), matrix.columns(), options.states,
+               matrix.states.hard.size());
+  return done;
+}
+
+// By way of its file, so that the simulation of the file has the same bytes.
+Scene exported_state(const Store& store, const Scene& nominal, const Options& options) {
+  const Store state = StoreStates(store, nominal, options.common.seed).state(*options.state);
+  const std::string text = resolved_store_json(state, make_scene(state));
+  return make_scene(parse_store(text, state.file, options.store.parent_path()));
 }
 
 int run_simulate(const Options& options) {
@@ -52,7 +84,8 @@ int run_simulate(const Options& options) {
   protect_input(options.output, options.store);
   const Store store =
       load_store(options.store, options.allow_outside, options.simulation.memory, options.output);
-  const Scene scene = make_inspected_scene(store);
+  const Scene nominal = make_inspected_scene(store);
+  const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   const OutputLock lock(options.output, options.output.string());
   expect_writable(options.output);
@@ -60,10 +93,7 @@ int run_simulate(const Options& options) {
                          simulation);
   print_warnings(options.common, scene, simulation.rules().strategy);
   expect_no_warnings(scene, options.strict);
-  if (options.states > 0) {
-    simulate_states_to_file(options, store, scene, simulation, cancel);
-    return done;
-  }
+  if (options.states > 0) return simulate_states_to_file(options, store, scene, simulation, cancel);
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
@@ -97,10 +127,25 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::sampled);
   add_layers(*verb, options->simulation);
-  verb->add_option("--states", options->states,
-                   "Simulate the shop in this many states of its 'variation', with few samples each")
+  auto* states = verb->add_option("--states", options->states,
+                                  "Simulate the shop in this many states of its 'variation', with few "
+                                  "samples each: their mean, their deviation, and the hardest labels in each")
+                     ->option_text("N")
+                     ->check(CLI::Range(1, 100'000))
+                     ->group(group::states);
+  verb->add_option("--hard-labels", options->hard_labels,
+                   fmt::format("With --states: number of labels whose signals are kept for each state; "
+                               "default {}",
+                               options->hard_labels))
       ->option_text("N")
-      ->check(CLI::Range(1, 100'000));
+      ->check(CLI::Range(1, 10'000'000))
+      ->needs(states)
+      ->group(group::states);
+  verb->add_option("--state", options->state,
+                   "Simulate the shop in this state, from 0, as 'inspect --state K -o' writes it")
+      ->option_text("K")
+      ->excludes(states)
+      ->group(group::states);
   add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
@@ -110,7 +155,8 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam simulate store.json -o signal.h5\n"
       "  shelfbeam simulate store.json -o signal.h5 --relative-error 5%\n"
       "  shelfbeam simulate store.json -o signal.h5 --relative-error 5% --resume\n"
-      "  shelfbeam simulate store.json -o states.h5 --states 100");
+      "  shelfbeam simulate store.json -o states.h5 --states 100\n"
+      "  shelfbeam simulate store.json -o state17.h5 --state 17");
   verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
 }
 

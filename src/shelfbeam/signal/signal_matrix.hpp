@@ -45,6 +45,18 @@ struct SignalLayer {
   bool operator==(const SignalLayer&) const = default;
 };
 
+/// The signals of a shop that varies, in some of its states, multiplied by the relative sensitivities of the
+/// labels, so that the requirements apply.
+struct StateTensor {
+  std::uint32_t states = 0;  ///< 0: the matrix is of one state
+  std::vector<float>
+      deviation;  ///< m n entries: standard deviation between states, with their sampling noise
+  std::vector<std::uint32_t> hard;  ///< labels whose signals follow, ascending
+  std::vector<float> signal;        ///< by state, hard label and transceiver
+
+  bool operator==(const StateTensor&) const = default;
+};
+
 /// The simulated signal matrix M (m labels x n transceivers, row-major) with its labels and transceivers.
 struct SignalMatrix {
   std::vector<LabelRow> labels;
@@ -60,9 +72,7 @@ struct SignalMatrix {
   /// Empty unless requested.
   std::vector<SignalLayer> by_length;
   double length_step = 0;  ///< m
-  /// Layer k: state k of a shop that varies, with signals multiplied by the relative sensitivity of the
-  /// label. `mean` is then that of the states. Empty unless requested.
-  std::vector<SignalLayer> by_state;
+  StateTensor states;      ///< `mean` is then that of the states, `standard_error` that of this mean
   double wavelength_nm = 940;
   std::string currency;  ///< of the costs of transceivers; empty: not given
   Provenance provenance;

@@ -37,7 +37,7 @@ const std::initializer_list<std::string_view> keys = {
     "objective_value", "lower_bound",     "gap",       "bound_proof", "ties_settled",   "unit_costs",
     "redundant_share", "status",          "solver",    "seconds",     "unreachable",    "scenarios",
     "critical",        "verification",    "price",     "curve",       "curve_complete", "certificate",
-    "alternatives",    "sensitivity",     "warnings",  "complete",    "files"};
+    "alternatives",    "sensitivity",     "states",    "warnings",    "complete",       "files"};
 constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
 // Integers without ".0", as readers expect of counts.

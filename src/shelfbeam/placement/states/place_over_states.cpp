@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/states/margin_search.hpp"
 #include "shelfbeam/placement/states/state_cuts.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
 
@@ -18,16 +20,20 @@ namespace shelfbeam {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double share_of_master = 0.3;  ///< of the time that is left, for one placement on cuts
+// Parts of the time that is left.
+constexpr double share_of_master = 0.3;  ///< one placement on cuts
+constexpr double share_of_margin = 0.1;  ///< one placement with margins
+constexpr int max_margin_searches = 5;
 
 class Solver {
  public:
   Solver(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
-         const PlaceOptions& options, const RunControl& control)
+         const PlaceOptions& options, std::optional<double> enough, const RunControl& control)
       : states_(states),
         problem_(problem),
         allowance_(allowance),
         options_(options),
+        enough_(enough),
         control_(control),
         deadline_(options.time_limit_s),
         cuts_(states, problem, allowance),
@@ -35,24 +41,38 @@ class Solver {
 
   StatePlacement run() {
     if (is_possible()) {
+      if (!enough_) start();
       while (!is_over() && raise()) {
       }
     } else {
       best_.lower_bound = infinite;
     }
     best_.cuts = cuts_.size();
-    if (best_.has_selection() && options_.proves) take(search_.spread(best_.selected));
+    if (best_.has_selection()) take(search_.spread(best_.selected));
     return std::move(best_);
   }
 
  private:
   bool is_over() const { return control_.cancelled() || deadline_.has_passed(); }
 
+  void start() {
+    if (!options_.start.empty())
+      if (const auto repaired = search_.repaired(options_.start, infinite)) take(*repaired);
+    MarginSearch margins(states_, problem_, allowance_);
+    for (int k = 0; k < max_margin_searches && !is_over(); ++k) {
+      control_.report("placing over states", -1, "with margins");
+      const auto selected = margins.next(share_of_margin * deadline_.seconds_left(), options_, control_);
+      if (selected.empty()) return;
+      if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
+    }
+  }
+
   // Solves the cuts. Returns whether new ones may raise the bound.
   bool raise() {
     PlaceOptions own = options_;
     own.time_limit_s = std::max(1.0, share_of_master * deadline_.seconds_left());
     own.settles_ties = false;
+    own.start.clear();
     PlacementProblem master = problem_;
     // Shares add up in both models; in the non-cooperative one they are 0 or 1.
     master.model = CommunicationModel::cooperative;
@@ -67,11 +87,11 @@ class Solver {
                                                         : std::ceil(placement.count_lower_bound - 1e-6));
     if (!placement.has_selection()) return false;
     const std::size_t added = cuts_.add(placement.selected, misses_of(states_, problem_, placement.selected));
-    if (options_.proves) improve(placement.selected);
+    if (!enough_) improve(placement.selected);
     control_.report("placing over states", -1,
                     best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
                                           : fmt::format("at least {:g}", best_.lower_bound));
-    return added > 0 && !best_.is_proven();
+    return added > 0 && !best_.is_proven() && !(enough_ && best_.lower_bound >= *enough_);
   }
 
   void improve(const std::vector<std::uint32_t>& selected) {
@@ -112,6 +132,7 @@ class Solver {
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   const PlaceOptions& options_;
+  std::optional<double> enough_;  ///< for a bound alone
   const RunControl& control_;
   Deadline deadline_;
   StateCuts cuts_;
@@ -120,16 +141,27 @@ class Solver {
   bool has_tried_fewer_ = false;
 };
 
+void check(const StateTable& states, const PlacementProblem& problem) {
+  if (problem.objective != Objective::count || problem.combination == Combination::weighted)
+    throw InputError("objective", "is not the number or the price of units",
+                     "placements over states minimise these");
+  check_problem(states.table, problem);
+}
+
 }  // namespace
 
 StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
                                  const MissAllowance& allowance, const PlaceOptions& options,
                                  const RunControl& control) {
-  if (problem.objective != Objective::count || problem.combination == Combination::weighted)
-    throw InputError("objective", "is not the number or the price of units",
-                     "placements over states minimise these");
-  check_problem(states.table, problem);
-  return Solver(states, problem, allowance, options, control).run();
+  check(states, problem);
+  return Solver(states, problem, allowance, options, {}, control).run();
+}
+
+double bound_over_states(const StateTable& states, const PlacementProblem& problem,
+                         const MissAllowance& allowance, double enough, const PlaceOptions& options,
+                         const RunControl& control) {
+  check(states, problem);
+  return Solver(states, problem, allowance, options, enough, control).run().lower_bound;
 }
 
 }  // namespace shelfbeam

@@ -37,9 +37,16 @@ struct StatePlacement {
 /// exactly; a selection that breaks a rule violates new ones. With unit failure, the strongest unit is
 /// omitted from the sums, and sets W give no cuts.
 ///
-/// Throws InputError for an objective other than the count or the spend, and as `place`.
+/// The search starts from selections with margins (margin_search.hpp), and from `options.start`, to which
+/// units are added where it misses labels. Throws InputError for an objective other than the count or the
+/// spend, and as `place`.
 StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
                                  const MissAllowance& allowance, const PlaceOptions& options,
                                  const RunControl& control = {});
+
+/// The lower bound alone, until it is at least `enough`.
+double bound_over_states(const StateTable& states, const PlacementProblem& problem,
+                         const MissAllowance& allowance, double enough, const PlaceOptions& options,
+                         const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -5,22 +5,41 @@
 
 namespace shelfbeam {
 
-StateTable make_state_table(const SignalMatrix& matrix, SignalTable table, double errors) {
-  StateTable states;
-  states.table = std::move(table);
-  states.states = matrix.by_state.size();
-  const std::size_t m = matrix.rows(), n = matrix.columns();
-  states.signal.resize(m * states.states * n);
-  for (std::size_t s = 0; s < states.states; ++s) {
-    const SignalLayer& layer = matrix.by_state[s];
-    for (std::size_t i = 0; i < m; ++i)
-      for (std::size_t j = 0; j < n; ++j) {
-        const std::size_t e = i * n + j;
-        const float signal = layer.mean[e] + static_cast<float>(errors) * layer.standard_error[e];
-        states.signal[(j * m + i) * states.states + s] = std::max(0.0F, signal);
-      }
-  }
-  return states;
+StateTable make_state_table(const SignalTable& all, std::span<const std::uint32_t> labels, std::size_t states,
+                            const StateTable& before) {
+  StateTable result;
+  result.table = all;
+  result.states = states;
+  result.table.labels.clear();
+  for (const std::uint32_t i : labels) result.table.labels.push_back(all.labels[i]);
+  result.table.scenarios.clear();
+  result.table.entries.clear();
+  result.table.row_begin.assign(labels.size() + 1, 0);
+  result.signal.resize(all.columns() * labels.size() * states);
+  result.error.resize(result.signal.size());
+  const std::size_t kept = before.table.rows() * states;
+  for (std::size_t j = 0; j < all.columns() && kept > 0; ++j)
+    for (const auto values : {&StateTable::signal, &StateTable::error})
+      std::copy_n((before.*values).begin() + static_cast<std::ptrdiff_t>(j * kept), kept,
+                  (result.*values).begin() + static_cast<std::ptrdiff_t>(result.at(j, 0, 0)));
+  return result;
+}
+
+void set_state(StateTable& states, std::size_t state, std::size_t first, const SignalLayer& signals) {
+  const std::size_t n = states.table.columns();
+  for (std::size_t i = first; i < states.table.rows(); ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t from = (i - first) * n + j, to = states.at(j, i, state);
+      states.signal[to] = std::max(0.0F, signals.mean[from]);
+      states.error[to] = signals.standard_error[from];
+    }
+}
+
+StateTable raised(const StateTable& states, double errors) {
+  StateTable result{states.table, states.states, states.signal, {}};
+  for (std::size_t e = 0; e < result.signal.size(); ++e)
+    result.signal[e] += static_cast<float>(errors) * states.error[e];
+  return result;
 }
 
 std::vector<double> received_signals(const StateTable& states, const PlacementProblem& problem,

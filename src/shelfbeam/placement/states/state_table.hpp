@@ -12,21 +12,32 @@
 
 namespace shelfbeam {
 
-/// The signals of all labels in some states of a shop.
+/// The signals of some labels in some states of a shop.
 struct StateTable {
-  SignalTable table;  ///< labels, columns, mounting points and conflicts; entries: the means of the states
+  SignalTable table;  ///< labels, columns, mounting points and conflicts, without entries
   std::size_t states = 0;
   std::vector<float> signal;  ///< by column, label and state
+  std::vector<float> error;   ///< standard errors in the same order; empty: exact signals
 
+  std::size_t at(std::size_t column, std::size_t label, std::size_t state) const {
+    return (column * table.rows() + label) * states + state;
+  }
   /// The signals of one label from one column in all states.
   std::span<const float> of(std::uint32_t column, std::size_t label) const {
-    return std::span(signal).subspan((column * table.rows() + label) * states, states);
+    return std::span(signal).subspan(at(column, label, 0), states);
   }
 };
 
-/// The table of a matrix with states. `table` is its SignalTable with all constraints. `errors`: standard
-/// errors by which all signals are raised.
-StateTable make_state_table(const SignalMatrix& matrix, SignalTable table, double errors = 0);
+/// A table of some of the labels of `all`, in the given order, with signals of 0. Rows whose labels `before`
+/// has at the same position keep their signals.
+StateTable make_state_table(const SignalTable& all, std::span<const std::uint32_t> labels, std::size_t states,
+                            const StateTable& before = {});
+
+/// Sets the signals of the rows from `first` on in one state.
+void set_state(StateTable& states, std::size_t state, std::size_t first, const SignalLayer& signals);
+
+/// All signals raised by a number of standard errors, then taken as exact.
+StateTable raised(const StateTable& states, double errors);
 
 /// received_signal (placement_problem.hpp) of a label in every state, from the chosen columns, ascending.
 std::vector<double> received_signals(const StateTable& states, const PlacementProblem& problem,

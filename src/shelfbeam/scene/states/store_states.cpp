@@ -61,32 +61,40 @@ double decibels(double value) {
 /// One state in the making.
 class StoreStates::Drawing {
  public:
-  Drawing(const StoreStates& states, std::uint64_t k)
-      : states_(states), variation_(*states.store_.variation), k_(k), state_(states.store_) {}
+  Drawing(const StoreStates& states, const StateNumbers& numbers, const Scene& devices)
+      : states_(states),
+        devices_(devices),
+        variation_(*states.store_.variation),
+        numbers_(numbers),
+        state_(states.store_),
+        where_(state_.file + ": state") {
+    if (const auto k = numbers.of(Cause::stock)) where_ += fmt::format(" {}", *k);
+  }
 
   Store drawn() {
     state_.variation.reset();
-    if (!state_.name.empty()) state_.name += fmt::format(", state {}", k_);
+    if (const auto k = numbers_.of(Cause::stock); k && !state_.name.empty())
+      state_.name += fmt::format(", state {}", *k);
     list_devices();
     for (Listed<Fixture>& fixture : state_.fixtures) vary(fixture.value);
-    for (const StandingBoxes& boxes : variation_.boxes) stand(boxes);
+    for (const StandingBoxes& boxes : variation_.boxes)
+      if (varies(boxes.is_person ? Cause::people : Cause::objects)) stand(boxes);
     return std::move(state_);
   }
 
  private:
-  Draws draws(std::string_view kind, std::string_view id) const {
-    return Draws(states_.seed_, k_, fmt::format("{}/{}", kind, id));
+  bool varies(Cause cause) const { return numbers_.of(cause).has_value(); }
+  Draws draws(Cause cause, std::string_view kind, std::string_view id) const {
+    return Draws(states_.seed_, *numbers_.of(cause), fmt::format("{}/{}", kind, id));
   }
 
   void list_devices() {
-    const Scene& scene = states_.scene_;
-    const std::string where = fmt::format("{}: state {}", state_.file, k_);
     state_.labels.clear();
-    for (const Label& label : scene.labels) {
-      state_.labels.push_back({label, where});
-      if (variation_.label_sensitivity_db > 0)
+    for (const Label& label : devices_.labels) {
+      state_.labels.push_back({label, where_});
+      if (varies(Cause::labels) && variation_.label_sensitivity_db > 0)
         state_.labels.back().value.relative_sensitivity *=
-            factor(variation_.label_sensitivity_db, draws("label", label.id));
+            factor(variation_.label_sensitivity_db, draws(Cause::labels, "label", label.id));
     }
     state_.grids.clear();
     state_.areas.clear();
@@ -95,11 +103,10 @@ class StoreStates::Drawing {
     state_.keep_out.clear();
     state_.transceivers.clear();
     state_.installed.clear();
-    for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
-      Transceiver unit = scene.transceivers[j];
-      move(unit);
-      if (unit.installed) state_.installed.push_back({unit.id, where});
-      state_.transceivers.push_back({std::move(unit), where});
+    for (Transceiver unit : devices_.transceivers) {
+      if (varies(Cause::mounting)) move(unit);
+      if (unit.installed) state_.installed.push_back({unit.id, where_});
+      state_.transceivers.push_back({std::move(unit), where_});
     }
   }
 
@@ -113,8 +120,8 @@ class StoreStates::Drawing {
     const auto& [px, py, pz] = unit.position;
     const std::string mount = fmt::format("{:.4f} {:.4f} {:.4f}", px, py, pz);
     if (variation_.unit_power_db > 0)
-      unit.relative_power *= factor(variation_.unit_power_db, draws("power", mount));
-    const Draws draws = this->draws("mount", mount);
+      unit.relative_power *= factor(variation_.unit_power_db, draws(Cause::mounting, "power", mount));
+    const Draws draws = this->draws(Cause::mounting, "mount", mount);
     if (variation_.position > 0) {
       const Frame plane = Frame::about({0, 0, 1});
       constexpr int attempts = 20;
@@ -142,8 +149,9 @@ class StoreStates::Drawing {
     std::visit(
         [&]<class T>(T& one) {
           if constexpr (std::is_base_of_v<Shelving, T>) {
-            vary_stock(one);
-            if (one.doors && draws("doors", one.id).uniform(0) < share_open(variation_, one))
+            if (varies(Cause::stock)) vary_stock(one);
+            if (varies(Cause::doors) && one.doors &&
+                draws(Cause::doors, "doors", one.id).uniform(0) < share_open(variation_, one))
               one.doors_open = true;
             one.variation = {};
             one.labels.reset();  // the state lists them
@@ -156,7 +164,7 @@ class StoreStates::Drawing {
   template <class T>
   void vary_stock(T& shelves) const {
     const Range range = shelves.variation.stocking.value_or(variation_.stocking);
-    const Draws draws = this->draws("stocking", shelves.id);
+    const Draws draws = this->draws(Cause::stock, "stocking", shelves.id);
     constexpr std::uint32_t number = 1'000'000'000;
     shelves.arrangement = 1 + to_index(draws.bits(0), number);
     shelves.row_stocking.clear();
@@ -185,11 +193,12 @@ class StoreStates::Drawing {
     const Scene& scene = states_.scene_;
     const Polygon& area = polygon_of(boxes.area, scene.room ? &*scene.room : nullptr);
     const PlanBounds bounds = bounds_of(area);
-    const std::int64_t number = number_of(boxes, draws("number", boxes.id).uniform(0));
+    const Cause cause = boxes.is_person ? Cause::people : Cause::objects;
+    const std::int64_t number = number_of(boxes, draws(cause, "number", boxes.id).uniform(0));
     const bool is_single = std::holds_alternative<Presence>(boxes.number);
     for (std::int64_t n = 1; n <= number; ++n) {
       const std::string id = is_single ? boxes.id : fmt::format("{} {}", boxes.id, n);
-      const Draws draws = this->draws("place", id);
+      const Draws draws = this->draws(cause, "place", id);
       constexpr std::uint32_t attempts = 1000;
       for (std::uint32_t a = 0; a < attempts; ++a) {
         const auto within = [&](std::size_t axis) {
@@ -229,13 +238,15 @@ class StoreStates::Drawing {
     box.max = at + boxes.size;
     box.rotation_deg = rotation_deg;
     box.material = boxes.material;
-    state_.fixtures.push_back({std::move(box), fmt::format("{}: state {}", state_.file, k_)});
+    state_.fixtures.push_back({std::move(box), where_});
   }
 
   const StoreStates& states_;
+  const Scene& devices_;
   const StoreVariation& variation_;
-  std::uint64_t k_;
+  const StateNumbers& numbers_;
   Store state_;
+  std::string where_;           ///< for messages
   std::vector<Polygon> taken_;  ///< by people and objects
   std::set<std::string> ids_;
 };
@@ -247,28 +258,32 @@ StoreStates::StoreStates(const Store& store, const Scene& scene, std::uint64_t s
                      "add the section, even if it is empty");
 }
 
-Store StoreStates::state(std::uint64_t k) const {
-  return Drawing(*this, k).drawn();
+Store StoreStates::state(const StateNumbers& numbers, const Scene& devices) const {
+  return Drawing(*this, numbers, devices).drawn();
 }
 
-std::vector<std::string> StoreStates::assumptions() const {
+std::vector<Cause> StoreStates::causes() const {
   const StoreVariation& variation = *store_.variation;
-  bool has_stock = false, has_doors = false;
-  for (const auto& [fixture, where] : store_.fixtures)
-    if (const Shelving* shelves = shelving_of(fixture)) {
-      has_stock |= !shelves->variation.stocking;
-      has_doors |= shelves->doors && !shelves->variation.open &&
-                   std::none_of(variation.doors.begin(), variation.doors.end(), [&](const OpenDoors& doors) {
-                     return matches_glob(shelves->id, doors.fixtures);
-                   });
-    }
-  std::vector<std::string> assumed;
-  if (has_stock && variation.is_assumed)
-    assumed.push_back(fmt::format("shelves are filled to between {:.0f} and {:.0f} %",
-                                  100 * variation.stocking.low, 100 * variation.stocking.high));
-  if (has_doors)
-    assumed.push_back(fmt::format("doors are open for {:.2g} % of the time", 100 * variation.open_doors));
-  return assumed;
+  const auto has_fixture = [&](const auto& test) {
+    return std::any_of(store_.fixtures.begin(), store_.fixtures.end(), [&](const auto& fixture) {
+      const Shelving* shelves = shelving_of(fixture.value);
+      return shelves != nullptr && test(*shelves);
+    });
+  };
+  const auto has_boxes = [&](bool people) {
+    return std::any_of(variation.boxes.begin(), variation.boxes.end(),
+                       [&](const StandingBoxes& boxes) { return boxes.is_person == people; });
+  };
+  std::vector<Cause> causes;
+  if (has_fixture([](const Shelving&) { return true; })) causes.push_back(Cause::stock);
+  if (has_boxes(true)) causes.push_back(Cause::people);
+  if (has_boxes(false)) causes.push_back(Cause::objects);
+  if (has_fixture([](const Shelving& shelves) { return shelves.doors.has_value(); }))
+    causes.push_back(Cause::doors);
+  if (variation.position > 0 || variation.tilt_deg > 0 || variation.unit_power_db > 0)
+    causes.push_back(Cause::mounting);
+  if (variation.label_sensitivity_db > 0) causes.push_back(Cause::labels);
+  return causes;
 }
 
 }  // namespace shelfbeam

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/states/cause.hpp"
 #include "shelfbeam/scene/states/free_floor.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
@@ -14,16 +14,18 @@ namespace shelfbeam {
 /// depends on the store, the seed and k only.
 class StoreStates {
  public:
-  /// `scene` is that of the store, perhaps with some of its labels and transceivers; both must outlive the
-  /// object. Throws InputError if the store has no section "variation".
+  /// `scene` is that of the store; both must outlive the object. Throws InputError if the store has no
+  /// section "variation".
   StoreStates(const Store& store, const Scene& scene, std::uint64_t seed);
 
   /// The store in state k, an ordinary store: its labels and candidates are listed in the order of the scene,
   /// people and objects are boxes, and it has no variation.
-  Store state(std::uint64_t k) const;
+  Store state(std::uint64_t k) const { return state(StateNumbers(k), scene_); }
+  /// Causes from different states, with the labels and transceivers of `devices` alone, some of the scene's.
+  Store state(const StateNumbers& numbers, const Scene& devices) const;
 
-  /// The values that the store file does not give, for users: "stocking between 0.4 and 1".
-  std::vector<std::string> assumptions() const;
+  /// The causes that change something.
+  std::vector<Cause> causes() const;
 
  private:
   class Drawing;

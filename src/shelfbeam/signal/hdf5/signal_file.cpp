@@ -73,7 +73,7 @@ class MatrixWriter {
     layers("bounce", "/bounces", 0, rows_.bounce_layers());
     if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
     layers("length", "/lengths", rows_.bounce_layers(), rows_.length_layers());
-    layers("state", "/states", rows_.bounce_layers() + rows_.length_layers(), rows_.state_layers());
+    states();
 
     file_.group("/labels");
     each_label_member([&](const auto& path, auto member) { column(path, matrix_.labels, member); });
@@ -118,6 +118,22 @@ class MatrixWriter {
       layer(group + "/standard_error", first + k, Quantity::standard_error);
     }
   }
+  void states() {
+    const StateTensor& states = matrix_.states;
+    if (states.states == 0) return;
+    const std::size_t n = matrix_.columns();
+    const auto matrix = [&](const char* path, const std::vector<float>& from, std::size_t rows) {
+      file_.rows<float>(path, {rows, n}, [&](std::size_t row, auto values) {
+        const auto part = std::span(from).subspan(row * n, n);
+        std::copy(part.begin(), part.end(), values.begin());
+      });
+    };
+    file_.attribute("states", states.states);
+    file_.group("/states");
+    matrix("/states/deviation", states.deviation, matrix_.rows());
+    file_.numbers("/states/hard", std::span<const std::uint32_t>(states.hard), {states.hard.size()});
+    matrix("/states/signal", states.signal, states.states * states.hard.size());
+  }
 
   const SignalMatrix& matrix_;
   const SignalRows& rows_;
@@ -146,15 +162,11 @@ class OwnRows : public SignalRows {
   }
   std::size_t bounce_layers() const override { return matrix_.by_bounce.size(); }
   std::size_t length_layers() const override { return matrix_.by_length.size(); }
-  std::size_t state_layers() const override { return matrix_.by_state.size(); }
 
  private:
   const SignalLayer& layer_of(std::size_t layer) const {
-    for (const auto* layers : {&matrix_.by_bounce, &matrix_.by_length}) {
-      if (layer < layers->size()) return (*layers)[layer];
-      layer -= layers->size();
-    }
-    return matrix_.by_state[layer];
+    const std::size_t bounces = matrix_.by_bounce.size();
+    return layer < bounces ? matrix_.by_bounce[layer] : matrix_.by_length[layer - bounces];
   }
   template <class T>
   static void copy(const std::vector<T>& from, std::size_t row, std::span<T> values) {
@@ -197,7 +209,7 @@ class MatrixReader {
     if (file_.has("/flags")) matrix.flags = flags("/flags", matrix);
     matrix.by_bounce = layers("bounce", "/bounces", matrix);
     matrix.by_length = layers("length", "/lengths", matrix);
-    matrix.by_state = layers("state", "/states", matrix);
+    if (file_.has_attribute("states")) matrix.states = states(matrix);
     if (!matrix.by_length.empty()) {
       matrix.length_step = file_.attribute<double>("length_step");
       if (!(std::isfinite(matrix.length_step) && matrix.length_step > 0))
@@ -243,15 +255,26 @@ class MatrixReader {
     for (std::uint32_t k = 0; k < file_.attribute<std::uint32_t>(kind + "_layers"); ++k) {
       SignalLayer& layer = layers.emplace_back();
       layer.standard_error = entries(fmt::format("{}/{}/standard_error", path, k), matrix);
-      const std::string mean = fmt::format("{}/{}/mean", path, k);
-      // A single state has few batches, so its errors are too uncertain for a judgement of negative means.
-      layer.mean =
-          kind == "state"
-              ? checked<float>(mean, matrix,
-                               [](std::size_t, float value) { return amount_problem(std::abs(value)); })
-              : means(mean, matrix, layer.standard_error);
+      layer.mean = means(fmt::format("{}/{}/mean", path, k), matrix, layer.standard_error);
     }
     return layers;
+  }
+
+  StateTensor states(const SignalMatrix& matrix) const {
+    StateTensor tensor;
+    tensor.states = file_.attribute<std::uint32_t>("states");
+    tensor.deviation = entries("/states/deviation", matrix);
+    const std::size_t h = file_.length("/states/hard");
+    tensor.hard = file_.numbers<std::uint32_t>("/states/hard", {h});
+    for (std::size_t k = 0; k < h; ++k)
+      if (tensor.hard[k] >= matrix.rows() || (k > 0 && tensor.hard[k] <= tensor.hard[k - 1]))
+        fail(fmt::format("/states/hard, row {}", k + 1), "is not a label in ascending order");
+    tensor.signal = file_.numbers<float>("/states/signal", {tensor.states * h, matrix.columns()});
+    // One state has few batches, so its errors are too uncertain for a judgement of negative signals.
+    for (std::size_t k = 0; k < tensor.signal.size(); ++k)
+      if (const auto problem = amount_problem(std::abs(tensor.signal[k])); !problem.empty())
+        fail(fmt::format("/states/signal, row {}", k / matrix.columns() + 1), problem);
+    return tensor;
   }
 
   std::vector<Vec3> vectors(const std::string& path, std::size_t count) const {

@@ -22,14 +22,12 @@ class SignalRows {
   virtual bool has_flags() const = 0;
   /// Fills the flags, one per column.
   virtual void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const = 0;
-  /// Fills a row of a layer: SignalMatrix::by_bounce, then by_length and by_state. Layers have no direct
-  /// part.
+  /// Fills a row of a layer: SignalMatrix::by_bounce, then by_length. Layers have no direct part.
   virtual void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
                           std::span<float> values) const = 0;
   /// Numbers of layers; 0 unless requested.
   virtual std::size_t bounce_layers() const = 0;
   virtual std::size_t length_layers() const = 0;
-  virtual std::size_t state_layers() const { return 0; }
 };
 
 /// Like `write_signal_file` (signal_file.hpp), but the caller commits the file.

@@ -1,7 +1,14 @@
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <numeric>
+#include <optional>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
@@ -15,7 +22,7 @@ namespace shelfbeam {
 
 namespace {
 
-std::uint64_t seed_of(std::uint64_t seed, std::uint32_t state) {
+std::uint64_t seed_of(std::uint64_t seed, std::uint64_t state) {
   return mix_key(mix_key(seed, hash64("state")), state);
 }
 
@@ -45,46 +52,118 @@ SignalLayer simulate_state(const Scene& scene, const PreparedScene& first, const
   return layer;
 }
 
+// A key of the labels and candidates for which states are simulated.
+std::uint64_t key_of(const Scene& scene, std::uint32_t batches, std::string_view purpose) {
+  std::string text = fmt::format("{}\n{}\n", purpose, batches);
+  for (const Label& label : scene.labels) text += label.id + '\n';
+  text += '\n';
+  for (const Transceiver& unit : scene.transceivers) text += unit.id + '\n';
+  return hash64(text);
+}
+
+std::string bytes_of(const SignalLayer& layer) {
+  std::string bytes;
+  for (const auto* values : {&layer.mean, &layer.standard_error})
+    bytes.append(reinterpret_cast<const char*>(values->data()), values->size() * sizeof(float));
+  return bytes;
+}
+
+// nullopt for a result of another size, as a collision of keys would give.
+std::optional<SignalLayer> layer_of(std::string_view bytes, std::size_t entries) {
+  const std::size_t size = entries * sizeof(float);
+  if (bytes.size() != 2 * size) return std::nullopt;
+  SignalLayer layer;
+  layer.mean.resize(entries);
+  layer.standard_error.resize(entries);
+  std::memcpy(layer.mean.data(), bytes.data(), size);
+  std::memcpy(layer.standard_error.data(), bytes.data() + size, size);
+  return layer;
+}
+
+std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, const SignalLayer& first,
+                                          std::size_t max_count) {
+  std::vector<double> share(matrix.rows());
+  for (std::size_t i = 0; i < share.size(); ++i) {
+    const auto row = std::span(first.mean).subspan(i * matrix.columns(), matrix.columns());
+    const double light = std::accumulate(row.begin(), row.end(), 0.0);
+    share[i] = light > 0 ? matrix.labels[i].requirement / light : HUGE_VAL;
+  }
+  std::vector<std::uint32_t> order(share.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return share[a] > share[b]; });
+  order.resize(std::min(order.size(), std::max<std::size_t>(1, max_count)));
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
 }  // namespace
 
-void simulate_states(const StoreStates& states, const PreparedScene& first, const SimulationOptions& options,
+CheckpointIdentity identity_of_states(const std::string& store_hash, const SimulationOptions& options) {
+  return {{"program version", std::string(program_version())},
+          {"store hash", store_hash},
+          {"seed", fmt::format("{}", options.seed)},
+          {"estimator", fmt::format("{}, direct {}", to_text(options.estimator), to_text(options.direct))}};
+}
+
+void simulate_states(const StateMaker& states, const PreparedScene& first, const SimulationOptions& options,
                      const StateRange& range, const std::function<void(const StateSignals&)>& use,
-                     const RunControl& control) {
+                     ResultLog& log, std::string_view purpose, const RunControl& control) {
   const ThreadLimit allowed(control.threads);
+  const Scene& nominal = first.world().scene;
+  const std::uint64_t key = key_of(nominal, range.batches, purpose);
+  const std::size_t entries = nominal.labels.size() * nominal.transceivers.size();
   for (std::uint32_t k = 0; k < range.count; ++k) {
-    const std::uint32_t state = range.first + k;
+    const std::uint64_t state = range.first + k, state_key = mix_key(key, state);
     control.report("simulating states", static_cast<double>(k) / range.count);
-    const Scene scene = make_scene(states.state(state));
+    if (control.cancelled()) throw Interrupted("the simulation was stopped");
+    if (const auto kept = log.find(state_key))
+      if (const auto layer = layer_of(*kept, entries)) {
+        use({state, *layer});
+        continue;
+      }
+    const Scene scene = make_scene(states(state));
     SimulationOptions own = options;
     own.seed = seed_of(options.seed, state);
     RunControl quiet = control;
     quiet.progress = nullptr;
     SignalLayer layer;
     with_threads(control.threads, [&] { layer = simulate_state(scene, first, own, range.batches, quiet); });
+    log.add(state_key, bytes_of(layer));
     use({state, layer});
   }
 }
 
 SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
-                             const StateRange& range, const RunControl& control) {
+                             const StateRange& range, std::size_t max_hard, ResultLog& log,
+                             const RunControl& control) {
   const auto first = prepare(scene, options, true, control);
   const StoreStates states(store, scene, options.seed);
   SignalMatrix matrix =
       detail::matrix_head(scene, scene.store_hash, options.seed, first->estimator().name() + ", states");
-  simulate_states(
-      states, *first, options, range,
-      [&](const StateSignals& state) { matrix.by_state.push_back(state.signals); }, control);
-  const std::size_t entries = matrix.rows() * matrix.columns();
-  matrix.mean.resize(entries);
-  matrix.standard_error.resize(entries);
-  matrix.direct.resize(entries);
+  const std::size_t n = matrix.columns(), entries = matrix.rows() * n;
+  std::vector<Moments> moments(entries);
+  StateTensor& tensor = matrix.states;
+  const auto use = [&](const StateSignals& state) {
+    const std::vector<float>& mean = state.signals.mean;
+    for (std::size_t e = 0; e < entries; ++e) moments[e].add(static_cast<double>(mean[e]));
+    if (tensor.states == 0) tensor.hard = hardest_labels(matrix, state.signals, max_hard);
+    ++tensor.states;
+    for (const std::uint32_t i : tensor.hard) {
+      const auto row = mean.begin() + static_cast<std::ptrdiff_t>(i * n);
+      tensor.signal.insert(tensor.signal.end(), row, row + static_cast<std::ptrdiff_t>(n));
+    }
+  };
+  simulate_states([&](std::uint64_t k) { return states.state(k); }, *first, options, range, use, log,
+                  "states", control);
+  for (auto* values : {&matrix.mean, &matrix.standard_error, &matrix.direct, &tensor.deviation})
+    values->resize(entries);
   for (std::size_t e = 0; e < entries; ++e) {
-    Moments moments;
-    for (const SignalLayer& layer : matrix.by_state) moments.add(static_cast<double>(layer.mean[e]));
-    matrix.mean[e] = static_cast<float>(moments.mean());
-    matrix.standard_error[e] = static_cast<float>(moments.count() > 1 ? moments.standard_error() : 0);
-    const std::size_t i = e / matrix.columns(), j = e % matrix.columns();
-    matrix.direct[e] = static_cast<float>(first->direct().straight(i, j));
+    const bool has_spread = moments[e].count() > 1;
+    matrix.mean[e] = static_cast<float>(moments[e].mean());
+    matrix.standard_error[e] = static_cast<float>(has_spread ? moments[e].standard_error() : 0);
+    tensor.deviation[e] = static_cast<float>(has_spread ? std::sqrt(moments[e].variance()) : 0);
+    matrix.direct[e] = static_cast<float>(first->direct().straight(e / n, e % n));
   }
   return matrix;
 }

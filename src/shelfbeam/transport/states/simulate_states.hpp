@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
+#include "shelfbeam/signal/checkpoint/result_log.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/transport/run/prepared_scene.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
@@ -15,26 +17,37 @@ namespace shelfbeam {
 
 /// The states to simulate, by their numbers.
 struct StateRange {
-  std::uint32_t first = 0, count = 100;
+  std::uint64_t first = 0;
+  std::uint32_t count = 100;
   std::uint32_t batches = 4;  ///< of each label in each state, at least 2
 };
 
 /// The signals of one state, multiplied by the relative sensitivities of the labels, so that the requirements
 /// of the nominal shop apply.
 struct StateSignals {
-  std::uint32_t state = 0;
+  std::uint64_t state = 0;
   const SignalLayer& signals;
 };
 
+using StateMaker = std::function<Store(std::uint64_t k)>;
+
 /// Simulates the shop in some states, one after another, with few samples: the spread between states is many
 /// times the noise of one. `first` is the prepared nominal scene, whose radiance cache all states share. The
-/// signals of a state depend on the store, its number and the options only. Throws as `sample_batches`.
-void simulate_states(const StoreStates& states, const PreparedScene& first, const SimulationOptions& options,
+/// signals of a state depend on the store, its number, the labels and candidates of `first`, and the options
+/// only. `log` keeps finished states; `purpose` distinguishes simulations with other states of the same
+/// labels and candidates. Throws as `sample_batches`.
+void simulate_states(const StateMaker& states, const PreparedScene& first, const SimulationOptions& options,
                      const StateRange& range, const std::function<void(const StateSignals&)>& use,
-                     const RunControl& control = {});
+                     ResultLog& log, std::string_view purpose, const RunControl& control = {});
 
-/// The same with all results in memory: SignalMatrix::by_state and their mean. `scene` is that of the store.
+/// Mean, deviation, and the signals of the `max_hard` hardest labels: their requirements are the largest
+/// shares of the light that they receive from all candidates in the first of the states. Memory does not grow
+/// with the number of states otherwise. `scene` is that of the store.
 SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
-                             const StateRange& range, const RunControl& control = {});
+                             const StateRange& range, std::size_t max_hard, ResultLog& log,
+                             const RunControl& control = {});
+
+/// The identity of a log for the states of a store.
+CheckpointIdentity identity_of_states(const std::string& store_hash, const SimulationOptions& options);
 
 }  // namespace shelfbeam

@@ -189,13 +189,8 @@ TEST(StoreStates, OptionsOfAMountingPointMoveTogether) {
   EXPECT_GT(pairs, 10U);
 }
 
-TEST(StoreStates, SayWhatTheyAssume) {
+TEST(StoreStates, NeedAVariation) {
   Json store = shop();
-  EXPECT_EQ(Shop(store).states.assumptions(), std::vector<std::string>());
-  store["variation"] = Json::object();
-  EXPECT_EQ(Shop(store).states.assumptions(),
-            (std::vector<std::string>{"shelves are filled to between 40 and 100 %",
-                                      "doors are open for 3 % of the time"}));
   store.erase("variation");
   test::expect_input_error([&] { Shop{store}; }, std::string_view("has no section 'variation'"));
 }

@@ -92,6 +92,25 @@ TEST(SignalFile, KeepsTheMatricesOfBouncesAndLengths) {
   test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", "length_step");
 }
 
+TEST(SignalFile, KeepsTheStatesOfAShop) {
+  const TempFolder folder;
+  SignalMatrix written = small_matrix(4, 3);
+  written.states = {2, written.direct, {1, 3}, std::vector<float>(2 * 2 * 3)};
+  for (std::size_t k = 0; k < written.states.signal.size(); ++k)
+    written.states.signal[k] = static_cast<float>(k) - 2;
+  write_signal_file(written, folder / "signal.h5");
+  EXPECT_TRUE(read_signal_file(folder / "signal.h5") == written);
+  const auto expect_refused = [&](std::vector<std::uint32_t> hard, std::string_view place) {
+    written.states.hard = std::move(hard);
+    write_signal_file(written, folder / "signal.h5");
+    test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", place);
+  };
+  expect_refused({1, 4}, "/states/hard");
+  expect_refused({3, 1}, "/states/hard");
+  written.states.signal[5] = std::numeric_limits<float>::infinity();
+  expect_refused({1, 3}, "/states/signal");
+}
+
 TEST(SignalFile, BytesDependOnTheMatrixAlone) {
   const TempFolder folder;
   // 700 rows of 500 columns are more than one chunk, and the last chunk extends beyond the matrix.

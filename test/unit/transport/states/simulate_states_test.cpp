@@ -1,6 +1,9 @@
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -9,6 +12,7 @@
 #include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
+#include "support/temp_folder.hpp"
 #include "unit/scene/sample_store.hpp"
 
 namespace shelfbeam {
@@ -32,23 +36,89 @@ Store shop() {
       "people": [{"area": "room", "number": 4, "size": [0.5, 0.3, 1.75], "material": "dark"}]}})");
 }
 
+constexpr std::size_t every_label = 1000;
+
+ResultLog no_log() {
+  return {{}, {}, false, 0};
+}
+
 SignalMatrix states_of(const Store& store, std::uint32_t count, std::uint32_t batches, unsigned threads = 0) {
   RunControl control;
   control.threads = threads;
+  ResultLog log = no_log();
   return simulate_states(store, make_scene(store), {}, {.first = 0, .count = count, .batches = batches},
-                         control);
+                         every_label, log, control);
+}
+
+// The layers of some states, made from any stores.
+std::vector<SignalLayer> layers_of(const StateMaker& states, const Scene& nominal, const StateRange& range,
+                                   ResultLog& log) {
+  const auto first = prepare(nominal, {}, true);
+  std::vector<SignalLayer> layers;
+  simulate_states(
+      states, *first, {}, range, [&](const StateSignals& state) { layers.push_back(state.signals); }, log,
+      "test");
+  return layers;
 }
 
 TEST(SimulateStates, IsTheSameForAnyNumberOfThreads) {
   const Store store = shop();
   const SignalMatrix one = states_of(store, 3, 4, 1);
   EXPECT_EQ(states_of(store, 3, 4, 2), one);
-  EXPECT_EQ(one.by_state.size(), 3U);
+  EXPECT_EQ(one.states.states, 3U);
   // A state does not depend on the others.
-  SignalMatrix last;
   const Scene scene = make_scene(store);
-  last = simulate_states(store, scene, {}, {.first = 2, .count = 1, .batches = 4});
-  EXPECT_EQ(last.by_state.front(), one.by_state.back());
+  ResultLog log = no_log();
+  const SignalMatrix last =
+      simulate_states(store, scene, {}, {.first = 2, .count = 1, .batches = 4}, every_label, log);
+  const std::size_t entries = one.mean.size();
+  EXPECT_TRUE(std::equal(last.states.signal.begin(), last.states.signal.end(),
+                         one.states.signal.begin() + static_cast<std::ptrdiff_t>(2 * entries)));
+}
+
+// The file of a state contains all of it.
+TEST(SimulateStates, AStateFromItsFileHasTheSameBytes) {
+  const Store store = shop();
+  const Scene scene = make_scene(store);
+  const StoreStates states(store, scene, 1);
+  const StateRange range{.first = 5, .count = 3, .batches = 2};
+  ResultLog log = no_log();
+  const auto from_file = [&](std::uint64_t k) {
+    const Store state = states.state(k);
+    return parse_store(resolved_store_json(state, make_scene(state)), "state.json", ".");
+  };
+  const auto direct = layers_of([&](std::uint64_t k) { return states.state(k); }, scene, range, log);
+  EXPECT_EQ(layers_of(from_file, scene, range, log), direct);
+  EXPECT_NE(layers_of([&](std::uint64_t k) { return states.state(k + 1); }, scene, range, log), direct)
+      << "the control: other states";
+}
+
+TEST(SimulateStates, ContinuesFromItsLog) {
+  const Store store = shop();
+  const Scene scene = make_scene(store);
+  const StoreStates states(store, scene, 1);
+  const test::TempFolder folder;
+  const std::filesystem::path path = folder / "states.checkpoint";
+  const StateRange range{.first = 0, .count = 4, .batches = 2};
+  std::vector<std::uint64_t> made;
+  const auto make = [&](std::uint64_t k) {
+    made.push_back(k);
+    return states.state(k);
+  };
+  ResultLog without = no_log();
+  const auto whole = layers_of(make, scene, range, without);
+  {
+    ResultLog log(path, {{"seed", "1"}}, false, 0);
+    layers_of(make, scene, {.first = 0, .count = 2, .batches = 2}, log);
+  }
+  made.clear();
+  ResultLog log(path, {{"seed", "1"}}, true, 0);
+  EXPECT_EQ(layers_of(make, scene, range, log), whole);
+  EXPECT_EQ(made, (std::vector<std::uint64_t>{2, 3}));
+  // Other batches are other results.
+  made.clear();
+  layers_of(make, scene, {.first = 0, .count = 1, .batches = 3}, log);
+  EXPECT_EQ(made, std::vector<std::uint64_t>{0});
 }
 
 // Sums over all entries of a label in one state, against an ordinary simulation of the exported state. 54
@@ -60,7 +130,9 @@ TEST(SimulateStates, AgreesWithTheExportedState) {
   const StoreStates states(store, scene, 1);
   SimulationOptions options;
   options.samples = 40000;
-  const SignalMatrix found = states_of(store, 3, 16);
+  ResultLog log = no_log();
+  const auto found = layers_of([&](std::uint64_t k) { return states.state(k); }, scene,
+                               {.first = 0, .count = 3, .batches = 16}, log);
   const auto largest_z = [&](std::uint32_t exported, std::size_t layer) {
     const Scene state = make_scene(states.state(exported));
     const SignalMatrix precise = simulate(state, options).matrix;
@@ -70,9 +142,9 @@ TEST(SimulateStates, AgreesWithTheExportedState) {
       for (std::size_t j = 0; j < precise.columns(); ++j) {
         const std::size_t e = precise.at(i, j);
         const double factor = state.labels[i].relative_sensitivity;
-        difference += static_cast<double>(found.by_state[layer].mean[e]) -
-                      factor * static_cast<double>(precise.mean[e]);
-        variance += std::pow(static_cast<double>(found.by_state[layer].standard_error[e]), 2) +
+        difference +=
+            static_cast<double>(found[layer].mean[e]) - factor * static_cast<double>(precise.mean[e]);
+        variance += std::pow(static_cast<double>(found[layer].standard_error[e]), 2) +
                     std::pow(factor * static_cast<double>(precise.standard_error[e]), 2);
       }
       largest = std::max(largest, std::abs(difference) / std::sqrt(variance));
@@ -83,13 +155,46 @@ TEST(SimulateStates, AgreesWithTheExportedState) {
   EXPECT_GT(largest_z(3, 0), 6) << "the control: another state";
 }
 
-TEST(SimulateStates, MeanIsThatOfTheStates) {
+TEST(SimulateStates, SummarisesTheStates) {
   const SignalMatrix matrix = states_of(shop(), 5, 2);
-  for (std::size_t e = 0; e < matrix.mean.size(); e += 7) {
+  const std::size_t entries = matrix.mean.size();
+  ASSERT_EQ(matrix.states.signal.size(), 5 * entries);
+  for (std::size_t e = 0; e < entries; e += 7) {
     Moments moments;
-    for (const SignalLayer& layer : matrix.by_state) moments.add(static_cast<double>(layer.mean[e]));
+    for (std::size_t s = 0; s < 5; ++s)
+      moments.add(static_cast<double>(matrix.states.signal[s * entries + e]));
     EXPECT_FLOAT_EQ(matrix.mean[e], static_cast<float>(moments.mean()));
     EXPECT_FLOAT_EQ(matrix.standard_error[e], static_cast<float>(moments.standard_error()));
+    EXPECT_FLOAT_EQ(matrix.states.deviation[e], static_cast<float>(std::sqrt(moments.variance())));
+  }
+}
+
+TEST(SimulateStates, KeepsTheHardestLabels) {
+  const Store store = shop();
+  const SignalMatrix all = states_of(store, 2, 2);
+  ResultLog log = no_log();
+  const SignalMatrix some =
+      simulate_states(store, make_scene(store), {}, {.first = 0, .count = 2, .batches = 2}, 4, log);
+  ASSERT_EQ(some.states.hard.size(), 4U);
+  EXPECT_EQ(some.mean, all.mean);
+  const std::size_t n = all.columns();
+  const auto light = [&](std::size_t i) {
+    const auto row = all.states.signal.begin() + static_cast<std::ptrdiff_t>(i * n);
+    return std::accumulate(row, row + static_cast<std::ptrdiff_t>(n), 0.0);
+  };
+  double most = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t i = some.states.hard[k];
+    most = std::max(most, light(i));
+    for (std::size_t s = 0; s < 2; ++s)
+      EXPECT_TRUE(
+          std::equal(some.states.signal.begin() + static_cast<std::ptrdiff_t>((s * 4 + k) * n),
+                     some.states.signal.begin() + static_cast<std::ptrdiff_t>((s * 4 + k + 1) * n),
+                     all.states.signal.begin() + static_cast<std::ptrdiff_t>((s * all.rows() + i) * n)));
+  }
+  for (std::uint32_t i = 0; i < all.rows(); ++i) {
+    const bool is_hard = std::binary_search(some.states.hard.begin(), some.states.hard.end(), i);
+    EXPECT_TRUE(is_hard || light(i) >= most) << i;
   }
 }
 
