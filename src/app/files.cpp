@@ -28,18 +28,6 @@ void expect_no_warnings(const Scene& scene, bool strict) {
       Setting::strictness);
 }
 
-SignalTable table_without_signals(const Scene& scene) {
-  SignalTable table;
-  for (const Label& label : scene.labels) {
-    const double requirement = scene.requirement_of(label);
-    table.labels.push_back({label.id, requirement, requirement, 0, 0});
-  }
-  for (const Transceiver& unit : scene.transceivers)
-    table.transceivers.push_back({unit.id, scene.type_of(unit).cost, unit.installed, unit.position});
-  table.row_begin.assign(table.labels.size() + 1, 0);
-  return table;
-}
-
 void add_store_options(CLI::App& verb, bool& allow_outside) {
   verb.add_flag("--allow-outside", allow_outside,
                 "Allow the store file to name files (meshes, tables, profiles) outside its folder")

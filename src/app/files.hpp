@@ -8,7 +8,6 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/scene/store/store.hpp"
-#include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam::app {
@@ -20,9 +19,6 @@ Store load_store(const std::filesystem::path& path, bool allow_outside = false, 
 
 /// Throws InputError if the scene has warnings and `strict` is set.
 void expect_no_warnings(const Scene& scene, bool strict);
-
-/// The labels and candidates of a scene as a table without entries.
-SignalTable table_without_signals(const Scene& scene);
 
 /// --allow-outside.
 void add_store_options(CLI::App& verb, bool& allow_outside);

@@ -206,6 +206,39 @@ void add_certificate_options(CLI::App& verb, CertificateFlags& flags) {
       ->group(group::certificate);
 }
 
+void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
+                       AvailabilityGoal& goal) {
+  verb.add_option("--states", states, text)
+      ->check(CLI::Range(0, 10'000))
+      ->option_text("N")
+      ->group(group::states);
+  const auto add = [&](const char* name, AvailabilityRule rule, const char* help) {
+    return verb
+        .add_option_function<double>(
+            name,
+            [&goal, rule](double value) {
+              goal = {rule, value};
+            },
+            help)
+        ->group(group::states);
+  };
+  auto* labels = add("--availability", AvailabilityRule::labels,
+                     "Minimum share of the states in which each label is reached, e.g. 0.95 or 95%; default: "
+                     "that of its label type")
+                     ->transform(a_share({0.5, 0.9999, true, true}))
+                     ->option_text("SHARE");
+  auto* shop = add("--all-at-once", AvailabilityRule::shop,
+                   "Minimum share of the states in which all labels are reached at once, instead")
+                   ->transform(a_share({0.01, 0.9999, true, true}))
+                   ->option_text("SHARE")
+                   ->excludes(labels);
+  add("--mean-missed", AvailabilityRule::misses, "Maximum mean number of missed labels, instead")
+      ->check(positive_number())
+      ->option_text("LABELS")
+      ->excludes(labels)
+      ->excludes(shop);
+}
+
 int exit_code(Status status) {
   if (status == Status::infeasible) return answer_is_no;
   return status == Status::stopped ? stopped_early : done;

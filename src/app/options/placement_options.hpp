@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/plan/answer/availability.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "app/text/placement_text.hpp"
@@ -55,6 +58,10 @@ struct CertificateFlags {
 };
 
 void add_certificate_options(CLI::App& verb, CertificateFlags& flags);
+
+/// Number of states, with its help text, and goal for a shop that changes.
+void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
+                       AvailabilityGoal& goal);
 
 /// done, answer_is_no or stopped_early.
 int exit_code(Status status);

@@ -9,6 +9,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/weak_spots.hpp"
+#include "shelfbeam/report/messages/availability.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 
@@ -18,13 +19,6 @@ namespace {
 
 std::string model_of(const PlacementProblem& problem) {
   return fmt::format("{}{}", to_text(problem.model), failure_clause(problem));
-}
-
-std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
-  std::vector<std::string_view> ids;
-  ids.reserve(selected.size());
-  for (const std::uint32_t j : selected) ids.push_back(table.transceivers[j].id);
-  return ids.empty() ? "" : fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
 }
 
 std::string outcome(const Placement& placement) {
@@ -119,6 +113,26 @@ double percentage(std::size_t labels, const SignalTable& table) {
 }
 
 }  // namespace
+
+std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
+  std::vector<std::string_view> ids;
+  ids.reserve(selected.size());
+  for (const std::uint32_t j : selected) ids.push_back(table.transceivers[j].id);
+  return ids.empty() ? "" : fmt::format("  chosen: {}\n", fmt::join(ids, ", "));
+}
+
+std::string availability_answer(const Availability& availability, const Placement& placement,
+                                const SignalTable& table) {
+  return availability_sentence(availability, placement,
+                               [&](std::uint32_t label) { return table.labels[label].id; });
+}
+
+std::string availability_details(const Availability& availability, const Placement& placement) {
+  std::string text;
+  for (const std::string& remark : availability_remarks(availability, placement))
+    text += fmt::format("  {}\n", remark);
+  return text;
+}
 
 std::string describe(const Placement& placement, const SignalTable& table) {
   const bool is_infeasible = placement.status == Status::infeasible;

@@ -1,10 +1,12 @@
 #include "shelfbeam/plan/plan.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,10 +14,13 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/io/scene_table.hpp"
+#include "shelfbeam/plan/states/plan_states.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/transport/states/simulate_states.hpp"
 
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
@@ -42,6 +47,8 @@ struct Options {
   double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
   std::filesystem::path store, folder;
+  std::optional<std::uint32_t> states;  ///< 0: the shop as the file gives it
+  AvailabilityGoal goal;
   bool allow_outside = false, strict = false, overwrite = false, safe_csv = false;
 };
 
@@ -64,6 +71,7 @@ void protect_store(const std::filesystem::path& folder, const std::filesystem::p
 // Alternatives, curve and sensitivity.
 std::string additions(const Options& options, const Plan& plan, const SignalTable& table) {
   const Placement& placement = plan.placement;
+  if (plan.availability) return {};
   std::string text = describe(plan.alternatives, placement, table) + describe(plan.curve, table);
   if (options.curve && !placement.has_selection())
     text +=
@@ -84,8 +92,14 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
 std::string result(const Options& options, const Plan& plan, const SignalTable& table, bool follows_decision,
                    bool is_kept) {
   std::string placed = describe(plan.placement, table);
-  std::string answer = certificate_sentence(plan);
-  if (answer.empty()) {
+  std::string answer = plan.availability ? availability_answer(*plan.availability, plan.placement, table)
+                                         : certificate_sentence(plan);
+  if (plan.availability) {
+    placed =
+        availability_details(*plan.availability, plan.placement) + chosen(plan.placement.selected, table);
+    if (const std::string price = price_sentence(plan.placement); !price.empty())
+      placed += fmt::format("  {}\n", price);
+  } else if (answer.empty()) {
     const std::size_t end = placed.find('\n');
     answer = placed.substr(0, end);
     placed.erase(0, end + 1);
@@ -104,11 +118,14 @@ std::string result(const Options& options, const Plan& plan, const SignalTable& 
 
 // The requested relative error was not reached, and no certificate covers the sampling error.
 bool is_imprecise(const Plan& plan) {
-  return !plan.certificate && plan.simulation.summary.unmet_error;
+  return !plan.certificate && !plan.availability && plan.simulation.summary.unmet_error;
 }
 
 // A requested result about the selection is incomplete.
 bool is_open(const Options& options, const Plan& plan) {
+  const auto& availability = plan.availability;
+  if (availability)
+    return !options.no_certificate && !availability->certified && availability->unreachable.empty();
   return is_imprecise(plan) || (plan.certificate && !plan.certificate->open.empty()) ||
          !plan.curve.is_complete ||
          (options.sensitivity && plan.placement.has_selection() && !plan.sensitivity);
@@ -129,6 +146,8 @@ void write_plan(const std::filesystem::path& folder, const PlanFolder* own, cons
   write_signal_file(matrix, files.add(signal_name));
   if (plan.certificate)
     files.add(verification_name).write(verification_csv(*plan.certificate, scene, safe_csv));
+  if (plan.availability && plan.availability->has_answer())
+    files.add(verification_name).write(availability_csv(*plan.availability, scene, safe_csv));
   write_report(files, {scene, matrix, plan, safe_csv});
   const FileHashes hashes = hashes_of(files);
   files.add(placement_name).write(recorded_placement(answer, plan.complete, hashes));
@@ -173,6 +192,14 @@ std::string remark_on_interruption(const Options& options, const SimulationSumma
                      next);
 }
 
+// The states on which units are placed; 0 for the shop as the file gives it.
+std::uint32_t states_of(const Options& options, const Store& store) {
+  if (!store.variation && options.states.value_or(0) > 0)
+    throw InputError(store.file, "has no section 'variation', so it has only one state",
+                     "add the section, even if it is empty");
+  return store.variation ? options.states.value_or(StatesOptions().sample) : 0;
+}
+
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
@@ -185,6 +212,7 @@ int run_plan(const Options& options) {
   SimulationOptions simulation =
       options.simulation.options(options.common.seed, options.folder / signal_name);
   simulation.checkpoint.at_end = true;
+  const std::filesystem::path states_log = options.folder / states_checkpoint_name;
   if (follows_decision(options)) simulation.samples = decision_samples;
   const PlanFolder folder(options.folder, resolved, options.overwrite);
   // The report and the tables take at least as much again as the resolved store.
@@ -208,7 +236,32 @@ int run_plan(const Options& options) {
     plan_options.curve = options.curve;
     plan_options.alternatives = true;
     if (options.sensitivity) plan_options.sensitivity = {options.reflectance_error, confidence};
+    const std::uint32_t states = states_of(options, store);
+    if (states > 0) {
+      plan_options.confidence.reset();
+      plan_options.alternatives = false;
+      // The plan for the shop as the file gives it is only the beginning.
+      plan_options.place.time_limit_s /= 4;
+    }
     plan = make_plan(scene, plan_options, control);
+    if (states > 0 && plan.complete && plan.placement.has_selection()) {
+      StatesOptions over{.sample = states,
+                         .goal = options.goal,
+                         .confidence = confidence,
+                         .certifies = !options.no_certificate,
+                         .budget_s = options.certificate.budget_s,
+                         .simulation = simulation,
+                         .place = options.solver};
+      over.place.seed = options.common.seed;
+      const CheckpointOptions& checkpoint = simulation.checkpoint;
+      ResultLog log(states_log, identity_of_states(scene.store_hash, simulation), checkpoint.resume,
+                    checkpoint.interval_s);
+      PlanOverStates found = plan_over_states(store, scene, table_of(options, plan.simulation.matrix),
+                                              plan.placement, over, log, control);
+      plan.placement = std::move(found.placement);
+      plan.availability = std::move(found.availability);
+      plan.complete = !control.cancelled();
+    }
     // The report may travel; it names the files of the store without the folder.
     const std::string home = (options.store.parent_path() / "").string();
     for (std::string& warning : plan.warnings)
@@ -226,7 +279,10 @@ int run_plan(const Options& options) {
     elsewhere = keep_elsewhere([&](const std::filesystem::path& path) {
       write_plan(path, nullptr, scene, resolved, plan, answer, options.safe_csv);
     });
-  if (plan.complete) remove_checkpoint(simulation.checkpoint.path);
+  if (plan.complete) {
+    remove_checkpoint(simulation.checkpoint.path);
+    remove_checkpoint(states_log);
+  }
 
   if (options.common.json)
     fmt::print("{}", answer);
@@ -235,7 +291,10 @@ int run_plan(const Options& options) {
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
     print_message(
         "the requested relative error was not reached; without '--json' the program lists the entries\n");
-  if (plan.complete) return is_open(options, plan) ? stopped_early : exit_code(plan.placement.status);
+  if (plan.complete && plan.availability && !plan.availability->unreachable.empty()) return answer_is_no;
+  if (plan.complete && !is_open(options, plan))
+    return plan.availability ? done : exit_code(plan.placement.status);
+  if (plan.complete) return stopped_early;
   if (!options.common.quiet || elsewhere)
     print_message("stopped early: {}\n", remark_on_interruption(options, summary, is_kept, elsewhere));
   return stopped_early;
@@ -271,6 +330,11 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       ->transform(a_share({0, 1}))
       ->option_text("SHARE")
       ->needs(sensitivity);
+  add_state_options(
+      *verb, options->states,
+      "States of a shop with 'variation' on which units are placed; default 100; 0: the shop as "
+      "the file gives it",
+      options->goal);
   add_run_options(*verb, options->simulation);
   verb->add_flag("--overwrite", options->overwrite, "Replace a finished plan in the folder")
       ->group(group::runs);

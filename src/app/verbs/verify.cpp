@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <numeric>
@@ -12,15 +13,20 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/rounds.hpp"
+#include "shelfbeam/plan/states/verify_states.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/signal/checkpoint/checkpoint.hpp"
+#include "shelfbeam/transport/states/simulate_states.hpp"
 
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
+#include "app/text/placement_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
@@ -35,12 +41,15 @@ struct Options {
   SimulationFlags simulation;
   CertificateFlags certificate;
   std::optional<CommunicationModel> model;
+  std::optional<std::uint32_t> states;
+  AvailabilityGoal goal;
   bool survive_failure = false;
   std::filesystem::path store, placement, output;
   bool allow_outside = false, safe_csv = false;
 };
 
 struct Installation {
+  Store store;
   Scene scene;  ///< its transceivers are the mounted units
   PlacementProblem problem;
 };
@@ -55,14 +64,54 @@ Installation load_installation(const Options& options) {
   const std::filesystem::path& units = options.placement;
   const Store store =
       load_store(options.store, options.allow_outside, options.simulation.memory, options.output);
-  if (!is_json(units)) return {scene_with_units(store, units), {}};
+  if (!is_json(units)) return {store, scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
   if (!placement.has_selection() || placement.selected.empty())
     throw InputError(units.string(), "selects no transceivers", "choose another placement");
   std::vector<std::uint32_t> labels(scene.labels.size());
   std::iota(labels.begin(), labels.end(), 0U);
-  return {sub_scene(scene, labels, placement.selected), placement.problem};
+  return {store, sub_scene(scene, labels, placement.selected), placement.problem};
+}
+
+int verify_in_states(const Options& options, const Installation& installation,
+                     const PlacementProblem& problem, const SimulationOptions& simulation) {
+  const Scene& units = installation.scene;
+  const SignalTable table = table_without_signals(units);
+  Availability found;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
+    const CheckpointOptions checkpoint = options.output.empty() ? CheckpointOptions() : simulation.checkpoint;
+    const Scene scene = make_scene(installation.store);
+    ResultLog log(checkpoint.path, identity_of_states(scene.store_hash, simulation), checkpoint.resume,
+                  checkpoint.interval_s);
+    const VerifyStatesOptions how{*options.states, options.goal, options.certificate.confidence, simulation};
+    try {
+      found = verify_over_states(installation.store, scene, units, problem, how, log, control);
+    } catch (const Interrupted&) {
+      log.flush();
+      if (!options.common.quiet)
+        print_message("stopped early: {}\n", checkpoint.path.empty()
+                                                 ? "with '--output', the run can be continued"
+                                                 : "repeat the command with '--resume' to continue");
+      return stopped_early;
+    }
+  }
+  if (!options.output.empty()) {
+    write_file(options.output, availability_csv(found, units, options.safe_csv));
+    remove_checkpoint(simulation.checkpoint.path);
+  }
+  Placement mounted;
+  mounted.problem = problem;
+  mounted.selected.resize(units.transceivers.size());
+  std::iota(mounted.selected.begin(), mounted.selected.end(), 0U);
+  if (options.common.json)
+    fmt::print("{}", availability_text(found, table));
+  else if (!options.common.quiet)
+    fmt::print("{}\n{}", styled(Style::answer, availability_answer(found, mounted, table)),
+               availability_details(found, mounted));
+  return found.certified ? done : answer_is_no;
 }
 
 int run_verify(const Options& options) {
@@ -75,6 +124,7 @@ int run_verify(const Options& options) {
   if (!options.output.empty()) expect_writable(options.output);
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   print_warnings(options.common, installation.scene, simulation.rules().strategy);
+  if (options.states) return verify_in_states(options, installation, problem, simulation);
   CertifiedPlan verified;
   {
     TerminalProgress progress(options.common.quiet);
@@ -112,6 +162,10 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   verb->add_flag("--survive-failure", options->survive_failure,
                  "Every label must be reached even if any one unit fails, including installed units");
   add_certificate_options(*verb, options->certificate);
+  add_state_options(*verb, options->states,
+                    "Examine the units in this many states of a shop with 'variation', and name the best "
+                    "addition",
+                    options->goal);
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
@@ -120,7 +174,8 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   verb->footer(
       "Examples:\n"
       "  shelfbeam verify store.json plan/placement.json\n"
-      "  shelfbeam verify store.json installed.csv -o verification.csv");
+      "  shelfbeam verify store.json installed.csv -o verification.csv\n"
+      "  shelfbeam verify store.json installed.csv --states 1000");
   verb->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
 }
 

@@ -7,6 +7,7 @@
 #include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/availability.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/plan/answer/sensitivity.hpp"
 
@@ -15,11 +16,12 @@ namespace shelfbeam {
 /// A placement with the further results of a plan; the content of placement.json.
 struct CertifiedPlan {
   Placement placement;
-  Alternatives alternatives = {};               ///< empty unless requested
-  CoverageCurve curve = {};                     ///< without points unless requested
-  std::optional<Certificate> certificate = {};  ///< from independent samples
-  std::optional<Sensitivity> sensitivity = {};  ///< to reflectances
-  std::vector<std::string> warnings = {};       ///< about implausible values and results
+  Alternatives alternatives = {};                 ///< empty unless requested
+  CoverageCurve curve = {};                       ///< without points unless requested
+  std::optional<Certificate> certificate = {};    ///< from independent samples
+  std::optional<Availability> availability = {};  ///< of a shop that changes; then there is no certificate
+  std::optional<Sensitivity> sensitivity = {};    ///< to reflectances
+  std::vector<std::string> warnings = {};         ///< about implausible values and results
 };
 
 }  // namespace shelfbeam

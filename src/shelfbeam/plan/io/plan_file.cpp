@@ -9,6 +9,7 @@
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
+#include "shelfbeam/plan/io/availability_json.hpp"
 #include "shelfbeam/plan/io/sensitivity_json.hpp"
 
 namespace shelfbeam {
@@ -84,6 +85,10 @@ std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
   Json file = detail::placement_object(plan.placement, table, plan.curve);
   if (plan.certificate && !plan.certificate->none_verified()) file["verification"] = "certificate";
   if (plan.certificate) file["certificate"] = to_json(*plan.certificate, table);
+  if (plan.availability) {
+    if (plan.availability->has_answer()) file["verification"] = "states";
+    file["states"] = detail::availability_object(*plan.availability, table);
+  }
   if (!plan.alternatives.empty())
     file["alternatives"] = detail::alternatives_object(plan.alternatives, table);
   if (plan.sensitivity) file["sensitivity"] = detail::sensitivity_object(*plan.sensitivity, table);
@@ -101,6 +106,7 @@ CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& ta
   plan.placement = detail::read_placement(file, table);
   plan.curve = detail::read_curve(file, table);
   if (const auto found = file.find("certificate")) plan.certificate = read_certificate(*found, table);
+  if (const auto found = file.find("states")) plan.availability = detail::read_availability(*found, table);
   if (const auto found = file.find("alternatives"))
     plan.alternatives = detail::read_alternatives(*found, table);
   if (const auto found = file.find("sensitivity")) plan.sensitivity = detail::read_sensitivity(*found, table);
@@ -108,6 +114,19 @@ CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& ta
   if (const auto found = file.find("warnings"))
     for (const JsonCursor& warning : found->elements()) plan.warnings.push_back(warning.text());
   return plan;
+}
+
+std::string availability_text(const Availability& availability, const SignalTable& table) {
+  return detail::availability_object(availability, table).dump(2) + '\n';
+}
+
+std::string availability_csv(const Availability& availability, const Scene& scene, bool safe) {
+  std::string text = "id,required,states,missed,availability\n";
+  const StateOutcome& outcome = availability.answer();
+  for (std::size_t i = 0; i < scene.labels.size(); ++i)
+    text += fmt::format("{},{},{},{},{}\n", csv_field(scene.labels[i].id, safe), availability.required[i],
+                        outcome.states, outcome.missed[i], outcome.availability(i));
+  return text;
 }
 
 std::string verification_csv(const Certificate& certificate, const Scene& scene, bool safe) {

@@ -9,9 +9,12 @@
 
 namespace shelfbeam {
 
-/// The placement.json of a plan (docs/formats/placement.md): that of the placement, then certificate and
-/// sensitivity if present, then the warnings.
+/// The placement.json of a plan (docs/formats/placement.md): that of the placement, then certificate,
+/// states and sensitivity if present, then the warnings.
 std::string plan_json(const CertifiedPlan& plan, const SignalTable& table);
+
+/// The object under `states` alone.
+std::string availability_text(const Availability& availability, const SignalTable& table);
 
 /// The object under `certificate` alone.
 std::string certificate_json(const Certificate& certificate, const SignalTable& table);
@@ -23,5 +26,8 @@ CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& ta
 /// verification.csv (docs/formats/report.md): one row per label, in the order of the scene. `safe`: as in
 /// `csv_field`.
 std::string verification_csv(const Certificate& certificate, const Scene& scene, bool safe = false);
+
+/// The same for a plan that was examined in states of the shop.
+std::string availability_csv(const Availability& availability, const Scene& scene, bool safe = false);
 
 }  // namespace shelfbeam

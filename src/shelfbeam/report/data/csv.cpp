@@ -30,8 +30,11 @@ std::string labels_csv(const ReportInput& input) {
   const Outcome outcome = outcome_of(matrix, input.plan.placement, input.plan.certificate);
   const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   const bool has_direct = matrix.direct.size() == matrix.mean.size();
-  std::string csv =
-      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted\n";
+  const auto& availability = input.plan.availability;
+  const bool has_states = availability && availability->has_answer();
+  std::string csv = fmt::format(
+      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted{}\n",
+      has_states ? ",availability" : "");
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     const LabelRow& label = matrix.labels[i];
     const LabelOutcome& result = outcome.labels[i];
@@ -46,6 +49,7 @@ std::string labels_csv(const ReportInput& input) {
                 !is_known                   ? ""
                 : result.depends_on_flagged ? "no"
                                             : "yes"});
+    if (has_states) csv.insert(csv.size() - 1, "," + csv_number(availability->answer().availability(i)));
   }
   return csv;
 }

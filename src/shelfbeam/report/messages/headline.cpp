@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/messages/availability.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
@@ -90,6 +91,18 @@ void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
                                                          : Headline::Tone::open;
 }
 
+// The answer for a shop that changes, instead of that for the shop as the file gives it.
+void lead_with_availability(const ReportData& data, Headline& headline) {
+  const CertifiedPlan& plan = data.input.plan;
+  const Availability& availability = *plan.availability;
+  headline.remarks = availability_remarks(availability, plan.placement);
+  headline.answer = availability_sentence(availability, plan.placement,
+                                          [&](std::uint32_t label) { return data.label(label).id; });
+  headline.tone = !availability.unreachable.empty() ? Headline::Tone::no
+                  : availability.certified          ? Headline::Tone::yes
+                                                    : Headline::Tone::open;
+}
+
 std::string sampling_remark(const ReportData& data) {
   std::string text = say("headline.unverified");
   const SamplingSummary& s = data.sampling;
@@ -109,19 +122,20 @@ Headline headline(const ReportData& data) {
   Headline result = data.has_selection()                     ? with_selection(data)
                     : placement.status == Status::infeasible ? infeasible(data)
                                                              : nothing_found(data);
+  if (plan.availability) lead_with_availability(data, result);
   const auto remark = [&](std::string text) {
     if (!text.empty()) result.remarks.push_back(std::move(text));
   };
   if (data.has_selection()) {
-    if (std::string close = closeness_remark(data); !close.empty() && !plan.certificate)
+    if (std::string close = closeness_remark(data); !close.empty() && !plan.certificate && !plan.availability)
       result.remarks.insert(result.remarks.begin(), std::move(close));
     remark(objective_sentence(placement));
     remark(price_sentence(placement));
   }
   if (plan.certificate) lead_with_certificate(plan, result);
   if (const std::string conflicts = conflict_sentence(placement); !conflicts.empty()) remark(conflicts + ".");
-  remark(proof_sentence(placement));
-  if (!plan.certificate) remark(sampling_remark(data));
+  if (!plan.availability) remark(proof_sentence(placement));
+  if (!plan.certificate && !plan.availability) remark(sampling_remark(data));
   if (plan.sensitivity)
     remark(with_joined_percent(sensitivity_sentence(*plan.sensitivity, data.outcome.labels.size())));
   return result;

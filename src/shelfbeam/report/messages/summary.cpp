@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "shelfbeam/report/messages/availability.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
@@ -19,7 +20,7 @@ using Tone = Headline::Tone;
 constexpr double close_share = 0.25;  ///< of its signal that a label with little reserve can lose
 
 std::string verdict_of(const ReportData& data, Tone tone) {
-  if (data.input.plan.certificate && data.has_selection())
+  if ((data.input.plan.certificate && data.has_selection()) || data.input.plan.availability)
     return say(fmt::format("verdict.certified.{}", key_of(tone)));
   if (tone == Tone::yes && data.uncertain > 0)
     return say_count("verdict.uncertified.uncertain", data.uncertain);
@@ -56,6 +57,10 @@ class Writer {
   Summary with_selection() {
     summary_.answer = answer();
     add_price();
+    if (plan_.availability) {
+      add_availability(*plan_.availability);
+      return std::move(summary_);
+    }
     add_proof();
     summary_.remarks.push_back(confirmation());
     if (!plan_.sensitivity) summary_.remarks.push_back(say("summary.not_examined"));
@@ -101,6 +106,11 @@ class Writer {
                                    : say_count("summary.answer.mount", fresh);
     if (fresh > 0 && installed > 0) mount = say_count("summary.answer.beside", installed, mount);
     const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
+    if (const auto& availability = plan_.availability)
+      return !availability->unreachable.empty()
+                 ? availability_sentence(*availability, placement_, label_name())
+                 : say(availability->certified ? "summary.answer.often" : "summary.answer.not_certain", mount,
+                       goal_text(*availability), failure);
     if (reached() < labels())
       return say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount, grouped(reached()),
                  say_count("noun.label", labels()), failure);
@@ -137,6 +147,27 @@ class Writer {
     summary_.remarks.push_back(fresh == placement_.count() ? say_count("summary.price", fresh, spend)
                                                            : say_count("summary.price_both", fresh, spend,
                                                                        joined(money(price.total, price))));
+  }
+
+  LabelName label_name() const {
+    return [this](std::uint32_t label) { return data_.label(label).id; };
+  }
+
+  void add_availability(const Availability& availability) {
+    if (availability.certified)
+      summary_.remarks.push_back(say_count("summary.checked_states", availability.answer().states,
+                                           fmt::format("{:.6g}\u00A0%", 100 * availability.confidence)));
+    else if (availability.unreachable.empty())
+      summary_.remarks.push_back(availability_sentence(availability, placement_, label_name()));
+    for (std::string& remark : availability_remarks(availability, placement_))
+      summary_.remarks.push_back(std::move(remark));
+    add_achievements();
+    std::vector<std::uint32_t> rarest;
+    for (const LabelAtRisk& label : availability.at_risk) rarest.push_back(label.label);
+    if (!rarest.empty())
+      summary_.risks.push_back(
+          say("summary.risks.rarest", labels_by_cause(availability, rarest, label_name())));
+    add_risks();
   }
 
   // Nothing is proven, and nothing has to be, if all units are there already.
@@ -229,7 +260,7 @@ class Writer {
       summary_.risks.push_back(
           say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
     add_materials();
-    if (placement_.status == Status::stopped)
+    if (placement_.status == Status::stopped && !plan_.availability)
       summary_.risks.push_back(say("summary.risks.stopped", search_time()));
     risk("summary.risks.flagged", data_.outcome.flagged_labels);
     risk("summary.risks.warnings", plan_.warnings.size());

@@ -27,6 +27,8 @@ std::string margin_section(const ReportData& data, const Maps& maps);
 std::string reflection_section(const ReportData& data, const Maps& maps);
 /// The effect of reflectance ranges on the placement; empty without a sensitivity analysis.
 std::string sensitivity_section(const ReportData& data);
+/// Plans for a shop that changes, and the labels at risk; empty for a plan without states.
+std::string availability_section(const ReportData& data);
 std::string distribution_section(const ReportData& data);
 std::string unit_section(const ReportData& data);
 /// The coverage curve; empty without one.

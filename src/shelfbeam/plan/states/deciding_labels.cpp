@@ -1,0 +1,73 @@
+#include "shelfbeam/plan/states/deciding_labels.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace shelfbeam {
+
+namespace {
+
+// Labels decide if the first selection leaves them less than this, in requirements, in any state. Other
+// selections may serve them differently, and then they are added.
+constexpr double little_reserve = 1.1;
+
+}  // namespace
+
+DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all,
+                               const PlacementProblem& problem, std::span<const std::uint32_t> start)
+    : sample_(sample), all_(all), problem_(problem), row_of_(all.rows(), no_row) {
+  table_ = make_state_table(all_, {}, sample_.count());
+  std::vector<std::uint32_t> every(all.rows());
+  std::iota(every.begin(), every.end(), 0U);
+  const std::vector<double> received = sample_.received(every, start, problem_);
+  misses_of_start_ = misses_with(every, received, start);
+  add_if([&](std::uint32_t i) {
+    const auto begin = received.begin() + static_cast<std::ptrdiff_t>(std::size_t{i} * sample_.count());
+    return !is_met(*std::min_element(begin, begin + sample_.count()),
+                   little_reserve * requirement_of(all_.labels[i], problem_.model));
+  });
+  if (labels_.empty()) add_if([](std::uint32_t i) { return i == 0; });
+}
+
+void DecidingLabels::add(std::span<const std::uint32_t> labels) {
+  if (labels.empty()) return;
+  const std::size_t first = labels_.size();
+  for (const std::uint32_t i : labels) {
+    row_of_[i] = static_cast<std::uint32_t>(labels_.size());
+    labels_.push_back(i);
+  }
+  StateTable grown = make_state_table(all_, labels_, sample_.count(), table_);
+  sample_.fill(grown, labels, first);
+  table_ = std::move(grown);
+}
+
+StateMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
+                                        std::span<const double> received,
+                                        std::span<const std::uint32_t> selected) const {
+  const std::size_t states = sample_.count();
+  StateMisses misses;
+  misses.of_label.assign(row_of_.size(), 0);
+  std::vector<bool> any(states, false);
+  const auto count = [&](std::uint32_t label, std::span<const double> signals) {
+    const double requirement = requirement_of(all_.labels[label], problem_.model);
+    for (std::size_t s = 0; s < states; ++s)
+      if (!is_met(signals[s], requirement)) {
+        ++misses.of_label[label];
+        any[s] = true;
+      }
+  };
+  for (std::size_t k = 0; k < others.size(); ++k) count(others[k], received.subspan(k * states, states));
+  for (std::size_t row = 0; row < labels_.size(); ++row)
+    count(labels_[row], received_signals(table_, problem_, row, selected));
+  misses.of_shop = static_cast<std::uint32_t>(std::count(any.begin(), any.end(), true));
+  return misses;
+}
+
+StateMisses DecidingLabels::misses(std::span<const std::uint32_t> selected) const {
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t i = 0; i < row_of_.size(); ++i)
+    if (!has(i)) others.push_back(i);
+  return misses_with(others, sample_.received(others, selected, problem_), selected);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,56 @@
+#include "shelfbeam/plan/states/goal_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace shelfbeam {
+
+std::vector<double> required_availabilities(const Scene& scene, const AvailabilityGoal& goal) {
+  std::vector<double> required;
+  required.reserve(scene.labels.size());
+  for (const Label& label : scene.labels)
+    required.push_back(goal.rule == AvailabilityRule::labels && goal.value
+                           ? *goal.value
+                           : scene.type_of(label).availability);
+  return required;
+}
+
+MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
+                           std::span<const std::uint32_t> labels, std::size_t states,
+                           const std::function<std::uint32_t(double)>& misses) {
+  MissAllowance allowance;
+  switch (goal.rule) {
+    case AvailabilityRule::shop:
+      allowance.of_shop = misses(*goal.value);
+      break;
+    case AvailabilityRule::misses:
+      allowance.total =
+          static_cast<std::uint64_t>(std::floor(*goal.value * static_cast<double>(states) + 1e-9));
+      break;
+    case AvailabilityRule::labels:
+      for (const std::uint32_t i : labels) allowance.of_label.push_back(misses(required[i]));
+  }
+  return allowance;
+}
+
+MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
+                           std::span<const std::uint32_t> labels, std::size_t states) {
+  return allowance_of(goal, required, labels, states,
+                      [&](double availability) { return allowed_misses(availability, states); });
+}
+
+StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t states) {
+  return {units, states, std::move(misses.of_label), misses.of_shop};
+}
+
+std::vector<std::uint32_t> most_missed(const StateOutcome& outcome) {
+  std::vector<std::uint32_t> labels;
+  for (std::uint32_t i = 0; i < outcome.missed.size(); ++i)
+    if (outcome.missed[i] > 0) labels.push_back(i);
+  std::stable_sort(labels.begin(), labels.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return outcome.missed[a] > outcome.missed[b]; });
+  return labels;
+}
+
+}  // namespace shelfbeam

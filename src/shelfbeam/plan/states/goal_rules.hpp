@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/states/misses.hpp"
+#include "shelfbeam/plan/answer/availability.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+// The goals of availability.hpp as numbers of states.
+
+/// The required availability of every label.
+std::vector<double> required_availabilities(const Scene& scene, const AvailabilityGoal& goal);
+
+/// The misses that the goal allows some labels in a number of states, by the misses of an availability.
+MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
+                           std::span<const std::uint32_t> labels, std::size_t states,
+                           const std::function<std::uint32_t(double availability)>& misses);
+/// The same by allowed_misses.
+MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
+                           std::span<const std::uint32_t> labels, std::size_t states);
+
+StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t states);
+
+/// The labels that are missed in any state, most misses first.
+std::vector<std::uint32_t> most_missed(const StateOutcome& outcome);
+
+}  // namespace shelfbeam

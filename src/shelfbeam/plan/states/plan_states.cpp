@@ -1,0 +1,228 @@
+#include "shelfbeam/plan/states/plan_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/placement/states/place_over_states.hpp"
+#include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/plan/states/deciding_labels.hpp"
+#include "shelfbeam/plan/states/fresh_states.hpp"
+#include "shelfbeam/plan/states/goal_rules.hpp"
+#include "shelfbeam/plan/states/reflectance_ends.hpp"
+#include "shelfbeam/plan/states/risk_causes.hpp"
+#include "shelfbeam/plan/states/state_examination.hpp"
+#include "shelfbeam/plan/states/state_sample.hpp"
+#include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/stats/distributions.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::uint32_t max_rounds = 12;
+constexpr double share_of_placement = 1.0 / 3;  ///< of the time limit, for a placement over states or a bound
+// A signal exceeds its upper limit with this probability.
+constexpr double raise_error = 0.05;
+
+class Planner {
+ public:
+  Planner(const Store& store, const Scene& scene, const SignalTable& table, const Placement& nominal,
+          const StatesOptions& options, ResultLog& log, const RunControl& control)
+      : scene_(with_reflectances_at(ReflectanceEnd::low, scene)),
+        store_(with_reflectances_at(ReflectanceEnd::low, store)),
+        states_(store_, scene_, options.simulation.seed),
+        all_(table),
+        options_(options),
+        log_(log),
+        control_(control),
+        sample_(states_, scene_, options_.simulation, options_.sample, log_, control_),
+        result_{nominal, {}} {
+    Availability& answer = result_.availability;
+    answer.goal = options.goal;
+    answer.confidence = options.confidence;
+    answer.required = required_availabilities(scene, options.goal);
+  }
+
+  PlanOverStates run() {
+    const Deadline clock(std::numeric_limits<double>::max());
+    const double begun = clock.seconds_left();
+    try {
+      place();
+      if (result_.availability.unreachable.empty() && options_.certifies && !selected_.empty()) certify();
+      explain();
+    } catch (const Interrupted&) {
+      result_.availability.open = "it was interrupted";
+    }
+    log_.flush();
+    result_.availability.seconds = begun - clock.seconds_left();
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  using Selection = std::vector<std::uint32_t>;
+
+  const PlacementProblem& problem() const { return result_.placement.problem; }
+
+  MissAllowance allowance(std::span<const std::uint32_t> labels) const {
+    return allowance_of(options_.goal, result_.availability.required, labels, options_.sample);
+  }
+
+  void stop_if_cancelled() const {
+    if (control_.cancelled()) throw Interrupted("the plan was stopped");
+  }
+
+  void place() {
+    Availability& answer = result_.availability;
+    deciding_.emplace(sample_, all_, problem(), result_.placement.selected);
+    answer.nominal =
+        outcome_of(deciding_->misses_of_start(), result_.placement.selected.size(), options_.sample);
+    std::vector<std::uint32_t> every(all_.rows());
+    std::iota(every.begin(), every.end(), 0U);
+    const MissAllowance of_all = allowance(every);
+    PlaceOptions part = options_.place;
+    part.time_limit_s *= share_of_placement;
+    for (bool grows = true; grows;) {
+      allowance_ = allowance(deciding_->labels());
+      const StatePlacement found =
+          place_over_states(deciding_->table(), problem(), allowance_, part, control_);
+      answer.sample_lower_bound = std::max(answer.sample_lower_bound, found.lower_bound);
+      for (const std::uint32_t row : found.unreachable)
+        answer.unreachable.push_back(deciding_->labels()[row]);
+      stop_if_cancelled();
+      if (!found.has_selection()) return;
+      StateMisses misses = deciding_->misses(found.selected);
+      const bool is_enough = of_all.excess(misses) == 0;
+      grows = !is_enough && deciding_->add_if([&](std::uint32_t i) { return misses.of_label[i] > 0; }) > 0;
+      part.start = found.selected;
+      if (grows) continue;
+      selected_ = answer.sample_selected = found.selected;
+      answer.sample = outcome_of(std::move(misses), found.selected.size(), options_.sample);
+      answer.sample_value = found.value;
+    }
+    if (options_.goal.rule == AvailabilityRule::labels) raise_bound();
+    stop_if_cancelled();
+  }
+
+  // A selection that keeps to the goal misses a label, by raised signals, in at most (1 - availability) +
+  // raise_error of the states, and its misses exceed the allowance of any label with the level of the bound.
+  void raise_bound() {
+    const std::span labels = deciding_->labels();
+    const double level = (1 - options_.confidence) / 2 / static_cast<double>(labels.size());
+    const auto widened = [&](double availability) {
+      return widened_misses(std::max(0.0, availability - raise_error), options_.sample, level);
+    };
+    const MissAllowance wide =
+        allowance_of(options_.goal, result_.availability.required, labels, options_.sample, widened);
+    PlaceOptions place = options_.place;
+    place.time_limit_s *= share_of_placement;
+    const double enough = result_.availability.sample_lower_bound;
+    const double errors = student_quantile(1 - raise_error, StateSample::batches - 1);
+    result_.availability.lower_bound = std::min(
+        bound_over_states(raised(deciding_->table(), errors), problem(), wide, enough, place, control_),
+        enough);
+  }
+
+  void certify() {
+    Availability& answer = result_.availability;
+    const Deadline deadline(options_.budget_s);
+    std::vector<std::uint32_t> labels(scene_.labels.size());
+    std::iota(labels.begin(), labels.end(), 0U);
+    for (std::uint32_t round = 1; round <= max_rounds; ++round) {
+      if (round > 1 && !take_another(deadline)) {
+        answer.open = "no other transceiver helps";
+        return;
+      }
+      const Scene units = sub_scene(scene_, labels, selected_);
+      const StateExamination examination(states_, units, problem(), options_.simulation, log_, control_);
+      const FreshStatesOptions of_round{.round = round,
+                                        .level = (1 - options_.confidence) / 2 / std::pow(2, round)};
+      FreshStates fresh = examine([&](std::uint64_t k) { return examination.missed(k); }, options_.goal,
+                                  answer.required, of_round, deadline, control_);
+      fresh.outcome.units = selected_.size();
+      answer.examined.push_back(std::move(fresh.outcome));
+      answer.certified = fresh.certified;
+      answer.responsible = std::move(fresh.in_doubt);
+      if (fresh.certified) return;
+      stop_if_cancelled();
+      if (fresh.out_of_time) {
+        answer.open = "the time was used up";
+        return;
+      }
+    }
+    answer.open = "too many plans failed";
+  }
+
+  // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
+  bool take_another(const Deadline& deadline) {
+    const StateOutcome& failed = result_.availability.answer();
+    deciding_->add_if([&](std::uint32_t i) { return failed.missed[i] > 0; });
+    allowance_ = allowance(deciding_->labels());
+    const StateSearch search(deciding_->table(), problem(), allowance_,
+                             [&] { return control_.cancelled() || deadline.has_passed(); });
+    Selection more = search.spread(search.with_another(selected_));
+    if (more.size() == selected_.size()) return false;
+    selected_ = std::move(more);
+    return true;
+  }
+
+  void explain() {
+    Availability& answer = result_.availability;
+    if (!answer.unreachable.empty()) answer.responsible = answer.unreachable;
+    const Selection risky = !answer.unreachable.empty() ? answer.unreachable
+                            : answer.has_answer()       ? most_missed(answer.answer())
+                            : answer.sample.states > 0  ? most_missed(answer.sample)
+                                                        : most_missed(answer.nominal);
+    std::vector<std::uint32_t> labels(scene_.labels.size());
+    std::iota(labels.begin(), labels.end(), 0U);
+    const Scene units = sub_scene(scene_, labels, selected_.empty() ? result_.placement.selected : selected_);
+    answer.at_risk = risk_causes(states_, units, risky, problem(), options_.simulation, log_, control_);
+  }
+
+  // The selection with the bound that holds for it.
+  void finish() {
+    if (selected_.empty()) return;
+    Placement& placement = result_.placement;
+    const Availability& answer = result_.availability;
+    placement.selected = selected_;
+    placement.objective_value = state_value(deciding_->table(), placement.problem, selected_);
+    placement.lower_bound = answer.lower_bound;
+    placement.count_lower_bound =
+        placement.problem.combination == Combination::spend ? 0 : answer.lower_bound;
+    placement.bound_proof = BoundProof::search;
+    placement.ties_settled = false;
+    placement.status = answer.certified && placement.gap() <= 0 ? Status::optimal : Status::stopped;
+    placement.solver = "states";
+    if (placement.price) placement.price = price_of(all_, selected_);
+  }
+
+  Scene scene_;
+  Store store_;
+  StoreStates states_;
+  const SignalTable& all_;
+  const StatesOptions& options_;
+  ResultLog& log_;
+  const RunControl& control_;
+  StateSample sample_;
+  PlanOverStates result_;
+  std::optional<DecidingLabels> deciding_;
+  MissAllowance allowance_;
+  Selection selected_;
+};
+
+}  // namespace
+
+PlanOverStates plan_over_states(const Store& store, const Scene& scene, const SignalTable& table,
+                                const Placement& nominal, const StatesOptions& options, ResultLog& log,
+                                const RunControl& control) {
+  return Planner(store, scene, table, nominal, options, log, control).run();
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/states/state_table.hpp"
+#include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
+#include "shelfbeam/signal/checkpoint/result_log.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
+#include "shelfbeam/transport/states/simulate_states.hpp"
+
+namespace shelfbeam {
+
+/// The states on which units are placed, simulated part by part: all candidates for the labels that decide,
+/// and some units for all labels. Most labels never decide: they receive more than enough from any placement
+/// that serves the others.
+class StateSample {
+ public:
+  static constexpr std::uint32_t batches = 4;  ///< of each label in each state
+
+  /// `scene` is that of `states`. All references must outlive the object.
+  StateSample(const StoreStates& states, const Scene& scene, const SimulationOptions& options,
+              std::uint32_t count, ResultLog& log, const RunControl& control)
+      : states_(states), scene_(scene), options_(options), count_(count), log_(log), control_(control) {}
+
+  std::uint32_t count() const { return count_; }
+
+  /// Sets the rows of a table from `first` on, which are those of `labels`. Throws as `simulate_states`.
+  void fill(StateTable& table, std::span<const std::uint32_t> labels, std::size_t first) const;
+
+  /// The signals that some labels receive from units, by label and state. Throws as `simulate_states`.
+  std::vector<double> received(std::span<const std::uint32_t> labels, std::span<const std::uint32_t> units,
+                               const PlacementProblem& problem) const;
+
+ private:
+  void simulate(const Scene& part, const std::function<void(const StateSignals&)>& use) const;
+
+  const StoreStates& states_;
+  const Scene& scene_;
+  const SimulationOptions& options_;
+  std::uint32_t count_;
+  ResultLog& log_;
+  const RunControl& control_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/availability.hpp"
+
+namespace shelfbeam {
+
+// Sentences about a plan for a shop that changes.
+
+/// The id of a label by its number.
+using LabelName = std::function<std::string(std::uint32_t)>;
+
+/// "98.3 %": rounded down, so that 100 % means always.
+std::string time_share(double share);
+
+/// "every label at least 95 % of the time"
+std::string goal_text(const Availability& availability);
+
+/// "6 transceivers reach every label at least 95 % of the time, with 99 % confidence.": the answer, or the
+/// labels that prevent one, and their causes.
+std::string availability_sentence(const Availability& availability, const Placement& placement,
+                                  const LabelName& name);
+
+/// The bound, the fewest units that satisfy the sampled states, and the plan for the shop as the file gives
+/// it.
+std::vector<std::string> availability_remarks(const Availability& availability, const Placement& placement);
+
+/// "A1-front-1-1 (people), A3-back-1-2 (stock)": labels with their main causes, the first few of them.
+std::string labels_by_cause(const Availability& availability, const std::vector<std::uint32_t>& labels,
+                            const LabelName& name);
+
+}  // namespace shelfbeam
