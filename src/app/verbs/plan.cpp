@@ -17,6 +17,7 @@
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/states/plan_states.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -194,15 +195,14 @@ std::string remark_on_interruption(const Options& options, const SimulationSumma
 
 // The states on which units are placed; 0 for the shop as the file gives it.
 std::uint32_t states_of(const Options& options, const Store& store) {
-  if (!store.variation && options.states.value_or(0) > 0)
-    throw InputError(store.file, "has no section 'variation', so it has only one state",
-                     "add the section, even if it is empty");
+  if (options.states.value_or(0) > 0) expect_variation(store);
   return store.variation ? options.states.value_or(StatesOptions().sample) : 0;
 }
 
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
+  const std::uint32_t states = states_of(options, store);
   const Scene scene = make_inspected_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
   protect_store(options.folder, options.store, resolved);
@@ -236,7 +236,6 @@ int run_plan(const Options& options) {
     plan_options.curve = options.curve;
     plan_options.alternatives = true;
     if (options.sensitivity) plan_options.sensitivity = {options.reflectance_error, confidence};
-    const std::uint32_t states = states_of(options, store);
     if (states > 0) {
       plan_options.confidence.reset();
       plan_options.alternatives = false;

@@ -18,6 +18,7 @@
 #include "shelfbeam/plan/states/verify_states.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
@@ -118,6 +119,7 @@ int run_verify(const Options& options) {
   protect_input(options.output, options.store);
   protect_input(options.output, options.placement);
   const Installation installation = load_installation(options);
+  if (options.states) expect_variation(installation.store);
   PlacementProblem problem = installation.problem;
   problem.model = options.model.value_or(problem.model);
   problem.redundant = problem.redundant || options.survive_failure;

@@ -12,7 +12,7 @@ namespace shelfbeam {
 namespace {
 
 constexpr double violated = 1 - 1e-6;
-constexpr std::size_t max_labels = 32;   ///< that give cuts at once
+constexpr std::size_t max_labels = 256;  ///< that give cuts at once
 constexpr std::size_t max_cases = 4000;  ///< of one cut
 constexpr std::size_t max_sizes = 64;    ///< that are tried for one cut
 

@@ -70,7 +70,7 @@ std::string addition_text(const Availability& availability) {
 
 std::string time_share(double share) {
   constexpr double tenths = 1000;
-  return fmt::format("{:g}\u00A0%", std::floor(share * tenths + 1e-6) / (tenths / 100));
+  return fmt::format("{:g} %", std::floor(share * tenths + 1e-6) / (tenths / 100));
 }
 
 std::string goal_text(const Availability& availability) {

@@ -95,9 +95,10 @@ void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
 void lead_with_availability(const ReportData& data, Headline& headline) {
   const CertifiedPlan& plan = data.input.plan;
   const Availability& availability = *plan.availability;
-  headline.remarks = availability_remarks(availability, plan.placement);
-  headline.answer = availability_sentence(availability, plan.placement,
-                                          [&](std::uint32_t label) { return data.label(label).id; });
+  for (std::string& remark : availability_remarks(availability, plan.placement))
+    headline.remarks.push_back(with_joined_percent(std::move(remark)));
+  headline.answer = with_joined_percent(availability_sentence(
+      availability, plan.placement, [&](std::uint32_t label) { return data.label(label).id; }));
   headline.tone = !availability.unreachable.empty() ? Headline::Tone::no
                   : availability.certified          ? Headline::Tone::yes
                                                     : Headline::Tone::open;

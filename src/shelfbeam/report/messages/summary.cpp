@@ -107,10 +107,11 @@ class Writer {
     if (fresh > 0 && installed > 0) mount = say_count("summary.answer.beside", installed, mount);
     const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
     if (const auto& availability = plan_.availability)
-      return !availability->unreachable.empty()
-                 ? availability_sentence(*availability, placement_, label_name())
-                 : say(availability->certified ? "summary.answer.often" : "summary.answer.not_certain", mount,
-                       goal_text(*availability), failure);
+      return with_joined_percent(
+          !availability->unreachable.empty()
+              ? availability_sentence(*availability, placement_, label_name())
+              : say(availability->certified ? "summary.answer.often" : "summary.answer.not_certain", mount,
+                    goal_text(*availability), failure));
     if (reached() < labels())
       return say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount, grouped(reached()),
                  say_count("noun.label", labels()), failure);
@@ -158,9 +159,10 @@ class Writer {
       summary_.remarks.push_back(say_count("summary.checked_states", availability.answer().states,
                                            fmt::format("{:.6g}\u00A0%", 100 * availability.confidence)));
     else if (availability.unreachable.empty())
-      summary_.remarks.push_back(availability_sentence(availability, placement_, label_name()));
+      summary_.remarks.push_back(
+          with_joined_percent(availability_sentence(availability, placement_, label_name())));
     for (std::string& remark : availability_remarks(availability, placement_))
-      summary_.remarks.push_back(std::move(remark));
+      summary_.remarks.push_back(with_joined_percent(std::move(remark)));
     add_achievements();
     std::vector<std::uint32_t> rarest;
     for (const LabelAtRisk& label : availability.at_risk) rarest.push_back(label.label);

@@ -69,8 +69,9 @@ std::string availability_section(const ReportData& data) {
   if (!availability) return {};
   const Placement& placement = data.input.plan.placement;
   const auto name = [&](std::uint32_t label) { return data.label(label).id; };
-  std::string html = paragraph(availability_sentence(*availability, placement, name));
-  for (const std::string& remark : availability_remarks(*availability, placement)) html += paragraph(remark);
+  std::string html = paragraph(with_joined_percent(availability_sentence(*availability, placement, name)));
+  for (std::string& remark : availability_remarks(*availability, placement))
+    html += paragraph(with_joined_percent(std::move(remark)));
   return html_section("availability", say("availability.title"),
                       html + plan_table(*availability) + risk_table(data, *availability));
 }

@@ -251,11 +251,15 @@ class StoreStates::Drawing {
   std::set<std::string> ids_;
 };
 
-StoreStates::StoreStates(const Store& store, const Scene& scene, std::uint64_t seed)
-    : store_(store), scene_(scene), seed_(seed), floor_(scene) {
+void expect_variation(const Store& store) {
   if (!store.variation)
     throw InputError(store.file, "has no section 'variation', so it has only one state",
                      "add the section, even if it is empty");
+}
+
+StoreStates::StoreStates(const Store& store, const Scene& scene, std::uint64_t seed)
+    : store_(store), scene_(scene), seed_(seed), floor_(scene) {
+  expect_variation(store);
 }
 
 Store StoreStates::state(const StateNumbers& numbers, const Scene& devices) const {

@@ -10,6 +10,9 @@
 
 namespace shelfbeam {
 
+/// Throws InputError if the store has no section "variation".
+void expect_variation(const Store& store);
+
 /// The states of a shop: draws of the variation of its store file (docs/formats/store/variation.md). State k
 /// depends on the store, the seed and k only.
 class StoreStates {

@@ -82,16 +82,15 @@ std::optional<SignalLayer> layer_of(std::string_view bytes, std::size_t entries)
 
 std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, const SignalLayer& first,
                                           std::size_t max_count) {
-  std::vector<double> share(matrix.rows());
-  for (std::size_t i = 0; i < share.size(); ++i) {
-    const auto row = std::span(first.mean).subspan(i * matrix.columns(), matrix.columns());
-    const double light = std::accumulate(row.begin(), row.end(), 0.0);
-    share[i] = light > 0 ? matrix.labels[i].requirement / light : HUGE_VAL;
+  std::vector<double> degree(matrix.rows());
+  for (std::size_t e = 0; e < first.mean.size(); ++e) {
+    const std::size_t i = e / matrix.columns();
+    degree[i] += std::min(1.0, static_cast<double>(first.mean[e]) / matrix.labels[i].requirement);
   }
-  std::vector<std::uint32_t> order(share.size());
+  std::vector<std::uint32_t> order(degree.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return share[a] > share[b]; });
+                   [&](std::uint32_t a, std::uint32_t b) { return degree[a] < degree[b]; });
   order.resize(std::min(order.size(), std::max<std::size_t>(1, max_count)));
   std::sort(order.begin(), order.end());
   return order;

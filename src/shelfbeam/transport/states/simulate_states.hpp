@@ -40,9 +40,9 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
                      const StateRange& range, const std::function<void(const StateSignals&)>& use,
                      ResultLog& log, std::string_view purpose, const RunControl& control = {});
 
-/// Mean, deviation, and the signals of the `max_hard` hardest labels: their requirements are the largest
-/// shares of the light that they receive from all candidates in the first of the states. Memory does not grow
-/// with the number of states otherwise. `scene` is that of the store.
+/// Mean, deviation, and the signals of the `max_hard` hardest labels, which the fewest candidates reach: the
+/// sum of min(1, M_ij / requirement_i) over all candidates j, in the first of the states, is smallest. Memory
+/// does not grow with the number of states otherwise. `scene` is that of the store.
 SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
                              const StateRange& range, std::size_t max_hard, ResultLog& log,
                              const RunControl& control = {});

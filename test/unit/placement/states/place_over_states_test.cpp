@@ -120,7 +120,7 @@ TEST_P(PlaceOverStates, EqualsEnumeration) {
   const auto& [problem, rule] = GetParam();
   RandomStates random(1);
   int proven = 0, found = 0, differs = 0;
-  constexpr int cases = 150;
+  constexpr int cases = 80;
   const bool is_hard = problem.redundant || problem.model == CommunicationModel::non_cooperative;
   const double strength = is_hard ? 2.5 : 1;
   for (int k = 0; k < cases; ++k) {
