@@ -3,7 +3,7 @@
 //   build/release/bench_states known [--repetitions N] [--jobs J]
 //   build/release/bench_states shops [NAME]... [--folder FOLDER] [--time-limit S] [--budget S]
 //   build/release/bench_states cost [NAME]...
-//   build/release/bench_states placement FILE [--time-limit S]
+//   build/release/bench_states placement FILE [--states N] [--time-limit S]
 //
 // known      many plans for a small shop whose availabilities are known: counts false statements. At 99 %
 //            confidence, more than 6 of 200 plans with one have a probability below 0.5 %. The control takes
@@ -12,7 +12,7 @@
 //            compares the plan for the shop as the file gives it with the plan over states
 // cost       processor time of 100 states against a simulation with 2000 samples, all candidates of
 //            examples/NAME (default: supermarket)
-// placement  a placement over the states of a signal file of `simulate --states`
+// placement  a placement over the first states (default: all) of a signal file of `simulate --states`
 
 #include <algorithm>
 #include <atomic>
@@ -51,6 +51,7 @@ struct Settings {
   std::size_t repetitions = 200;
   unsigned jobs = 2;
   fs::path folder = "states";
+  std::uint32_t states = 1000;
   double time_limit_s = 60, budget_s = 600;
 };
 
@@ -151,14 +152,15 @@ void place_file(const Settings& settings, const std::string& file) {
   const StateTensor& tensor = matrix.states;
   if (tensor.states == 0) throw std::invalid_argument(file + " has no states");
   const std::size_t size = tensor.hard.size() * matrix.columns();
-  StateTable table = make_state_table(make_signal_table(matrix), tensor.hard, tensor.states);
-  for (std::size_t s = 0; s < tensor.states; ++s) {
+  const std::uint32_t states = std::min(tensor.states, settings.states);
+  StateTable table = make_state_table(make_signal_table(matrix), tensor.hard, states);
+  for (std::size_t s = 0; s < states; ++s) {
     const auto begin = tensor.signal.begin() + static_cast<std::ptrdiff_t>(s * size);
     set_state(table, s, 0,
               {{begin, begin + static_cast<std::ptrdiff_t>(size)}, std::vector<float>(size, 0.0F)});
   }
   MissAllowance allowance;
-  allowance.of_label.assign(tensor.hard.size(), allowed_misses(0.95, tensor.states));
+  allowance.of_label.assign(tensor.hard.size(), allowed_misses(0.95, states));
   PlaceOptions options;
   options.time_limit_s = settings.time_limit_s;
   StatePlacement found;
@@ -198,6 +200,8 @@ int main(int argc, char** argv) {
         settings.jobs = static_cast<unsigned>(std::stoul(words.value()));
       else if (word == "--folder")
         settings.folder = words.value();
+      else if (word == "--states")
+        settings.states = static_cast<std::uint32_t>(std::stoul(words.value()));
       else if (word == "--time-limit")
         settings.time_limit_s = std::stod(words.value());
       else if (word == "--budget")

@@ -115,7 +115,8 @@ class Planner {
   // raise_error of the states, and its misses exceed the allowance of any label with the level of the bound.
   void raise_bound() {
     const std::span labels = deciding_->labels();
-    const double level = (1 - options_.confidence) / 2 / static_cast<double>(labels.size());
+    // All labels share the level, because the states themselves choose the deciding ones.
+    const double level = (1 - options_.confidence) / 2 / static_cast<double>(all_.rows());
     const auto widened = [&](double availability) {
       return widened_misses(std::max(0.0, availability - raise_error), options_.sample, level);
     };
