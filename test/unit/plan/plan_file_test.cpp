@@ -62,6 +62,27 @@ TEST(PlanFile, IsReadBack) {
   EXPECT_FALSE(read.curve.is_complete);
 }
 
+TEST(PlanFile, KeepsStatesOfTheShop) {
+  const test::TempFolder folder;
+  CertifiedPlan plan{example_plan().placement};
+  Availability& availability = plan.availability.emplace();
+  availability.required = {0.95, 0.9};
+  availability.examined = {{2, 300, {0, 12}, 12}};
+  for (StateOutcome* sampled : {&availability.nominal, &availability.sample})
+    *sampled = {1, 100, {1, 40}, 41};
+  availability.shown = {{1'000'000, {}}, {1'000'217, {0, 1}}};
+  availability.responsible = {1};
+  availability.open = "the time was used up";
+  const std::string text = plan_json(plan, example());
+  const CertifiedPlan read = read_plan(folder.write("p.json", text), example());
+  EXPECT_EQ(plan_json(read, example()), text);
+  ASSERT_TRUE(read.availability);
+  ASSERT_EQ(read.availability->shown.size(), 2U);
+  EXPECT_EQ(read.availability->shown[1].number, 1'000'217U);
+  EXPECT_EQ(read.availability->shown[0].missed, std::vector<std::uint32_t>());
+  EXPECT_EQ(read.availability->shown[1].missed, (std::vector<std::uint32_t>{0, 1}));
+}
+
 TEST(PlanFile, DistinguishesUnverifiedLabels) {
   const test::TempFolder folder;
   CertifiedPlan plan = example_plan();

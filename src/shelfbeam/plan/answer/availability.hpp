@@ -77,6 +77,12 @@ struct LabelAtRisk {
   std::vector<CauseShare> causes;  ///< the largest first
 };
 
+/// A fresh state in which the answer was examined, for pictures.
+struct ShownState {
+  std::uint64_t number = 0;
+  std::vector<std::uint32_t> missed;  ///< ascending
+};
+
 /// One more unit for a mounted installation, the one that helps most in simulated states.
 struct Addition {
   std::string id;
@@ -105,6 +111,8 @@ struct Availability {
   /// Plans that were named before their states were drawn; the last one is the answer. Missed: not certain to
   /// be reached.
   std::vector<StateOutcome> examined;
+  /// Of the last one: some states, ascending by number, among them one with the most missed labels.
+  std::vector<ShownState> shown;
   bool certified = false;                  ///< the last one
   std::vector<std::uint32_t> responsible;  ///< labels that prevent it, those with most misses first
   std::vector<LabelAtRisk> at_risk;        ///< most misses first

@@ -76,6 +76,12 @@ class Reader {
             count(object["states_with_miss"])};
   }
 
+  ShownState shown(const JsonCursor& object) const {
+    object.expect_keys({"state", "missed"});
+    constexpr std::int64_t max_state = std::int64_t{1} << 53;  // exact in every reader of JSON
+    return {static_cast<std::uint64_t>(object["state"].integer(0, max_state)), labels(object["missed"])};
+  }
+
   LabelAtRisk at_risk(const JsonCursor& object) const {
     object.expect_keys({"label", "causes"});
     LabelAtRisk label{position(object["label"], known_, "label"), {}};
@@ -97,9 +103,11 @@ Json availability_object(const Availability& availability, const SignalTable& ta
   const std::vector<double>& required = availability.required;
   const double usual = required.empty() ? 1 : *std::min_element(required.begin(), required.end());
   const bool is_certified = availability.certified;
-  Json examined = Json::array(), at_risk = Json::array();
+  Json examined = Json::array(), shown = Json::array(), at_risk = Json::array();
   for (const StateOutcome& outcome : availability.examined)
     examined.push_back(to_json(outcome, required, table));
+  for (const ShownState& state : availability.shown)
+    shown.push_back({{"state", state.number}, {"missed", ids_of(table.labels, state.missed)}});
   for (const LabelAtRisk& label : availability.at_risk) at_risk.push_back(to_json(label, table));
   Json object = {
       {"count", availability.nominal.states},
@@ -123,6 +131,7 @@ Json availability_object(const Availability& availability, const SignalTable& ta
       {"nominal", to_json(availability.nominal, required, table)},
       {"sample", to_json(availability.sample, required, table)},
       {"examined", std::move(examined)},
+      {"shown_states", std::move(shown)},
       {"responsible", ids_of(table.labels, availability.responsible)},
       {"at_risk", std::move(at_risk)},
       {"addition", availability.addition ? to_json(*availability.addition, required, table) : Json(nullptr)},
@@ -152,6 +161,7 @@ Availability read_availability(const JsonCursor& object, const SignalTable& tabl
                       "nominal",
                       "sample",
                       "examined",
+                      "shown_states",
                       "responsible",
                       "at_risk",
                       "addition",
@@ -176,6 +186,8 @@ Availability read_availability(const JsonCursor& object, const SignalTable& tabl
   result.sample = reader.outcome(object["sample"]);
   for (const JsonCursor& element : object["examined"].elements())
     result.examined.push_back(reader.outcome(element));
+  for (const JsonCursor& element : object["shown_states"].elements())
+    result.shown.push_back(reader.shown(element));
   result.responsible = reader.labels(object["responsible"]);
   for (const JsonCursor& element : object["at_risk"].elements())
     result.at_risk.push_back(reader.at_risk(element));

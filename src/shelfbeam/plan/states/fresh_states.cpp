@@ -99,6 +99,16 @@ class Judge {
   std::uint32_t states_ = 0;
 };
 
+void show(std::vector<ShownState>& shown, std::uint64_t number, const std::vector<std::uint32_t>& missed) {
+  constexpr std::size_t first = 4;
+  const auto has_fewer = [&](const ShownState& other) { return other.missed.size() < missed.size(); };
+  if (shown.size() >= first) {
+    if (!std::all_of(shown.begin(), shown.end(), has_fewer)) return;
+    shown.resize(first);
+  }
+  shown.push_back({number, missed});
+}
+
 }  // namespace
 
 FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
@@ -116,10 +126,12 @@ FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
     }
     control.report("fresh states", static_cast<double>(outcome.states) / looks.back(),
                    fmt::format("plan {}", options.round));
-    const auto missed = missed_in(first_fresh_state(options.round) + outcome.states);
+    const std::uint64_t number = first_fresh_state(options.round) + outcome.states;
+    const auto missed = missed_in(number);
     ++outcome.states;
     for (const std::uint32_t i : missed) ++outcome.missed[i];
     if (!missed.empty()) ++outcome.states_with_miss;
+    show(result.shown, number, missed);
     judge.add(outcome, missed.size());
     const bool is_look = std::find(looks.begin(), looks.end(), outcome.states) != looks.end();
     if (is_look) result.certified = judge.is_certain(outcome);

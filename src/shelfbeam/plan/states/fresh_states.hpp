@@ -19,6 +19,7 @@ inline std::uint64_t first_fresh_state(std::uint32_t round) {
 /// The result of one round.
 struct FreshStates {
   StateOutcome outcome;
+  std::vector<ShownState> shown;  ///< the first states, and one with the most missed labels
   bool certified = false;
   bool out_of_time = false;
   /// Labels whose misses do not allow the statement, most misses first; with other goals than that for

@@ -149,6 +149,7 @@ class Planner {
                                   answer.required, of_round, deadline, control_);
       fresh.outcome.units = selected_.size();
       answer.examined.push_back(std::move(fresh.outcome));
+      answer.shown = std::move(fresh.shown);
       answer.certified = fresh.certified;
       answer.responsible = std::move(fresh.in_doubt);
       if (fresh.certified) return;

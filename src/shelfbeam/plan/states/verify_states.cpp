@@ -87,6 +87,7 @@ Availability verify_over_states(const Store& store, const Scene& scene, const Sc
     if (fresh.out_of_time) throw Interrupted("the verification was stopped");
     fresh.outcome.units = units.transceivers.size();
     found.examined.push_back(std::move(fresh.outcome));
+    found.shown = std::move(fresh.shown);
     found.certified = fresh.certified;
     found.responsible = std::move(fresh.in_doubt);
   }
