@@ -16,6 +16,7 @@
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/states/plan_states.hpp"
+#include "shelfbeam/report/data/shop_states.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
@@ -139,8 +140,9 @@ bool follows_decision(const Options& options) {
 }
 
 // `own`: the folder of this run; null elsewhere, where there are no other files.
-void write_plan(const std::filesystem::path& folder, const PlanFolder* own, const Scene& scene,
-                const std::string& resolved, const Plan& plan, const std::string& answer, bool safe_csv) {
+void write_plan(const std::filesystem::path& folder, const PlanFolder* own, const Store& store,
+                const Scene& scene, const std::string& resolved, const Plan& plan, const std::string& answer,
+                bool safe_csv) {
   const SignalMatrix& matrix = plan.simulation.matrix;
   AtomicFolder files(folder);
   files.add(store_name).write(resolved);
@@ -149,7 +151,7 @@ void write_plan(const std::filesystem::path& folder, const PlanFolder* own, cons
     files.add(verification_name).write(verification_csv(*plan.certificate, scene, safe_csv));
   if (plan.availability && plan.availability->has_answer())
     files.add(verification_name).write(availability_csv(*plan.availability, scene, safe_csv));
-  write_report(files, {scene, matrix, plan, safe_csv});
+  write_report(files, {scene, matrix, plan, safe_csv, shop_states(store, scene, matrix, plan)});
   const FileHashes hashes = hashes_of(files);
   files.add(placement_name).write(recorded_placement(answer, plan.complete, hashes));
   if (own)
@@ -159,10 +161,10 @@ void write_plan(const std::filesystem::path& folder, const PlanFolder* own, cons
 }
 
 // A plan that cannot be written to its folder is written elsewhere.
-void save(const Options& options, const PlanFolder& folder, const Scene& scene, const std::string& resolved,
-          const Plan& plan, const std::string& answer) {
+void save(const Options& options, const PlanFolder& folder, const Store& store, const Scene& scene,
+          const std::string& resolved, const Plan& plan, const std::string& answer) {
   const auto write = [&](const std::filesystem::path& path, const PlanFolder* own) {
-    write_plan(path, own, scene, resolved, plan, answer, options.safe_csv);
+    write_plan(path, own, store, scene, resolved, plan, answer, options.safe_csv);
   };
   try {
     write(options.folder, &folder);
@@ -273,10 +275,10 @@ int run_plan(const Options& options) {
   const bool is_kept = !plan.complete && folder.has_finished_plan();
   std::optional<std::filesystem::path> elsewhere;
   if (!is_kept)
-    save(options, folder, scene, resolved, plan, answer);
+    save(options, folder, store, scene, resolved, plan, answer);
   else if (!summary.has_all_in_checkpoint)  // samples would be lost
     elsewhere = keep_elsewhere([&](const std::filesystem::path& path) {
-      write_plan(path, nullptr, scene, resolved, plan, answer, options.safe_csv);
+      write_plan(path, nullptr, store, scene, resolved, plan, answer, options.safe_csv);
     });
   if (plan.complete) {
     remove_checkpoint(simulation.checkpoint.path);

@@ -10,6 +10,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/report/data/shop_states.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -67,7 +68,8 @@ int run_report(const Options& options) {
   std::optional<OutputLock> lock;
   if (std::filesystem::is_directory(options.folder))
     lock.emplace(options.folder / signal_name, options.folder.string());
-  const Scene scene = make_scene(load_store(options.folder / store_name));
+  const Store store = load_store(options.folder / store_name);
+  const Scene scene = make_scene(store);
   const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
   // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
   if (matrix.provenance.store_hash != content_hash(read_file(options.folder / store_name)))
@@ -76,7 +78,7 @@ int run_report(const Options& options) {
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
-  write_report(files, {scene, matrix, plan, options.safe_csv});
+  write_report(files, {scene, matrix, plan, options.safe_csv, shop_states(store, scene, matrix, plan)});
   replace(options.folder, files);
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)

@@ -1,12 +1,28 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/plan/answer/availability.hpp"
 #include "shelfbeam/plan/answer/certified_plan.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam {
+
+/// A state of a shop that changes, as the 3-D view draws it.
+struct ShopState {
+  /// A person or an object.
+  struct Block {
+    std::vector<Vec2> footprint;  ///< counter-clockwise polygon in plan, m
+    double bottom = 0, top = 0;   ///< m
+  };
+
+  ShownState verdicts;
+  std::vector<Block> blocks;
+  std::vector<std::string> open_doors;  ///< ids of fixtures
+};
 
 /// The input of a report, which is the source of every number in it.
 struct ReportInput {
@@ -15,6 +31,8 @@ struct ReportInput {
   const CertifiedPlan& plan;
   /// Whether texts in CSV files have an apostrophe where a spreadsheet would take them for formulas.
   bool safe_csv = false;
+  /// Those of Availability::shown.
+  std::vector<ShopState> states = {};
 };
 
 /// A self-contained HTML page that needs no network and, apart from the 3-D view, no script.

@@ -64,7 +64,8 @@ struct PackedSignals {
 PackedSignals pack_signals(const SignalMatrix& matrix, const Placement& placement, std::size_t max_bytes);
 
 /// The store for the 3-D view in base64 (PageData): room, parts of fixtures, labels, candidates, placement
-/// problem and placement. Positions are in m in single precision, requirements in double precision.
+/// problem, placement, and states of a shop that changes. Positions are in m in single precision,
+/// requirements in double precision.
 std::string pack_store(const ReportData& data, const SignalScale& scale);
 
 }  // namespace shelfbeam

@@ -32,10 +32,11 @@ std::uint8_t colour_class_of(PartKind kind) {
   return kind == PartKind::goods ? 2 : kind == PartKind::door ? 3 : 0;
 }
 
-void add_parts(PageData& page, const Scene& scene) {
+// `has_states`: the doors are those of fixtures that a state may open.
+void add_parts(PageData& page, const Scene& scene, bool has_states) {
   std::vector<std::uint8_t> look, corner_count, mesh_look;
   std::vector<float> corners, heights, mesh_vertices;
-  std::vector<std::uint32_t> mesh_triangles;
+  std::vector<std::uint32_t> mesh_triangles, door_fixture;
   for (const Part& part : scene.parts) {
     // The surfaces of inner walls are those of the room.
     if (part.kind == PartKind::shell || part.footprint.empty() ||
@@ -53,6 +54,7 @@ void add_parts(PageData& page, const Scene& scene) {
       continue;
     }
     look.push_back(colour_class_of(part.kind));
+    if (part.kind == PartKind::door) door_fixture.push_back(part.fixture);
     corner_count.push_back(static_cast<std::uint8_t>(std::min<std::size_t>(part.footprint.size(), 255)));
     for (std::size_t k = 0; k < corner_count.back(); ++k)
       for (const double at : part.footprint[k]) corners.push_back(static_cast<float>(at));
@@ -65,6 +67,7 @@ void add_parts(PageData& page, const Scene& scene) {
   page.add("part_height", heights);
   page.add("mesh_vertex", mesh_vertices);
   page.add("mesh_triangle", mesh_triangles);
+  if (has_states) page.add("door_fixture", door_fixture);
 }
 
 // The surfaces of a room, as numbered by the script.
@@ -183,6 +186,32 @@ Json margins() {
   return classes;
 }
 
+// The people and objects of all states, one state after the other, as blocks with four corners each.
+Json add_states(PageData& page, const ReportData& data) {
+  std::map<std::string, std::size_t> known;
+  const auto& fixtures = data.input.scene.fixtures;
+  for (std::size_t k = 0; k < fixtures.size(); ++k) known.emplace(fixtures[k].id, k);
+  std::vector<float> outlines, heights;
+  Json states = Json::array();
+  for (const ShopState& state : data.input.states) {
+    for (const ShopState::Block& block : state.blocks) {
+      for (const Vec2& corner : block.footprint)
+        for (const double at : corner) outlines.push_back(static_cast<float>(at));
+      heights.push_back(static_cast<float>(block.bottom));
+      heights.push_back(static_cast<float>(block.top));
+    }
+    Json open = Json::array();
+    for (const std::string& id : state.open_doors) open.push_back(known.at(id));
+    states.push_back({{"number", state.verdicts.number},
+                      {"blocks", state.blocks.size()},
+                      {"open", open},
+                      {"missed", state.verdicts.missed}});
+  }
+  page.add("block_outline", outlines);
+  page.add("block_height", heights);
+  return states;
+}
+
 // Fixtures and zones with the places of their names.
 Json named_places(const Scene& scene) {
   Json names = Json::array();
@@ -208,7 +237,8 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   const Scene& scene = data.input.scene;
   const PlacementProblem& problem = data.input.plan.placement.problem;
   PageData page;
-  add_parts(page, scene);
+  const bool has_states = !data.input.states.empty();
+  add_parts(page, scene, has_states);
   add_room(page, scene);
   Json about;
   about["lower"] = point(scene.room ? scene.room->lower() : scene.lower);
@@ -224,6 +254,7 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   about["labels"] = add_labels(page, data);
   about["units"] = add_units(page, data);
   about["certificate"] = add_certificate(page, data);
+  if (has_states) about["states"] = add_states(page, data);
   return page.base64(about.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
