@@ -6,6 +6,7 @@ import { button, Choice, element } from "./panel/dom";
 import { counted, decibels, grouped, percentage, significant } from "./data/format";
 import { LabelList, UnitList } from "./panel/lists";
 import { Levels, Thresholds } from "./panel/settings";
+import { ShopChoice } from "./panel/shop";
 import { Model } from "./data/model";
 import { Names } from "./data/names";
 import { onThemeChange } from "./scene/palette";
@@ -63,6 +64,7 @@ export class View {
     this.reset = button(text.tools.reset, () => this.restore(null), { title: text.tools.reset_title });
     const card = new Card(this.model, (selection) => this.lookAt(selection));
     const [levels, thresholds] = [new Levels(this.model), new Thresholds(this.model)];
+    const shop = new ShopChoice(this.model);
     const units = new UnitList(this.model);
     const labels = new LabelList(this.model, (label) => {
       this.model.select({ kind: "label", index: label });
@@ -81,7 +83,7 @@ export class View {
     );
     lists.show("units");
     labels.root.hidden = true;
-    this.parts = [card, levels, thresholds, units, labels];
+    this.parts = [card, levels, thresholds, shop, units, labels];
     root.replaceChildren(
       element(
         "div",
@@ -102,6 +104,7 @@ export class View {
             this.copied,
           ),
         ),
+        store.states.length > 0 ? shop.root : null,
         element(
           "div",
           { class: "v3-body" },
@@ -247,6 +250,7 @@ export class View {
       disc: (colour: string) => `<svg viewBox="-10 -10 20 20"><circle r="7" style="fill:var(${colour});stroke:var(--edge)"/></svg>`,
       triangle: (colour: string) => outlined("M0-8 8 6H-8Z", colour),
       square: (colour: string) => outlined("M-6-6H6V6H-6Z", colour),
+      block: (colour: string) => outlined("M-5-8H5V8H-5Z", colour),
     };
     // Classes with other shapes than discs are listed only if they occur.
     const items = classes.flatMap(({ name, colour, shape = "disc" }, k) =>
@@ -254,7 +258,7 @@ export class View {
         ? []
         : [key(marks[shape](colour), say(text.legend.class, name, grouped(counts[k])))],
     );
-    if (!classes.some(({ shape }) => shape) && this.model.coverage.reached < store.labels.ids.length)
+    if (!classes[0].shape && this.model.coverage.reached < store.labels.ids.length)
       items.push(key(marks.triangle("--floor"), text.legend.not_reached));
     if (state.selection?.kind === "label") {
       const line = (colour: string, dash: string) =>
@@ -267,6 +271,7 @@ export class View {
         );
       if (shares.includes(null)) items.push(key(line("--edge", "none"), text.legend.not_stored));
     }
+    if (this.model.shop?.blocks) items.push(key(marks.block("--people"), text.legend.people));
     items.push(
       key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, text.legend.unit),
       key(`<svg viewBox="-10 -10 20 20"><path d="M-4 0h8M0-4v8" style="stroke:var(--cand);stroke-width:1.6"/></svg>`, text.legend.candidate),

@@ -1,9 +1,9 @@
 // The state of the view and the values derived from it.
 
-import { classesOf, type Classes } from "../scene/classes";
+import { classesOf, withMissed, type Classes } from "../scene/classes";
 import { Coverage } from "../scene/coverage";
 import { changedUnits, initialState, switchUnit, type Selection, type State } from "./state";
-import { verdicts, type Signals, type Store } from "./store";
+import { verdicts, type ShopState, type Signals, type Store } from "./store";
 
 /** One entry of the matrix. */
 export interface Contribution {
@@ -72,7 +72,19 @@ export class Model {
   }
 
   get classes(): Classes {
-    return classesOf(this.store, this.coverage, this.state.mode, this.isAsPlanned());
+    const classes = classesOf(this.store, this.coverage, this.state.mode, this.isAsPlanned());
+    const missed = this.missedInShop();
+    return missed ? withMissed(classes, missed) : classes;
+  }
+
+  /** The chosen state of the shop; null for the shop as in the store file. */
+  get shop(): ShopState | null {
+    return this.state.shop === null ? null : this.store.states[this.state.shop];
+  }
+
+  /** The labels out of reach in the chosen state; null without one or after changes of the plan. */
+  missedInShop(): Set<number> | null {
+    return this.shop && this.isAsPlanned() ? new Set(this.shop.missed) : null;
   }
 
   /** The certified verdict on a label; null without a certificate or after changes. */

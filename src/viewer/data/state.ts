@@ -21,6 +21,8 @@ export interface State {
   goods: boolean;
   plan: boolean;
   selection: Selection;
+  /** The index of a state of the shop; null: the shop as in the store file. */
+  shop: number | null;
   /** Null: the whole store. */
   camera: CameraPlace | null;
 }
@@ -38,6 +40,7 @@ export function initialState(store: Store): State {
     goods: store.part.look.length < mostGoods,
     plan: false,
     selection: null,
+    shop: null,
     camera: null,
   };
 }
@@ -77,6 +80,7 @@ export function toHash(store: Store, state: State): string {
   if (state.goods !== start.goods) words.push(`goods=${state.goods ? 1 : 0}`);
   if (state.plan) words.push("plan=1");
   if (state.selection) words.push(`${state.selection.kind}=${state.selection.index}`);
+  if (state.shop !== null) words.push(`shop=${store.states[state.shop].number}`);
   if (state.camera) {
     const { at, target, zoom } = state.camera;
     words.push(`camera=${millimetres([...at, ...target, zoom]).join(",")}`);
@@ -111,6 +115,8 @@ export function fromHash(store: Store, hash: string): State | null {
   const [label, unit] = [list("label")[0], list("unit")[0]];
   if (isLabel(label)) state.selection = { kind: "label", index: label };
   else if (isUnit(unit)) state.selection = { kind: "unit", index: unit };
+  const shop = store.states.findIndex(({ number }) => String(number) === words.get("shop"));
+  if (shop >= 0) state.shop = shop;
   const camera = list("camera");
   if (camera.length === 7 && camera.every(Number.isFinite) && camera[6] > 0)
     state.camera = { at: camera.slice(0, 3), target: camera.slice(3, 6), zoom: camera[6] };

@@ -5,6 +5,17 @@ import { readPageData } from "./page_data";
 /** The verdicts of a certificate, numbered as in plan/answer/certificate.hpp. */
 export const verdicts = ["reached", "missed", "undecided", "unverified"] as const;
 
+/** A state of a shop that changes, in which the original plan was examined. */
+export interface ShopState {
+  number: number;
+  /** The number of its people and objects. */
+  blocks: number;
+  /** Fixtures with open doors. */
+  open: number[];
+  /** Labels that the plan does not reach in it. */
+  missed: number[];
+}
+
 export interface StoreAbout {
   lower: number[];
   upper: number[];
@@ -21,6 +32,8 @@ export interface StoreAbout {
   labels: { ids: string[]; kinds: { type: string; requirement: number }[] };
   /** The certificate of the original plan; null without one. */
   certificate: { confidence: number } | null;
+  /** Missing if the shop does not change. */
+  states?: ShopState[];
   units: {
     ids: string[];
     types: string[];
@@ -33,6 +46,7 @@ export interface StoreAbout {
 }
 
 export interface Store extends StoreAbout {
+  states: ShopState[];
   label: {
     position: Float32Array;
     normal: Float32Array;
@@ -44,6 +58,10 @@ export interface Store extends StoreAbout {
   candidate: { position: Float32Array; axis: Float32Array };
   part: { look: Uint8Array; corners: Uint8Array; outline: Float32Array; height: Float32Array };
   mesh: { vertex: Float32Array; triangle: Uint32Array };
+  /** The people and objects of all states, with four corners each. */
+  block: { outline: Float32Array; height: Float32Array };
+  /** The fixture of each door; only with states. */
+  door: { fixture?: Uint32Array };
   /** The surfaces of a room that is not a plain box; null for a box. */
   room: Room | null;
 }
@@ -85,10 +103,13 @@ export async function readStore(base64: string): Promise<Store> {
   const page = await readPageData<StoreAbout>(base64);
   return {
     ...page.about,
+    states: page.about.states ?? [],
     label: page.group<Store["label"]>("label"),
     candidate: page.group<Store["candidate"]>("unit"),
     part: page.group<Store["part"]>("part"),
     mesh: page.group<Store["mesh"]>("mesh"),
+    block: page.group<Store["block"]>("block"),
+    door: page.group<Store["door"]>("door"),
     room: page.has("room_surface") ? page.group<Room>("room") : null,
   };
 }

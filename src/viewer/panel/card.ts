@@ -70,6 +70,7 @@ export class Card {
       ),
       this.facts([
         ...this.certified(label),
+        ...this.inShop(label),
         [store.redundant ? text.card.signal_redundant : text.card.signal, `${this.signal(signal)}\u00a0${name}`, "signal"],
         [text.card.requirement, `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
         [text.card.serving, counted(text.numbers.units, coverage.serving[label]), "serving"],
@@ -92,6 +93,15 @@ export class Card {
     if (!this.model.store.certificate) return [];
     const verdict = this.model.verdict(label);
     return [[text.card.verdict, verdict === null ? text.card.original_only : text.verdicts[verdict], "verdict"]];
+  }
+
+  /** In the chosen state of the shop. */
+  private inShop(label: number): [string, string, string?][] {
+    const { shop } = this.model;
+    if (!shop) return [];
+    const missed = this.model.missedInShop();
+    const verdict = missed === null ? text.card.original_only : missed.has(label) ? text.shop.verdicts.missed : text.shop.verdicts.reached;
+    return [[say(text.card.in_state, shop.number), verdict, "in-state"]];
   }
 
   private table(rows: HTMLElement[], unit: string): HTMLElement {

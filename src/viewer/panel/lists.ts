@@ -106,8 +106,10 @@ export class LabelList extends SearchList {
 
   protected order(): number[] {
     const { coverage } = this.model;
+    const missed = this.model.missedInShop();
     const margins = Float64Array.from(coverage.signal, (_, label) => coverage.margin(label));
-    return [...margins.keys()].sort((a, b) => margins[a] - margins[b] || a - b);
+    const rank = (label: number) => (missed?.has(label) ? 0 : 1);
+    return [...margins.keys()].sort((a, b) => rank(a) - rank(b) || margins[a] - margins[b] || a - b);
   }
 
   protected id(label: number): string {
@@ -116,9 +118,11 @@ export class LabelList extends SearchList {
 
   protected row(label: number): HTMLElement {
     const { coverage } = this.model;
-    const dot = element("span", { class: coverage.met[label] ? "v3-dot" : "v3-dot unmet", "aria-hidden": "true" });
+    const missed = this.model.missedInShop()?.has(label);
+    const isMet = coverage.met[label] && !missed;
+    const dot = element("span", { class: isMet ? "v3-dot" : "v3-dot unmet", "aria-hidden": "true" });
     const margin = decibels(coverage.margin(label));
-    const note = coverage.met[label] ? margin : say(text.lists.labels.not_reached, margin);
+    const note = isMet ? margin : say(missed ? text.lists.labels.missed_in_state : text.lists.labels.not_reached, margin);
     return this.entry("label", label, [dot], () => this.show(label), note);
   }
 }

@@ -102,6 +102,15 @@ export function classesOf(store: Store, coverage: Coverage, mode: Mode, isAsPlan
   return mode === "signal" ? signalClasses(store, coverage) : servingClasses(coverage);
 }
 
+/** The same classes and one of the labels that the plan misses in a state of the shop. */
+export function withMissed({ title, list, of }: Classes, missed: Set<number>): Classes {
+  return {
+    title,
+    list: [...list, { name: text.legend.missed_in_state, colour: "--m1", shape: "triangle" }],
+    of: (label) => (missed.has(label) ? list.length : of(label)),
+  };
+}
+
 /** The signal of a label from one unit, as a share of its requirement. */
 export const reachClasses: LabelClass[] = [
   { name: text.legend.reach_classes.least, colour: "--m3", shape: "disc" },

@@ -68,11 +68,15 @@ function lines(positions: number[]): LineSegments<BufferGeometry, LineBasicMater
 export class Fixtures {
   readonly group = new Group();
   readonly goods = new Group();
+  /** Doors, people and objects: of the shop as in the store file, then of its states. */
+  private readonly shops: Group[] = [];
   private readonly coloured: { material: MeshBasicMaterial | LineBasicMaterial; variable: string }[] = [];
 
   constructor(store: Store) {
     const faces = looks.map(() => new Faces());
     const edges: number[] = [];
+    const doors = [{ open: [] }, ...store.states].map(({ open }) => ({ faces: new Faces(), open: new Set<number>(open) }));
+    let door = 0;
     const { look, corners, outline, height } = store.part;
     for (let part = 0, at = 0; part < look.length; ++part) {
       const points: number[][] = [];
@@ -80,26 +84,39 @@ export class Fixtures {
       const [low, high] = [height[2 * part], height[2 * part + 1]];
       const isGoods = look[part] === goodsLook;
       const tone = isGoods ? tint(points[0][0], points[0][1], low) : 1;
-      addPrism(faces[look[part]], isGoods ? [] : edges, points, low, high, tone);
+      let into = [faces[look[part]]];
+      if (look[part] === doorLook) {
+        const fixture = store.door.fixture?.[door++] ?? -1;
+        into = doors.filter(({ open }) => !open.has(fixture)).map((shop) => shop.faces);
+      }
+      into.forEach((of, k) => addPrism(of, isGoods || k > 0 ? [] : edges, points, low, high, tone));
     }
     this.addMesh(faces[0], store);
 
     const room = roomOf(store);
     this.add(this.group, room.floor, "--floor");
     this.add(this.group, room.innerWalls, "--fx-b");
-    faces.forEach((of, k) => this.add(k === goodsLook ? this.goods : this.group, of, looks[k], k === doorLook ? glass : solid));
-    this.group.add(this.goods);
+    faces.forEach((of, k) => this.add(k === goodsLook ? this.goods : this.group, of, looks[k]));
+    for (const { faces: of } of doors) {
+      const shop = new Group();
+      this.add(shop, of, looks[doorLook], glass);
+      this.shops.push(shop);
+    }
+    this.addBlocks(store);
+    this.group.add(this.goods, ...this.shops);
     this.add(this.group, room.farWalls, "--fx", farWall);
     this.add(this.group, room.glass, "--fx-f", glass);
     for (const [positions, variable] of [
       [edges, "--fx-line"],
       [room.grid, "--line"],
       [room.edges, "--fx-line"],
-    ] as [number[], string][]) {
-      const drawn = lines(positions);
-      this.coloured.push({ material: drawn.material, variable });
-      this.group.add(drawn);
-    }
+    ] as [number[], string][])
+      this.addLines(this.group, positions, variable);
+  }
+
+  /** The shop as in the store file (null) or in a state. */
+  showShop(state: number | null): void {
+    this.shops.forEach((shop, k) => (shop.visible = k === (state ?? -1) + 1));
   }
 
   recolour(element: Element): void {
@@ -117,6 +134,26 @@ export class Fixtures {
       const corners = [corner(k), corner(k + 1), corner(k + 2)];
       faces.triangle(corners, shadeOfTriangle(corners));
     }
+  }
+
+  private addBlocks({ block: { outline, height }, states }: Store): void {
+    let block = 0;
+    states.forEach(({ blocks }, state) => {
+      const faces = new Faces();
+      const edges: number[] = [];
+      for (const end = block + blocks; block < end; ++block) {
+        const points = [0, 2, 4, 6].map((at) => Array.from(outline.subarray(8 * block + at, 8 * block + at + 2)));
+        addPrism(faces, edges, points, height[2 * block], height[2 * block + 1], 1);
+      }
+      this.add(this.shops[state + 1], faces, "--people");
+      this.addLines(this.shops[state + 1], edges, "--people-line");
+    });
+  }
+
+  private addLines(group: Group, positions: number[], variable: string): void {
+    const drawn = lines(positions);
+    this.coloured.push({ material: drawn.material, variable });
+    group.add(drawn);
   }
 
   private add(group: Group, faces: Faces, variable: string, { opacity, side }: Finish = solid): void {

@@ -40,7 +40,7 @@ uniform vec2 pixelRadius; // minimum and maximum
 uniform int count;
 uniform sampler2D centres; // and number
 uniform sampler2D facings;
-uniform highp usampler2D looks; // colour, shape, emphasis (0 faint, 1 usual, 2 selected), level
+uniform highp usampler2D looks; // colour, shape, emphasis (0 faint, 1 usual, 2 selected, 3 in front), level
 uniform sampler2D idents;
 out vec2 place;
 flat out vec4 mark;
@@ -75,7 +75,7 @@ void main() {
   gl_Position = projectionMatrix * at;
   // In front of the shelf, which would otherwise cut into the mark in a tilted view.
   vec4 nearer = projectionMatrix * (at + vec4(0.0, 0.0, min(wide * size, 0.35), 0.0));
-  gl_Position.z = look.z == 2.0 ? -0.999 * gl_Position.w : nearer.z / nearer.w * gl_Position.w;
+  gl_Position.z = look.z >= 2.0 ? -0.999 * gl_Position.w : nearer.z / nearer.w * gl_Position.w;
 }`;
 
 const fragmentShader = /* glsl */ `

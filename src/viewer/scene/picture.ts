@@ -96,6 +96,7 @@ export class Picture {
     this.updateUnits();
     this.stage.links.set(this.links());
     this.stage.fixtures.goods.visible = state.goods;
+    this.stage.fixtures.showShop(state.shop);
     this.recolour();
     return { classes: this.classes(), counts };
   }
@@ -119,6 +120,8 @@ export class Picture {
     const list = this.classes();
     const counts = new Array<number>(list.length).fill(0);
     const reach = selection?.kind === "unit" ? this.reachClassOf(selection.index) : null;
+    // A person who blocks the light of a label often hides it, too.
+    const inFront = reach ? null : this.model.missedInShop();
     this.levels.forEach(({ labels, marks }, level) => {
       marks.mesh.visible = state.levels[level];
       marks.uniform("spread").value = state.plan ? this.spread() : 0;
@@ -127,7 +130,7 @@ export class Picture {
         const k = reach ? reach[label] : classes.of(label);
         const selected = this.model.isSelected("label", label);
         const shape = shapes[list[k].shape ?? (met ? "disc" : "triangle")];
-        marks.setLook(mark, k, shape, selected ? 2 : reach && k === 0 ? 0 : 1, level);
+        marks.setLook(mark, k, shape, selected ? 2 : inFront?.has(label) ? 3 : reach && k === 0 ? 0 : 1, level);
         if (state.levels[level]) ++counts[k];
       });
       marks.upload();

@@ -1,8 +1,8 @@
 // Makes the plans whose reports are tested with the program.
 
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdirSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 
 import { readChosen, readCsv, readJson, readPlan } from "./files.mjs";
 
@@ -22,17 +22,55 @@ function makePlan(shelfbeam, folder, store, ...options) {
 
 /** All plans by name. */
 export function makePlans(shelfbeam, work) {
-  const thesis = makeStore(shelfbeam, work, "thesis");
+  const [thesis, chiller] = ["thesis", "chiller"].map((name) => makeStore(shelfbeam, work, name));
   const options = {
     grocery: [makeStore(shelfbeam, work, "grocery")],
     alone: [thesis, "--model", "non-cooperative"],
     spare: [thesis, "--survive-failure"],
     "spare-alone": [thesis, "--model", "non-cooperative", "--survive-failure"],
-    options: [makeStore(shelfbeam, work, "chiller")],
+    options: [chiller],
   };
   const plans = {};
   for (const [name, words] of Object.entries(options)) plans[name] = makePlan(shelfbeam, join(work, name), ...words);
-  return { ...plans, certified: certify(shelfbeam, plans.grocery, join(work, "certified")) };
+  return {
+    ...plans,
+    certified: certify(shelfbeam, plans.grocery, join(work, "certified")),
+    changing: planChanging(shelfbeam, work, chiller),
+  };
+}
+
+/** Replaces results in the file of a plan, and rebuilds the report. */
+function rebuild(shelfbeam, folder, more) {
+  const path = join(folder, "placement.json");
+  // Without the record of the files, the plan counts as one of an earlier version, which `report` does not check.
+  const { complete, files, ...answer } = readJson(path);
+  writeFileSync(path, JSON.stringify({ ...answer, ...more }));
+  run(shelfbeam, "report", folder, "--quiet");
+}
+
+/** The plan of a shop that changes, with made-up results in two states. */
+function planChanging(shelfbeam, work, store) {
+  const people = { area: "room", number: { uniform: [4, 9] }, size: [0.5, 0.3, 1.75], material: "cabinet" };
+  const variation = JSON.stringify({ people: [people], doors: [{ fixtures: "*", open: 0.5 }] });
+  const changing = join(dirname(store), "changing.json");
+  writeFileSync(changing, readFileSync(store, "utf8").replace('"name":', `"variation": ${variation}, "name":`));
+  const folder = join(work, "changing");
+  const { labels, placement } = makePlan(shelfbeam, folder, changing, "--states", "0");
+  const missed = labels.map(({ id }) => id).filter((_, k) => k % 11 === 5);
+  const outcome = {
+    units: placement.count, states: 300, labels_below: 0, worst_availability: 0.99, all_reached: 0.99, mean_missed: 0.01,
+    states_with_miss: 3, missed: { [missed[0]]: 3 },
+  };
+  const states = {
+    count: 300, rule: "labels", goal: null, availability: 0.95, other_availabilities: {}, confidence: 0.99,
+    covers: "states and sampling error", assumes: "changes as in the store file", certified: true, labels_below: 0,
+    sample_count: outcome.units, sample_value: outcome.units, sample_lower_bound: 1, sample_selected: placement.selected,
+    certified_count: outcome.units, lower_bound: 1, unreachable: [], nominal: outcome, sample: outcome, examined: [outcome],
+    shown_states: [{ state: 1000000, missed: [] }, { state: 1000217, missed }],
+    responsible: [], at_risk: [], addition: null, seconds: 1.5, open: "",
+  };
+  rebuild(shelfbeam, folder, { states });
+  return readPlan(folder);
 }
 
 /** A plan with a certificate that has every verdict, as if from independent samples. */
@@ -49,12 +87,7 @@ function certify(shelfbeam, { folder: original, labels, placement }, folder) {
   const curve = Array.from({ length: count }, (_, k) => ({
     units: k + 1, at_least: ids.length - 97 * (count - 1 - k), at_most: ids.length - 61 * (count - 1 - k),
   }));
-  const path = join(folder, "placement.json");
-  const more = { certificate, curve, curve_complete: true, sensitivity: madeUpSensitivity(ids) };
-  // Without the record of the files, the plan counts as one of an earlier version, which \`report\` does not check.
-  const { complete, files, ...answer } = readJson(path);
-  writeFileSync(path, JSON.stringify({ ...answer, ...more }));
-  run(shelfbeam, "report", folder, "--quiet");
+  rebuild(shelfbeam, folder, { certificate, curve, curve_complete: true, sensitivity: madeUpSensitivity(ids) });
   return readPlan(folder);
 }
 

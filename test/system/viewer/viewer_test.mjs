@@ -18,6 +18,7 @@ import "./verdicts_test.mjs";
 import "./marks_test.mjs";
 import "./changes_test.mjs";
 import "./look_test.mjs";
+import "./states_test.mjs";
 
 const [shelfbeam, largeReport, work] = process.argv.slice(2);
 const chromium = ["chromium", "chromium-browser", "google-chrome"].find(
