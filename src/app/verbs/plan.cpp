@@ -127,7 +127,8 @@ bool is_imprecise(const Plan& plan) {
 bool is_open(const Options& options, const Plan& plan) {
   const auto& availability = plan.availability;
   if (availability)
-    return !options.no_certificate && !availability->certified && availability->unreachable.empty();
+    return availability->unreachable.empty() &&
+           (options.no_certificate ? availability->sample_selected.empty() : !availability->certified);
   return is_imprecise(plan) || (plan.certificate && !plan.certificate->open.empty()) ||
          !plan.curve.is_complete ||
          (options.sensitivity && plan.placement.has_selection() && !plan.sensitivity);
@@ -197,8 +198,18 @@ std::string remark_on_interruption(const Options& options, const SimulationSumma
 
 // The states on which units are placed; 0 for the shop as the file gives it.
 std::uint32_t states_of(const Options& options, const Store& store) {
-  if (options.states.value_or(0) > 0) expect_variation(store);
-  return store.variation ? options.states.value_or(StatesOptions().sample) : 0;
+  const std::uint32_t states = options.states.value_or(store.variation ? StatesOptions().sample : 0);
+  if (states == 0) return 0;
+  expect_variation(store);
+  const auto refuse = [](const std::string& option, const std::string& problem) {
+    throw InputError(option, problem, "omit it, or plan the shop as the file gives it with '--states 0'");
+  };
+  if (options.curve) refuse("--curve", "does not apply to a shop that changes");
+  if (options.sensitivity)
+    refuse("--sensitivity", "does not apply to a shop that changes: reflectances are at their low ends");
+  if (options.problem.objective != Objective::count || options.problem.combination == Combination::weighted)
+    refuse("--objective", "does not apply to a shop that changes: the count or the price is minimised");
+  return states;
 }
 
 int run_plan(const Options& options) {

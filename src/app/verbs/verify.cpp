@@ -112,21 +112,22 @@ int verify_in_states(const Options& options, const Installation& installation,
   else if (!options.common.quiet)
     fmt::print("{}\n{}", styled(Style::answer, availability_answer(found, mounted, table)),
                availability_details(found, mounted));
-  return found.certified ? done : answer_is_no;
+  if (found.certified) return done;
+  return found.answer().below(found.required) > 0 ? answer_is_no : stopped_early;
 }
 
 int run_verify(const Options& options) {
   protect_input(options.output, options.store);
   protect_input(options.output, options.placement);
   const Installation installation = load_installation(options);
-  if (options.states) expect_variation(installation.store);
+  if (options.states.value_or(0) > 0) expect_variation(installation.store);
   PlacementProblem problem = installation.problem;
   problem.model = options.model.value_or(problem.model);
   problem.redundant = problem.redundant || options.survive_failure;
   if (!options.output.empty()) expect_writable(options.output);
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   print_warnings(options.common, installation.scene, simulation.rules().strategy);
-  if (options.states) return verify_in_states(options, installation, problem, simulation);
+  if (options.states.value_or(0) > 0) return verify_in_states(options, installation, problem, simulation);
   CertifiedPlan verified;
   {
     TerminalProgress progress(options.common.quiet);

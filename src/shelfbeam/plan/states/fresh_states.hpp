@@ -10,11 +10,14 @@
 
 namespace shelfbeam {
 
-/// Numbers of the first states of the rounds. No two rounds, and no sample, share a state.
+/// Numbers of the first states of the rounds. No two rounds, no sample and no verification share a state.
 inline std::uint64_t first_fresh_state(std::uint32_t round) {
   constexpr std::uint64_t states_per_round = 1'000'000;
   return round * states_per_round;
 }
+
+/// The round of a verification, beyond those of plans.
+inline constexpr std::uint32_t verifying_round = 500;
 
 /// The result of one round.
 struct FreshStates {

@@ -40,6 +40,16 @@ MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<doubl
                       [&](double availability) { return allowed_misses(availability, states); });
 }
 
+std::uint32_t states_factor(const AvailabilityGoal& goal, const std::vector<double>& required) {
+  if (goal.rule == AvailabilityRule::misses) return 1;
+  double availability = goal.rule == AvailabilityRule::shop ? *goal.value : 0;
+  if (goal.rule == AvailabilityRule::labels)
+    for (const double one : required) availability = std::max(availability, one);
+  constexpr double usual = 0.05;
+  if (availability >= 1) return 0;
+  return static_cast<std::uint32_t>(std::max(1.0, std::ceil(usual / (1 - availability) - 1e-9)));
+}
+
 StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t states) {
   return {units, states, std::move(misses.of_label), misses.of_shop};
 }

@@ -25,6 +25,10 @@ MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<doubl
 MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
                            std::span<const std::uint32_t> labels, std::size_t states);
 
+/// The factor of the numbers of states that an availability requires, relative to 95 %: a share of misses a
+/// fifth as large requires five times as many. 0 if no number suffices.
+std::uint32_t states_factor(const AvailabilityGoal& goal, const std::vector<double>& required);
+
 StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t states);
 
 /// The labels that are missed in any state, most misses first.

@@ -107,12 +107,13 @@ class Planner {
       answer.sample = outcome_of(std::move(misses), found.selected.size(), options_.sample);
       answer.sample_value = found.value;
     }
-    if (options_.goal.rule == AvailabilityRule::labels) raise_bound();
+    if (options_.goal.rule == AvailabilityRule::labels && !problem().redundant) raise_bound();
     stop_if_cancelled();
   }
 
   // A selection that keeps to the goal misses a label, by raised signals, in at most (1 - availability) +
   // raise_error of the states, and its misses exceed the allowance of any label with the level of the bound.
+  // With unit failure, the limits of many sums would have to hold at once, so there is no such bound.
   void raise_bound() {
     const std::span labels = deciding_->labels();
     // All labels share the level, because the states themselves choose the deciding ones.
@@ -136,22 +137,35 @@ class Planner {
     const Deadline deadline(options_.budget_s);
     std::vector<std::uint32_t> labels(scene_.labels.size());
     std::iota(labels.begin(), labels.end(), 0U);
+    const std::uint32_t factor = states_factor(options_.goal, answer.required);
+    if (factor == 0) {
+      answer.open = "no number of states proves an availability of 100 %";
+      return;
+    }
+    Selection named = selected_;
     for (std::uint32_t round = 1; round <= max_rounds; ++round) {
-      if (round > 1 && !take_another(deadline)) {
-        answer.open = "no other transceiver helps";
-        return;
+      if (round > 1) {
+        named = with_another(deadline);
+        if (named.size() == selected_.size()) {
+          answer.open = "no other transceiver helps";
+          return;
+        }
       }
-      const Scene units = sub_scene(scene_, labels, selected_);
+      const Scene units = sub_scene(scene_, labels, named);
       const StateExamination examination(states_, units, problem(), options_.simulation, log_, control_);
-      const FreshStatesOptions of_round{.round = round,
-                                        .level = (1 - options_.confidence) / 2 / std::pow(2, round)};
+      FreshStatesOptions of_round{.round = round,
+                                  .level = (1 - options_.confidence) / 2 / std::pow(2, round)};
+      for (std::uint32_t& look : of_round.looks) look *= factor;
       FreshStates fresh = examine([&](std::uint64_t k) { return examination.missed(k); }, options_.goal,
                                   answer.required, of_round, deadline, control_);
-      fresh.outcome.units = selected_.size();
-      answer.examined.push_back(std::move(fresh.outcome));
-      answer.shown = std::move(fresh.shown);
+      if (fresh.outcome.states > 0) {
+        selected_ = named;
+        fresh.outcome.units = named.size();
+        answer.examined.push_back(std::move(fresh.outcome));
+        answer.shown = std::move(fresh.shown);
+        answer.responsible = std::move(fresh.in_doubt);
+      }
       answer.certified = fresh.certified;
-      answer.responsible = std::move(fresh.in_doubt);
       if (fresh.certified) return;
       stop_if_cancelled();
       if (fresh.out_of_time) {
@@ -163,16 +177,13 @@ class Planner {
   }
 
   // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
-  bool take_another(const Deadline& deadline) {
+  Selection with_another(const Deadline& deadline) {
     const StateOutcome& failed = result_.availability.answer();
     deciding_->add_if([&](std::uint32_t i) { return failed.missed[i] > 0; });
     allowance_ = allowance(deciding_->labels());
     const StateSearch search(deciding_->table(), problem(), allowance_,
                              [&] { return control_.cancelled() || deadline.has_passed(); });
-    Selection more = search.spread(search.with_another(selected_));
-    if (more.size() == selected_.size()) return false;
-    selected_ = std::move(more);
-    return true;
+    return search.spread(search.with_another(selected_));
   }
 
   void explain() {

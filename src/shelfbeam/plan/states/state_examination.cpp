@@ -15,6 +15,7 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/plan/verification.hpp"
 #include "shelfbeam/transport/run/sample_batches.hpp"
+#include "shelfbeam/transport/states/simulate_states.hpp"
 
 namespace shelfbeam {
 
@@ -48,7 +49,7 @@ std::vector<float> mean_signals(const PreparedScene& prepared, const BatchReques
 
 std::uint64_t key_of(const Scene& units, const PlacementProblem& problem) {
   std::string text = fmt::format("examined {} {}\n", to_text(problem.model), problem.redundant);
-  for (const Transceiver& unit : units.transceivers) text += unit.id + '\n';
+  for (const Transceiver& unit : units.transceivers) text += key_text(unit);
   return hash64(text);
 }
 

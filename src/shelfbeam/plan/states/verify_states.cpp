@@ -80,8 +80,10 @@ Availability verify_over_states(const Store& store, const Scene& scene, const Sc
   found.required = required_availabilities(units, options.goal);
   {
     const StateExamination examination(states, low_units, problem, options.simulation, log, control);
-    const FreshStatesOptions one_look{
-        .level = 1 - options.confidence, .looks = {options.states}, .ends_early = false};
+    const FreshStatesOptions one_look{.round = verifying_round,
+                                      .level = 1 - options.confidence,
+                                      .looks = {options.states},
+                                      .ends_early = false};
     FreshStates fresh = examine([&](std::uint64_t k) { return examination.missed(k); }, options.goal,
                                 found.required, one_look, Deadline(HUGE_VAL), control);
     if (fresh.out_of_time) throw Interrupted("the verification was stopped");

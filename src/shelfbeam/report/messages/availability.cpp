@@ -26,10 +26,12 @@ bool is_by_price(const Placement& placement) {
 std::string bound_of(const Availability& availability, const Placement& placement) {
   if (!(availability.lower_bound > 0)) return {};
   if (is_by_price(placement))
-    return say("availability.spend_bound", at_least(availability.lower_bound, placement.price));
+    return say("availability.spend_bound", at_least(availability.lower_bound, placement.price),
+               confidence_of(availability));
   const auto bound = static_cast<std::size_t>(std::ceil(availability.lower_bound - 1e-6));
-  return availability.certified && bound >= placement.count() ? say("availability.no_fewer")
-                                                              : say_count("availability.bound", bound);
+  return availability.certified && bound >= placement.count()
+             ? say("availability.no_fewer", confidence_of(availability))
+             : say_count("availability.bound", bound, confidence_of(availability));
 }
 
 // The fewest units on the sampled states, beside the certified ones.
@@ -105,8 +107,8 @@ std::string availability_sentence(const Availability& availability, const Placem
                                   const LabelName& name) {
   const std::string goal = goal_text(availability);
   if (!availability.unreachable.empty())
-    return say("availability.impossible", goal,
-               labels_by_cause(availability, availability.unreachable, name));
+    return say("availability.impossible", goal, labels_by_cause(availability, availability.unreachable, name),
+               grouped(availability.nominal.states));
   if (availability.certified)
     return say("availability.certified", units_reach(placement.count()), goal,
                failure_clause(placement.problem), confidence_of(availability));

@@ -114,8 +114,7 @@ class StoreStates::Drawing {
     return rounded(std::clamp(decibels(sigma_db * draws.normal(0)), 0.01, 100.0), 1e6);
   }
 
-  // Options of a mounting point move together, in the plane of the surface that it is on: horizontal, except
-  // for units that face sideways.
+  // Options of a mounting point move together, horizontally.
   void move(Transceiver& unit) const {
     const auto& [px, py, pz] = unit.position;
     const std::string mount = fmt::format("{:.4f} {:.4f} {:.4f}", px, py, pz);
@@ -123,13 +122,11 @@ class StoreStates::Drawing {
       unit.relative_power *= factor(variation_.unit_power_db, draws(Cause::mounting, "power", mount));
     const Draws draws = this->draws(Cause::mounting, "mount", mount);
     if (variation_.position > 0) {
-      const Frame plane = Frame::about({0, 0, 1});
       constexpr int attempts = 20;
       for (std::uint32_t a = 0; a < attempts; ++a) {
         const double x = variation_.position * draws.normal(2 * a),
                      y = variation_.position * draws.normal(2 * a + 1);
-        const Vec3 p = unit.position + plane.x * x + plane.y * y;
-        const Vec3 moved{rounded(p.x, 1e6), rounded(p.y, 1e6), rounded(p.z, 1e6)};
+        const Vec3 moved{rounded(px + x, 1e6), rounded(py + y, 1e6), rounded(pz, 1e6)};
         if (states_.scene_.room && !states_.scene_.room->beyond(moved, 0).empty()) continue;
         unit.position = moved;
         break;

@@ -57,7 +57,7 @@ std::uint64_t key_of(const Scene& scene, std::uint32_t batches, std::string_view
   std::string text = fmt::format("{}\n{}\n", purpose, batches);
   for (const Label& label : scene.labels) text += label.id + '\n';
   text += '\n';
-  for (const Transceiver& unit : scene.transceivers) text += unit.id + '\n';
+  for (const Transceiver& unit : scene.transceivers) text += key_text(unit);
   return hash64(text);
 }
 
@@ -97,6 +97,12 @@ std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, const Sign
 }
 
 }  // namespace
+
+std::string key_text(const Transceiver& unit) {
+  const auto& [x, y, z] = unit.position;
+  const auto& [ax, ay, az] = unit.axis;
+  return fmt::format("{} {} {} {} {} {} {} {}\n", unit.id, unit.type.value, x, y, z, ax, ay, az);
+}
 
 CheckpointIdentity identity_of_states(const std::string& store_hash, const SimulationOptions& options) {
   return {{"program version", std::string(program_version())},

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,9 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
 SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
                              const StateRange& range, std::size_t max_hard, ResultLog& log,
                              const RunControl& control = {});
+
+/// The part of a unit in the keys of a log.
+std::string key_text(const Transceiver& unit);
 
 /// The identity of a log for the states of a store.
 CheckpointIdentity identity_of_states(const std::string& store_hash, const SimulationOptions& options);
