@@ -181,7 +181,7 @@ TEST(ReflectanceEnds, NoBrdfFallsWithItsReflectance) {
 }
 
 TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
-  const KnownStates shop({{{0.01, 0.01}, {0.15, 0.15}, {0.01, 0.2}}});
+  const KnownStates shop({{{0, 0}, {0.15, 0.15}, {0, 0.2}}});
   const Scene scene = make_scene(shop.store());
   const std::vector<std::uint32_t> every{0, 1, 2}, left{0, 2, 4};
   VerifyStatesOptions options;
