@@ -239,6 +239,15 @@ void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, con
       ->excludes(shop);
 }
 
+void expect_no_goal(const AvailabilityGoal& goal) {
+  if (goal.value)
+    throw InputError(goal.rule == AvailabilityRule::labels ? "--availability"
+                     : goal.rule == AvailabilityRule::shop ? "--all-at-once"
+                                                           : "--mean-missed",
+                     "applies to the states of a shop that changes, but none are examined",
+                     "omit it, or give the store file a section 'variation' and set '--states'");
+}
+
 int exit_code(Status status) {
   if (status == Status::infeasible) return answer_is_no;
   return status == Status::stopped ? stopped_early : done;

@@ -63,6 +63,9 @@ void add_certificate_options(CLI::App& verb, CertificateFlags& flags);
 void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
                        AvailabilityGoal& goal);
 
+/// Throws InputError for a goal if no states are examined.
+void expect_no_goal(const AvailabilityGoal& goal);
+
 /// done, answer_is_no or stopped_early.
 int exit_code(Status status);
 

@@ -1,6 +1,8 @@
 #include "app/text/variation_text.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
@@ -44,10 +46,9 @@ std::vector<std::string> variation_lines(const Store& store) {
   };
   if (has([](const Shelving&) { return true; })) {
     const auto& [low, high] = variation.stocking;
-    lines.push_back(
-        fmt::format("shelves are {}full{}",
-                    low == high ? percent(low) + " " : percent(low) + " to " + percent(high) + " ",
-                    variation.is_assumed ? " (assumed)" : ""));
+    lines.push_back(fmt::format("shelves are {} full{}",
+                                low == high ? percent(low) : percent(low) + " to " + percent(high),
+                                variation.is_assumed ? " (assumed)" : ""));
   }
   const auto has_own = [](const Shelving& shelves) { return shelves.variation.stocking.has_value(); };
   if (has(has_own)) lines.push_back("some fixtures have their own stock");
@@ -55,7 +56,8 @@ std::vector<std::string> variation_lines(const Store& store) {
     for (const OpenDoors& doors : variation.doors)
       lines.push_back(fmt::format("doors of {} are open for {} of the time", in_quotes(doors.fixtures),
                                   percent(doors.open)));
-    if (variation.doors.empty())
+    if (variation.doors.empty() &&
+        has([](const Shelving& shelves) { return shelves.doors.has_value() && !shelves.variation.open; }))
       lines.push_back(
           fmt::format("doors are open for {} of the time (assumed)", percent(variation.open_doors)));
   }
@@ -73,6 +75,16 @@ std::vector<std::string> variation_lines(const Store& store) {
     lines.push_back(fmt::format("the sensitivity of labels varies by {:.3g} dB (standard deviation)",
                                 variation.label_sensitivity_db));
   return lines;
+}
+
+std::vector<std::string> assumed_lines(const Store& store) {
+  constexpr std::string_view mark = " (assumed)";
+  std::vector<std::string> assumed;
+  for (std::string& line : variation_lines(store)) {
+    const std::size_t at = line.find(mark);
+    if (at != std::string::npos) assumed.push_back(line.erase(at, mark.size()));
+  }
+  return assumed;
 }
 
 }  // namespace shelfbeam::app

@@ -1,5 +1,6 @@
 #include "shelfbeam/plan/plan.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -33,6 +34,7 @@
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
+#include "app/text/variation_text.hpp"
 #include "app/verbs.hpp"
 
 namespace shelfbeam::app {
@@ -90,6 +92,11 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
   return text;
 }
 
+// No placement keeps to the goal in the sampled states.
+bool is_impossible(const Availability& availability) {
+  return std::isinf(availability.sample_lower_bound);
+}
+
 // The answer comes first, then the page that shows it, then the details.
 std::string result(const Options& options, const Plan& plan, const SignalTable& table, bool follows_decision,
                    bool is_kept) {
@@ -97,8 +104,8 @@ std::string result(const Options& options, const Plan& plan, const SignalTable& 
   std::string answer = plan.availability ? availability_answer(*plan.availability, plan.placement, table)
                                          : certificate_sentence(plan);
   if (plan.availability) {
-    placed =
-        availability_details(*plan.availability, plan.placement) + chosen(plan.placement.selected, table);
+    placed = availability_details(*plan.availability, plan.placement);
+    if (!is_impossible(*plan.availability)) placed += chosen(plan.placement.selected, table);
     if (const std::string price = price_sentence(plan.placement); !price.empty())
       placed += fmt::format("  {}\n", price);
   } else if (answer.empty()) {
@@ -127,7 +134,7 @@ bool is_imprecise(const Plan& plan) {
 bool is_open(const Options& options, const Plan& plan) {
   const auto& availability = plan.availability;
   if (availability)
-    return availability->unreachable.empty() &&
+    return !is_impossible(*availability) &&
            (options.no_certificate ? availability->sample_selected.empty() : !availability->certified);
   return is_imprecise(plan) || (plan.certificate && !plan.certificate->open.empty()) ||
          !plan.curve.is_complete ||
@@ -199,7 +206,10 @@ std::string remark_on_interruption(const Options& options, const SimulationSumma
 // The states on which units are placed; 0 for the shop as the file gives it.
 std::uint32_t states_of(const Options& options, const Store& store) {
   const std::uint32_t states = options.states.value_or(store.variation ? StatesOptions().sample : 0);
-  if (states == 0) return 0;
+  if (states == 0) {
+    expect_no_goal(options.goal);
+    return 0;
+  }
   expect_variation(store);
   const auto refuse = [](const std::string& option, const std::string& problem) {
     throw InputError(option, problem, "omit it, or plan the shop as the file gives it with '--states 0'");
@@ -272,6 +282,7 @@ int run_plan(const Options& options) {
                                               plan.placement, over, log, control);
       plan.placement = std::move(found.placement);
       plan.availability = std::move(found.availability);
+      plan.availability->assumed = assumed_lines(store);
       plan.complete = !control.cancelled();
     }
     // The report may travel; it names the files of the store without the folder.
@@ -303,7 +314,7 @@ int run_plan(const Options& options) {
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
     print_message(
         "the requested relative error was not reached; without '--json' the program lists the entries\n");
-  if (plan.complete && plan.availability && !plan.availability->unreachable.empty()) return answer_is_no;
+  if (plan.complete && plan.availability && is_impossible(*plan.availability)) return answer_is_no;
   if (plan.complete && !is_open(options, plan))
     return plan.availability ? done : exit_code(plan.placement.status);
   if (plan.complete) return stopped_early;

@@ -133,6 +133,8 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
                      ->option_text("N")
                      ->check(CLI::Range(1, 100'000))
                      ->group(group::states);
+  for (const char* other : {"--by-bounce", "--by-length", "--relative-error", "--time"})
+    states->excludes(verb->get_option(other));
   verb->add_option("--hard-labels", options->hard_labels,
                    fmt::format("With --states: number of labels whose signals are kept for each state; "
                                "default {}",

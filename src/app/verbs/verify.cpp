@@ -113,14 +113,17 @@ int verify_in_states(const Options& options, const Installation& installation,
     fmt::print("{}\n{}", styled(Style::answer, availability_answer(found, mounted, table)),
                availability_details(found, mounted));
   if (found.certified) return done;
-  return found.answer().below(found.required) > 0 ? answer_is_no : stopped_early;
+  return found.answer().keeps_to(found.goal, found.required) ? stopped_early : answer_is_no;
 }
 
 int run_verify(const Options& options) {
   protect_input(options.output, options.store);
   protect_input(options.output, options.placement);
   const Installation installation = load_installation(options);
-  if (options.states.value_or(0) > 0) expect_variation(installation.store);
+  if (options.states.value_or(0) > 0)
+    expect_variation(installation.store);
+  else
+    expect_no_goal(options.goal);
   PlacementProblem problem = installation.problem;
   problem.model = options.model.value_or(problem.model);
   problem.redundant = problem.redundant || options.survive_failure;

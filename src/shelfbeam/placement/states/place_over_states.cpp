@@ -115,7 +115,8 @@ class Solver {
     best_.misses = std::move(misses);
   }
 
-  // Names the labels that are missed too often by all units together.
+  // Names the labels that are missed too often by all units together; if no label alone is, all that are
+  // missed.
   bool is_possible() {
     // Options of a mounting point exclude one another, but all of them give at least as much as any one.
     const Mounts mounts(states_.table);
@@ -125,7 +126,11 @@ class Solver {
     const StateMisses misses = misses_of(states_, problem_, all);
     for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
       if (misses.of_label[i] > allowance_.limit(i)) best_.unreachable.push_back(i);
-    return search_.fits(misses);
+    const bool fits = search_.fits(misses);
+    if (!fits && best_.unreachable.empty())
+      for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
+        if (misses.of_label[i] > 0) best_.unreachable.push_back(i);
+    return fits;
   }
 
   const StateTable& states_;

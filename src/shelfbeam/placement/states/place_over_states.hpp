@@ -18,7 +18,8 @@ struct StatePlacement {
   /// Count or new spend; infinite if no selection was found.
   double value = std::numeric_limits<double>::infinity();
   double lower_bound = 0;  ///< proven for these states; infinite if no selection exists
-  /// Labels that are missed too often even with all candidates, or the best options of all mounting points.
+  /// Labels that are missed too often even with all candidates, and all options of all mounting points; if
+  /// none alone is, the labels that are then missed.
   std::vector<std::uint32_t> unreachable;
   std::size_t calls = 0, cuts = 0;  ///< placements on cuts, and cuts
 

@@ -105,7 +105,7 @@ Selection StateSearch::with_another(Selection selected) const {
     const Rank then = rank(weak, j);
     const std::pair gain{(static_cast<double>(now.excess) - static_cast<double>(then.excess)) / price(j),
                          (now.depth - then.depth) / price(j)};
-    if (best_unit && gain <= best) continue;
+    if (gain <= best) continue;
     best_unit = j;
     best = gain;
   }

@@ -40,7 +40,7 @@ class StateSearch {
   /// Exchanges units at the same value or less as long as labels are missed less often or less nearly:
   /// stopping at the first selection that fits the states would fit their accidents.
   Selection spread(Selection selected) const;
-  /// The selection and the unit that helps most; unchanged if no unit fits.
+  /// The selection and the unit that helps most; unchanged if no unit helps.
   Selection with_another(Selection selected) const;
 
  private:

@@ -62,6 +62,11 @@ struct StateOutcome {
     for (std::size_t i = 0; i < missed.size(); ++i) count += availability(i) < required[i] - rounding ? 1 : 0;
     return count;
   }
+  /// Whether the goal holds in these states.
+  bool keeps_to(const AvailabilityGoal& goal, const std::vector<double>& required) const {
+    if (goal.rule == AvailabilityRule::shop) return all_reached() >= *goal.value;
+    return goal.rule == AvailabilityRule::misses ? mean_missed() <= *goal.value : below(required) == 0;
+  }
 };
 
 /// The part of a cause in the variance of a label's signal.
@@ -118,7 +123,8 @@ struct Availability {
   std::vector<LabelAtRisk> at_risk;        ///< most misses first
   std::optional<Addition> addition;        ///< only of verify_over_states
   double seconds = 0;
-  std::string open;  ///< reason for an end before all was decided; empty otherwise
+  std::vector<std::string> assumed;  ///< values of the variation that the store file does not give
+  std::string open;                  ///< reason for an end before all was decided; empty otherwise
 
   bool has_answer() const { return !examined.empty(); }
   const StateOutcome& answer() const { return examined.back(); }

@@ -135,6 +135,7 @@ Json availability_object(const Availability& availability, const SignalTable& ta
       {"responsible", ids_of(table.labels, availability.responsible)},
       {"at_risk", std::move(at_risk)},
       {"addition", availability.addition ? to_json(*availability.addition, required, table) : Json(nullptr)},
+      {"assumed", availability.assumed},
       {"seconds", number(availability.seconds)},
       {"open", availability.open}};
   return object;
@@ -165,6 +166,7 @@ Availability read_availability(const JsonCursor& object, const SignalTable& tabl
                       "responsible",
                       "at_risk",
                       "addition",
+                      "assumed",
                       "seconds",
                       "open"});
   const Reader reader(table);
@@ -191,6 +193,7 @@ Availability read_availability(const JsonCursor& object, const SignalTable& tabl
   result.responsible = reader.labels(object["responsible"]);
   for (const JsonCursor& element : object["at_risk"].elements())
     result.at_risk.push_back(reader.at_risk(element));
+  for (const JsonCursor& element : object["assumed"].elements()) result.assumed.push_back(element.text());
   result.seconds = object["seconds"].non_negative();
   result.open = object["open"].text();
   if (result.certified && !result.has_answer())

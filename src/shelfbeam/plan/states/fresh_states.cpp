@@ -125,7 +125,7 @@ FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
       break;
     }
     control.report("fresh states", static_cast<double>(outcome.states) / looks.back(),
-                   fmt::format("plan {}", options.round));
+                   options.ends_early ? fmt::format("plan {}", options.round) : "");
     const std::uint64_t number = first_fresh_state(options.round) + outcome.states;
     const auto missed = missed_in(number);
     ++outcome.states;

@@ -46,7 +46,6 @@ std::uint32_t states_factor(const AvailabilityGoal& goal, const std::vector<doub
   if (goal.rule == AvailabilityRule::labels)
     for (const double one : required) availability = std::max(availability, one);
   constexpr double usual = 0.05;
-  if (availability >= 1) return 0;
   return static_cast<std::uint32_t>(std::max(1.0, std::ceil(usual / (1 - availability) - 1e-9)));
 }
 

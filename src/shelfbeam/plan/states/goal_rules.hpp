@@ -26,7 +26,7 @@ MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<doubl
                            std::span<const std::uint32_t> labels, std::size_t states);
 
 /// The factor of the numbers of states that an availability requires, relative to 95 %: a share of misses a
-/// fifth as large requires five times as many. 0 if no number suffices.
+/// fifth as large requires five times as many.
 std::uint32_t states_factor(const AvailabilityGoal& goal, const std::vector<double>& required);
 
 StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t states);

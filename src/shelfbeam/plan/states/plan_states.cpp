@@ -27,7 +27,9 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::uint32_t max_rounds = 12;
-constexpr double share_of_placement = 1.0 / 3;  ///< of the time limit, for a placement over states or a bound
+// Parts of the time limit: the bound beyond the sample, each pass over growing tables of what is left for
+// these, and the least of a pass, in s.
+constexpr double share_of_bound = 1.0 / 3, share_of_pass = 0.6, min_part_s = 1;
 // A signal exceeds its upper limit with this probability.
 constexpr double raise_error = 0.05;
 
@@ -88,9 +90,10 @@ class Planner {
     std::iota(every.begin(), every.end(), 0U);
     const MissAllowance of_all = allowance(every);
     PlaceOptions part = options_.place;
-    part.time_limit_s *= share_of_placement;
+    const Deadline deadline((1 - share_of_bound) * options_.place.time_limit_s);
     for (bool grows = true; grows;) {
       allowance_ = allowance(deciding_->labels());
+      part.time_limit_s = std::max(min_part_s, share_of_pass * deadline.seconds_left());
       const StatePlacement found =
           place_over_states(deciding_->table(), problem(), allowance_, part, control_);
       answer.sample_lower_bound = std::max(answer.sample_lower_bound, found.lower_bound);
@@ -124,7 +127,7 @@ class Planner {
     const MissAllowance wide =
         allowance_of(options_.goal, result_.availability.required, labels, options_.sample, widened);
     PlaceOptions place = options_.place;
-    place.time_limit_s *= share_of_placement;
+    place.time_limit_s *= share_of_bound;
     const double enough = result_.availability.sample_lower_bound;
     const double errors = student_quantile(1 - raise_error, StateSample::batches - 1);
     result_.availability.lower_bound = std::min(
@@ -138,16 +141,13 @@ class Planner {
     std::vector<std::uint32_t> labels(scene_.labels.size());
     std::iota(labels.begin(), labels.end(), 0U);
     const std::uint32_t factor = states_factor(options_.goal, answer.required);
-    if (factor == 0) {
-      answer.open = "no number of states proves an availability of 100 %";
-      return;
-    }
     Selection named = selected_;
     for (std::uint32_t round = 1; round <= max_rounds; ++round) {
       if (round > 1) {
         named = with_another(deadline);
+        stop_if_cancelled();
         if (named.size() == selected_.size()) {
-          answer.open = "no other transceiver helps";
+          answer.open = deadline.has_passed() ? "the time was used up" : "no other transceiver helps";
           return;
         }
       }
@@ -178,8 +178,9 @@ class Planner {
 
   // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
   Selection with_another(const Deadline& deadline) {
-    const StateOutcome& failed = result_.availability.answer();
-    deciding_->add_if([&](std::uint32_t i) { return failed.missed[i] > 0; });
+    const Selection& in_doubt = result_.availability.responsible;
+    deciding_->add_if(
+        [&](std::uint32_t i) { return std::find(in_doubt.begin(), in_doubt.end(), i) != in_doubt.end(); });
     allowance_ = allowance(deciding_->labels());
     const StateSearch search(deciding_->table(), problem(), allowance_,
                              [&] { return control_.cancelled() || deadline.has_passed(); });

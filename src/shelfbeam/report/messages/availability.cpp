@@ -41,6 +41,9 @@ std::string sample_text(const Availability& availability, const Placement& place
   const bool is_proven = availability.sample_value <= availability.sample_lower_bound * (1 + 1e-9);
   const std::string states = grouped(sample.states);
   std::string text = say_count("availability.sample", sample.units, states);
+  if (!is_proven && availability.sample_lower_bound > 0 && !is_by_price(placement))
+    text = say_count("availability.sample_at_least", sample.units, states,
+                     grouped(static_cast<std::size_t>(std::ceil(availability.sample_lower_bound - 1e-6))));
   if (is_proven)
     text = say_count(is_by_price(placement) ? "availability.sample_cheapest" : "availability.sample_fewest",
                      sample.units, states);
@@ -49,23 +52,44 @@ std::string sample_text(const Availability& availability, const Placement& place
   return text;
 }
 
+// "10 of 36 labels reached too rarely, ...": how an outcome breaks the goal.
+std::string outcome_text(const Availability& availability, const StateOutcome& outcome) {
+  switch (availability.goal.rule) {
+    case AvailabilityRule::shop:
+      return say("availability.outcome.shop", time_share(outcome.all_reached()));
+    case AvailabilityRule::misses:
+      return say("availability.outcome.misses", fixed(outcome.mean_missed(), 2));
+    case AvailabilityRule::labels:
+      break;
+  }
+  return say("availability.outcome.labels", grouped(outcome.below(availability.required)),
+             say_count("noun.label", outcome.missed.size()), time_share(outcome.worst()),
+             time_share(outcome.all_reached()));
+}
+
 std::string nominal_text(const Availability& availability) {
   const StateOutcome& nominal = availability.nominal;
   if (nominal.states == 0) return {};
-  const std::size_t below = nominal.below(availability.required);
-  return say_count("availability.nominal", nominal.units, grouped(below),
-                   say_count("noun.label", nominal.missed.size()), time_share(nominal.worst()),
-                   time_share(nominal.all_reached()));
+  if (nominal.keeps_to(availability.goal, availability.required))
+    return say_count("availability.nominal.enough", nominal.units);
+  return say_count("availability.nominal.not_enough", nominal.units, outcome_text(availability, nominal));
 }
 
 std::string addition_text(const Availability& availability) {
   const auto& addition = availability.addition;
-  if (!addition) return {};
-  const auto& required = availability.required;
-  return say("availability.addition", addition->id, plain(addition->position.x), plain(addition->position.y),
-             plain(addition->position.z), grouped(addition->without.states),
-             say_count("noun.label", addition->without.below(required)),
-             grouped(addition->added.below(required)));
+  const bool is_verification = availability.nominal.states == 0 && availability.has_answer();
+  if (!addition)
+    return is_verification && !availability.certified ? say("availability.no_addition") : std::string();
+  const auto& [x, y, z] = addition->position;
+  return say("availability.addition", addition->id, plain(x), plain(y), plain(z),
+             grouped(addition->without.states), outcome_text(availability, addition->without),
+             outcome_text(availability, addition->added));
+}
+
+std::string assumed_text(const Availability& availability) {
+  return availability.assumed.empty()
+             ? std::string()
+             : say("availability.assumed", fmt::format("{}", fmt::join(availability.assumed, "; ")));
 }
 
 }  // namespace
@@ -77,12 +101,13 @@ std::string time_share(double share) {
 
 std::string goal_text(const Availability& availability) {
   const AvailabilityGoal& goal = availability.goal;
-  if (goal.rule == AvailabilityRule::shop) return say("availability.goal.shop", time_share(*goal.value));
+  const auto exactly = [](double share) { return fmt::format("{:.6g} %", 100 * share); };
+  if (goal.rule == AvailabilityRule::shop) return say("availability.goal.shop", exactly(*goal.value));
   if (goal.rule == AvailabilityRule::misses) return say("availability.goal.misses", plain(*goal.value));
   const auto [low, high] = std::minmax_element(availability.required.begin(), availability.required.end());
   if (low == availability.required.end()) return say("availability.goal.none");
-  return *low == *high ? say("availability.goal.labels", time_share(*low))
-                       : say("availability.goal.types", time_share(*low), time_share(*high));
+  return *low == *high ? say("availability.goal.labels", exactly(*low))
+                       : say("availability.goal.types", exactly(*low), exactly(*high));
 }
 
 std::string labels_by_cause(const Availability& availability, const std::vector<std::uint32_t>& labels,
@@ -95,9 +120,12 @@ std::string labels_by_cause(const Availability& availability, const std::vector<
                                     [&](const LabelAtRisk& one) { return one.label == label; });
     const bool has_cause =
         found != availability.at_risk.end() && !found->causes.empty() && found->causes.front().share > 0;
-    parts.push_back(has_cause ? say("availability.label", name(label),
+    std::string text = name(label);
+    if (availability.has_answer())
+      text = say("availability.label_share", text, time_share(availability.answer().availability(label)));
+    parts.push_back(has_cause ? say("availability.label", text,
                                     words(fmt::format("availability.causes.{}", found->causes.front().cause)))
-                              : name(label));
+                              : text);
   }
   const std::string list = fmt::format("{}", fmt::join(parts, ", "));
   return labels.size() > shown ? say("summary.and_others", list) : list;
@@ -109,6 +137,8 @@ std::string availability_sentence(const Availability& availability, const Placem
   if (!availability.unreachable.empty())
     return say("availability.impossible", goal, labels_by_cause(availability, availability.unreachable, name),
                grouped(availability.nominal.states));
+  if (std::isinf(availability.sample_lower_bound))
+    return say("availability.impossible_together", goal, grouped(availability.nominal.states));
   if (availability.certified)
     return say("availability.certified", units_reach(placement.count()), goal,
                failure_clause(placement.problem), confidence_of(availability));
@@ -129,7 +159,7 @@ std::vector<std::string> availability_remarks(const Availability& availability, 
   std::vector<std::string> remarks;
   for (std::string text :
        {bound_of(availability, placement), sample_text(availability, placement), nominal_text(availability),
-        addition_text(availability), say("availability.scope")})
+        addition_text(availability), say("availability.scope"), assumed_text(availability)})
     if (!text.empty()) remarks.push_back(std::move(text));
   return remarks;
 }

@@ -128,6 +128,7 @@ class StoreStates::Drawing {
                      y = variation_.position * draws.normal(2 * a + 1);
         const Vec3 moved{rounded(px + x, 1e6), rounded(py + y, 1e6), rounded(pz, 1e6)};
         if (states_.scene_.room && !states_.scene_.room->beyond(moved, 0).empty()) continue;
+        if (is_blocked(unit.position, moved)) continue;
         unit.position = moved;
         break;
       }
@@ -140,6 +141,17 @@ class StoreStates::Drawing {
       const Vec3 axis = unit.axis + frame.x * x + frame.y * y;
       unit.axis = normalized({rounded(axis.x, 1e9), rounded(axis.y, 1e9), rounded(axis.z, 1e9)});
     }
+  }
+
+  // Whether a fixture or an inner wall is between two points.
+  bool is_blocked(const Vec3& from, const Vec3& to) const {
+    Bounds path;
+    path.include(from);
+    path.include(to);
+    return states_.blocks_.any(path, [&](const Part& part) {
+      const Stretch within = stretch_within(part, from, to - from);
+      return within.begin < within.end && within.begin < 1 && within.end > 0;
+    });
   }
 
   void vary(Fixture& fixture) const {
@@ -255,7 +267,7 @@ void expect_variation(const Store& store) {
 }
 
 StoreStates::StoreStates(const Store& store, const Scene& scene, std::uint64_t seed)
-    : store_(store), scene_(scene), seed_(seed), floor_(scene) {
+    : store_(store), scene_(scene), seed_(seed), floor_(scene), blocks_(scene) {
   expect_variation(store);
 }
 

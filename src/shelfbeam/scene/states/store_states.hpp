@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "shelfbeam/scene/build/blocks.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/states/cause.hpp"
 #include "shelfbeam/scene/states/free_floor.hpp"
@@ -37,6 +38,7 @@ class StoreStates {
   const Scene& scene_;
   std::uint64_t seed_;
   FreeFloor floor_;
+  Blocks blocks_;
 };
 
 }  // namespace shelfbeam

@@ -161,7 +161,7 @@ void read_label_types(const JsonCursor& section, Store& store) {
                                            : read_quantity(threshold);
     if (threshold.is_object()) type.range_m = threshold["at_m"].number();
     if (const auto factor = cursor.find("safety_factor")) type.safety_factor = read_quantity(*factor);
-    if (const auto share = cursor.find("availability")) type.availability = share->number(0, 1);
+    if (const auto share = cursor.find("availability")) type.availability = share->number(0.01, 0.9999);
     if (const auto cost = cursor.find("link_cost")) type.link_cost = read_amount(*cost);
     if (const auto cost = cursor.find("signal_cost")) type.signal_cost = read_amount(*cost);
     store.label_types.push_back(std::move(type));

@@ -47,10 +47,7 @@ ResultLog::ResultLog(std::filesystem::path path, CheckpointIdentity identity, bo
 }
 
 ResultLog::~ResultLog() {
-  try {
-    flush();
-  } catch (const std::exception&) {  // an earlier flush or the end of the run reports it
-  }
+  flush();
 }
 
 std::optional<std::string_view> ResultLog::find(std::uint64_t key) const {
@@ -72,15 +69,30 @@ void ResultLog::begin() {
 
 void ResultLog::add(std::uint64_t key, std::string_view result) {
   if (path_.empty()) return;
-  if (!writer_) begin();
-  writer_->record(record_of(key, result));
+  try {
+    if (!writer_) begin();
+    writer_->record(record_of(key, result));
+  } catch (const OutputError&) {
+    stop();
+  }
   const auto since = std::chrono::steady_clock::now() - flushed_at_;
   if (std::chrono::duration<double>(since).count() >= interval_s_) flush();
 }
 
 void ResultLog::flush() {
-  if (writer_) writer_->flush();
   flushed_at_ = std::chrono::steady_clock::now();
+  if (!writer_) return;
+  try {
+    writer_->flush();
+  } catch (const OutputError&) {
+    stop();
+  }
+}
+
+// A full disk must not end a run whose results are needed without it.
+void ResultLog::stop() {
+  writer_.reset();
+  path_.clear();
 }
 
 }  // namespace shelfbeam

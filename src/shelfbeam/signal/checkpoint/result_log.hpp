@@ -22,7 +22,7 @@ class RecordWriter;
 class ResultLog {
  public:
   /// With `resumes`, reads the results of an earlier run, if the file exists. Without a path, nothing is
-  /// kept. Throws InputError as CheckpointFile, OutputError if the file cannot be written.
+  /// kept. Throws InputError as CheckpointFile and its `load`.
   ResultLog(std::filesystem::path path, CheckpointIdentity identity, bool resumes, double interval_s);
   ~ResultLog();
   ResultLog(const ResultLog&) = delete;
@@ -31,12 +31,13 @@ class ResultLog {
   /// The result of an earlier run.
   std::optional<std::string_view> find(std::uint64_t key) const;
   /// Appends a result; the file contains it `interval_s` later at the latest, if more are added, or after
-  /// `flush`. Throws OutputError.
+  /// `flush`. If the file cannot be written, it keeps the earlier results, and the run goes without a log.
   void add(std::uint64_t key, std::string_view result);
   void flush();
 
  private:
   void begin();
+  void stop();
 
   std::filesystem::path path_;
   CheckpointIdentity identity_;

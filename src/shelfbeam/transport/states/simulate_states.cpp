@@ -45,7 +45,9 @@ SignalLayer simulate_state(const Scene& scene, const PreparedScene& first, const
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const std::size_t e = i * n + j;
-      const double factor = scene.labels[i].relative_sensitivity;
+      // Requirements contain the sensitivities of the nominal shop.
+      const double factor =
+          scene.labels[i].relative_sensitivity / first.world().scene.labels[i].relative_sensitivity;
       layer.mean[e] = static_cast<float>(factor * (sums[e].mean() + static_cast<double>(run.known[e])));
       layer.standard_error[e] = static_cast<float>(factor * sums[e].standard_error());
     }
@@ -101,7 +103,8 @@ std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, const Sign
 std::string key_text(const Transceiver& unit) {
   const auto& [x, y, z] = unit.position;
   const auto& [ax, ay, az] = unit.axis;
-  return fmt::format("{} {} {} {} {} {} {} {}\n", unit.id, unit.type.value, x, y, z, ax, ay, az);
+  return fmt::format("{} {} {} {} {} {} {} {} {} {}\n", unit.id, unit.type.value, x, y, z, ax, ay, az,
+                     unit.roll_deg, unit.relative_power);
 }
 
 CheckpointIdentity identity_of_states(const std::string& store_hash, const SimulationOptions& options) {
@@ -142,8 +145,8 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
 SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
                              const StateRange& range, std::size_t max_hard, ResultLog& log,
                              const RunControl& control) {
-  const auto first = prepare(scene, options, true, control);
   const StoreStates states(store, scene, options.seed);
+  const auto first = prepare(scene, options, true, control);
   SignalMatrix matrix =
       detail::matrix_head(scene, scene.store_hash, options.seed, first->estimator().name() + ", states");
   const std::size_t n = matrix.columns(), entries = matrix.rows() * n;

@@ -23,8 +23,8 @@ struct StateRange {
   std::uint32_t batches = 4;  ///< of each label in each state, at least 2
 };
 
-/// The signals of one state, multiplied by the relative sensitivities of the labels, so that the requirements
-/// of the nominal shop apply.
+/// The signals of one state, multiplied by the sensitivities of the labels relative to those of the nominal
+/// shop, whose requirements then apply.
 struct StateSignals {
   std::uint64_t state = 0;
   const SignalLayer& signals;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -119,6 +120,26 @@ TEST(SimulateStates, ContinuesFromItsLog) {
   made.clear();
   layers_of(make, scene, {.first = 0, .count = 1, .batches = 3}, log);
   EXPECT_EQ(made, std::vector<std::uint64_t>{0});
+}
+
+// The requirements contain the sensitivities of the nominal shop, so only their changes count.
+TEST(SimulateStates, SensitivitiesAreRelativeToTheNominalShop) {
+  const Store store = shop();
+  const Scene scene = make_scene(store);
+  Scene half = scene;
+  for (Label& label : half.labels) label.relative_sensitivity = 0.5;
+  const StoreStates states(store, scene, 1), of_half(store, half, 1);
+  const StateRange range{.first = 0, .count = 2, .batches = 2};
+  ResultLog log = no_log();
+  const auto whole = layers_of([&](std::uint64_t k) { return states.state(k); }, scene, range, log);
+  const auto halves = layers_of([&](std::uint64_t k) { return of_half.state(k); }, half, range, log);
+  // Requirements guide the sampling, so the signals agree up to noise; a factor of 1/2 would not.
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto sum = [](const std::vector<float>& mean) {
+      return std::accumulate(mean.begin(), mean.end(), 0.0);
+    };
+    EXPECT_NEAR(sum(halves[k].mean) / sum(whole[k].mean), 1, 0.05) << k;
+  }
 }
 
 // Sums over all entries of a label in one state, against an ordinary simulation of the exported state. 54
