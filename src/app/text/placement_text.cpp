@@ -129,6 +129,8 @@ std::string availability_answer(const Availability& availability, const Placemen
 
 std::string availability_details(const Availability& availability, const Placement& placement) {
   std::string text;
+  if (const std::string bound = availability_bound(availability, placement); !bound.empty())
+    text += fmt::format("  {}\n", bound);
   for (const std::string& remark : availability_remarks(availability, placement))
     text += fmt::format("  {}\n", remark);
   return text;

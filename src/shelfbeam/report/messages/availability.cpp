@@ -23,17 +23,6 @@ bool is_by_price(const Placement& placement) {
   return placement.problem.combination == Combination::spend;
 }
 
-std::string bound_of(const Availability& availability, const Placement& placement) {
-  if (!(availability.lower_bound > 0)) return {};
-  if (is_by_price(placement))
-    return say("availability.spend_bound", at_least(availability.lower_bound, placement.price),
-               confidence_of(availability));
-  const auto bound = static_cast<std::size_t>(std::ceil(availability.lower_bound - 1e-6));
-  return availability.certified && bound >= placement.count()
-             ? say("availability.no_fewer", confidence_of(availability))
-             : say_count("availability.bound", bound, confidence_of(availability));
-}
-
 // The fewest units on the sampled states, beside the certified ones.
 std::string sample_text(const Availability& availability, const Placement& placement) {
   const StateOutcome& sample = availability.sample;
@@ -155,11 +144,22 @@ std::string availability_sentence(const Availability& availability, const Placem
   return text;
 }
 
+std::string availability_bound(const Availability& availability, const Placement& placement) {
+  if (!(availability.lower_bound > 0)) return {};
+  if (is_by_price(placement))
+    return say("availability.spend_bound", at_least(availability.lower_bound, placement.price),
+               confidence_of(availability));
+  const auto bound = static_cast<std::size_t>(std::ceil(availability.lower_bound - 1e-6));
+  return availability.certified && bound >= placement.count()
+             ? say("availability.no_fewer", confidence_of(availability))
+             : say_count("availability.bound", bound, confidence_of(availability));
+}
+
 std::vector<std::string> availability_remarks(const Availability& availability, const Placement& placement) {
   std::vector<std::string> remarks;
   for (std::string text :
-       {bound_of(availability, placement), sample_text(availability, placement), nominal_text(availability),
-        addition_text(availability), say("availability.scope"), assumed_text(availability)})
+       {sample_text(availability, placement), nominal_text(availability), addition_text(availability),
+        say("availability.scope"), assumed_text(availability)})
     if (!text.empty()) remarks.push_back(std::move(text));
   return remarks;
 }

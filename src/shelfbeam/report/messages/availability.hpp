@@ -26,7 +26,10 @@ std::string goal_text(const Availability& availability);
 std::string availability_sentence(const Availability& availability, const Placement& placement,
                                   const LabelName& name);
 
-/// The bound, the fewest units that satisfy the sampled states, and the plan for the shop as the file gives
+/// "At least 4 transceivers are needed, with 99 % confidence."; empty without a bound beyond the sample.
+std::string availability_bound(const Availability& availability, const Placement& placement);
+
+/// The fewest units that satisfy the sampled states, and the plan for the shop as the file gives
 /// it.
 std::vector<std::string> availability_remarks(const Availability& availability, const Placement& placement);
 

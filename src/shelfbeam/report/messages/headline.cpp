@@ -95,6 +95,8 @@ void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
 void lead_with_availability(const ReportData& data, Headline& headline) {
   const CertifiedPlan& plan = data.input.plan;
   const Availability& availability = *plan.availability;
+  if (std::string bound = availability_bound(availability, plan.placement); !bound.empty())
+    headline.remarks.push_back(with_joined_percent(std::move(bound)));
   for (std::string& remark : availability_remarks(availability, plan.placement))
     headline.remarks.push_back(with_joined_percent(std::move(remark)));
   headline.answer = with_joined_percent(availability_sentence(

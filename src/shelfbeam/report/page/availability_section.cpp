@@ -70,6 +70,8 @@ std::string availability_section(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   const auto name = [&](std::uint32_t label) { return data.label(label).id; };
   std::string html = paragraph(with_joined_percent(availability_sentence(*availability, placement, name)));
+  if (std::string bound = availability_bound(*availability, placement); !bound.empty())
+    html += paragraph(with_joined_percent(std::move(bound)));
   for (std::string& remark : availability_remarks(*availability, placement))
     html += paragraph(with_joined_percent(std::move(remark)));
   return html_section("availability", say("availability.title"),

@@ -41,6 +41,30 @@ TEST(Summary, HasNoTermsOfStatistics) {
   EXPECT_NE(headline(ReportData(s.input)).answer.find("confidence"), std::string::npos);
 }
 
+TEST(Summary, SpeaksOfTheTimeIfTheShopChanges) {
+  Supermarket s;
+  Availability& availability = s.plan.availability.emplace();
+  availability.required.assign(s.matrix.rows(), 0.95);
+  availability.nominal = {8, 100, std::vector<std::uint32_t>(s.matrix.rows(), 1), 60};
+  availability.nominal.missed[3] = 40;
+  availability.sample = {9, 100, std::vector<std::uint32_t>(s.matrix.rows(), 0), 0};
+  availability.sample_selected = {0};
+  availability.sample_value = 9;
+  availability.sample_lower_bound = 7;
+  availability.lower_bound = 6;
+  availability.examined = {{8, 300, std::vector<std::uint32_t>(s.matrix.rows(), 0), 0}};
+  availability.assumed = {"shelves are 40 % to 100 % full"};
+  for (const bool is_certified : {true, false}) {
+    availability.certified = is_certified;
+    if (!is_certified) availability.responsible = {3};
+    expect_plain_words(all_of(summary_of(ReportData(s.input))));
+    EXPECT_TRUE(contains(s, is_certified ? "together they reach every label at least 95\u00A0% of the time"
+                                         : "In doubt: " + s.matrix.labels[3].id));
+    EXPECT_TRUE(contains(s, "not enough in these states: 1 of 926 labels reached too rarely"));
+    EXPECT_TRUE(contains(s, "assumed: shelves are 40\u00A0% to 100\u00A0% full"));
+  }
+}
+
 TEST(Summary, ExplainsThatNoPlanReachesAllLabels) {
   Supermarket s;
   s.placement.status = Status::infeasible;
