@@ -99,6 +99,7 @@ std::vector<double> StateCuts::cover_cut(std::vector<Case> cases, std::size_t al
   const auto misses = [&](const std::vector<Case>& some) {
     if (!by_state) return some.size();
     std::vector<std::uint32_t> missed;
+    missed.reserve(some.size());
     for (const Case& at : some) missed.push_back(at.state);
     std::sort(missed.begin(), missed.end());
     return static_cast<std::size_t>(std::unique(missed.begin(), missed.end()) - missed.begin());

@@ -175,7 +175,7 @@ Selection StateSearch::spread(Selection selected) const {
       for (std::uint32_t in = 0; in < states_.table.columns() && !is_over_(); ++in) {
         if (in == out || !can_join(in, rest) || value(with(rest, in)) > most) continue;
         const Rank then = rank(weak, in);
-        if (then >= now) continue;
+        if (!(then < now)) continue;
         now = then;
         best = in;
       }

@@ -49,7 +49,9 @@ class StateSearch {
   struct Rank {
     std::uint64_t excess = 0;
     double depth = 0;
-    auto operator<=>(const Rank&) const = default;
+    bool operator<(const Rank& other) const {
+      return excess < other.excess || (excess == other.excess && depth < other.depth);
+    }
   };
   // A label with the states in which it receives little.
   struct Weak {
