@@ -1,7 +1,7 @@
 // Examines plans for shops that change.
 //
 //   build/release/bench_states known [--repetitions N] [--jobs J]
-//   build/release/bench_states shops [NAME]... [--folder FOLDER] [--time-limit S] [--budget S]
+//   build/release/bench_states shops [NAME]... [--states N] [--folder FOLDER] [--time-limit S] [--budget S]
 //   build/release/bench_states cost [NAME]...
 //   build/release/bench_states placement FILE [--states N] [--time-limit S]
 //
@@ -51,7 +51,7 @@ struct Settings {
   std::size_t repetitions = 200;
   unsigned jobs = 2;
   fs::path folder = "states";
-  std::uint32_t states = 1000;
+  std::uint32_t states = 100;
   double time_limit_s = 60, budget_s = 600;
 };
 
@@ -118,7 +118,8 @@ void plan_shop(const Settings& settings, const std::string& name) {
   Ended ended;
   const double seconds = wall_seconds([&] {
     ended = run_program({this_program(), "plan", store.string(), "-o", folder.string(), "--overwrite",
-                         "--quiet", "--time-limit", fmt::format("{}", settings.time_limit_s), "--budget",
+                         "--quiet", "--states", std::to_string(settings.states), "--time-limit",
+                         fmt::format("{}", settings.time_limit_s), "--budget",
                          fmt::format("{}", settings.budget_s)});
   });
   const Json file = Json::parse(read_file(folder / "placement.json"));
