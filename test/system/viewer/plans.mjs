@@ -67,7 +67,7 @@ function planChanging(shelfbeam, work, store) {
     sample_count: outcome.units, sample_value: outcome.units, sample_lower_bound: 1, sample_selected: placement.selected,
     certified_count: outcome.units, lower_bound: 1, unreachable: [], nominal: outcome, sample: outcome, examined: [outcome],
     shown_states: [{ state: 1000000, missed: [] }, { state: 1000217, missed }],
-    responsible: [], at_risk: [], addition: null, seconds: 1.5, open: "",
+    responsible: [], at_risk: [], addition: null, assumed: [], seconds: 1.5, open: "",
   };
   rebuild(shelfbeam, folder, { states });
   return readPlan(folder);
