@@ -275,9 +275,7 @@ int run_plan(const Options& options) {
                          .simulation = simulation,
                          .place = options.solver};
       over.place.seed = options.common.seed;
-      const CheckpointOptions& checkpoint = simulation.checkpoint;
-      ResultLog log(states_log, identity_of_states(scene.store_hash, simulation), checkpoint.resume,
-                    checkpoint.interval_s);
+      ResultLog log = log_of_states(states_log, scene.store_hash, simulation);
       PlanOverStates found = plan_over_states(store, scene, table_of(options, plan.simulation.matrix),
                                               plan.placement, over, log, control);
       plan.placement = std::move(found.placement);

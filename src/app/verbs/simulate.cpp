@@ -46,9 +46,7 @@ int simulate_states_to_file(const Options& options, const Store& store, const Sc
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel, progress.sink()};
-    const CheckpointOptions& checkpoint = simulation.checkpoint;
-    ResultLog log(checkpoint.path, identity_of_states(scene.store_hash, simulation), checkpoint.resume,
-                  checkpoint.interval_s);
+    ResultLog log = log_of_states(simulation.checkpoint.path, scene.store_hash, simulation);
     try {
       matrix = simulate_states(store, scene, simulation, {.first = 0, .count = options.states},
                                options.hard_labels, log, control);

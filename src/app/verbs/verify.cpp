@@ -70,9 +70,7 @@ Installation load_installation(const Options& options) {
   const Placement placement = read_placement(units, table_without_signals(scene));
   if (!placement.has_selection() || placement.selected.empty())
     throw InputError(units.string(), "selects no transceivers", "choose another placement");
-  std::vector<std::uint32_t> labels(scene.labels.size());
-  std::iota(labels.begin(), labels.end(), 0U);
-  return {store, sub_scene(scene, labels, placement.selected), placement.problem};
+  return {store, with_units(scene, placement.selected), placement.problem};
 }
 
 int verify_in_states(const Options& options, const Installation& installation,
@@ -83,17 +81,16 @@ int verify_in_states(const Options& options, const Installation& installation,
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
-    const CheckpointOptions checkpoint = options.output.empty() ? CheckpointOptions() : simulation.checkpoint;
+    const std::filesystem::path log_path = options.output.empty() ? "" : simulation.checkpoint.path;
     const Scene scene = make_scene(installation.store);
-    ResultLog log(checkpoint.path, identity_of_states(scene.store_hash, simulation), checkpoint.resume,
-                  checkpoint.interval_s);
+    ResultLog log = log_of_states(log_path, scene.store_hash, simulation);
     const VerifyStatesOptions how{*options.states, options.goal, options.certificate.confidence, simulation};
     try {
       found = verify_over_states(installation.store, scene, units, problem, how, log, control);
     } catch (const Interrupted&) {
       log.flush();
       if (!options.common.quiet)
-        print_message("stopped early: {}\n", checkpoint.path.empty()
+        print_message("stopped early: {}\n", log_path.empty()
                                                  ? "with '--output', the run can be continued"
                                                  : "repeat the command with '--resume' to continue");
       return stopped_early;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <vector>
 
 #include "shelfbeam/scene/scene.hpp"
 
@@ -24,6 +26,13 @@ inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels
   part.transceivers.clear();
   for (const std::uint32_t j : transceivers) part.transceivers.push_back(scene.transceivers[j]);
   return part;
+}
+
+/// The scene with all of its labels and some of its transceivers.
+inline Scene with_units(const Scene& scene, std::span<const std::uint32_t> transceivers) {
+  std::vector<std::uint32_t> labels(scene.labels.size());
+  std::iota(labels.begin(), labels.end(), 0U);
+  return sub_scene(scene, labels, transceivers);
 }
 
 }  // namespace shelfbeam

@@ -33,40 +33,41 @@ class Judge {
         looks_(options.looks),
         level_(options.level / static_cast<double>(options.looks.size())) {}
 
-  void add(const StateOutcome& outcome, std::size_t missed) {
+  void add(std::size_t missed) {
     missed_.hits += missed > 0 ? 1 : 0;
     missed_.sampled.add(static_cast<double>(missed));
     most_ = std::max(most_, static_cast<double>(missed));
-    states_ = outcome.states;
   }
 
   bool is_certain(const StateOutcome& outcome) const {
-    return all(outcome, [&](double required, std::uint32_t misses) { return proves(required, misses); }) &&
+    return all(outcome, [&](double required,
+                            std::uint32_t misses) { return proves(required, misses, outcome.states); }) &&
            (goal_.rule != AvailabilityRule::misses || upper_mean() <= counted(*goal_.value));
   }
 
   std::vector<std::uint32_t> in_doubt(const StateOutcome& outcome) const {
     std::vector<std::uint32_t> labels = most_missed(outcome);
     if (goal_.rule == AvailabilityRule::labels)
-      std::erase_if(labels, [&](std::uint32_t i) { return proves(required_[i], outcome.missed[i]); });
+      std::erase_if(labels,
+                    [&](std::uint32_t i) { return proves(required_[i], outcome.missed[i], outcome.states); });
     return labels;
   }
 
   // No later look can succeed, or it is improbable.
   bool is_hopeless(const StateOutcome& outcome) const {
     if (goal_.rule == AvailabilityRule::misses)
-      return states_ >= looks_.front() / 2 && missed_.lower(hopeless_level) > counted(*goal_.value);
+      return outcome.states >= looks_.front() / 2 && missed_.lower(hopeless_level) > counted(*goal_.value);
     return !all(outcome, [&](double required, std::uint32_t misses) {
       const auto proving = proving_misses(1 - counted_share(required), looks_.back(), level_);
       if (!proving || misses > *proving) return false;
       const double succeeding = 1 - static_cast<double>(*proving) / looks_.back();
-      return misses <= widened_misses(succeeding, states_, hopeless_level);
+      return misses <= widened_misses(succeeding, outcome.states, hopeless_level);
     });
   }
 
  private:
-  bool proves(double required, std::uint32_t misses) const {
-    const auto proving = proving_misses(1 - counted_share(required), states_, level_);
+  bool proves(double required, std::uint32_t misses, std::uint32_t states) const {
+    const auto proving = proving_misses(1 - counted_share(required), states, level_);
     return proving && misses <= *proving;
   }
   static double counted(double mean) { return (1 - StateExamination::verdict_error) * mean; }
@@ -96,7 +97,6 @@ class Judge {
   double level_;
   ValidationEstimate missed_;  ///< labels per state
   double most_ = 0;
-  std::uint32_t states_ = 0;
 };
 
 void show(std::vector<ShownState>& shown, std::uint64_t number, const std::vector<std::uint32_t>& missed) {
@@ -132,7 +132,7 @@ FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
     for (const std::uint32_t i : missed) ++outcome.missed[i];
     if (!missed.empty()) ++outcome.states_with_miss;
     show(result.shown, number, missed);
-    judge.add(outcome, missed.size());
+    judge.add(missed.size());
     const bool is_look = std::find(looks.begin(), looks.end(), outcome.states) != looks.end();
     if (is_look) result.certified = judge.is_certain(outcome);
     if (options.ends_early && !result.certified && outcome.states % check_interval == 0 &&

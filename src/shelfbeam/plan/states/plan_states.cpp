@@ -1,8 +1,8 @@
 #include "shelfbeam/plan/states/plan_states.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -27,8 +27,8 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::uint32_t max_rounds = 12;
-// Parts of the time limit: the bound beyond the sample, each pass over growing tables of what is left for
-// these, and the least of a pass, in s.
+// Share of the time limit for the bound beyond the sample, share of the rest that each placement over a
+// growing table may use, and the minimum of such a placement in s.
 constexpr double share_of_bound = 1.0 / 3, share_of_pass = 0.6, min_part_s = 1;
 // A signal exceeds its upper limit with this probability.
 constexpr double raise_error = 0.05;
@@ -53,8 +53,7 @@ class Planner {
   }
 
   PlanOverStates run() {
-    const Deadline clock(std::numeric_limits<double>::max());
-    const double begun = clock.seconds_left();
+    const auto begun = std::chrono::steady_clock::now();
     try {
       place();
       if (result_.availability.unreachable.empty() && options_.certifies && !selected_.empty()) certify();
@@ -63,7 +62,8 @@ class Planner {
       result_.availability.open = "it was interrupted";
     }
     log_.flush();
-    result_.availability.seconds = begun - clock.seconds_left();
+    result_.availability.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     finish();
     return std::move(result_);
   }
@@ -138,8 +138,6 @@ class Planner {
   void certify() {
     Availability& answer = result_.availability;
     const Deadline deadline(options_.budget_s);
-    std::vector<std::uint32_t> labels(scene_.labels.size());
-    std::iota(labels.begin(), labels.end(), 0U);
     const std::uint32_t factor = states_factor(options_.goal, answer.required);
     Selection named = selected_;
     for (std::uint32_t round = 1; round <= max_rounds; ++round) {
@@ -151,7 +149,7 @@ class Planner {
           return;
         }
       }
-      const Scene units = sub_scene(scene_, labels, named);
+      const Scene units = with_units(scene_, named);
       const StateExamination examination(states_, units, problem(), options_.simulation, log_, control_);
       FreshStatesOptions of_round{.round = round,
                                   .level = (1 - options_.confidence) / 2 / std::pow(2, round)};
@@ -194,9 +192,7 @@ class Planner {
                             : answer.has_answer()       ? most_missed(answer.answer())
                             : answer.sample.states > 0  ? most_missed(answer.sample)
                                                         : most_missed(answer.nominal);
-    std::vector<std::uint32_t> labels(scene_.labels.size());
-    std::iota(labels.begin(), labels.end(), 0U);
-    const Scene units = sub_scene(scene_, labels, selected_.empty() ? result_.placement.selected : selected_);
+    const Scene units = with_units(scene_, selected_.empty() ? result_.placement.selected : selected_);
     answer.at_risk = risk_causes(states_, units, risky, problem(), options_.simulation, log_, control_);
   }
 

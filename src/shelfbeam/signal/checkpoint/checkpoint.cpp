@@ -40,14 +40,7 @@ bool CheckpointFile::load(const std::function<void(std::uint32_t, const Checkpoi
   std::error_code unknown;
   if (!fs::exists(path_, unknown)) return false;
   RecordReader file(path_);
-  if (!file.line(checkpoint_line))
-    throw InputError(path_.string(), "is not a checkpoint of this program version",
-                     "delete it, or start again without resuming", Setting::resumption);
-  const auto first = file.next();
-  if (!first) file.fail();
-  const std::string found(*first);
-  detail::expect_identity(identity_, found, path_);
-  if (found != detail::to_text(identity_)) file.fail();
+  detail::expect_head(file, checkpoint_line, identity_, path_);
 
   std::vector<double> values;
   while (const auto record = file.next()) {

@@ -92,6 +92,19 @@ class RecordReader {
   std::string content_;
 };
 
+/// Reads the line and the identity with which a file begins. Throws InputError for a file of another version
+/// or of another run.
+inline void expect_head(RecordReader& file, std::string_view line, const CheckpointIdentity& identity,
+                        const std::filesystem::path& path) {
+  if (!file.line(line))
+    throw InputError(path.string(), "is not a checkpoint of this program version",
+                     "delete it, or start again without resuming", Setting::resumption);
+  const auto first = file.next();
+  if (!first) file.fail();
+  expect_identity(identity, *first, path);
+  if (*first != to_text(identity)) file.fail();
+}
+
 /// Writes records to a file that stays open, so that it never writes to a file with which another process
 /// replaced it. Throws OutputError.
 class RecordWriter {

@@ -32,12 +32,7 @@ ResultLog::ResultLog(std::filesystem::path path, CheckpointIdentity identity, bo
   std::error_code unknown;
   if (!resumes || !std::filesystem::exists(path_, unknown)) return;
   RecordReader file(path_);
-  if (!file.line(results_line))
-    throw InputError(path_.string(), "is not a checkpoint of this program version",
-                     "delete it, or start again without resuming", Setting::resumption);
-  const auto first = file.next();
-  if (!first) file.fail();
-  detail::expect_identity(identity_, *first, path_);
+  detail::expect_head(file, results_line, identity_, path_);
   while (const auto record = file.next()) {
     std::uint64_t key = 0;
     if (record->size() < sizeof key) file.fail();

@@ -107,11 +107,14 @@ std::string key_text(const Transceiver& unit) {
                      unit.roll_deg, unit.relative_power);
 }
 
-CheckpointIdentity identity_of_states(const std::string& store_hash, const SimulationOptions& options) {
-  return {{"program version", std::string(program_version())},
-          {"store hash", store_hash},
-          {"seed", fmt::format("{}", options.seed)},
-          {"estimator", fmt::format("{}, direct {}", to_text(options.estimator), to_text(options.direct))}};
+ResultLog log_of_states(const std::filesystem::path& path, const std::string& store_hash,
+                        const SimulationOptions& options) {
+  const CheckpointIdentity identity{
+      {"program version", std::string(program_version())},
+      {"store hash", store_hash},
+      {"seed", fmt::format("{}", options.seed)},
+      {"estimator", fmt::format("{}, direct {}", to_text(options.estimator), to_text(options.direct))}};
+  return {path, identity, options.checkpoint.resume, options.checkpoint.interval_s};
 }
 
 void simulate_states(const StateMaker& states, const PreparedScene& first, const SimulationOptions& options,

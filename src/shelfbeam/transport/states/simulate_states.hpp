@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -51,7 +52,9 @@ SignalMatrix simulate_states(const Store& store, const Scene& scene, const Simul
 /// The part of a unit in the keys of a log.
 std::string key_text(const Transceiver& unit);
 
-/// The identity of a log for the states of a store.
-CheckpointIdentity identity_of_states(const std::string& store_hash, const SimulationOptions& options);
+/// The log of the states of a store, which an earlier run may have begun (`options.checkpoint`, whose path it
+/// replaces). Throws as ResultLog.
+ResultLog log_of_states(const std::filesystem::path& path, const std::string& store_hash,
+                        const SimulationOptions& options);
 
 }  // namespace shelfbeam
