@@ -113,7 +113,10 @@ ResultLog log_of_states(const std::filesystem::path& path, const std::string& st
       {"program version", std::string(program_version())},
       {"store hash", store_hash},
       {"seed", fmt::format("{}", options.seed)},
-      {"estimator", fmt::format("{}, direct {}", to_text(options.estimator), to_text(options.direct))}};
+      {"estimator",
+       fmt::format("{}, direct {}, {}, {}, {} bounces, {} samples per batch", to_text(options.estimator),
+                   to_text(options.direct), to_text(options.strategy), to_text(options.heuristic),
+                   options.max_bounces, options.uniform_samples_per_batch())}};
   return {path, identity, options.checkpoint.resume, options.checkpoint.interval_s};
 }
 
