@@ -6,7 +6,7 @@
 namespace shelfbeam::detail {
 
 ActiveRows::ActiveRows(const SearchMatrix& all, Receiving rule)
-    : all_(all), rule_(rule), is_known_(all.rows(), false) {}
+    : all_(all), rule_(rule), is_known_(all.rows(), false), values_(all.columns()) {}
 
 float ActiveRows::used_of(std::uint32_t row, std::uint32_t column) const {
   const float ratio = all_.column(column)[row];
@@ -15,22 +15,13 @@ float ActiveRows::used_of(std::uint32_t row, std::uint32_t column) const {
 }
 
 void ActiveRows::take(std::span<const std::uint32_t> rows) {
-  const std::size_t before = rows_.size();
   for (const std::uint32_t row : rows) {
     rows_.push_back(row);
     is_known_[row] = true;
   }
-  if (padded() > stride_) {
-    const std::size_t wider = std::max(2 * stride_, padded());
-    std::vector<float> values(wider * all_.columns(), 0.0F);
-    for (std::size_t j = 0; j < all_.columns(); ++j)
-      std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(j * stride_), before,
-                  values.begin() + static_cast<std::ptrdiff_t>(j * wider));
-    values_ = std::move(values);
-    stride_ = wider;
-  }
-  for (std::uint32_t j = 0; j < all_.columns(); ++j)
-    for (std::size_t r = before; r < rows_.size(); ++r) values_[j * stride_ + r] = used_of(rows_[r], j);
+  values_.add_rows(rows.size(), [&](std::size_t k, std::size_t j) {
+    return used_of(rows[k], static_cast<std::uint32_t>(j));
+  });
 }
 
 void ActiveRows::add_hardest(std::span<const std::uint32_t> selected, std::size_t count) {
@@ -66,7 +57,7 @@ bool ActiveRows::add_missed(std::span<const float> received, std::uint32_t label
 void ActiveRows::tighten(std::uint32_t label) {
   constexpr float less = 1 - 1e-4F;
   const auto r = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), label) - rows_.begin());
-  for (std::size_t j = 0; j < all_.columns(); ++j) values_[j * stride_ + r] *= less;
+  for (std::size_t j = 0; j < all_.columns(); ++j) values_.at(r, j) *= less;
 }
 
 }  // namespace shelfbeam::detail

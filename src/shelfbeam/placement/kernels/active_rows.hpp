@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/placement/kernels/growing_columns.hpp"
 #include "shelfbeam/placement/kernels/search_instance.hpp"
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
 
@@ -18,10 +19,9 @@ class ActiveRows {
   ActiveRows(const SearchMatrix& all, Receiving rule);
 
   std::size_t size() const { return rows_.size(); }
-  /// `size` rounded up to a multiple of SearchMatrix::block; the rows from `size` on are zeros.
-  std::size_t padded() const { return (rows_.size() + block - 1) / block * block; }
+  std::size_t padded() const { return values_.padded(); }      ///< GrowingColumns
   std::uint32_t row(std::size_t r) const { return rows_[r]; }  ///< of the table
-  const float* column(std::size_t j) const { return values_.data() + j * stride_; }
+  const float* column(std::size_t j) const { return values_.column(j); }
 
   float used_of(std::uint32_t row, std::uint32_t column) const;
 
@@ -39,14 +39,11 @@ class ActiveRows {
   void take(std::span<const std::uint32_t> rows);
   void take_weakest(std::vector<std::pair<float, std::uint32_t>>& by_received, std::size_t count);
 
-  static constexpr std::size_t block = SearchMatrix::block;
-
   const SearchMatrix& all_;
   Receiving rule_;
   std::vector<std::uint32_t> rows_;
   std::vector<bool> is_known_;
-  std::size_t stride_ = 0;  ///< distance between columns, with room to grow
-  std::vector<float> values_;
+  GrowingColumns values_;
 };
 
 }  // namespace shelfbeam::detail

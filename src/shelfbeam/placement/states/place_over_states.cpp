@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/states/place_over_states.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -10,8 +11,11 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/states/margin_search.hpp"
+#include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_cuts.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
 
@@ -20,10 +24,16 @@ namespace shelfbeam {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double least_step = 1e-6;  ///< of a bound on the count
 // Parts of the time that is left.
-constexpr double share_of_master = 0.3;  ///< one placement on cuts
+constexpr double share_of_master = 0.2;  ///< one placement on cuts
 constexpr double share_of_margin = 0.1;  ///< one placement with margins
+constexpr double share_of_lps = 0.4;
+constexpr double share_of_spread = 0.2;  ///< of the whole time limit
 constexpr int max_margin_searches = 5;
+constexpr std::uint64_t first_moves = 50'000, max_moves = 20'000'000;  ///< of one annealing
+constexpr std::uint64_t spread_moves = 1'000'000;
+constexpr std::array reserves{1.01, 1.02, 1.03, 1.05, 1.07, 1.1, 1.15, 1.2};  ///< in requirements
 
 class Solver {
  public:
@@ -35,20 +45,29 @@ class Solver {
         options_(options),
         enough_(enough),
         control_(control),
-        deadline_(options.time_limit_s),
+        deadline_((enough ? 1 : 1 - share_of_spread) * options.time_limit_s),
+        end_(options.time_limit_s),
         cuts_(states, problem, allowance),
-        search_(states, problem, allowance, [this] { return is_over(); }) {}
+        search_(states, problem, allowance, [this] { return is_over(); }),
+        spread_(states, problem, allowance, [this] { return control_.cancelled() || end_.has_passed(); }),
+        annealing_(states, problem, allowance) {
+    master_.model = CommunicationModel::cooperative;
+  }
 
   StatePlacement run() {
     if (is_possible()) {
       if (!enough_) start();
-      while (!is_over() && raise()) {
+      relax();
+      search_for_fewer();
+      while (!is_over() && !is_settled() && raise()) {
       }
+      for (; !is_over() && annealing_.applies() && has_gap(); moves_ = std::min(max_moves, 2 * moves_))
+        search_for_fewer();
     } else {
       best_.lower_bound = infinite;
     }
     best_.cuts = cuts_.size();
-    if (best_.has_selection()) take(search_.spread(best_.selected));
+    if (best_.has_selection()) spread();
     return std::move(best_);
   }
 
@@ -62,45 +81,92 @@ class Solver {
     for (int k = 0; k < max_margin_searches && !is_over(); ++k) {
       control_.report("placing over states", -1, "with margins");
       const auto selected = margins.next(share_of_margin * deadline_.seconds_left(), options_, control_);
-      if (selected.empty()) return;
+      if (selected.empty()) break;
       if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
     }
   }
 
-  // Solves the cuts. Returns whether new ones may raise the bound.
+  // Raises the bound by linear programs. A selection of at most K units does not exist if the bound for these
+  // exceeds K.
+  void relax() {
+    if (problem_.redundant) return;
+    const Deadline deadline(share_of_lps * deadline_.seconds_left());
+    raise_to(lp_bound(cuts_, states_.table.columns(), infinite, deadline));
+    if (problem_.combination == Combination::spend) return;
+    while (best_.lower_bound > 0 && !is_settled() && !deadline.has_passed()) {
+      const auto k = static_cast<std::size_t>(best_.lower_bound);
+      StateCuts limited = cuts_;
+      if (lp_bound(limited, k, best_.lower_bound + least_step, deadline) < best_.lower_bound + least_step)
+        break;
+      raise_to(best_.lower_bound + 1);
+    }
+  }
+
+  // Of the linear program over the cuts, to which violated ones are added, until it is `enough`.
+  double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const Deadline& deadline) {
+    std::vector<double> cost(states_.table.columns(), 1);
+    if (problem_.combination == Combination::spend)
+      for (std::size_t j = 0; j < cost.size(); ++j) cost[j] = price_to_spend(states_.table.transceivers[j]);
+    detail::LpBoundOptions options{.enough = enough};
+    options.selections.max_count = max_units;
+    double bound = 0;
+    while (!deadline.has_passed() && !is_over() && bound < enough) {
+      options.time_limit_s = deadline.seconds_left();
+      const detail::LpBound found = detail::lp_bound(
+          cuts.table(), master_, cost, milp::backends_of(options_.backend).front(), options, control_);
+      bound = std::max(bound, found.dual.bound);
+      control_.report("placing over states", -1, fmt::format("at least {:.3g}", bound));
+      options.rows = detail::rows_of(found);
+      if (!found.complete || cuts.add_violated(found.x, max_units, control_) == 0) break;
+    }
+    return bound;
+  }
+
+  // Solves the cuts. Returns whether new ones may raise the bound; not if these were not solved in time.
   bool raise() {
     PlaceOptions own = options_;
     own.time_limit_s = std::max(1.0, share_of_master * deadline_.seconds_left());
     own.settles_ties = false;
     own.start.clear();
-    PlacementProblem master = problem_;
-    // Shares add up in both models; in the non-cooperative one they are 0 or 1.
-    master.model = CommunicationModel::cooperative;
-    const Placement placement = place(cuts_.table(), master, own, control_);
+    const Placement placement = place(cuts_.table(), master_, own, control_);
     ++best_.calls;
     if (placement.status == Status::infeasible) {
       best_.lower_bound = infinite;
       return false;
     }
-    best_.lower_bound = std::max(best_.lower_bound, problem_.combination == Combination::spend
-                                                        ? placement.lower_bound
-                                                        : std::ceil(placement.count_lower_bound - 1e-6));
+    raise_to(problem_.combination == Combination::spend ? placement.lower_bound
+                                                        : placement.count_lower_bound);
     if (!placement.has_selection()) return false;
     const std::size_t added = cuts_.add(placement.selected, misses_of(states_, problem_, placement.selected));
     if (!enough_) improve(placement.selected);
     control_.report("placing over states", -1,
                     best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
                                           : fmt::format("at least {:g}", best_.lower_bound));
-    return added > 0 && !best_.is_proven() && !(enough_ && best_.lower_bound >= *enough_);
+    return added > 0 && placement.status == Status::optimal;
   }
+
+  void raise_to(double bound) {
+    if (problem_.combination != Combination::spend) bound = std::ceil(bound - least_step);
+    best_.lower_bound = std::max(best_.lower_bound, bound);
+  }
+
+  bool has_gap() const { return best_.has_selection() && !best_.is_proven(); }
+  bool is_settled() const { return best_.is_proven() || (enough_ && best_.lower_bound >= *enough_); }
 
   void improve(const std::vector<std::uint32_t>& selected) {
     if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
-    if (problem_.combination == Combination::spend || !best_.has_selection() || has_tried_fewer_) return;
-    while (!best_.is_proven() && !is_over()) {
-      const auto fewer = search_.with_fewer(best_.selected);
+    search_for_fewer();
+  }
+
+  void search_for_fewer() {
+    if (problem_.combination == Combination::spend) return;
+    while (has_gap() && !is_over()) {
+      const bool anneals = annealing_.applies();
+      if (!anneals && has_tried_fewer_) return;
+      const auto fewer = anneals ? annealing_.next(best_.selected, 1, {moves_, deadline_.end()}, control_)
+                                 : search_.with_fewer(best_.selected);
       has_tried_fewer_ = !fewer;
-      if (!fewer) break;
+      if (!fewer) return;
       take(*fewer);
     }
   }
@@ -113,6 +179,17 @@ class Solver {
     best_.selected = selected;
     best_.value = value;
     best_.misses = std::move(misses);
+  }
+
+  // The first selection that fits the sampled states fits their accidents, too.
+  void spread() {
+    if (annealing_.applies())
+      for (const double reserve : reserves) {
+        const auto selected = annealing_.next(best_.selected, reserve, {spread_moves, end_.end()}, control_);
+        if (!selected) break;
+        take(*selected);
+      }
+    take(spread_.spread(best_.selected));
   }
 
   // Names the labels that are missed too often by all units together; if no label alone is, all that are
@@ -139,11 +216,15 @@ class Solver {
   const PlaceOptions& options_;
   std::optional<double> enough_;  ///< for a bound alone
   const RunControl& control_;
-  Deadline deadline_;
+  Deadline deadline_, end_;
   StateCuts cuts_;
-  StateSearch search_;
+  StateSearch search_, spread_;
+  StateAnnealing annealing_;
+  // Shares of a label add up in both models; in the non-cooperative one they are 0 or 1.
+  PlacementProblem master_ = problem_;
   StatePlacement best_;
   bool has_tried_fewer_ = false;
+  std::uint64_t moves_ = first_moves;
 };
 
 void check(const StateTable& states, const PlacementProblem& problem) {

@@ -34,13 +34,14 @@ struct StatePlacement {
 /// a state each, of which a rule allows misses: of one label, or one case per state, or any. In any set of
 /// t > k cases, at least t - k have sum_j min(1, M_ijs / requirement_i) x_j >= 1. The mean over these gives
 /// sum_j a_j x_j >= 1, a_j the mean of the t - k largest shares of unit j. If a rule is broken even with all
-/// units of a set W, another unit is required: sum over j not in W of x_j >= 1. `place` solves the cuts
-/// exactly; a selection that breaks a rule violates new ones. With unit failure, the strongest unit is
-/// omitted from the sums, and sets W give no cuts.
+/// units of a set W, another unit is required: sum over j not in W of x_j >= 1. Linear programs over the cuts
+/// bound the count first, then `place` solves the cuts exactly; solutions that break a rule violate new cuts.
+/// With unit failure, the strongest unit is omitted from the sums, and there are no sets W and no linear
+/// programs.
 ///
 /// The search starts from selections with margins (margin_search.hpp), and from `options.start`, to which
-/// units are added where it misses labels. Throws InputError for an objective other than the count or the
-/// spend, and as `place`.
+/// units are added where it misses labels; annealing (state_annealing.hpp) then seeks fewer units. Throws
+/// InputError for an objective other than the count or the spend, and as `place`.
 StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
                                  const MissAllowance& allowance, const PlaceOptions& options,
                                  const RunControl& control = {});

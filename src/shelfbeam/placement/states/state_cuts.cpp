@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <string>
 
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-constexpr double violated = 1 - 1e-6;
+constexpr double violated = 1 - 1e-6, violated_by_lp = 1 - 1e-3;
+constexpr std::size_t share_steps = 20;  ///< parts s that are tried for one cut
 constexpr std::size_t max_labels = 256;  ///< that give cuts at once
 constexpr std::size_t max_cases = 4000;  ///< of one cut
 constexpr std::size_t max_sizes = 64;    ///< that are tried for one cut
@@ -28,7 +31,7 @@ StateCuts::StateCuts(const StateTable& states, const PlacementProblem& problem,
   table_.row_begin = {0};
   for (std::size_t i = 0; i < states.table.rows(); ++i)
     if (const std::uint64_t limit = allowance.limit(i); limit < states.states)
-      append(mean_of_largest(cases_of(i, {}), states.states - limit));
+      append(mean_of_largest(cases_of(i, {}), states.states - limit, Counted{}));
 }
 
 double StateCuts::share(const Case& at, std::uint32_t column) const {
@@ -36,15 +39,26 @@ double StateCuts::share(const Case& at, std::uint32_t column) const {
                           problem_);
 }
 
-// Of every column: the mean of its largest shares in the cases.
-std::vector<double> StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept) const {
-  std::vector<double> result(states_.table.columns()), shares(cases.size());
-  for (std::uint32_t j = 0; j < result.size(); ++j) {
-    std::transform(cases.begin(), cases.end(), shares.begin(), [&](const Case& at) { return share(at, j); });
-    const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(kept);
-    std::nth_element(shares.begin(), middle - 1, shares.end(), std::greater<>());
-    result[j] = std::accumulate(shares.begin(), middle, 0.0) / static_cast<double>(kept);
-  }
+double StateCuts::Counted::of(double share) const {
+  return std::min(1.0, std::max(0.0, share - above) / lack);
+}
+
+// The mean of the largest shares of a column in the cases. `shares` is a buffer.
+double StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept, std::uint32_t column,
+                                  const Counted& counted, std::vector<double>& shares) const {
+  shares.resize(cases.size());
+  std::transform(cases.begin(), cases.end(), shares.begin(),
+                 [&](const Case& at) { return counted.of(share(at, column)); });
+  const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(kept);
+  std::nth_element(shares.begin(), middle - 1, shares.end(), std::greater<>());
+  return std::accumulate(shares.begin(), middle, 0.0) / static_cast<double>(kept);
+}
+
+std::vector<double> StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept,
+                                               const Counted& counted) const {
+  std::vector<double> result(states_.table.columns()), shares;
+  for (std::uint32_t j = 0; j < result.size(); ++j)
+    result[j] = mean_of_largest(cases, kept, j, counted, shares);
   return result;
 }
 
@@ -73,13 +87,73 @@ std::vector<double> StateCuts::violated_cut(std::span<const Case> cases, std::si
   double least = violated;
   const std::size_t step = std::max<std::size_t>(1, (cases.size() - allowed) / max_sizes);
   for (std::size_t t = allowed + 1; t <= cases.size(); t += step) {
-    std::vector<double> shares = mean_of_largest(cases.first(t), t - allowed);
+    std::vector<double> shares = mean_of_largest(cases.first(t), t - allowed, Counted{});
     const double left = left_side(shares, selected);
     if (left >= least) continue;
     least = left;
     best = std::move(shares);
   }
   return best;
+}
+
+// The most violated cut of a label; without shares if none is violated.
+StateCuts::Cut StateCuts::most_violated(std::uint32_t label, std::span<const Part> parts,
+                                        std::size_t max_units) const {
+  const std::uint64_t allowed = allowance_.limit(label);
+  Cut best{violated_by_lp, {}};
+  if (allowed >= states_.states) return best;
+  const bool is_limited = max_units < states_.table.columns();
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < (is_limited ? share_steps : 1); ++k) {
+    // s K grows evenly up to nearly the whole requirement.
+    const double below = static_cast<double>(k) / share_steps;
+    const Counted counted{is_limited ? below / static_cast<double>(max_units) : 0,
+                          1 - 2 * met_tolerance - below};
+    std::vector<Case> cases;
+    for (std::uint32_t s = 0; s < states_.states; ++s) {
+      Case at{label, s, 0};
+      for (const Part& part : parts) at.received += part.x * counted.of(share(at, part.column));
+      cases.push_back(at);
+    }
+    std::sort(cases.begin(), cases.end(),
+              [](const Case& a, const Case& b) { return a.received < b.received; });
+    // The left side for t cases is at least the mean of the t - k largest signals of these.
+    if (cases[allowed].received >= best.left_side) continue;
+    std::optional<std::size_t> size;
+    for (std::size_t t = allowed + 1; t <= cases.size(); ++t) {
+      const std::span<const Case> least = std::span(cases).first(t);
+      double left = 0;
+      for (const Part& part : parts) {
+        left += part.x * mean_of_largest(least, t - allowed, part.column, counted, shares);
+        if (left >= best.left_side) break;
+      }
+      if (left >= best.left_side) continue;
+      best.left_side = left;
+      size = t;
+    }
+    if (size) best.shares = mean_of_largest(std::span(cases).first(*size), *size - allowed, counted);
+  }
+  return best;
+}
+
+std::size_t StateCuts::add_violated(std::span<const double> x, std::size_t max_units,
+                                    const RunControl& control) {
+  std::vector<Part> parts;
+  for (std::uint32_t j = 0; j < x.size(); ++j)
+    if (x[j] > 0) parts.push_back({j, x[j]});
+  std::vector<Cut> cuts(states_.table.rows());
+  with_threads(control.threads, [&] {
+    parallel_for_ranges(cuts.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        cuts[i] = most_violated(static_cast<std::uint32_t>(i), parts, max_units);
+    });
+  });
+  std::erase_if(cuts, [](const Cut& cut) { return cut.shares.empty(); });
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [](const Cut& a, const Cut& b) { return a.left_side < b.left_side; });
+  cuts.resize(std::min(cuts.size(), max_labels));
+  for (const Cut& cut : cuts) append(cut.shares);
+  return cuts.size();
 }
 
 // Extends the selection to a large set of units with which more cases, or states, than allowed are missed.

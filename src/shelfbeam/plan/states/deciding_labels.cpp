@@ -7,8 +7,12 @@ namespace shelfbeam {
 
 namespace {
 
-// Labels decide if the first selection leaves them less than this, in requirements, in any state. Other
-// selections may serve them differently, and then they are added.
+// If the table of all labels is smaller, all decide: simulating some of them for all candidates and the rest
+// for the selection takes as long.
+constexpr std::size_t small_table = std::size_t{1} << 30;  ///< bytes
+
+// Otherwise labels decide if the first selection leaves them less than this, in requirements, in any state.
+// Other selections may serve them differently, and then they are added.
 constexpr double little_reserve = 1.1;
 
 }  // namespace
@@ -19,6 +23,12 @@ DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all
   table_ = make_state_table(all_, {}, sample_.count());
   std::vector<std::uint32_t> every(all.rows());
   std::iota(every.begin(), every.end(), 0U);
+  const std::size_t entries = all.rows() * all.columns() * sample_.count();
+  if (entries * 2 * sizeof(float) <= small_table) {
+    add(every);
+    misses_of_start_ = misses(start);
+    return;
+  }
   const std::vector<double> received = sample_.received(every, start, problem_);
   misses_of_start_ = misses_with(every, received, start);
   add_if([&](std::uint32_t i) {

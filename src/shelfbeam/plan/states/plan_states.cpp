@@ -93,7 +93,8 @@ class Planner {
     const Deadline deadline((1 - share_of_bound) * options_.place.time_limit_s);
     for (bool grows = true; grows;) {
       allowance_ = allowance(deciding_->labels());
-      part.time_limit_s = std::max(min_part_s, share_of_pass * deadline.seconds_left());
+      const double share = deciding_->labels().size() < all_.rows() ? share_of_pass : 1;
+      part.time_limit_s = std::max(min_part_s, share * deadline.seconds_left());
       const StatePlacement found =
           place_over_states(deciding_->table(), problem(), allowance_, part, control_);
       answer.sample_lower_bound = std::max(answer.sample_lower_bound, found.lower_bound);

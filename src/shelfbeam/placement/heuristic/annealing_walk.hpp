@@ -1,0 +1,179 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <random>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/similar_columns.hpp"
+#include "shelfbeam/placement/kernels/walks.hpp"
+
+namespace shelfbeam::detail {
+
+/// Simulated annealing of the total lack L(T) at a fixed count (searches.hpp), on rows that grow. Rows has
+///
+///   padded(), column(j)             as GrowingColumns
+///   max_moves                       between two counts of the signals
+///   count(selected, held)           the signals of all rows from the selection, at least 1 for rows that do
+///                                   not have to be met now and for padding
+///   reaches_all(selected)           tests a selection by the whole problem, in double precision
+///   add_missed()                    adds rows that the selection last tested misses; false if none is new
+template <class Rows>
+class AnnealingWalk {
+ public:
+  /// `all`: signals that show which columns are similar.
+  AnnealingWalk(const SearchInstance& instance, const SearchMatrix& all, Rows rows, const Selection& start,
+                std::uint32_t seed)
+      : instance_(instance), rows_(std::move(rows)), in_(all.columns(), false), random_(seed) {
+    for (const std::uint32_t j : start) {
+      in_[j] = true;
+      (instance.available[j] ? free_ : fixed_).push_back(j);
+    }
+    for (std::uint32_t j = 0; j < all.columns(); ++j)
+      if (instance.available[j]) candidates_.push_back(j);
+    similar_.emplace(all, candidates_);
+    if (rows_.reaches_all(start)) fewest_ = start.size();
+    recount();
+  }
+
+  void run(const Effort& effort, const RunControl& control) {
+    constexpr std::uint64_t between_looks = 4096;
+    const std::uint64_t cooling = std::clamp(effort.steps / coolings, shortest_cooling, longest_cooling);
+    for (std::uint64_t move = 0; move < effort.steps; ++move) {
+      if (move % between_looks == 0) {
+        if (effort.is_over(control)) return;
+        control.report("annealing", -1, fmt::format("{} moves", move));
+      }
+      if (move % Rows::max_moves == 0) recount();  // sums updated by differences drift
+      while (lack_ <= 0 && !has_failed_ && meets_all()) {
+        if (free_.empty() || effort.is_over(control)) return;
+        drop_weakest();
+      }
+      if (free_.empty() || free_.size() == candidates_.size()) return;
+      const double part = static_cast<double>(move % cooling) / static_cast<double>(cooling);
+      exchange(hot * std::pow(cold / hot, part));
+    }
+  }
+
+  Found best() const { return {best_, static_cast<double>(fewest_)}; }
+
+ private:
+  std::vector<std::uint32_t> selection() const {
+    std::vector<std::uint32_t> result = fixed_;
+    result.insert(result.end(), free_.begin(), free_.end());
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // Temperatures, as shares of a requirement. About 6 % of the moves are accepted at the hot end, 3 % at the
+  // cold end. Within a cooling of the given number of moves, u rises from 0 to 1 and
+  //
+  //   temperature = hot (cold / hot)^u.
+  static constexpr double hot = 0.03, cold = 0.015;
+  static constexpr std::uint64_t longest_cooling = 2'000'000, shortest_cooling = 2'500, coolings = 4;
+  static constexpr float demand = 1 - static_cast<float>(search_tolerance);
+
+  // L(T) = sum_i max(0, demand - sum_j a_ij T_j) over the rows.
+  void recount() {
+    rows_.count(selection(), held_);
+    zeros_.assign(held_.size(), 0.0F);
+    lack_ = lack_after(zeros_.data(), zeros_.data());
+  }
+
+  float lack_after(const float* out, const float* in) const {
+    return SearchKernels::lack_after(held_.data(), out, in, demand, held_.size());
+  }
+
+  void drop_weakest() {
+    std::size_t weakest = 0;
+    float min_lack = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      const float lack = lack_after(rows_.column(free_[k]), zeros_.data());
+      if (lack >= min_lack) continue;
+      min_lack = lack;
+      weakest = k;
+    }
+    in_[free_[weakest]] = false;
+    free_[weakest] = free_.back();
+    free_.pop_back();
+    recount();
+  }
+
+  // Keeps the selection if it reaches all labels; otherwise adds rows that it misses. If no row is new, only
+  // single precision accepts the selection: it has failed until an exchange changes it.
+  bool meets_all() {
+    const std::vector<std::uint32_t> selected = selection();
+    while (!rows_.reaches_all(selected)) {
+      if (!rows_.add_missed()) {
+        has_failed_ = true;
+        return false;
+      }
+      recount();
+      if (lack_ > 0) return false;
+    }
+    if (selected.size() < fewest_) {
+      best_ = selected;
+      fewest_ = selected.size();
+    }
+    return true;
+  }
+
+  std::uint32_t bits() { return static_cast<std::uint32_t>(random_()); }
+  std::size_t index(std::size_t n) { return to_index(bits(), static_cast<std::uint32_t>(n)); }
+  double unit() { return to_uniform(bits()); }
+
+  // The candidate to exchange for `out`: mostly a similar one, which leaves the rest in place, sometimes any.
+  std::uint32_t another_for(std::uint32_t out) {
+    constexpr double any = 0.1, nearest = 0.4;
+    constexpr std::size_t nearest_count = 8;
+    const double kind = unit();
+    if (kind < any) return candidates_[index(candidates_.size())];
+    const std::span<const std::uint32_t> near = similar_->to(out);
+    return near[index(kind < any + nearest ? std::min(nearest_count, near.size()) : near.size())];
+  }
+
+  bool is_excluded(std::uint32_t in, std::uint32_t out) const {
+    return std::any_of(instance_.excludes[in].begin(), instance_.excludes[in].end(),
+                       [&](std::uint32_t other) { return other != out && in_[other]; });
+  }
+
+  // A random exchange, accepted with probability min(1, exp((L(before) - L(after)) / temperature)).
+  void exchange(double temperature) {
+    std::uint32_t& place = free_[index(free_.size())];
+    const std::uint32_t out = place, in = another_for(out);
+    if (in_[in] || is_excluded(in, out)) return;
+    const float lack = lack_after(rows_.column(out), rows_.column(in));
+    if (lack > lack_ && unit() >= std::exp(static_cast<double>(lack_ - lack) / temperature)) return;
+    in_[out] = false;
+    in_[in] = true;
+    place = in;
+    has_failed_ = false;
+    SearchKernels::exchange(rows_.column(out), rows_.column(in), held_.size(), held_.data());
+    lack_ = lack;
+    if (lack_ <= 0) recount();
+  }
+
+  const SearchInstance& instance_;
+  Rows rows_;
+  std::vector<bool> in_;
+  std::vector<std::uint32_t> fixed_, free_, candidates_;
+  std::optional<SimilarColumns> similar_;
+  std::vector<float> held_, zeros_;
+  float lack_ = 0;           ///< L(T), total lack of the active rows
+  bool has_failed_ = false;  ///< misses a label on all rows, although none of them is new
+  std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+  std::optional<std::vector<std::uint32_t>> best_;
+  std::mt19937 random_;
+};
+
+}  // namespace shelfbeam::detail

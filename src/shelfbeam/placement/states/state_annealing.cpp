@@ -1,0 +1,197 @@
+#include "shelfbeam/placement/states/state_annealing.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "shelfbeam/placement/heuristic/annealing_walk.hpp"
+#include "shelfbeam/placement/heuristic/searches.hpp"
+#include "shelfbeam/placement/kernels/growing_columns.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using detail::Selection;
+
+SignalTable table_of(const StateTable& states, std::size_t state) {
+  SignalTable table = states.table;
+  table.row_begin = {0};
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    for (std::uint32_t j = 0; j < table.columns(); ++j)
+      if (const float signal = states.of(j, i)[state]; signal > 0)
+        table.entries.push_back({j, static_cast<double>(signal)});
+    table.row_begin.push_back(table.entries.size());
+  }
+  return table;
+}
+
+// The cases that walks work on, in the groups to which an allowance applies: of one label, of one state, or
+// all.
+class CaseRows {
+ public:
+  static constexpr std::uint64_t max_moves = 128;
+
+  CaseRows(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
+           double reserve, const Selection& start)
+      : states_(states),
+        problem_(problem),
+        allowance_(allowance),
+        reserve_(reserve),
+        is_known_(states.table.rows() * states.states, false),
+        values_(states.table.columns()),
+        groups_(!allowance.of_label.empty() ? states.table.rows()
+                : allowance.of_shop         ? states.states
+                                            : 1) {
+    constexpr double near = 1.1;
+    find_missed(start, near);
+    while (add_missed()) {
+    }
+  }
+
+  std::size_t padded() const { return values_.padded(); }
+  const float* column(std::uint32_t j) const { return values_.column(j); }
+
+  void count(const Selection& selected, std::vector<float>& held) {
+    held.assign(values_.padded(), 0.0F);
+    std::fill(held.begin() + static_cast<std::ptrdiff_t>(values_.rows()), held.end(), 1.0F);
+    for (const std::uint32_t j : selected)
+      detail::SearchKernels::receive(detail::Receiving::sum, values_.column(j), held.size(), held.data(),
+                                     nullptr);
+    if (!allowance_.of_label.empty())
+      for (std::size_t i = 0; i < groups_.size(); ++i) excuse_rows(groups_[i], allowance_.of_label[i], held);
+    else if (allowance_.of_shop)
+      excuse_groups(*allowance_.of_shop, held);
+    else if (allowance_.total)
+      excuse_rows(groups_.front(), *allowance_.total, held);
+  }
+
+  bool reaches_all(const Selection& selected) { return find_missed(selected, 1); }
+
+  bool add_missed() {
+    std::vector<Case> added;
+    std::size_t labels = 0;
+    for (std::size_t begin = 0, end = 0; begin < missed_.size() && labels < max_labels; begin = end) {
+      while (end < missed_.size() && missed_[end].label == missed_[begin].label) ++end;
+      // With more cases the walk is slower and, in tests, no better.
+      const std::size_t before = added.size(), max_cases = 1 + allowance_.limit(missed_[begin].label);
+      for (std::size_t k = begin; k < end && added.size() < before + max_cases; ++k)
+        if (!is_known_[at(missed_[k])]) added.push_back(missed_[k]);
+      labels += added.size() > before ? 1 : 0;
+    }
+    take(added);
+    return !added.empty();
+  }
+
+ private:
+  struct Case {
+    std::uint32_t label = 0, state = 0;
+  };
+  static constexpr float excused = 64;           ///< is added to the signals of excused rows
+  static constexpr std::size_t max_labels = 64;  ///< whose cases are added at once
+
+  std::size_t at(const Case& one) const { return one.label * states_.states + one.state; }
+  double requirement(std::uint32_t label) const {
+    return reserve_ * requirement_of(states_.table.labels[label], problem_.model);
+  }
+
+  // Excuses the rows of a group that receive least.
+  void excuse_rows(std::vector<std::uint32_t>& rows, std::uint64_t allowed, std::vector<float>& held) const {
+    const auto end =
+        rows.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(allowed, rows.size()));
+    if (end != rows.end())
+      std::nth_element(rows.begin(), end, rows.end(),
+                       [&](std::uint32_t a, std::uint32_t b) { return held[a] < held[b]; });
+    std::for_each(rows.begin(), end, [&](std::uint32_t r) { held[r] += excused; });
+  }
+
+  // Excuses the groups that lack most.
+  void excuse_groups(std::uint64_t allowed, std::vector<float>& held) const {
+    std::vector<std::pair<float, std::size_t>> lack(groups_.size());
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      lack[g].second = g;
+      for (const std::uint32_t r : groups_[g]) lack[g].first += std::max(0.0F, 1 - held[r]);
+    }
+    std::sort(lack.begin(), lack.end(), std::greater<>());
+    for (std::size_t k = 0; k < std::min<std::uint64_t>(allowed, lack.size()); ++k)
+      for (const std::uint32_t r : groups_[lack[k].second]) held[r] += excused;
+  }
+
+  // Sets `missed_`: the cases of labels, those that receive least first, which break the rule if all signals
+  // are divided by `near`. Returns whether there are none.
+  bool find_missed(const Selection& selected, double near) {
+    missed_.clear();
+    StateMisses misses;
+    misses.of_label.assign(states_.table.rows(), 0);
+    std::vector<bool> any(states_.states, false);
+    for (std::uint32_t i = 0; i < states_.table.rows(); ++i) {
+      const std::vector<double> received = received_signals(states_, problem_, i, selected);
+      const std::size_t before = missed_.size();
+      for (std::uint32_t s = 0; s < received.size(); ++s)
+        if (!is_met(received[s], near * requirement(i))) {
+          missed_.push_back({i, s});
+          any[s] = true;
+        }
+      misses.of_label[i] = static_cast<std::uint32_t>(missed_.size() - before);
+      if (!allowance_.of_label.empty() && misses.of_label[i] <= allowance_.of_label[i])
+        missed_.resize(before);
+      std::sort(missed_.begin() + static_cast<std::ptrdiff_t>(before), missed_.end(),
+                [&](const Case& a, const Case& b) { return received[a.state] < received[b.state]; });
+    }
+    misses.of_shop = static_cast<std::uint32_t>(std::count(any.begin(), any.end(), true));
+    return allowance_.excess(misses) == 0;
+  }
+
+  void take(const std::vector<Case>& cases) {
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+      is_known_[at(cases[k])] = true;
+      const std::size_t group = !allowance_.of_label.empty() ? cases[k].label
+                                : allowance_.of_shop         ? cases[k].state
+                                                             : 0;
+      groups_[group].push_back(static_cast<std::uint32_t>(values_.rows() + k));
+    }
+    values_.add_rows(cases.size(), [&](std::size_t k, std::size_t j) {
+      const double signal =
+          static_cast<double>(states_.of(static_cast<std::uint32_t>(j), cases[k].label)[cases[k].state]);
+      return static_cast<float>(std::min(1.0, signal / requirement(cases[k].label)));
+    });
+  }
+
+  const StateTable& states_;
+  const PlacementProblem& problem_;
+  const MissAllowance& allowance_;
+  double reserve_;
+  std::vector<bool> is_known_;  ///< by label and state
+  detail::GrowingColumns values_;
+  std::vector<std::vector<std::uint32_t>> groups_;  ///< rows
+  std::vector<Case> missed_;
+};
+
+}  // namespace
+
+StateAnnealing::StateAnnealing(const StateTable& states, const PlacementProblem& problem,
+                               const MissAllowance& allowance)
+    : states_(states),
+      problem_(problem),
+      allowance_(allowance),
+      first_(table_of(states, 0)),
+      instance_(first_, problem_),
+      matrix_(first_, problem.model) {}
+
+bool StateAnnealing::applies() const {
+  return detail::can_anneal(problem_);
+}
+
+std::optional<Selection> StateAnnealing::next(const Selection& start, double reserve,
+                                              const detail::Effort& effort, const RunControl& control) {
+  const std::uint32_t seed = seed_;
+  seed_ += detail::walks_at_once;
+  return detail::best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
+    return detail::AnnealingWalk(instance_, matrix_, CaseRows(states_, problem_, allowance_, reserve, start),
+                                 start, own_seed);
+  });
+}
+
+}  // namespace shelfbeam

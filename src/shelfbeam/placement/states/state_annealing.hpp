@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/states/state_table.hpp"
+
+namespace shelfbeam {
+
+/// Simulated annealing over cases, a label in a state each: the lack of a selection omits the cases that the
+/// allowance covers, those that lack most, and is counted on cases that some selection missed.
+class StateAnnealing {
+ public:
+  using Selection = std::vector<std::uint32_t>;  ///< ascending
+
+  /// All references must outlive the object.
+  StateAnnealing(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance);
+
+  /// detail::can_anneal.
+  bool applies() const;
+  /// A selection of fewer units than `start` that keeps to the allowance with `reserve` times all
+  /// requirements, or of at most as many if the start does not. nullopt if none was found within the effort.
+  /// Every call has other random numbers.
+  std::optional<Selection> next(const Selection& start, double reserve, const detail::Effort& effort,
+                                const RunControl& control);
+
+ private:
+  const StateTable& states_;
+  const PlacementProblem& problem_;
+  const MissAllowance& allowance_;
+  SignalTable first_;  ///< the first state
+  detail::SearchInstance instance_;
+  detail::SearchMatrix matrix_;
+  std::uint32_t seed_ = 1;
+};
+
+}  // namespace shelfbeam

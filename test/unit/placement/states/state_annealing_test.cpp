@@ -1,0 +1,64 @@
+#include "shelfbeam/placement/states/state_annealing.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "unit/placement/states/random_states.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::RandomStates;
+using test::Rule;
+
+class StateAnnealingOf : public testing::TestWithParam<Rule> {};
+
+// Starts from all candidates that exclude no others.
+TEST_P(StateAnnealingOf, FindsTheFewestUnits) {
+  RandomStates random(5);
+  const PlacementProblem problem;
+  int found = 0, fewest = 0;
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const StateTable states = random.next(k % 2 == 1);
+    const MissAllowance allowance = random.allowance(GetParam());
+    const std::vector<std::uint32_t> start = k % 2 == 1 ? std::vector<std::uint32_t>{0, 3, 4, 6, 7}
+                                                        : std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7};
+    if (allowance.excess(misses_of(states, problem, start)) > 0) continue;
+    const double best = test::best_by_enumeration(states, problem, allowance);
+    StateAnnealing annealing(states, problem, allowance);
+    ASSERT_TRUE(annealing.applies());
+    const auto selected = annealing.next(start, 1, {.steps = 50000}, {}).value_or(start);
+    std::uint32_t set = 0;
+    for (const std::uint32_t j : selected) set |= 1U << j;
+    const std::optional<double> value = test::value_of_set(states, problem, allowance, set);
+    ASSERT_TRUE(value) << "breaks a rule";
+    ++found;
+    fewest += *value == best ? 1 : 0;
+  }
+  EXPECT_GT(found, 10);
+  EXPECT_GE(fewest, found - 1) << "the excused cases may hold a walk at a local optimum";
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, StateAnnealingOf, testing::Values(Rule::label, Rule::shop, Rule::total),
+                         [](const auto& test) {
+                           return test.param == Rule::label  ? "Labels"
+                                  : test.param == Rule::shop ? "Shop"
+                                                             : "Total";
+                         });
+
+TEST(StateAnnealing, AppliesToSumsAndCounts) {
+  RandomStates random(6);
+  const StateTable states = random.next(false);
+  const MissAllowance allowance{.of_label = std::vector<std::uint32_t>(5, 1)};
+  for (const PlacementProblem& problem :
+       {PlacementProblem{.redundant = true}, PlacementProblem{.combination = Combination::spend},
+        PlacementProblem{.model = CommunicationModel::non_cooperative}})
+    EXPECT_FALSE(StateAnnealing(states, problem, allowance).applies());
+}
+
+}  // namespace
+}  // namespace shelfbeam

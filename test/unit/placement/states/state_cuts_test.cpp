@@ -1,0 +1,73 @@
+#include "shelfbeam/placement/states/state_cuts.hpp"
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "unit/placement/states/random_states.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::RandomStates;
+using test::Rule;
+
+double left_side(const SignalTable& table, std::size_t row, std::uint32_t set) {
+  double sum = 0;
+  for (const SignalEntry& entry : table.row(row))
+    if ((set >> entry.transceiver & 1U) != 0) sum += entry.signal;
+  return sum;
+}
+
+// Every selection of at most K units that keeps to the allowance must satisfy every cut for K units; some
+// larger ones must not, or the limit would not matter.
+TEST(StateCuts, OfLinearProgramsHoldForEverySmallSelection) {
+  RandomStates random(3);
+  const PlacementProblem problem;
+  std::size_t added = 0, cut_off = 0, larger_cut_off = 0;
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const StateTable states = random.next(false);
+    const MissAllowance allowance = random.allowance(k % 3 == 0 ? Rule::total : Rule::label);
+    const std::size_t max_units = 2 + static_cast<std::size_t>(k % 3);
+    StateCuts cuts(states, problem, allowance);
+    std::vector<double> x(8);
+    for (double& value : x) value = 0.4 * random.uniform();
+    const std::size_t before = cuts.size();
+    added += cuts.add_violated(x, max_units, {});
+    for (std::uint32_t set = 0; set < 256; ++set) {
+      const bool keeps = test::value_of_set(states, problem, allowance, set).has_value();
+      const bool is_small = static_cast<std::size_t>(std::popcount(set)) <= max_units;
+      for (std::size_t row = 0; row < cuts.size(); ++row) {
+        const bool holds = left_side(cuts.table(), row, set) >= 1;
+        const bool must_hold = keeps && (is_small || row < before);
+        EXPECT_TRUE(holds || !must_hold) << set << " " << row;
+        cut_off += !keeps && !holds ? 1 : 0;
+        larger_cut_off += keeps && !is_small && !holds ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(added, 60U);
+  EXPECT_GT(cut_off, 0U);
+  EXPECT_GT(larger_cut_off, 0U);
+}
+
+TEST(StateCuts, OfLinearProgramsAreViolatedByThem) {
+  RandomStates random(4);
+  const StateTable states = random.next(false);
+  StateCuts cuts(states, {}, {.of_label = std::vector<std::uint32_t>(5, 1)});
+  const std::size_t before = cuts.size();
+  const std::vector<double> x(8, 0.1);
+  ASSERT_GT(cuts.add_violated(x, 3, {}), 0U);
+  for (std::size_t row = before; row < cuts.size(); ++row) {
+    double sum = 0;
+    for (const SignalEntry& entry : cuts.table().row(row)) sum += entry.signal * x[entry.transceiver];
+    EXPECT_LT(sum, 1);
+  }
+}
+
+}  // namespace
+}  // namespace shelfbeam
