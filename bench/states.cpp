@@ -101,7 +101,8 @@ fs::path varied_store(const Settings& settings, const std::string& name) {
                            {"material", "clothes of people"}}}}};
   const fs::path folder = settings.folder / name;
   fs::create_directories(folder);
-  fs::copy(store_file(name).parent_path(), folder, fs::copy_options::update_existing);
+  fs::copy(store_file(name).parent_path(), folder,
+           fs::copy_options::recursive | fs::copy_options::update_existing);
   write_file(folder / "varied.json", store.dump(1));
   return folder / "varied.json";
 }
