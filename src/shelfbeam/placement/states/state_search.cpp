@@ -112,6 +112,23 @@ Selection StateSearch::with_another(Selection selected) const {
   return best_unit ? with(std::move(selected), *best_unit) : selected;
 }
 
+Selection StateSearch::with_strongest(Selection selected, std::span<const std::uint32_t> labels) const {
+  std::optional<std::uint32_t> best_unit;
+  double best = 0;
+  for (std::uint32_t j = 0; j < states_.table.columns(); ++j) {
+    if (!can_join(j, selected)) continue;
+    double sum = 0;
+    for (const std::uint32_t i : labels)
+      for (const float signal : states_.of(j, i))
+        sum += std::min(
+            1.0, static_cast<double>(signal) / requirement_of(states_.table.labels[i], problem_.model));
+    if (sum <= best * price(j)) continue;
+    best_unit = j;
+    best = sum / price(j);
+  }
+  return best_unit ? with(std::move(selected), *best_unit) : selected;
+}
+
 std::optional<Selection> StateSearch::repaired(Selection selected, double below) const {
   while (!fits(misses_of(states_, problem_, selected))) {
     if (is_over_() || value(selected) >= below) return {};

@@ -42,6 +42,9 @@ class StateSearch {
   Selection spread(Selection selected) const;
   /// The selection and the unit that helps most; unchanged if no unit helps.
   Selection with_another(Selection selected) const;
+  /// The selection and the unit with the largest signals at some labels, as shares of at most 1 of their
+  /// requirements; unchanged if no unit can join.
+  Selection with_strongest(Selection selected, std::span<const std::uint32_t> labels) const;
 
  private:
   // Misses beyond the allowed ones, then the squares of the depths of all labels: in how many states they

@@ -183,7 +183,16 @@ class Planner {
     allowance_ = allowance(deciding_->labels());
     const StateSearch search(deciding_->table(), problem(), allowance_,
                              [&] { return control_.cancelled() || deadline.has_passed(); });
-    return search.spread(search.with_another(selected_));
+    Selection more = search.with_another(selected_);
+    if (more == selected_) {
+      // The sampled states do not show the risk of the fresh ones.
+      std::vector<std::uint32_t> rows;
+      for (std::uint32_t row = 0; row < deciding_->labels().size(); ++row)
+        if (std::find(in_doubt.begin(), in_doubt.end(), deciding_->labels()[row]) != in_doubt.end())
+          rows.push_back(row);
+      more = search.with_strongest(selected_, rows);
+    }
+    return search.spread(std::move(more));
   }
 
   void explain() {
