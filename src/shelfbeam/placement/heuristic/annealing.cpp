@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <span>
+#include <vector>
 
 #include "shelfbeam/placement/heuristic/annealing_walk.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
@@ -21,15 +21,11 @@ class TableRows {
     rows_.add_hardest(start, rows_at_first);
   }
 
+  std::size_t size() const { return rows_.size(); }
   std::size_t padded() const { return rows_.padded(); }
   const float* column(std::uint32_t j) const { return rows_.column(j); }
 
-  void count(const Selection& selected, std::vector<float>& held) const {
-    held.assign(rows_.padded(), 0.0F);
-    std::fill(held.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held.end(), 1.0F);
-    for (const std::uint32_t j : selected)
-      SearchKernels::receive(Receiving::sum, rows_.column(j), held.size(), held.data(), nullptr);
-  }
+  void excuse(std::vector<float>&) const {}
 
   bool reaches_all(const Selection& selected) {
     margin_ = margin_of(instance_.table, instance_.problem, all_, selected, received_);

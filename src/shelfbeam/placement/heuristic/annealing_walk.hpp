@@ -22,10 +22,9 @@ namespace shelfbeam::detail {
 
 /// Simulated annealing of the total lack L(T) at a fixed count (searches.hpp), on rows that grow. Rows has
 ///
-///   padded(), column(j)             as GrowingColumns
+///   size(), padded(), column(j)     rows as in ActiveRows
 ///   max_moves                       between two counts of the signals
-///   count(selected, held)           the signals of all rows from the selection, at least 1 for rows that do
-///                                   not have to be met now and for padding
+///   excuse(held)                    raises the counted signals of rows that do not have to be met now
 ///   reaches_all(selected)           tests a selection by the whole problem, in double precision
 ///   add_missed()                    adds rows that the selection last tested misses; false if none is new
 template <class Rows>
@@ -85,7 +84,12 @@ class AnnealingWalk {
 
   // L(T) = sum_i max(0, demand - sum_j a_ij T_j) over the rows.
   void recount() {
-    rows_.count(selection(), held_);
+    held_.assign(rows_.padded(), 0.0F);
+    // Padding lacks nothing.
+    std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held_.end(), 1.0F);
+    for (const std::uint32_t j : selection())
+      SearchKernels::receive(Receiving::sum, rows_.column(j), held_.size(), held_.data(), nullptr);
+    rows_.excuse(held_);
     zeros_.assign(held_.size(), 0.0F);
     lack_ = lack_after(zeros_.data(), zeros_.data());
   }

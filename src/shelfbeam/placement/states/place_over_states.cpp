@@ -49,7 +49,6 @@ class Solver {
         end_(options.time_limit_s),
         cuts_(states, problem, allowance),
         search_(states, problem, allowance, [this] { return is_over(); }),
-        spread_(states, problem, allowance, [this] { return control_.cancelled() || end_.has_passed(); }),
         annealing_(states, problem, allowance) {
     master_.model = CommunicationModel::cooperative;
   }
@@ -183,13 +182,15 @@ class Solver {
 
   // The first selection that fits the sampled states fits their accidents, too.
   void spread() {
+    deadline_ = end_;
     if (annealing_.applies())
       for (const double reserve : reserves) {
-        const auto selected = annealing_.next(best_.selected, reserve, {spread_moves, end_.end()}, control_);
+        const auto selected =
+            annealing_.next(best_.selected, reserve, {spread_moves, deadline_.end()}, control_);
         if (!selected) break;
         take(*selected);
       }
-    take(spread_.spread(best_.selected));
+    take(search_.spread(best_.selected));
   }
 
   // Names the labels that are missed too often by all units together; if no label alone is, all that are
@@ -218,7 +219,7 @@ class Solver {
   const RunControl& control_;
   Deadline deadline_, end_;
   StateCuts cuts_;
-  StateSearch search_, spread_;
+  StateSearch search_;
   StateAnnealing annealing_;
   // Shares of a label add up in both models; in the non-cooperative one they are 0 or 1.
   PlacementProblem master_ = problem_;

@@ -51,15 +51,11 @@ class CaseRows {
     }
   }
 
+  std::size_t size() const { return values_.rows(); }
   std::size_t padded() const { return values_.padded(); }
   const float* column(std::uint32_t j) const { return values_.column(j); }
 
-  void count(const Selection& selected, std::vector<float>& held) {
-    held.assign(values_.padded(), 0.0F);
-    std::fill(held.begin() + static_cast<std::ptrdiff_t>(values_.rows()), held.end(), 1.0F);
-    for (const std::uint32_t j : selected)
-      detail::SearchKernels::receive(detail::Receiving::sum, values_.column(j), held.size(), held.data(),
-                                     nullptr);
+  void excuse(std::vector<float>& held) {
     if (!allowance_.of_label.empty())
       for (std::size_t i = 0; i < groups_.size(); ++i) excuse_rows(groups_[i], allowance_.of_label[i], held);
     else if (allowance_.of_shop)

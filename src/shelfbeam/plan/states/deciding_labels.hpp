@@ -20,6 +20,8 @@ class DecidingLabels {
   const StateTable& table() const { return table_; }
   /// Rows of the table, as labels of the shop.
   std::span<const std::uint32_t> labels() const { return labels_; }
+  /// The row of a label in the table. Precondition: it has one.
+  std::uint32_t row_of(std::uint32_t label) const { return row_of_[label]; }
   /// The misses of all labels in the sampled states if `start` is mounted.
   const StateMisses& misses_of_start() const { return misses_of_start_; }
 

@@ -187,9 +187,7 @@ class Planner {
     if (more == selected_) {
       // The sampled states do not show the risk of the fresh ones.
       std::vector<std::uint32_t> rows;
-      for (std::uint32_t row = 0; row < deciding_->labels().size(); ++row)
-        if (std::find(in_doubt.begin(), in_doubt.end(), deciding_->labels()[row]) != in_doubt.end())
-          rows.push_back(row);
+      for (const std::uint32_t i : in_doubt) rows.push_back(deciding_->row_of(i));
       more = search.with_strongest(selected_, rows);
     }
     return search.spread(std::move(more));
