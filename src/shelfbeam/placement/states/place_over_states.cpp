@@ -116,12 +116,15 @@ class Solver {
       bound = std::max(bound, found.dual.bound);
       control_.report("placing over states", -1, fmt::format("at least {:.3g}", bound));
       options.rows = detail::rows_of(found);
-      if (!found.complete || cuts.add_violated(found.x, max_units, control_) == 0) break;
+      if (!found.complete || bound >= enough ||
+          cuts.add_violated(found.x, max_units, deadline, control_) == 0)
+        break;
     }
     return bound;
   }
 
-  // Solves the cuts. Returns whether new ones may raise the bound; not if these were not solved in time.
+  // Solves the cuts. Returns whether new ones may raise the bound. If these were not solved in time,
+  // annealing uses the rest of it better.
   bool raise() {
     PlaceOptions own = options_;
     own.time_limit_s = std::max(1.0, share_of_master * deadline_.seconds_left());
@@ -141,7 +144,8 @@ class Solver {
     control_.report("placing over states", -1,
                     best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
                                           : fmt::format("at least {:g}", best_.lower_bound));
-    return added > 0 && placement.status == Status::optimal;
+    const bool anneals_instead = !enough_ && annealing_.applies();
+    return added > 0 && (placement.status == Status::optimal || !anneals_instead);
   }
 
   void raise_to(double bound) {
@@ -185,6 +189,7 @@ class Solver {
     deadline_ = end_;
     if (annealing_.applies())
       for (const double reserve : reserves) {
+        if (annealing_.keeps(best_.selected, reserve)) continue;
         const auto selected =
             annealing_.next(best_.selected, reserve, {spread_moves, deadline_.end()}, control_);
         if (!selected) break;

@@ -41,7 +41,8 @@ struct StatePlacement {
 ///
 /// The search starts from selections with margins (margin_search.hpp), and from `options.start`, to which
 /// units are added where it misses labels; annealing (state_annealing.hpp) then seeks fewer units. Throws
-/// InputError for an objective other than the count or the spend, and as `place`.
+/// InputError for an objective other than the count or the spend, and as `place`. Precondition: there is a
+/// state.
 StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
                                  const MissAllowance& allowance, const PlaceOptions& options,
                                  const RunControl& control = {});

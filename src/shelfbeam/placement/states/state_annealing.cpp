@@ -180,6 +180,10 @@ bool StateAnnealing::applies() const {
   return detail::can_anneal(problem_);
 }
 
+bool StateAnnealing::keeps(const Selection& selected, double reserve) const {
+  return CaseRows(states_, problem_, allowance_, reserve, selected).reaches_all(selected);
+}
+
 std::optional<Selection> StateAnnealing::next(const Selection& start, double reserve,
                                               const detail::Effort& effort, const RunControl& control) {
   const std::uint32_t seed = seed_;

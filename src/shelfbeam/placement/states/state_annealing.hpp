@@ -12,16 +12,19 @@
 namespace shelfbeam {
 
 /// Simulated annealing over cases, a label in a state each: the lack of a selection omits the cases that the
-/// allowance covers, those that lack most, and is counted on cases that some selection missed.
+/// allowance covers, those that lack most, and is counted on cases that some selection missed or nearly
+/// missed.
 class StateAnnealing {
  public:
   using Selection = std::vector<std::uint32_t>;  ///< ascending
 
-  /// All references must outlive the object.
+  /// All references must outlive the object. Precondition: there is a state.
   StateAnnealing(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance);
 
   /// detail::can_anneal.
   bool applies() const;
+  /// Whether a selection keeps to the allowance with `reserve` times all requirements.
+  bool keeps(const Selection& selected, double reserve) const;
   /// A selection of fewer units than `start` that keeps to the allowance with `reserve` times all
   /// requirements, or of at most as many if the start does not. nullopt if none was found within the effort.
   /// Every call has other random numbers.

@@ -120,7 +120,8 @@ StateCuts::Cut StateCuts::most_violated(std::uint32_t label, std::span<const Par
     // The left side for t cases is at least the mean of the t - k largest signals of these.
     if (cases[allowed].received >= best.left_side) continue;
     std::optional<std::size_t> size;
-    for (std::size_t t = allowed + 1; t <= cases.size(); ++t) {
+    const std::size_t step = std::max<std::size_t>(1, (cases.size() - allowed) / max_sizes);
+    for (std::size_t t = allowed + 1; t <= cases.size(); t += step) {
       const std::span<const Case> least = std::span(cases).first(t);
       double left = 0;
       for (const Part& part : parts) {
@@ -137,14 +138,14 @@ StateCuts::Cut StateCuts::most_violated(std::uint32_t label, std::span<const Par
 }
 
 std::size_t StateCuts::add_violated(std::span<const double> x, std::size_t max_units,
-                                    const RunControl& control) {
+                                    const Deadline& deadline, const RunControl& control) {
   std::vector<Part> parts;
   for (std::uint32_t j = 0; j < x.size(); ++j)
     if (x[j] > 0) parts.push_back({j, x[j]});
   std::vector<Cut> cuts(states_.table.rows());
   with_threads(control.threads, [&] {
     parallel_for_ranges(cuts.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
+      for (std::size_t i = first; i < last && !control.cancelled() && !deadline.has_passed(); ++i)
         cuts[i] = most_violated(static_cast<std::uint32_t>(i), parts, max_units);
     });
   });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
 
 namespace shelfbeam {
@@ -27,8 +28,10 @@ class StateCuts {
   /// Adds cuts that a selection violates, if it misses labels too often. Returns their number.
   std::size_t add(std::span<const std::uint32_t> selected, const StateMisses& misses);
   /// Adds the cuts of labels that a solution of a linear program violates most, for selections of at most
-  /// `max_units` units, without unit failure. Returns their number; it does not depend on the threads.
-  std::size_t add_violated(std::span<const double> x, std::size_t max_units, const RunControl& control);
+  /// `max_units` units, without unit failure. Labels that are not examined before the deadline give none.
+  /// Returns the number of cuts; apart from the deadline, it does not depend on the threads.
+  std::size_t add_violated(std::span<const double> x, std::size_t max_units, const Deadline& deadline,
+                           const RunControl& control);
 
  private:
   /// A label in a state.

@@ -43,7 +43,7 @@ class StateSearch {
   /// The selection and the unit that helps most; unchanged if no unit helps.
   Selection with_another(Selection selected) const;
   /// The selection and the unit with the largest signals at some labels, as shares of at most 1 of their
-  /// requirements; unchanged if no unit can join.
+  /// requirements; unchanged if no unit that can join has any.
   Selection with_strongest(Selection selected, std::span<const std::uint32_t> labels) const;
 
  private:
