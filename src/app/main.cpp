@@ -44,14 +44,22 @@ void print_line(std::string_view kind, std::string_view text) {
 
 // The library does not know the names of the flags.
 std::string with_flag(std::string_view text, Setting setting) {
-  static const std::map<Setting, std::string_view> flags{
-      {Setting::memory, "--memory"},          {Setting::files_outside, "--allow-outside"},
-      {Setting::resumption, "--resume"},      {Setting::requirement, "--threshold"},
-      {Setting::forbidden_pairs, "--forbid"}, {Setting::share, "--share"},
-      {Setting::units, "--at-most"},          {Setting::failure, "--survive-failure"},
-      {Setting::estimator, "--estimator"},    {Setting::strategy, "--strategy"},
-      {Setting::direct_light, "--direct"},    {Setting::bounces, "--max-bounces"},
-      {Setting::strictness, "--strict"},      {Setting::overwriting, "--overwrite"}};
+  static const std::map<Setting, std::string_view> flags{{Setting::memory, "--memory"},
+                                                         {Setting::files_outside, "--allow-outside"},
+                                                         {Setting::resumption, "--resume"},
+                                                         {Setting::requirement, "--threshold"},
+                                                         {Setting::forbidden_pairs, "--forbid"},
+                                                         {Setting::share, "--share"},
+                                                         {Setting::units, "--at-most"},
+                                                         {Setting::failure, "--survive-failure"},
+                                                         {Setting::estimator, "--estimator"},
+                                                         {Setting::strategy, "--strategy"},
+                                                         {Setting::direct_light, "--direct"},
+                                                         {Setting::bounces, "--max-bounces"},
+                                                         {Setting::strictness, "--strict"},
+                                                         {Setting::overwriting, "--overwrite"},
+                                                         {Setting::part, "--part"},
+                                                         {Setting::signals, "--signal"}};
   const auto found = flags.find(setting);
   return found == flags.end() ? std::string(text) : fmt::format("{} ({})", text, found->second);
 }
@@ -74,6 +82,7 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   add_new(app, chosen);
   add_inspect(app, chosen);
   add_simulate(app, chosen);
+  add_merge(app, chosen);
   add_place(app, chosen);
   add_plan(app, chosen);
   add_verify(app, chosen);

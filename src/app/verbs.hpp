@@ -34,6 +34,7 @@ using ChosenVerb = std::function<int()>;
 void add_new(CLI::App& app, ChosenVerb& chosen);
 void add_inspect(CLI::App& app, ChosenVerb& chosen);
 void add_simulate(CLI::App& app, ChosenVerb& chosen);
+void add_merge(CLI::App& app, ChosenVerb& chosen);
 void add_place(CLI::App& app, ChosenVerb& chosen);
 void add_plan(CLI::App& app, ChosenVerb& chosen);
 void add_verify(CLI::App& app, ChosenVerb& chosen);

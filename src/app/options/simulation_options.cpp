@@ -150,6 +150,17 @@ void add_layers(CLI::App& verb, SimulationFlags& flags) {
       ->group(group::simulation);
 }
 
+void add_part(CLI::App& verb, Share& part) {
+  verb.add_option_function<std::string>(
+          "--part", [&part](const std::string& text) { part = share_of(text).value(); },
+          "Simulate one of several parts, e.g. 2/4, for 'merge': some of the labels, or of the states")
+      ->check(a_part())
+      ->option_text("K/N")
+      ->excludes("--relative-error")
+      ->excludes("--time")
+      ->group(group::runs);
+}
+
 void add_run_options(CLI::App& verb, SimulationFlags& flags) {
   verb.add_option("--memory", flags.memory,
                   "Memory limit, e.g. 4G or 500M; default: 80 % of the memory that the program may use")

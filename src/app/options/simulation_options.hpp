@@ -42,6 +42,9 @@ void add_simulation_options(CLI::App& verb, SimulationFlags& flags, DirectLight 
 /// --memory, --resume and --checkpoint-interval.
 void add_run_options(CLI::App& verb, SimulationFlags& flags);
 
+/// --part, for `simulate`.
+void add_part(CLI::App& verb, Share& part);
+
 /// --by-bounce and --by-length, for verbs that write a signal file.
 void add_layers(CLI::App& verb, SimulationFlags& flags);
 

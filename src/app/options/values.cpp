@@ -61,6 +61,25 @@ CLI::Validator number_from_zero() {
   return {check, "NUMBER"};
 }
 
+std::optional<Share> share_of(std::string_view text) {
+  constexpr std::uint32_t max_parts = 10'000;
+  Share part;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, part.number);
+  if (number.ec != std::errc() || number.ptr == end || *number.ptr != '/') return std::nullopt;
+  const auto count = std::from_chars(number.ptr + 1, end, part.count);
+  if (count.ec != std::errc() || count.ptr != end) return std::nullopt;
+  if (part.number < 1 || part.number > part.count || part.count > max_parts) return std::nullopt;
+  return part;
+}
+
+CLI::Validator a_part() {
+  const auto check = [](const std::string& text) {
+    return share_of(text) ? std::string() : fmt::format("'{}' is not a part such as 2/4", text);
+  };
+  return {check, "PART"};
+}
+
 // CLI11 clamps numbers that are too large to the largest number of the type.
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   const auto check = [least, most](const std::string& text) {

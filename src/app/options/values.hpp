@@ -2,10 +2,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+
+#include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam::app {
 
@@ -23,6 +27,11 @@ CLI::Validator whole_number(std::uint64_t least,
 CLI::Validator a_path();
 /// One of the names.
 CLI::Validator one_of(const std::vector<std::string>& names);
+
+/// Reads "2/4", part 2 of 4.
+std::optional<Share> share_of(std::string_view text);
+/// A text that `share_of` reads.
+CLI::Validator a_part();
 
 /// Reads "4G" or "500MiB" as a number of bytes.
 CLI::Validator size_in_bytes();

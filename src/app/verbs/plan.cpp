@@ -50,7 +50,7 @@ struct Options {
   bool no_certificate = false, curve = false, sensitivity = false;
   double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
-  std::filesystem::path store, folder;
+  std::filesystem::path store, folder, signal;
   std::optional<std::uint32_t> states;  ///< 0: the shop as the file gives it
   AvailabilityGoal goal;
   bool allow_outside = false, strict = false, overwrite = false, safe_csv = false;
@@ -116,7 +116,11 @@ std::string result(const Options& options, const Plan& plan, const SignalTable& 
   } else {
     placed = "on the simulated signals: " + placed;
   }
-  std::string simulated = describe(plan.simulation.summary, follows_decision) + '\n';
+  const SimulationSummary& summary = plan.simulation.summary;
+  std::string simulated = options.signal.empty()
+                              ? describe(summary, follows_decision) + '\n'
+                              : fmt::format("{} labels x {} candidates, read from {}\n", summary.labels,
+                                            summary.candidates, options.signal.string());
   for (std::size_t at = 0; (at = simulated.find('\n', at) + 1) < simulated.size();)
     simulated.insert(at, "  ");
   const std::string report =
@@ -249,6 +253,7 @@ int run_plan(const Options& options) {
     const RunControl control{options.common.threads, &cancel, progress.sink()};
     PlanOptions plan_options;
     plan_options.simulation = simulation;
+    if (!options.signal.empty()) plan_options.matrix = read_signal_file(options.signal);
     plan_options.problem = options.problem;
     plan_options.place = options.solver;
     plan_options.place.seed = options.common.seed;
@@ -265,7 +270,7 @@ int run_plan(const Options& options) {
       // The plan for the shop as the file gives it is only the beginning.
       plan_options.place.time_limit_s /= 4;
     }
-    plan = make_plan(scene, plan_options, control);
+    plan = make_plan(scene, std::move(plan_options), control);
     if (states > 0 && plan.complete && plan.placement.has_selection()) {
       StatesOptions over{.sample = states,
                          .goal = options.goal,
@@ -333,6 +338,12 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
   verb->get_option("--samples")
       ->description(
           "Samples per label; default: as many as the certificate needs (with --no-certificate: 10000)");
+  auto* signal =
+      add_path(*verb, "--signal", options->signal,
+               "Signal file of this store from 'simulate' or 'merge', instead of a simulation; the "
+               "certificate still takes samples of its own")
+          ->group(group::simulation);
+  for (const char* other : {"--samples", "--relative-error", "--time"}) signal->excludes(other);
   add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);
   add_requirement_options(*verb, options->requirements);
@@ -368,6 +379,7 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam plan store.json -o plan\n"
       "  shelfbeam plan store.json -o plan --curve --sensitivity\n"
       "  shelfbeam plan store.json -o plan --samples 50000\n"
+      "  shelfbeam plan store.json -o plan --signal signal.h5\n"
       "  shelfbeam plan store.json -o plan --survive-failure --min-spacing 2\n"
       "  shelfbeam plan store.json -o plan --confidence 99.9% --budget 1800\n"
       "  shelfbeam plan store.json -o plan --threads 8 --resume\n"

@@ -37,8 +37,13 @@ struct Options {
   std::uint32_t states = 0;
   std::size_t hard_labels = 1000;
   std::optional<std::uint64_t> state;
+  Share part;
   bool allow_outside = false, strict = false;
 };
+
+std::string part_text(const Share& part) {
+  return part.is_whole() ? "" : fmt::format(" (part {} of {})", part.number, part.count);
+}
 
 int simulate_states_to_file(const Options& options, const Store& store, const Scene& scene,
                             const SimulationOptions& simulation, const CancelToken& cancel) {
@@ -61,12 +66,12 @@ int simulate_states_to_file(const Options& options, const Store& store, const Sc
   remove_checkpoint(simulation.checkpoint.path);
   if (options.common.json)
     print_json({{"signal", options.output.string()},
-                {"states", options.states},
+                {"states", matrix.states.states},
                 {"hard_labels", matrix.states.hard.size()}});
   else if (!options.common.quiet)
-    fmt::print("{}: {} labels x {} candidates in {} states; every state of the {} hardest labels\n",
-               options.output.string(), matrix.rows(), matrix.columns(), options.states,
-               matrix.states.hard.size());
+    fmt::print("{}: {} labels x {} candidates in {} states; every state of the {} hardest labels{}\n",
+               options.output.string(), matrix.rows(), matrix.columns(), matrix.states.states,
+               matrix.states.hard.size(), part_text(options.part));
   return done;
 }
 
@@ -84,7 +89,8 @@ int run_simulate(const Options& options) {
       load_store(options.store, options.allow_outside, options.simulation.memory, options.output);
   const Scene nominal = make_inspected_scene(store);
   const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
-  const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
+  SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
+  simulation.part = options.part;
   const OutputLock lock(options.output, options.output.string());
   expect_writable(options.output);
   expect_room_for_matrix(options.output.has_parent_path() ? options.output.parent_path() : ".", scene,
@@ -105,7 +111,8 @@ int run_simulate(const Options& options) {
     json["found_by_chance"] = chance_light(scene, simulation.rules().strategy);
     print_json(json);
   } else if (!options.common.quiet) {
-    fmt::print("{}\n", with_answer(fmt::format("{}: {}", options.output.string(), describe(summary))));
+    fmt::print("{}\n", with_answer(fmt::format("{}{}: {}", options.output.string(), part_text(options.part),
+                                               describe(summary))));
   }
   if (summary.complete) return summary.unmet_error ? stopped_early : done;
   if (!options.common.json && !options.common.quiet)
@@ -146,6 +153,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->option_text("K")
       ->excludes(states)
       ->group(group::states);
+  add_part(*verb, options->part);
   add_run_options(*verb, options->simulation);
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
@@ -156,7 +164,8 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam simulate store.json -o signal.h5 --relative-error 5%\n"
       "  shelfbeam simulate store.json -o signal.h5 --relative-error 5% --resume\n"
       "  shelfbeam simulate store.json -o states.h5 --states 100\n"
-      "  shelfbeam simulate store.json -o state17.h5 --state 17");
+      "  shelfbeam simulate store.json -o state17.h5 --state 17\n"
+      "  shelfbeam simulate store.json -o part2.h5 --part 2/4");
   verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
 }
 

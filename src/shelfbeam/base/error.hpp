@@ -22,7 +22,9 @@ enum class Setting {
   direct_light,
   bounces,
   strictness,
-  overwriting
+  overwriting,
+  part,
+  signals
 };
 
 /// Wrong input. The message states the location, the problem and a suggestion.

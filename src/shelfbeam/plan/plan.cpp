@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -74,12 +75,40 @@ std::string margin_warning(const SignalTable& table, const Placement& placement)
                    flooded_share);
 }
 
+// The samples of the certificate are independent of those of a simulation with the same seed.
+SimulationResult result_of(SignalMatrix matrix, const Scene& scene, const PreparedScene& prepared,
+                           std::uint64_t seed) {
+  const auto expect = [](std::string_view name, const auto& theirs, const auto& ours) {
+    if (theirs != ours)
+      throw InputError(
+          "signals",
+          fmt::format("are of another simulation: their {} is '{}' instead of '{}'", name, theirs, ours),
+          "simulate this store with these options", Setting::signals);
+  };
+  expect("store hash", matrix.provenance.store_hash, scene_hash(scene));
+  expect("seed", matrix.provenance.seed, seed);
+  expect("estimator", matrix.provenance.estimator, prepared.estimator().name());
+  const auto [least, most] =
+      std::minmax_element(matrix.labels.begin(), matrix.labels.end(),
+                          [](const LabelRow& a, const LabelRow& b) { return a.samples < b.samples; });
+  SimulationResult result;
+  result.summary.complete = true;
+  result.summary.labels = matrix.rows();
+  result.summary.candidates = matrix.columns();
+  result.summary.min_samples = least->samples;
+  result.summary.max_samples = most->samples;
+  result.matrix = std::move(matrix);
+  return result;
+}
+
 }  // namespace
 
-Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl& control) {
+Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control) {
   Plan plan;
   const auto prepared = prepare(scene, options.simulation, true, control);
-  plan.simulation = simulate(*prepared, options.simulation, control);
+  plan.simulation = options.matrix.labels.empty()
+                        ? simulate(*prepared, options.simulation, control)
+                        : result_of(std::move(options.matrix), scene, *prepared, options.simulation.seed);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   // A certificate may place again, on signals that are more accurate where they decide.

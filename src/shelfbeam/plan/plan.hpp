@@ -18,6 +18,9 @@ inline constexpr std::uint64_t decision_samples = 2000;
 
 struct PlanOptions {
   SimulationOptions simulation;
+  /// Empty, or the result of this simulation, as a file has it: then nothing is simulated for the first
+  /// placement.
+  SignalMatrix matrix;
   PlacementProblem problem;
   PlaceOptions place;
   TableRule table;                          ///< empty: the matrix without constraints
@@ -39,7 +42,8 @@ struct Plan : CertifiedPlan {
 /// samples) refer to the final placement. Warnings are those of the scene, and one if nearly all labels
 /// receive far more than they require, or less. An interrupted simulation is placed with its samples so far
 /// and not certified. With the simulation's checkpoint an interrupted plan continues, to the same result as
-/// an uninterrupted one, apart from decisions by time.
-Plan make_plan(const Scene& scene, const PlanOptions& options, const RunControl& control = {});
+/// an uninterrupted one, apart from decisions by time. Throws InputError if the given matrix is that of
+/// another simulation.
+Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control = {});
 
 }  // namespace shelfbeam

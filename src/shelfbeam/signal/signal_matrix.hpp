@@ -57,6 +57,15 @@ struct StateTensor {
   bool operator==(const StateTensor&) const = default;
 };
 
+/// A share of a simulation that several machines compute: some labels, or all labels in some states.
+struct MatrixPart {
+  std::uint32_t number = 0, count = 0;  ///< part `number` of `count`, from 1; 0: not a part
+  std::vector<std::uint32_t> members;   ///< numbers of its labels in the shop, or of its states, ascending
+  std::uint32_t hard_labels = 0;        ///< max number of hard labels of all states together
+
+  bool operator==(const MatrixPart&) const = default;
+};
+
 /// The simulated signal matrix M (m labels x n transceivers, row-major) with its labels and transceivers.
 struct SignalMatrix {
   std::vector<LabelRow> labels;
@@ -73,6 +82,7 @@ struct SignalMatrix {
   std::vector<SignalLayer> by_length;
   double length_step = 0;  ///< m
   StateTensor states;      ///< `mean` is then that of the states, `standard_error` that of this mean
+  MatrixPart part;         ///< `labels` are then those of the part, or `states` has all labels
   double wavelength_nm = 940;
   std::string currency;  ///< of the costs of transceivers; empty: not given
   Provenance provenance;

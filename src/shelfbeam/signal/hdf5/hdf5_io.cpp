@@ -80,6 +80,11 @@ Handle make_type(Hdf5Type type) {
   return made;
 }
 
+Handle space_of(const Shape& shape) {
+  const std::vector<hsize_t> extents(shape.begin(), shape.end());
+  return {H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose};
+}
+
 // Texts have fixed length, so that the file contains no references. Octave cannot read texts marked as UTF-8,
 // so only texts that require UTF-8 are marked.
 bool is_ascii(std::string_view text) {
@@ -120,11 +125,6 @@ struct Hdf5Writer::File {
       H5Pset_fill_time(plan, H5D_FILL_TIME_ALLOC);
     }
     return plan;
-  }
-
-  static Handle space_of(const Shape& shape) {
-    const std::vector<hsize_t> extents(shape.begin(), shape.end());
-    return {H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr), H5Sclose};
   }
 
   Handle create(const std::string& set, Hdf5Type type, const Shape& shape) const {
@@ -169,7 +169,7 @@ void Hdf5Writer::write_rows(const std::string& path, Hdf5Type type, const Shape&
                             const std::function<void(std::size_t row, void* values)>& fill) {
   Handle set = file_->create(path, type, shape);
   file_->check(bool(set), path);
-  const Handle space = File::space_of(shape), in_memory = make_type(type);
+  const Handle space = space_of(shape), in_memory = make_type(type);
   const std::size_t at_once = File::chunk_of(shape, type.size)[0], length = shape[1] * type.size;
   std::vector<std::byte> values(at_once * length);
   for (std::size_t first = 0; first < shape[0]; first += at_once) {
@@ -279,6 +279,23 @@ Hdf5Type Hdf5Reader::type_of(const std::string& path, Hdf5Type::Kind kind, const
 void Hdf5Reader::read(const std::string& path, Hdf5Type type, void* data) const {
   if (H5Dread(file_->open(path), make_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0)
     file_->fail(path, "cannot be read: the file is corrupt");
+}
+
+std::vector<float> Hdf5Reader::numbers_of_rows(const std::string& path, std::size_t first,
+                                               const Shape& shape) const {
+  const Handle set = file_->open(path);
+  const Shape whole = file_->shape(path, set);
+  if (whole.size() != 2 || whole[1] != shape[1] || first + shape[0] > whole[0])
+    file_->fail(path,
+                fmt::format("has no rows {} to {} of {} numbers", first + 1, first + shape[0], shape[1]));
+  file_->type_of(path, Handle(H5Dget_type(set), H5Tclose), hdf5_type<float>.kind);
+  std::vector<float> values(shape[0] * shape[1]);
+  const Handle space = space_of(whole), rows = space_of(shape);
+  const hsize_t start[] = {first, 0}, extents[] = {shape[0], shape[1]};
+  if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, extents, nullptr) < 0 ||
+      H5Dread(set, make_type(hdf5_type<float>), rows, space, H5P_DEFAULT, values.data()) < 0)
+    file_->fail(path, "cannot be read: the file is corrupt");
+  return values;
 }
 
 bool Hdf5Reader::has_attribute(const std::string& name) const {

@@ -93,6 +93,8 @@ class Hdf5Reader {
     read(path, hdf5_type<T>, values.data());
     return values;
   }
+  /// `shape[0]` rows of a matrix with `shape[1]` columns, from row `first` on.
+  std::vector<float> numbers_of_rows(const std::string& path, std::size_t first, const Shape& shape) const;
   std::vector<std::string> texts(const std::string& path, std::size_t count) const;
 
   bool has_attribute(const std::string& name) const;

@@ -1,193 +1,40 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <span>
 #include <type_traits>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/hdf5/file_checksum.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"
-#include "shelfbeam/signal/hdf5/write_signal_file.hpp"
+#include "shelfbeam/signal/hdf5/signal_members.hpp"
+#include "shelfbeam/signal/hdf5/signal_part.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-using Quantity = SignalRows::Quantity;
-
-// The type in which a member of labels or transceivers is stored.
-template <class T>
-using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
-
-// Calls use(path, member) for every member of labels, ids first.
-template <class Use>
-void each_label_member(const Use& use) {
-  use("/labels/id", &LabelRow::id);
-  use("/labels/type", &LabelRow::type);
-  use("/labels/position", &LabelRow::position);
-  use("/labels/normal", &LabelRow::normal);
-  use("/labels/requirement", &LabelRow::requirement);
-  use("/labels/link_cost", &LabelRow::link_cost);
-  use("/labels/signal_cost", &LabelRow::signal_cost);
-  use("/labels/batches", &LabelRow::batches);
-  use("/labels/samples", &LabelRow::samples);
-}
-template <class Use>
-void each_unit_member(const Use& use) {
-  use("/transceivers/id", &TransceiverColumn::id);
-  use("/transceivers/type", &TransceiverColumn::type);
-  use("/transceivers/position", &TransceiverColumn::position);
-  use("/transceivers/axis", &TransceiverColumn::axis);
-  use("/transceivers/cost", &TransceiverColumn::cost);
-  use("/transceivers/installed", &TransceiverColumn::installed);
+void expect_hdf5(const std::filesystem::path& path) {
+  if (!is_hdf5(path)) throw InputError(path.string(), "is not an HDF5 file", "use the output of 'simulate'");
 }
 
-class MatrixWriter {
- public:
-  MatrixWriter(const SignalMatrix& head, const SignalRows& rows, detail::Hdf5Writer& file)
-      : matrix_(head), rows_(rows), file_(file) {}
+}  // namespace
 
-  void write() {
-    const Provenance& provenance = matrix_.provenance;
-    file_.attribute("format_version", signal_format_version);
-    file_.attribute("program_version", provenance.program_version);
-    file_.attribute("store_hash", provenance.store_hash);
-    file_.attribute("seed", provenance.seed);
-    file_.attribute("estimator", provenance.estimator);
-    file_.attribute("wavelength_nm", matrix_.wavelength_nm);
-    if (!matrix_.currency.empty()) file_.attribute("currency", matrix_.currency);
-
-    entries("/mean", Quantity::mean);
-    entries("/standard_error", Quantity::standard_error);
-    if (rows_.has_flags())
-      file_.rows<std::uint8_t>("/flags", {matrix_.rows(), matrix_.columns()},
-                               [&](std::size_t row, auto flags) { rows_.fill_flags(row, flags); });
-    entries("/direct", Quantity::direct);
-    layers("bounce", "/bounces", 0, rows_.bounce_layers());
-    if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
-    layers("length", "/lengths", rows_.bounce_layers(), rows_.length_layers());
-    states();
-
-    file_.group("/labels");
-    each_label_member([&](const auto& path, auto member) { column(path, matrix_.labels, member); });
-    file_.group("/transceivers");
-    each_unit_member([&](const auto& path, auto member) { column(path, matrix_.transceivers, member); });
-  }
-
- private:
-  template <class Row, class T>
-  void column(const std::string& path, const std::vector<Row>& rows, T Row::*member) {
-    if constexpr (std::is_same_v<T, Vec3>) {
-      std::vector<double> values;
-      for (const Row& row : rows)
-        values.insert(values.end(), {(row.*member).x, (row.*member).y, (row.*member).z});
-      file_.numbers(path, std::span<const double>(values), {rows.size(), 3});
-    } else {
-      std::vector<Stored<T>> values;
-      values.reserve(rows.size());
-      for (const Row& row : rows) values.push_back(row.*member);
-      if constexpr (std::is_same_v<T, std::string>)
-        file_.texts(path, values);
-      else
-        file_.numbers(path, std::span<const Stored<T>>(values), {rows.size()});
-    }
-  }
-  void entries(const std::string& path, Quantity quantity) {
-    file_.rows<float>(path, {matrix_.rows(), matrix_.columns()},
-                      [&](std::size_t row, auto values) { rows_.fill(quantity, row, values); });
-  }
-  void layer(const std::string& path, std::size_t k, Quantity quantity) {
-    file_.rows<float>(path, {matrix_.rows(), matrix_.columns()},
-                      [&](std::size_t row, auto values) { rows_.fill_layer(k, quantity, row, values); });
-  }
-  void layers(const std::string& kind, const std::string& path, std::size_t first, std::size_t count) {
-    if (count == 0) return;
-    file_.attribute(kind + "_layers", static_cast<std::uint32_t>(count));
-    file_.group(path);
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::string group = fmt::format("{}/{}", path, k);
-      file_.group(group);
-      layer(group + "/mean", first + k, Quantity::mean);
-      layer(group + "/standard_error", first + k, Quantity::standard_error);
-    }
-  }
-  void states() {
-    const StateTensor& states = matrix_.states;
-    if (states.states == 0) return;
-    const std::size_t n = matrix_.columns();
-    const auto matrix = [&](const char* path, const std::vector<float>& from, std::size_t rows) {
-      file_.rows<float>(path, {rows, n}, [&](std::size_t row, auto values) {
-        const auto part = std::span(from).subspan(row * n, n);
-        std::copy(part.begin(), part.end(), values.begin());
-      });
-    };
-    file_.attribute("states", states.states);
-    file_.group("/states");
-    matrix("/states/deviation", states.deviation, matrix_.rows());
-    file_.numbers("/states/hard", std::span<const std::uint32_t>(states.hard), {states.hard.size()});
-    matrix("/states/signal", states.signal, states.states * states.hard.size());
-  }
-
-  const SignalMatrix& matrix_;
-  const SignalRows& rows_;
-  detail::Hdf5Writer& file_;
-};
-
-// The rows of a SignalMatrix with all entries.
-class OwnRows : public SignalRows {
- public:
-  explicit OwnRows(const SignalMatrix& matrix) : matrix_(matrix) {}
-
-  void fill(Quantity quantity, std::size_t row, std::span<float> values) const override {
-    copy(quantity == Quantity::mean     ? matrix_.mean
-         : quantity == Quantity::direct ? matrix_.direct
-                                        : matrix_.standard_error,
-         row, values);
-  }
-  bool has_flags() const override { return !matrix_.flags.empty(); }
-  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
-    copy(matrix_.flags, row, flags);
-  }
-  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
-                  std::span<float> values) const override {
-    const SignalLayer& part = layer_of(layer);
-    copy(quantity == Quantity::mean ? part.mean : part.standard_error, row, values);
-  }
-  std::size_t bounce_layers() const override { return matrix_.by_bounce.size(); }
-  std::size_t length_layers() const override { return matrix_.by_length.size(); }
-
- private:
-  const SignalLayer& layer_of(std::size_t layer) const {
-    const std::size_t bounces = matrix_.by_bounce.size();
-    return layer < bounces ? matrix_.by_bounce[layer] : matrix_.by_length[layer - bounces];
-  }
-  template <class T>
-  static void copy(const std::vector<T>& from, std::size_t row, std::span<T> values) {
-    const auto part = std::span(from).subspan(row * values.size(), values.size());
-    std::copy(part.begin(), part.end(), values.begin());
-  }
-
-  const SignalMatrix& matrix_;
-};
-
-void write(const SignalMatrix& head, const SignalRows& rows, AtomicFile& target) {
-  detail::Hdf5Writer file(target.temporary(), target.target().string());
-  MatrixWriter(head, rows, file).write();
-  file.close();
-}
+namespace detail {
 
 class MatrixReader {
  public:
   explicit MatrixReader(const std::filesystem::path& path) : name_(path.string()), file_(path) {}
 
-  SignalMatrix read() {
+  bool is_part() const { return file_.has_attribute("parts"); }
+
+  // The signals of states of a part are read one by one.
+  SignalMatrix read() const {
     if (!file_.has_attribute("format_version"))
       throw InputError(name_, "is an HDF5 file but not a signal file", "use the output of 'simulate'");
     expect_format_version(name_, file_.attribute<std::uint32_t>("format_version"), signal_format_version);
@@ -215,7 +62,32 @@ class MatrixReader {
       if (!(std::isfinite(matrix.length_step) && matrix.length_step > 0))
         fail("attribute length_step", "is not a length");
     }
+    if (is_part()) {
+      matrix.part = part();
+      if (matrix.part.members.size() != (matrix.states.states > 0 ? matrix.states.states : matrix.rows()))
+        fail("/part/members", "has another length than the part");
+    }
     return matrix;
+  }
+
+  MatrixPart part() const {
+    MatrixPart part;
+    part.number = file_.attribute<std::uint32_t>("part");
+    part.count = file_.attribute<std::uint32_t>("parts");
+    if (part.count == 0 || part.number == 0 || part.number > part.count)
+      fail("attribute part", fmt::format("is {} of {}", part.number, part.count));
+    part.members = file_.numbers<std::uint32_t>("/part/members", {file_.length("/part/members")});
+    for (std::size_t k = 1; k < part.members.size(); ++k)
+      if (part.members[k] <= part.members[k - 1])
+        fail(fmt::format("/part/members, row {}", k + 1), "is not in ascending order");
+    if (file_.has_attribute("hard_labels")) part.hard_labels = file_.attribute<std::uint32_t>("hard_labels");
+    return part;
+  }
+
+  std::vector<float> state(std::uint32_t k, std::size_t m, std::size_t n) const {
+    auto signal = file_.numbers_of_rows("/states/signal", k * m, {m, n});
+    expect_signals(signal, k * m, n);
+    return signal;
   }
 
  private:
@@ -269,12 +141,17 @@ class MatrixReader {
     for (std::size_t k = 0; k < h; ++k)
       if (tensor.hard[k] >= matrix.rows() || (k > 0 && tensor.hard[k] <= tensor.hard[k - 1]))
         fail(fmt::format("/states/hard, row {}", k + 1), "is not a label in ascending order");
+    if (is_part()) return tensor;
     tensor.signal = file_.numbers<float>("/states/signal", {tensor.states * h, matrix.columns()});
-    // One state has few batches, so its errors are too uncertain for a judgement of negative signals.
-    for (std::size_t k = 0; k < tensor.signal.size(); ++k)
-      if (const auto problem = amount_problem(std::abs(tensor.signal[k])); !problem.empty())
-        fail(fmt::format("/states/signal, row {}", k / matrix.columns() + 1), problem);
+    expect_signals(tensor.signal, 0, matrix.columns());
     return tensor;
+  }
+
+  // One state has few batches, so its errors are too uncertain for a judgement of negative signals.
+  void expect_signals(std::span<const float> signal, std::size_t first_row, std::size_t columns) const {
+    for (std::size_t k = 0; k < signal.size(); ++k)
+      if (const auto problem = amount_problem(std::abs(signal[k])); !problem.empty())
+        fail(fmt::format("/states/signal, row {}", first_row + k / columns + 1), problem);
   }
 
   std::vector<Vec3> vectors(const std::string& path, std::size_t count) const {
@@ -318,45 +195,52 @@ class MatrixReader {
     });
   }
 
-  // An estimate near zero may be negative, but only by a few standard errors.
+  // An estimate near zero may be negative, but only by a few standard errors, unless these are of few states.
   std::vector<float> means(const std::string& path, const SignalMatrix& matrix,
                            const std::vector<float>& error) const {
     constexpr float max_errors = 10;
+    const bool is_lenient = file_.has_attribute("states");
     return checked<float>(path, matrix, [&](std::size_t k, float value) {
-      return amount_problem(-value < max_errors * error[k] ? std::abs(value) : value);
+      return amount_problem(is_lenient || -value < max_errors * error[k] ? std::abs(value) : value);
     });
   }
 
   std::string name_;
-  detail::Hdf5Reader file_;
+  Hdf5Reader file_;
 };
 
-}  // namespace
-
-void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path) {
-  AtomicFile target(path);
-  write_signal_file(matrix, target);
-  target.commit();
+SignalPart::SignalPart(const std::filesystem::path& path) : path_(path) {
+  expect_hdf5(path);
+  reader_ = std::make_unique<MatrixReader>(path);
+  if (!reader_->is_part())
+    throw InputError(path.string(), "is not a part of a simulation",
+                     "merge the parts of a simulation");
+  share_ = reader_->part();
 }
 
-void write_signal_file(const SignalMatrix& matrix, AtomicFile& target) {
-  const std::size_t size = matrix.rows() * matrix.columns();
-  if (size == 0 || matrix.mean.size() != size || matrix.standard_error.size() != size ||
-      matrix.direct.size() != size || (!matrix.flags.empty() && matrix.flags.size() != size))
-    throw std::invalid_argument(
-        "write_signal_file: a matrix without entries or with arrays of different sizes");
-  write(matrix, OwnRows(matrix), target);
+SignalPart::~SignalPart() = default;
+SignalPart::SignalPart(SignalPart&&) noexcept = default;
+SignalPart& SignalPart::operator=(SignalPart&&) noexcept = default;
+
+SignalMatrix SignalPart::matrix() const {
+  return reader_->read();
 }
 
-void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path) {
-  AtomicFile target(path);
-  write(head, rows, target);
-  target.commit();
+std::vector<float> SignalPart::state(std::uint32_t k, std::size_t labels, std::size_t units) const {
+  return reader_->state(k, labels, units);
 }
+
+}  // namespace detail
 
 SignalMatrix read_signal_file(const std::filesystem::path& path) {
-  if (!is_hdf5(path)) throw InputError(path.string(), "is not an HDF5 file", "use the output of 'simulate'");
-  return MatrixReader(path).read();
+  expect_hdf5(path);
+  const detail::MatrixReader reader(path);
+  if (reader.is_part()) {
+    const MatrixPart part = reader.part();
+    throw InputError(path.string(), fmt::format("is part {} of {} of a simulation", part.number, part.count),
+                     "merge all parts to one signal file");
+  }
+  return reader.read();
 }
 
 bool is_hdf5(const std::filesystem::path& path) {

@@ -71,18 +71,21 @@ CheckpointIdentity BatchScheduler::identity(const std::string& hash) const {
                        options_.relative_error->above, options_.relative_error->max_samples);
   else if (options_.time_s)
     stop = "time";
-  return {{"program version", std::string(program_version())},
-          {"store hash", hash},
-          {"seed", fmt::format("{}", options_.seed)},
-          {"estimator", estimator_.name()},
-          {"stopping rule", stop},
-          {"samples per batch", fmt::format("{}", estimator_.samples_per_batch())},
-          {"number of bounce layers", fmt::format("{}", options_.bounce_layers())},
-          {"lengths of paths",
-           fmt::format("{} steps of {} m", options_.by_length.count, options_.by_length.step)},
-          {"labels", fmt::format("{}", world_.receivers.size())},
-          {"sources", fmt::format("{}", world_.emitters.size())},
-          {"items", fmt::format("{}", estimator_.items())}};
+  CheckpointIdentity identity{{"program version", std::string(program_version())},
+                              {"store hash", hash},
+                              {"seed", fmt::format("{}", options_.seed)},
+                              {"estimator", estimator_.name()},
+                              {"stopping rule", stop},
+                              {"samples per batch", fmt::format("{}", estimator_.samples_per_batch())},
+                              {"number of bounce layers", fmt::format("{}", options_.bounce_layers())},
+                              {"lengths of paths", fmt::format("{} steps of {} m", options_.by_length.count,
+                                                               options_.by_length.step)},
+                              {"labels", fmt::format("{}", world_.receivers.size())},
+                              {"sources", fmt::format("{}", world_.emitters.size())},
+                              {"items", fmt::format("{}", estimator_.items())}};
+  if (const auto [number, count] = options_.part; count > 1)
+    identity.emplace_back("part", fmt::format("{} of {}", number, count));
+  return identity;
 }
 
 bool BatchScheduler::run() {

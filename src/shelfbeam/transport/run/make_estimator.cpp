@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "shelfbeam/transport/reuse/reuse.hpp"
 #include "shelfbeam/transport/run/batch_scheduler.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
+#include "shelfbeam/transport/tally/estimator_share.hpp"
 #include "shelfbeam/transport/uniform/uniform.hpp"
 
 namespace shelfbeam {
@@ -18,6 +20,16 @@ namespace shelfbeam {
 namespace {
 
 void expect_possible(const Scene& scene, const SimulationOptions& options) {
+  if (!options.part.is_whole()) {
+    if (!options.has_fixed_samples())
+      throw InputError("part of a simulation",
+                       "requires a number of samples: errors and times of one part "
+                       "do not decide about the others",
+                       "set the number of samples", Setting::part);
+    if (options.rules().strategy == Strategy::particle)
+      throw InputError("part of a simulation", "requires walks from labels",
+                       "use a strategy other than particle", Setting::strategy);
+  }
   if (options.estimator == EstimatorKind::reuse) {
     if (options.needs_uniform())
       throw InputError("estimator reuse", "supports neither strategies nor matrices by bounces or lengths",
@@ -56,16 +68,28 @@ void expect_at_most(double work, std::size_t labels, std::size_t sources, const 
                    "raise it, or use a wider grid of candidates", Setting::memory);
 }
 
-}  // namespace
-
-std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
-                                          const RunControl& control) {
-  expect_possible(world.scene, options);
+std::unique_ptr<Estimator> make_whole(const World& world, const SimulationOptions& options,
+                                      const RunControl& control) {
   if (options.estimator == EstimatorKind::reuse)
     return std::make_unique<ReuseEstimator>(world, options.seed, ReuseEffort{}, control);
   return std::make_unique<UniformEstimator>(world, options.rules(), options.seed,
                                             options.uniform_samples_per_batch(), options.by_bounce,
                                             options.by_length);
+}
+
+}  // namespace
+
+std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
+                                          const RunControl& control) {
+  expect_possible(world.scene, options);
+  auto estimator = make_whole(world, options, control);
+  const auto [number, count] = options.part;
+  if (count == 1) return estimator;
+  if (estimator->items() < count)
+    throw InputError("part of a simulation",
+                     fmt::format("is too small: the labels form {} groups", estimator->items()),
+                     fmt::format("use at most {} parts", estimator->items()), Setting::part);
+  return std::make_unique<detail::EstimatorShare>(std::move(estimator), number - 1, count);
 }
 
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options) {
@@ -79,7 +103,8 @@ std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& o
 
 void require_memory(const Scene& scene, const SimulationOptions& options, bool keeps_matrix) {
   const std::size_t sources = scene.transceivers.size() + scene.emitting_surfaces.size();
-  const double entries = static_cast<double>(scene.labels.size()) * static_cast<double>(sources);
+  const double entries =
+      static_cast<double>(scene.labels.size()) * static_cast<double>(sources) / options.part.count;
   double each = options.rules().samples_direct ? 0 : sizeof(float);
   each += sizeof(double) *
           static_cast<double>(ItemSums::size(1, options.rules().samples_direct, options.layers()));

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -27,10 +29,13 @@ class PreparedScene {
   const World& world() const { return world_; }
   const Estimator& estimator() const { return *estimator_; }
   const detail::AnalyticDirect& direct() const { return direct_; }
+  /// The labels that are simulated: all, or those of a part.
+  const std::vector<std::uint32_t>& labels() const { return labels_; }
 
  private:
   World world_;
   std::unique_ptr<Estimator> estimator_;
+  std::vector<std::uint32_t> labels_;
   detail::AnalyticDirect direct_;
 };
 

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -66,6 +68,30 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::BatchSchedul
   return summary;
 }
 
+// Only the rows of some labels.
+class SomeRows : public SignalRows {
+ public:
+  SomeRows(const SignalRows& all, std::span<const std::uint32_t> labels) : all_(all), labels_(labels) {}
+
+  void fill(Quantity quantity, std::size_t row, std::span<float> values) const override {
+    all_.fill(quantity, labels_[row], values);
+  }
+  bool has_flags() const override { return all_.has_flags(); }
+  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
+    all_.fill_flags(labels_[row], flags);
+  }
+  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
+                  std::span<float> values) const override {
+    all_.fill_layer(layer, quantity, labels_[row], values);
+  }
+  std::size_t bounce_layers() const override { return all_.bounce_layers(); }
+  std::size_t length_layers() const override { return all_.length_layers(); }
+
+ private:
+  const SignalRows& all_;
+  std::span<const std::uint32_t> labels_;
+};
+
 // Runs a simulation and calls use(head, rows): the matrix without its entries, and the entries.
 template <class Use>
 SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& options,
@@ -81,6 +107,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       return detail::MatrixRows(estimator, scheduler.sums(), prepared.direct(), scene.labels.size(),
                                 options.bounce_layers(), options.length_layers());
     };
+    const std::vector<std::uint32_t>& simulated = prepared.labels();
     const auto head_of = [&](const detail::MatrixRows& rows) {
       SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator.name());
       head.length_step = options.by_length.step;
@@ -88,6 +115,11 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
         head.labels[i].batches = rows.batches(i);
         head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator.samples_per_batch();
       }
+      if (options.part.is_whole()) return head;
+      std::vector<LabelRow> labels;
+      for (const std::uint32_t i : simulated) labels.push_back(std::move(head.labels[i]));
+      head.labels = std::move(labels);
+      head.part = {options.part.number, options.part.count, simulated};
       return head;
     };
     try {
@@ -99,6 +131,10 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
             ? Interrupted(std::string(too_early) + "; resuming continues from its checkpoint",
                           Setting::resumption)
             : Interrupted(too_early);
+      if (!complete && !options.part.is_whole())
+        throw Interrupted(
+            "the part was stopped before it was complete; resuming continues from its checkpoint",
+            Setting::resumption);
       const detail::MatrixRows rows = rows_so_far();
       SignalMatrix head = head_of(rows);
       summary = summarise(head, scheduler);
@@ -106,7 +142,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       summary.has_all_in_checkpoint = is_saved;
       if (complete && options.relative_error) find_unmet(*options.relative_error, scheduler, summary);
       if (options.has_fixed_samples()) summary.requested_samples = options.samples;
-      use(std::move(head), rows);
+      use(std::move(head), SomeRows(rows, simulated));
     } catch (const OutputError& error) {
       const bool is_saved = scheduler.try_to_save();
       const bool has_checkpoint = scheduler.has_checkpoint();
@@ -115,7 +151,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       if (scheduler.fewest_batches() >= 2)
         folder = keep_elsewhere([&](const std::filesystem::path& elsewhere) {
           const detail::MatrixRows rows = rows_so_far();
-          write_signal_file(head_of(rows), rows, elsewhere / kept_name);
+          write_signal_file(head_of(rows), SomeRows(rows, simulated), elsewhere / kept_name);
         });
       if (!folder && !has_checkpoint) throw;
       const std::string kept =
@@ -144,7 +180,7 @@ SimulationResult simulate(const PreparedScene& prepared, const SimulationOptions
                           const RunControl& control) {
   const Stopwatch watch;
   SimulationResult result;
-  result.summary = run(prepared, options, control, [&](SignalMatrix head, const detail::MatrixRows& rows) {
+  result.summary = run(prepared, options, control, [&](SignalMatrix head, const SignalRows& rows) {
     result.matrix = detail::filled(std::move(head), rows);
   });
   result.summary.seconds = watch.seconds();

@@ -31,7 +31,7 @@ struct SimulationResult {
 ///
 /// Throws InputError if the options do not fit the scene (random walks never meet a point), the matrix
 /// exceeds the memory limit, or the checkpoint is of another simulation. Throws Interrupted when cancelled
-/// before every item has two batches.
+/// before every item has two batches, or before a part is complete.
 SimulationResult simulate(const Scene& scene, const SimulationOptions& options,
                           const RunControl& control = {});
 

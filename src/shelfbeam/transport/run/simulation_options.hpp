@@ -50,6 +50,12 @@ struct CheckpointOptions {
   bool at_end = false;  ///< try to save the complete simulation, too: later steps may be interrupted
 };
 
+/// A part of a simulation: `number` of `count`, from 1.
+struct Share {
+  std::uint32_t number = 1, count = 1;
+  bool is_whole() const { return count == 1; }
+};
+
 /// Number of batches over which the uniform estimator distributes a given number of samples evenly.
 inline constexpr std::uint32_t batch_count = 32;
 
@@ -73,6 +79,9 @@ struct SimulationOptions {
   std::optional<double> time_s = {};                 ///< time limit; at least `min_batches` are computed
   std::size_t memory = 0;                            ///< memory limit, bytes; 0: none
   CheckpointOptions checkpoint = {};
+  /// Simulate only some labels; requires `has_fixed_samples` and walks from labels. `merge_parts` joins all
+  /// parts to the bytes of the whole simulation.
+  Share part = {};
 
   PathRules rules() const {
     if (estimator == EstimatorKind::reuse) return {.strategy = Strategy::nee, .samples_direct = false};

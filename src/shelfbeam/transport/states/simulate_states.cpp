@@ -14,6 +14,7 @@
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/signal/parts/state_summary.hpp"
 #include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 #include "shelfbeam/transport/run/sample_batches.hpp"
@@ -82,20 +83,18 @@ std::optional<SignalLayer> layer_of(std::string_view bytes, std::size_t entries)
   return layer;
 }
 
-std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, const SignalLayer& first,
-                                          std::size_t max_count) {
-  std::vector<double> degree(matrix.rows());
-  for (std::size_t e = 0; e < first.mean.size(); ++e) {
-    const std::size_t i = e / matrix.columns();
-    degree[i] += std::min(1.0, static_cast<double>(first.mean[e]) / matrix.labels[i].requirement);
-  }
-  std::vector<std::uint32_t> order(degree.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return degree[a] < degree[b]; });
-  order.resize(std::min(order.size(), std::max<std::size_t>(1, max_count)));
-  std::sort(order.begin(), order.end());
-  return order;
+// Consecutive states.
+StateRange part_of(StateRange range, const Share& part) {
+  if (part.count > range.count)
+    throw InputError("part of a simulation", fmt::format("is too small: there are {} states", range.count),
+                     fmt::format("use at most {} parts", range.count), Setting::part);
+  const auto start = [&](std::uint64_t number) {
+    return static_cast<std::uint32_t>(number * range.count / part.count);
+  };
+  const std::uint32_t begin = start(part.number - 1);
+  range.count = start(part.number) - begin;
+  range.first += begin;
+  return range;
 }
 
 }  // namespace
@@ -152,33 +151,26 @@ SignalMatrix simulate_states(const Store& store, const Scene& scene, const Simul
                              const StateRange& range, std::size_t max_hard, ResultLog& log,
                              const RunControl& control) {
   const StoreStates states(store, scene, options.seed);
-  const auto first = prepare(scene, options, true, control);
+  SimulationOptions whole = options;
+  whole.part = {};
+  const auto first = prepare(scene, whole, true, control);
   SignalMatrix matrix =
       detail::matrix_head(scene, scene.store_hash, options.seed, first->estimator().name() + ", states");
   const std::size_t n = matrix.columns(), entries = matrix.rows() * n;
-  std::vector<Moments> moments(entries);
-  StateTensor& tensor = matrix.states;
-  const auto use = [&](const StateSignals& state) {
-    const std::vector<float>& mean = state.signals.mean;
-    for (std::size_t e = 0; e < entries; ++e) moments[e].add(static_cast<double>(mean[e]));
-    if (tensor.states == 0) tensor.hard = hardest_labels(matrix, state.signals, max_hard);
-    ++tensor.states;
-    for (const std::uint32_t i : tensor.hard) {
-      const auto row = mean.begin() + static_cast<std::ptrdiff_t>(i * n);
-      tensor.signal.insert(tensor.signal.end(), row, row + static_cast<std::ptrdiff_t>(n));
-    }
-  };
-  simulate_states([&](std::uint64_t k) { return states.state(k); }, *first, options, range, use, log,
-                  "states", control);
-  for (auto* values : {&matrix.mean, &matrix.standard_error, &matrix.direct, &tensor.deviation})
-    values->resize(entries);
-  for (std::size_t e = 0; e < entries; ++e) {
-    const bool has_spread = moments[e].count() > 1;
-    matrix.mean[e] = static_cast<float>(moments[e].mean());
-    matrix.standard_error[e] = static_cast<float>(has_spread ? moments[e].standard_error() : 0);
-    tensor.deviation[e] = static_cast<float>(has_spread ? std::sqrt(moments[e].variance()) : 0);
-    matrix.direct[e] = static_cast<float>(first->direct().straight(e / n, e % n));
+  const StateRange own = part_of(range, options.part);
+  if (!options.part.is_whole()) {
+    matrix.part = {options.part.number, options.part.count, std::vector<std::uint32_t>(own.count),
+                   static_cast<std::uint32_t>(max_hard)};
+    std::iota(matrix.part.members.begin(), matrix.part.members.end(), static_cast<std::uint32_t>(own.first));
   }
+  detail::StateSummary summary(matrix, options.part.is_whole() ? max_hard : matrix.rows());
+  simulate_states([&](std::uint64_t k) { return states.state(k); }, *first, whole, own,
+                  [&](const StateSignals& state) { summary.add(state.signals.mean); }, log, "states",
+                  control);
+  summary.finish();
+  matrix.direct.resize(entries);
+  for (std::size_t e = 0; e < entries; ++e)
+    matrix.direct[e] = static_cast<float>(first->direct().straight(e / n, e % n));
   return matrix;
 }
 

@@ -44,7 +44,8 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
 
 /// Mean, deviation, and the signals of the `max_hard` hardest labels, which the fewest candidates reach: the
 /// sum of min(1, M_ij / requirement_i) over all candidates j, in the first of the states, is smallest. Memory
-/// does not grow with the number of states otherwise. `scene` is that of the store.
+/// does not grow with the number of states otherwise. With `options.part`, simulates that part of the states
+/// and keeps the signals of all labels in each, for `merge_parts`. `scene` is that of the store.
 SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
                              const StateRange& range, std::size_t max_hard, ResultLog& log,
                              const RunControl& control = {});

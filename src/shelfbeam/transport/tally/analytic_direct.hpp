@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
@@ -16,9 +18,13 @@ class AnalyticDirect {
   /// Memory for this world, in bytes.
   static std::size_t bytes(const World& world, const PathRules& rules);
 
-  /// Computes all entries on the threads of the current arena, or none if `rules` sample direct light. May
-  /// end early when cancelled.
-  AnalyticDirect(const World& world, const PathRules& rules, const RunControl& control);
+  /// Computes all entries of some labels on the threads of the current arena, or none if `rules` sample
+  /// direct light. May end early when cancelled.
+  AnalyticDirect(const World& world, const PathRules& rules, std::span<const std::uint32_t> labels,
+                 const RunControl& control);
+  /// Those of all labels.
+  AnalyticDirect(const World& world, const PathRules& rules, const RunControl& control)
+      : AnalyticDirect(world, rules, every_label(world), control) {}
 
   double straight(std::size_t i, std::size_t j) const { return at(straight_, i, j); }
   double mirrored(std::size_t i, std::size_t j) const { return at(mirrored_, i, j); }
@@ -30,6 +36,11 @@ class AnalyticDirect {
     return values.empty() ? 0 : static_cast<double>(values[i * columns_ + j]);
   }
 
+  static std::vector<std::uint32_t> every_label(const World& world) {
+    std::vector<std::uint32_t> labels(world.receivers.size());
+    std::iota(labels.begin(), labels.end(), 0U);
+    return labels;
+  }
   std::uint64_t fill_row(const World& world, std::size_t i);
 
   std::size_t columns_;

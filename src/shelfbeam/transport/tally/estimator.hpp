@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -94,6 +95,18 @@ class Estimator {
   virtual bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,
                       BatchValues& values) const = 0;
 };
+
+/// The labels whose signals an estimator estimates, ascending.
+inline std::vector<std::uint32_t> rows_of(const Estimator& estimator) {
+  std::vector<std::uint32_t> rows;
+  for (std::size_t item = 0; item < estimator.items(); ++item) {
+    const auto& of_item = estimator.block(item).rows;
+    rows.insert(rows.end(), of_item.begin(), of_item.end());
+  }
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
 
 /// Throws std::runtime_error that names label and source if a signal of a batch is not a finite number. Such
 /// a defect must not reach a file or a plan.

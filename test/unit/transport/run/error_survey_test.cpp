@@ -54,7 +54,7 @@ Surveyed survey(std::uint32_t batches, const RelativeError& wanted) {
     if (b == 0) values.values.push_back({1, static_cast<double>(batches)});
     sums[0].add(values);
   }
-  const AnalyticDirect known(world, {.samples_direct = true}, {});
+  const AnalyticDirect known(world, {.samples_direct = true}, RunControl{});
   const ErrorSurvey found(world, estimator, sums, known);
   return {found.precision(0, wanted), found.shortfall(wanted, 10)};
 }

@@ -1,0 +1,54 @@
+#include "shelfbeam/signal/parts/state_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+namespace shelfbeam::detail {
+
+namespace {
+
+std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, std::span<const float> first,
+                                          std::size_t max_count) {
+  std::vector<double> degree(matrix.rows());
+  for (std::size_t e = 0; e < first.size(); ++e) {
+    const std::size_t i = e / matrix.columns();
+    degree[i] += std::min(1.0, static_cast<double>(first[e]) / matrix.labels[i].requirement);
+  }
+  std::vector<std::uint32_t> order(degree.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return degree[a] < degree[b]; });
+  order.resize(std::min(order.size(), std::max<std::size_t>(1, max_count)));
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+}  // namespace
+
+void StateSummary::add(std::span<const float> signals) {
+  StateTensor& states = matrix_.states;
+  for (std::size_t e = 0; e < moments_.size(); ++e) moments_[e].add(static_cast<double>(signals[e]));
+  if (states.states == 0) states.hard = hardest_labels(matrix_, signals, max_hard_);
+  ++states.states;
+  const std::size_t n = matrix_.columns();
+  for (const std::uint32_t i : states.hard) {
+    const auto row = signals.subspan(i * n, n);
+    states.signal.insert(states.signal.end(), row.begin(), row.end());
+  }
+}
+
+void StateSummary::finish() {
+  for (auto* values : {&matrix_.mean, &matrix_.standard_error, &matrix_.states.deviation})
+    values->resize(moments_.size());
+  for (std::size_t e = 0; e < moments_.size(); ++e) {
+    const Moments& moments = moments_[e];
+    const bool has_spread = moments.count() > 1;
+    matrix_.mean[e] = static_cast<float>(moments.mean());
+    matrix_.standard_error[e] = static_cast<float>(has_spread ? moments.standard_error() : 0);
+    matrix_.states.deviation[e] = static_cast<float>(has_spread ? std::sqrt(moments.variance()) : 0);
+  }
+}
+
+}  // namespace shelfbeam::detail
