@@ -16,7 +16,7 @@ namespace shelfbeam::app {
 /// The groups of options in --help after the first group, which contains the options that most users need.
 namespace group {
 inline constexpr auto simulation = "Simulation", placement = "Placement", certificate = "Certificate",
-                      states = "Changing shop", runs = "Files and runs";
+                      states = "Changing shop", cluster = "Many machines", runs = "Files and runs";
 }
 
 /// Prints the option_text of an option instead of its type and limits, shows arguments and required options

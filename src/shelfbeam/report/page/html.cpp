@@ -23,10 +23,14 @@ std::string class_attribute(const HtmlTable::Column& column) {
 
 }  // namespace
 
-void HtmlTable::add_row(const std::vector<std::string>& cells) {
+void HtmlTable::add_row(const std::vector<std::string>& cells, const std::string& link) {
   rows_ += "<tr>";
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    rows_ += fmt::format("<td{}>{}</td>", class_attribute(columns_[k]), escape(cells[k]));
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const std::string text = escape(cells[k]);
+    rows_ += fmt::format(
+        "<td{}>{}</td>", class_attribute(columns_[k]),
+        k == 0 && !link.empty() ? fmt::format("<a href=\"{}\">{}</a>", escape(link), text) : text);
+  }
   rows_ += "</tr>\n";
 }
 

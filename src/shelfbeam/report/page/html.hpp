@@ -16,7 +16,8 @@ class HtmlTable {
   };
 
   explicit HtmlTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
-  void add_row(const std::vector<std::string>& cells);
+  /// `link`: the address to which the first cell leads, if it is not empty.
+  void add_row(const std::vector<std::string>& cells, const std::string& link = {});
   std::string html() const;
 
  private:

@@ -213,8 +213,7 @@ SignalPart::SignalPart(const std::filesystem::path& path) : path_(path) {
   expect_hdf5(path);
   reader_ = std::make_unique<MatrixReader>(path);
   if (!reader_->is_part())
-    throw InputError(path.string(), "is not a part of a simulation",
-                     "merge the parts of a simulation");
+    throw InputError(path.string(), "is not a part of a simulation", "merge the parts of a simulation");
   share_ = reader_->part();
 }
 

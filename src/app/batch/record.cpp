@@ -1,0 +1,187 @@
+#include "app/batch/record.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/format_version.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
+
+#include "app/plan_folder.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+namespace fs = std::filesystem;
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::uint32_t record_version = 1;
+
+// Paths need not be UTF-8.
+std::string text_of(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+// The first line after warnings, without the scope of the confidence, which all plans of a batch share.
+std::string answer_in(std::string_view text) {
+  while (text.starts_with("warning: ")) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+  std::string line = first_line(std::string(text));
+  if (const std::size_t scope = line.find(words("certificate.scope")); scope != std::string::npos)
+    line.erase(scope > 0 ? scope - 1 : 0);
+  return line;
+}
+
+// The last line that begins with a kind of message.
+std::string message_in(const std::string& text, std::string_view kind) {
+  const std::size_t at = text.rfind(kind);
+  return at == std::string::npos ? "" : first_line(text.substr(at + kind.size()));
+}
+
+std::string error_of(const ChildEnd& end) {
+  for (const std::string_view kind : {"internal error: ", "error: "})
+    if (std::string message = message_in(end.err, kind); !message.empty()) return message;
+  return end.exit_code > 128 ? fmt::format("the plan was ended by signal {}", end.exit_code - 128)
+                             : fmt::format("the plan ended with exit code {}", end.exit_code);
+}
+
+StoreStatus status_of(int exit_code) {
+  switch (exit_code) {
+    case done:
+      return StoreStatus::planned;
+    case answer_is_no:
+      return StoreStatus::infeasible;
+    case stopped_early:
+      return StoreStatus::undecided;
+    default:
+      return StoreStatus::failed;
+  }
+}
+
+// The numbers of placement.json.
+void read_plan(const BatchFolder& folder, StoreResult& result) {
+  const fs::path plan = folder.plan(result.name);
+  const Json json = Json::parse(read_file(plan / placement_name));
+  result.labels = json.at("labels");
+  if (const auto count = json.find("count"); count != json.end() && *count > 0) result.units = *count;
+  if (json.contains("count_lower_bound") && json["count_lower_bound"].is_number_unsigned())
+    result.lower_bound = json["count_lower_bound"];
+  if (const auto price = json.find("price"); price != json.end() && price->is_object()) {
+    result.price = price->at("new");
+    if (const auto& currency = price->at("currency"); currency.is_string()) result.currency = currency;
+  }
+  if (const auto warnings = json.find("warnings"); warnings != json.end())
+    result.warnings = warnings->get<std::vector<std::string>>();
+  result.report = (fs::relative(plan, folder.path) / report_name).generic_string();
+}
+
+Json to_json(const StoreRecord& record) {
+  const StoreResult& result = record.result;
+  const PlanEffort& effort = result.effort;
+  const auto optional = [](const auto& value) { return value ? Json(*value) : Json(); };
+  return {{"format", record_version},
+          {"input", record.input},
+          {"final", record.is_final},
+          {"name", result.name},
+          {"store", result.store},
+          {"status", to_text(result.status)},
+          {"answer", result.answer},
+          {"labels", result.labels},
+          {"units", optional(result.units)},
+          {"lower_bound", optional(result.lower_bound)},
+          {"price", optional(result.price)},
+          {"currency", result.currency},
+          {"warnings", result.warnings},
+          {"report", result.report},
+          {"effort",
+           {{"cpu_s", effort.cpu_s},
+            {"wall_s", effort.wall_s},
+            {"peak_memory", effort.peak_memory},
+            {"runs", effort.runs}}}};
+}
+
+StoreRecord from_json(const Json& json) {
+  StoreRecord record;
+  StoreResult& result = record.result;
+  const auto read = [&](const char* key, auto& value) {
+    if (!json.at(key).is_null())
+      value = json.at(key).get<typename std::decay_t<decltype(value)>::value_type>();
+  };
+  record.input = json.at("input");
+  record.is_final = json.at("final");
+  result.name = json.at("name");
+  result.store = json.at("store");
+  result.status = from_text<StoreStatus>(json.at("status").get<std::string>()).value();
+  result.answer = json.at("answer");
+  result.labels = json.at("labels");
+  read("units", result.units);
+  read("lower_bound", result.lower_bound);
+  read("price", result.price);
+  result.currency = json.at("currency");
+  result.warnings = json.at("warnings").get<std::vector<std::string>>();
+  result.report = json.at("report");
+  const Json& effort = json.at("effort");
+  result.effort = {effort.at("cpu_s"), effort.at("wall_s"), effort.at("peak_memory"), effort.at("runs")};
+  return record;
+}
+
+}  // namespace
+
+std::optional<StoreRecord> read_record(const BatchFolder& folder, const ListedStore& store) {
+  const fs::path path = folder.record(store.name);
+  std::error_code unknown;
+  if (!fs::exists(path, unknown)) return std::nullopt;
+  try {
+    const Json json = Json::parse(read_file(path));
+    expect_format_version(path.string(), json.at("format"), record_version);
+    return from_json(json);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception&) {
+    throw InputError(path.string(), "is not the record of a store",
+                     "delete it; its store is then planned again");
+  }
+}
+
+void write_record(const BatchFolder& folder, const StoreRecord& record) {
+  const fs::path path = folder.record(record.result.name);
+  make_output_folder(path.parent_path());
+  write_file(path, text_of(to_json(record)));
+}
+
+StoreResult without_result(const ListedStore& store) {
+  StoreResult result;
+  result.name = store.name;
+  result.store = store.file.string();
+  return result;
+}
+
+StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const ChildEnd& end) {
+  StoreResult result = without_result(store);
+  result.status = status_of(end.exit_code);
+  if (result.status == StoreStatus::failed) {
+    result.answer = error_of(end);
+    return result;
+  }
+  result.answer = answer_in(end.out);
+  try {
+    read_plan(folder, result);
+  } catch (const std::exception& error) {
+    result.status = StoreStatus::failed;
+    result.answer = fmt::format("the plan cannot be read ({})", error.what());
+  }
+  return result;
+}
+
+}  // namespace shelfbeam::app

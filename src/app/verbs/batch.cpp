@@ -1,0 +1,311 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/report/batch/batch_report.hpp"
+
+#include "app/batch/child.hpp"
+#include "app/batch/run_batch.hpp"
+#include "app/batch/slurm.hpp"
+#include "app/files.hpp"
+#include "app/options/arguments.hpp"
+#include "app/options/usage.hpp"
+#include "app/text/style.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  CommonOptions common;
+  fs::path source, output;
+  std::vector<std::string> plan;
+  unsigned jobs = 0;
+  std::size_t memory = 0;
+  std::vector<StoreStatus> only;
+  std::optional<Share> part;
+  bool resume = false, overwrite = false, collect = false, slurm = false, safe_csv = false;
+  std::uint32_t tasks = 1000;
+  std::string task_time;
+  std::vector<std::string> sbatch;
+};
+
+// Reports errors in the options of `plan` once, before any plan.
+void expect_plan_options(const std::vector<std::string>& options) {
+  for (const std::string& option : options)
+    if (std::set<std::string>{"--quiet", "--json", "-h", "--help"}.contains(option))
+      throw InputError(fmt::format("plan {}", option), "does not apply to the plans of a batch", "omit it");
+  std::vector<std::string> words{"shelfbeam",   "plan",   "STORE", "-o",        "PLAN", "--resume",
+                                 "--overwrite", "--seed", "1",     "--threads", "1"};
+  words.insert(words.end(), options.begin(), options.end());
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  CLI::App app;
+  ChosenVerb ignored;
+  add_plan(app, ignored);
+  try {
+    parse_command_line(app, static_cast<int>(pointers.size()), pointers.data());
+  } catch (const WrongUsage& error) {
+    throw InputError("options of 'plan'", error.what());
+  } catch (const CLI::Success&) {
+    throw InputError("options of 'plan'", "ask for help", "omit '--help'");
+  }
+}
+
+// A folder of an earlier batch is used only on request.
+void expect_folder(const Options& options) {
+  std::error_code missing;
+  const bool has_records = fs::exists(options.output / "records", missing);
+  if (!has_records) {
+    for (const char* name : {database_name, table_name, page_name})
+      if (fs::exists(options.output / name, missing))
+        throw InputError((options.output / name).string(), "was not written by a batch",
+                         "choose another folder for the results");
+    return;
+  }
+  if (options.resume || options.overwrite || options.collect || options.part || !options.only.empty()) return;
+  throw InputError(
+      options.output.string(), "contains the results of an earlier batch",
+      "add '--resume' to continue it, '--only failed' to plan failed stores again, or '--overwrite' "
+      "to plan all stores again");
+}
+
+// Their plans begin anew.
+void forget_results(const Options& options, const BatchOptions& batch) {
+  for (const ListedStore& store : batch.stores) {
+    const auto is_chosen = [&] {
+      if (options.overwrite) return true;
+      if (options.only.empty()) return false;
+      const auto record = read_record(batch.folder, store);
+      return record &&
+             std::find(options.only.begin(), options.only.end(), record->result.status) != options.only.end();
+    };
+    std::error_code missing;
+    if (is_chosen()) fs::remove(batch.folder.record(store.name), missing);
+  }
+}
+
+BatchOptions batch_options(const Options& options) {
+  constexpr std::size_t least_memory = std::size_t{512} << 20;  // of one plan
+  BatchOptions batch;
+  batch.stores = listed_stores(options.source, options.output);
+  batch.folder.path = options.output;
+  batch.plan_options = options.plan;
+  batch.seed = options.common.seed;
+  batch.threads = options.common.threads != 0 ? options.common.threads
+                                              : std::max(1U, std::thread::hardware_concurrency());
+  batch.memory = options.memory != 0 ? options.memory : memory_limit();
+  batch.jobs = options.jobs != 0 ? options.jobs : batch.threads;
+  batch.jobs =
+      std::min(batch.jobs, static_cast<unsigned>(std::max<std::size_t>(1, batch.memory / least_memory)));
+  batch.safe_csv = options.safe_csv;
+  if (options.part) {
+    std::vector<ListedStore> own;
+    for (std::size_t k = options.part->number - 1; k < batch.stores.size(); k += options.part->count)
+      own.push_back(batch.stores[k]);
+    batch.stores = std::move(own);
+  }
+  return batch;
+}
+
+int print_results(const Options& options, const std::vector<StoreResult>& results) {
+  const auto count = [&](StoreStatus status) {
+    return std::count_if(results.begin(), results.end(),
+                         [&](const StoreResult& result) { return result.status == status; });
+  };
+  if (options.common.json) {
+    nlohmann::ordered_json counts;
+    for (const auto& [name, status] : names_of<StoreStatus>) counts[std::string(name)] = count(status);
+    print_json({{"results", (options.output / database_name).string()}, {"stores", counts}});
+  } else if (!options.common.quiet) {
+    fmt::print("{}\nresults: {}\n", styled(Style::answer, batch_answer(results)),
+               (options.output / page_name).string());
+    if (count(StoreStatus::failed) > 0)
+      fmt::print("  '--only failed' plans the failed stores again, after their files are corrected\n");
+    if (count(StoreStatus::undecided) > 0)
+      fmt::print("  '--only undecided -- --budget SECONDS' gives undecided plans more time\n");
+  }
+  return count(StoreStatus::planned) == static_cast<std::ptrdiff_t>(results.size()) ? done : answer_is_no;
+}
+
+int run_on_slurm(const Options& options, const BatchOptions& batch) {
+  std::error_code unknown;
+  const fs::path folder = fs::absolute(options.output);
+  const std::vector<std::string> common{fs::read_symlink(own_program, unknown).string(),
+                                        "batch",
+                                        fs::absolute(options.source).string(),
+                                        "-o",
+                                        folder.string(),
+                                        "--seed",
+                                        fmt::format("{}", options.common.seed)};
+  SlurmBatch tasks;
+  tasks.threads = std::max(1U, options.common.threads);
+  tasks.memory = options.memory;
+  tasks.time = options.task_time;
+  tasks.options = options.sbatch;
+  tasks.folder = folder / "slurm";
+  tasks.tasks = static_cast<std::uint32_t>(std::min<std::size_t>(options.tasks, batch.stores.size()));
+  tasks.command = common;
+  tasks.command.insert(tasks.command.end(), {"--threads", fmt::format("{}", tasks.threads), "--jobs", "1"});
+  if (options.memory > 0)
+    tasks.command.insert(tasks.command.end(), {"--memory", fmt::format("{}", options.memory)});
+  tasks.command.emplace_back("--");
+  tasks.command.insert(tasks.command.end(), options.plan.begin(), options.plan.end());
+  tasks.collection = common;
+  tasks.collection.emplace_back("--collect");
+  if (options.safe_csv) tasks.collection.emplace_back("--safe-csv");
+  const SlurmJobs jobs = submit(tasks);
+  if (options.common.json)
+    print_json({{"job", jobs.array}, {"results_job", jobs.collection}, {"tasks", tasks.tasks}});
+  else if (!options.common.quiet)
+    fmt::print("{} stores in {} tasks are queued as job {}; after it, job {} writes {}\n",
+               batch.stores.size(), tasks.tasks, jobs.array, jobs.collection, (folder / page_name).string());
+  return done;
+}
+
+int run_batch_verb(const Options& options) {
+  const CancelToken& cancel = cancel_on_signal();
+  expect_plan_options(options.plan);
+  const BatchOptions batch = batch_options(options);
+  expect_folder(options);
+  make_output_folder(options.output);
+  std::optional<OutputLock> lock;
+  if (!options.part) lock.emplace(options.output / database_name, options.output.string());
+  if (options.collect) {
+    const auto results = batch_results(batch);
+    write_results(batch, results);
+    return print_results(options, results);
+  }
+  forget_results(options, batch);
+  if (options.slurm) return run_on_slurm(options, batch);
+  bool is_complete = true;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const RunControl control{batch.threads, &cancel, progress.sink()};
+    // The results so far can be looked at during long batches.
+    using Clock = std::chrono::steady_clock;
+    auto next = Clock::now() + std::chrono::minutes(1);
+    is_complete = run_batch(
+        batch,
+        [&] {
+          if (options.part || Clock::now() < next) return;
+          const auto begun = Clock::now();
+          write_results(batch, batch_results(batch));
+          next =
+              Clock::now() + std::max<Clock::duration>(std::chrono::minutes(1), 100 * (Clock::now() - begun));
+        },
+        control);
+  }
+  int code = done;
+  if (!options.part) {
+    const auto results = batch_results(batch);
+    write_results(batch, results);
+    code = print_results(options, results);
+  }
+  if (is_complete) return code;
+  if (!options.common.quiet) print_message("stopped early: repeat the command with '--resume' to continue\n");
+  return stopped_early;
+}
+
+}  // namespace
+
+void add_batch(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("batch", "Plan many stores, and show which of them need a person");
+  auto options = std::make_shared<Options>();
+  add_path(*verb, "STORES", options->source,
+           "Text file with the path of a store file per line, or a folder with files called store.json")
+      ->required();
+  add_path(*verb, "-o,--output", options->output, "Folder for the results")->required();
+  verb->add_option("OPTIONS", options->plan, "After '--': options of 'plan' for all stores");
+  verb->add_option("--jobs", options->jobs, "Maximum number of plans at a time; default: one per thread")
+      ->check(whole_number(1, 256))
+      ->option_text("N");
+  verb->add_option(
+          "--memory", options->memory,
+          "Memory of all plans together, e.g. 16G; default: 80 % of the memory that the program may use. "
+          "A plan that needs more than its share runs again alone")
+      ->transform(size_in_bytes())
+      ->option_text("SIZE");
+  verb->add_flag(
+      "--resume", options->resume,
+      "Continue an interrupted batch; stores whose file or options have changed are planned again");
+  verb->add_option_function<std::vector<std::string>>(
+          "--only",
+          [options](const std::vector<std::string>& names) {
+            for (const std::string& name : names)
+              options->only.push_back(from_text<StoreStatus>(name).value());
+          },
+          "Plan the stores with this result again, and those without a result")
+      ->check(one_of({"failed", "infeasible", "undecided"}))
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->option_text("{failed,infeasible,undecided}");
+  verb->add_flag("--overwrite", options->overwrite, "Plan all stores again");
+  add_safe_csv(*verb, options->safe_csv);
+  auto* slurm = verb->add_flag("--slurm", options->slurm, "Queue the plans as a Slurm job array")
+                    ->group(group::cluster);
+  verb->add_option(
+          "--tasks", options->tasks,
+          fmt::format("With --slurm: maximum number of tasks in the array; default {}", options->tasks))
+      ->check(whole_number(1, 100'000))
+      ->option_text("N")
+      ->needs(slurm)
+      ->group(group::cluster);
+  verb->add_option(
+          "--task-time", options->task_time,
+          "With --slurm: time limit of a task, as sbatch reads it, e.g. 2:00:00; a task that reaches it is "
+          "continued from its checkpoints")
+      ->option_text("TIME")
+      ->needs(slurm)
+      ->group(group::cluster);
+  verb->add_option("--sbatch", options->sbatch,
+                   "With --slurm: an option of sbatch, e.g. --sbatch=--partition=long")
+      ->option_text("OPTION")
+      ->allow_extra_args(false)
+      ->needs(slurm)
+      ->group(group::cluster);
+  verb->add_option_function<std::string>(
+          "--part", [options](const std::string& text) { options->part = share_of(text); },
+          "Plan every N-th store only, from store K on, without writing the results; for other workload "
+          "managers")
+      ->check(a_part())
+      ->option_text("K/N")
+      ->excludes(slurm)
+      ->excludes("--overwrite")
+      ->excludes("--only")
+      ->group(group::cluster);
+  verb->add_flag("--collect", options->collect,
+                 "Write the results of the plans that are finished, and plan nothing")
+      ->excludes(slurm)
+      ->excludes("--part")
+      ->excludes("--overwrite")
+      ->excludes("--only")
+      ->group(group::cluster);
+  add_common_options(*verb, options->common);
+  verb->footer(
+      "Examples:\n"
+      "  shelfbeam batch stores.txt -o results\n"
+      "  shelfbeam batch shops/ -o results --memory 16G -- --samples 5000\n"
+      "  shelfbeam batch shops/ -o results --only failed\n"
+      "  shelfbeam batch shops/ -o results --slurm --task-time 2:00:00\n"
+      "Writes results.html (begin here), results.csv and results.sqlite, and the plan of\n"
+      "each store below plans/.");
+  verb->callback([options, &chosen] { chosen = [options] { return run_batch_verb(*options); }; });
+}
+
+}  // namespace shelfbeam::app

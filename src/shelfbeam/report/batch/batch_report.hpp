@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "shelfbeam/report/batch/store_result.hpp"
+
+namespace shelfbeam {
+
+/// One sentence: the number of stores, and of those that need a person, by reason.
+std::string batch_answer(std::span<const StoreResult> results);
+
+/// The results as a table, in their order; times and memory are in the last columns. Free texts are made safe
+/// for spreadsheets with `safe`.
+std::string batch_csv(std::span<const StoreResult> results, bool safe);
+
+/// A page with one table per need, with links to the reports. `results` are sorted by need.
+std::string batch_html(std::span<const StoreResult> results);
+
+}  // namespace shelfbeam

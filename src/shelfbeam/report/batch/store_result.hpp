@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/base/names.hpp"
+
+namespace shelfbeam {
+
+/// The end of the plan of one store, in the order in which results need a person.
+enum class StoreStatus {
+  failed,      ///< the store cannot be read, or its plan ended with an error
+  unfinished,  ///< there is no result yet
+  infeasible,  ///< no placement reaches all labels
+  undecided,   ///< a limit ended the plan
+  planned
+};
+template <>
+inline constexpr auto names_of<StoreStatus> =
+    std::to_array<Named<StoreStatus>>({{"failed", StoreStatus::failed},
+                                       {"unfinished", StoreStatus::unfinished},
+                                       {"infeasible", StoreStatus::infeasible},
+                                       {"undecided", StoreStatus::undecided},
+                                       {"planned", StoreStatus::planned}});
+
+/// The cost of a plan, over all runs that it took.
+struct PlanEffort {
+  double cpu_s = 0, wall_s = 0;
+  std::uint64_t peak_memory = 0;  ///< bytes
+  std::uint32_t runs = 0;         ///< more than one after interruptions
+
+  bool operator==(const PlanEffort&) const = default;
+};
+
+/// The result of one store of a batch.
+struct StoreResult {
+  std::string name;   ///< unique in the batch
+  std::string store;  ///< path of the store file
+  StoreStatus status = StoreStatus::unfinished;
+  std::string answer;  ///< one sentence: the answer of the plan, or the error
+  std::uint64_t labels = 0;
+  std::optional<std::uint64_t> units, lower_bound;  ///< of a placement
+  std::optional<double> price;                      ///< of the new units
+  std::string currency;                             ///< empty: not given
+  std::vector<std::string> warnings;
+  std::string report;  ///< path of the report from the folder of the results; empty without one
+  PlanEffort effort;
+
+  bool operator==(const StoreResult&) const = default;
+};
+
+/// Sorts by the need of a person: by status, plans with warnings before those without, then by falling price,
+/// then by name.
+void sort_by_need(std::vector<StoreResult>& results);
+
+}  // namespace shelfbeam

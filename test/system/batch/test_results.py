@@ -1,0 +1,161 @@
+"""Plans small chains, and reads their results."""
+
+import json
+import os
+import pathlib
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import time
+import unittest
+
+import chain
+
+QUICK = ["--samples", "500", "--no-certificate"]  # no decision depends on time
+STATUSES = ["failed", "unfinished", "infeasible", "undecided", "planned"]
+
+
+class Batch(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.shops, self.results = self.folder / "shops", self.folder / "results"
+
+    def batch(self, *arguments, code=None):
+        ended = chain.shelfbeam("batch", self.shops, "-o", self.results, *arguments)
+        if code is not None:
+            self.assertEqual(ended.returncode, code, ended.stderr)
+        return ended
+
+    def refused(self, *parts, arguments=()):
+        before = chain.contents(self.results) if (self.results / "records").exists() else None
+        ended = self.batch(*arguments, code=2)
+        self.assertTrue(ended.stderr.startswith("error: "), ended.stderr)
+        for part in parts:
+            self.assertIn(part, ended.stderr)
+        if before is not None:
+            self.assertEqual(chain.contents(self.results), before)
+
+    def test_results_are_sorted_by_need(self):
+        chain.make_chain(self.shops, "--count", 7, "--kinds", "valid,valid,infeasible,broken")
+        ended = self.batch("--", *QUICK, code=1)
+        self.assertIn("Of 7 stores, ", ended.stdout)
+        self.assertIn("1 failed", ended.stdout)
+        rows = chain.rows(self.results)
+        self.assertEqual(len(rows), 7)
+        need = [(STATUSES.index(row["status"]), row["warnings"] == "0", -float(row["price"] or 0)) for row in rows]
+        self.assertEqual(need, sorted(need))
+        self.assertEqual(rows[0]["name"], "0004-broken")
+        self.assertEqual({row["name"] for row in rows if row["status"] == "infeasible"}, {"0003-infeasible", "0007-infeasible"})
+        for row in rows:
+            self.assertEqual(row["report"] != "", row["status"] != "failed")
+            if row["report"]:
+                self.assertTrue((self.results / row["report"]).exists())
+        with sqlite3.connect(self.results / "results.sqlite") as database:
+            self.assertEqual([name for (name,) in database.execute("SELECT name FROM stores ORDER BY position")],
+                             [row["name"] for row in rows])
+            effort = database.execute("SELECT runs, cpu_s, wall_s, peak_memory FROM effort").fetchall()
+        for runs, cpu_s, wall_s, peak_memory in effort:
+            self.assertEqual(runs, 1)
+            self.assertGreater(cpu_s, 0)
+            self.assertLess(cpu_s, 1.2 * wall_s + 0.1)
+            self.assertGreater(peak_memory, 10_000_000)
+        page = (self.results / "results.html").read_text(encoding="utf-8")
+        self.assertIn('<a href="plans/0001-valid/report.html">0001-valid</a>', page)
+        self.refused("contains the results of an earlier batch", "'--resume'")
+
+        # A corrected store: only this one is planned again.
+        records = {path.name: path.stat().st_mtime_ns for path in (self.results / "records").iterdir()}
+        (self.shops / "0004-broken/store.json").write_bytes((self.shops / "0001-valid/store.json").read_bytes())
+        self.batch("--only", "failed", "--", *QUICK, code=1)
+        self.assertEqual({path.name for path in (self.results / "records").iterdir()
+                          if path.stat().st_mtime_ns != records[path.name]}, {"0004-broken.json"})
+        self.assertNotIn("failed", {row["status"] for row in chain.rows(self.results)})
+        # A changed file and changed options.
+        (self.shops / "0004-broken/store.json").write_text("{}", encoding="utf-8")
+        self.assertIn("1 failed", self.batch("--resume", "--", *QUICK, code=1).stdout)
+
+    def test_lists_and_folders(self):
+        chain.make_chain(self.shops, "--count", 2, "--kinds", "broken")
+        (self.shops / "list.txt").write_text("# two shops\n\n 0001-broken/store.json\n0002-broken/store.json \n", encoding="utf-8")
+        ended = chain.shelfbeam("batch", self.shops / "list.txt", "-o", self.shops / "results", "--json")
+        self.assertEqual(ended.returncode, 1, ended.stderr)
+        self.assertEqual(json.loads(ended.stdout)["stores"],
+                         {"failed": 2, "unfinished": 0, "infeasible": 0, "undecided": 0, "planned": 0})
+        # The folder of the results and other plans are not stores.
+        (self.shops / "plan").mkdir()
+        for name in ("store.json", "placement.json"):
+            (self.shops / "plan" / name).write_text("{}", encoding="utf-8")
+        (self.shops / "results/store.json").write_text("{}", encoding="utf-8")
+        ended = chain.shelfbeam("batch", self.shops, "-o", self.shops / "results", "--resume")
+        self.assertIn("Of 2 stores, 0 are planned", ended.stdout)
+
+    def test_wrong_use_is_refused(self):
+        chain.make_chain(self.shops, "--count", 2, "--kinds", "broken")
+        self.refused("options of 'plan'", "--sample", arguments=("--", "--sample", "5"))
+        self.refused("plan --quiet", arguments=("--", "--quiet"))
+        self.refused("options of 'plan'", arguments=("--", "-o", "elsewhere"))
+        self.refused("--part", "'3/2'", arguments=("--part", "3/2"))
+        self.refused("--only", arguments=("--only", "planned"))
+        self.assertFalse(self.results.exists())
+        (self.shops / "list.txt").write_text("0001-broken/store.json\n../shops/0001-broken/store.json\n", encoding="utf-8")
+        for source, part in ((self.shops / "list.txt", "twice"), (self.folder / "none", "cannot be read"),
+                             (self.folder / "empty", "names no store")):
+            (self.folder / "empty").mkdir(exist_ok=True)
+            ended = chain.shelfbeam("batch", source, "-o", self.results)
+            self.assertEqual(ended.returncode, 2)
+            self.assertIn(part, ended.stderr)
+        self.results.mkdir()
+        (self.results / "results.csv").write_text("my own", encoding="utf-8")
+        self.refused("results.csv: was not written by a batch")
+
+    def test_a_stopped_batch_resumes(self):
+        chain.make_chain(self.shops, "--count", 3, "--kinds", "valid")
+        process = subprocess.Popen([chain.PROGRAM, "batch", self.shops, "-o", self.results, "--", "--samples", "15000", "--no-certificate"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while not list(self.results.glob("plans/*/*")):
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate()
+        self.assertEqual(process.returncode, 3, err)
+        self.assertIn("3 not planned yet", out)
+        self.assertIn("stopped early: repeat the command with '--resume' to continue", err)
+        self.batch("--resume", "--", "--samples", "15000", "--no-certificate", code=0)
+        with sqlite3.connect(self.results / "results.sqlite") as database:
+            self.assertGreater(database.execute("SELECT max(runs) FROM effort").fetchone()[0], 1)
+
+    def test_a_plan_that_lacks_memory_runs_again_alone(self):
+        chain.make_chain(self.shops, "--count", 2, "--kinds", "broken,valid")
+        store = self.shops / "0002-valid/store.json"
+        shop = json.loads(store.read_text(encoding="utf-8"))
+        shop["transceivers"]["grids"][0]["spacing"] = 0.03
+        for gondola in shop["fixtures"]:
+            gondola["labels"]["spacing"] = 0.05
+        store.write_text(json.dumps(shop), encoding="utf-8")
+        self.batch("--memory", "1100M", "--threads", "2", "--", *QUICK)
+        with sqlite3.connect(self.results / "results.sqlite") as database:
+            runs = dict(database.execute("SELECT name, runs FROM effort"))
+            (answer,) = database.execute("SELECT answer FROM stores WHERE name = '0002-valid'").fetchone()
+        self.assertEqual(runs, {"0001-broken": 1, "0002-valid": 2})
+        self.assertIn("the limit is 0.88 GB", answer)  # 80 % of all, not of a half
+
+    def test_parts_are_the_batch(self):
+        chain.make_chain(self.shops, "--count", 5, "--kinds", "valid,broken")
+        self.batch("--", *QUICK, code=1)
+        whole = self.folder / "whole"
+        os.rename(self.results, whole)
+        for part in (3, 1, 2):
+            ended = self.batch("--part", f"{part}/3", "--", *QUICK, code=0)
+            self.assertEqual(ended.stdout, "")
+        self.assertFalse((self.results / "results.csv").exists())
+        self.batch("--collect", code=1)
+        self.assertEqual(chain.differences(self.results, whole), [])
+        # The control: another seed gives other signals.
+        self.batch("--overwrite", "--seed", "2", "--", *QUICK, code=1)
+        self.assertIn("plans/0001-valid/signal.h5", chain.differences(self.results, whole))
+
+
+if __name__ == "__main__":
+    unittest.main()
