@@ -1,0 +1,94 @@
+"""Batches that are disturbed end with the results of an undisturbed one."""
+
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import tempfile
+import unittest
+
+import chain
+import slurm
+
+SHOPS, KILLS, NODE_KILLS = 60, 20, int(os.environ.get("NODE_KILLS", "3"))
+OPTIONS = ["--", "--samples", "2000"]  # no decision depends on time
+
+
+class Disturbed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.temporary.cleanup)
+        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.shops, cls.whole = cls.folder / "shops", cls.folder / "whole"
+        chain.make_chain(cls.shops, "--count", SHOPS)
+        cls.ended = chain.shelfbeam("batch", cls.shops, "-o", cls.whole, *OPTIONS)
+
+    def setUp(self):
+        self.assertEqual(self.ended.returncode, 1, self.ended.stderr)
+        statuses = [row["status"] for row in chain.rows(self.whole)]
+        self.assertEqual({name: statuses.count(name) for name in sorted(set(statuses))},
+                         {"failed": 6, "infeasible": 6, "planned": 48})
+
+    def test_a_batch_that_is_killed(self):
+        killed, rng, kills = self.folder / "killed", random.Random(1), 0
+        while True:
+            process = subprocess.Popen([chain.PROGRAM, "batch", self.shops, "-o", killed, "--resume", *OPTIONS],
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            try:
+                _, err = process.communicate(timeout=rng.uniform(0.1, 2.5) if kills < KILLS else None)
+                self.assertEqual(process.returncode, 1, err)
+                break
+            except subprocess.TimeoutExpired:
+                process.send_signal(signal.SIGKILL)
+                process.communicate()
+                kills += 1
+        self.assertEqual(kills, KILLS, "the batch ended before all kills")
+        self.assertEqual(chain.differences(killed, self.whole), [])
+        # The control: one different byte is found.
+        with open(killed / "plans/0001-valid/labels.csv", "ab") as file:
+            file.write(b"\n")
+        self.assertEqual(chain.differences(killed, self.whole), ["plans/0001-valid/labels.csv"])
+
+    def test_a_slurm_array_whose_node_is_killed(self):
+        if reason := slurm.obstacle():
+            if "CI" in os.environ:
+                self.fail(f"Slurm cannot run: {reason}")
+            self.skipTest(f"SLURM CANNOT RUN, SO BATCHES ON A CLUSTER ARE NOT TESTED: {reason}")
+        folder = tempfile.TemporaryDirectory(prefix="slurm-")
+        self.addCleanup(folder.cleanup)
+        cluster = slurm.Cluster(folder.name)
+        self.addCleanup(cluster.stop)  # before the folder is removed
+        cluster.start()
+        results = self.folder / "cluster"
+        ended = chain.shelfbeam("batch", self.shops, "-o", results, "--slurm", "--tasks", SHOPS // 2, "--memory", "1G",
+                                "--task-time", "30", *OPTIONS, env=cluster.environment)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertIn(f"{SHOPS} stores in {SHOPS // 2} tasks are queued as job ", ended.stdout)
+
+        def records():
+            return len(list((results / "records").glob("*.json")))
+
+        def is_running():
+            return "RUNNING" in dict(cluster.jobs()).values()
+
+        for kill in range(NODE_KILLS):
+            # Some stores are planned, and tasks are running.
+            cluster.wait(lambda: records() >= SHOPS * (kill + 1) // (NODE_KILLS + 2) and is_running(), "the plans", 300)
+            cluster.kill_node()
+        # The signal that Slurm sends before the time limit: the task saves its checkpoints and is queued again.
+        def has_stopped():
+            for job, state in cluster.jobs():
+                if state == "RUNNING":
+                    cluster.run("scancel", "--batch", "--signal=INT", job)
+            logs = "".join(path.read_text() for path in (results / "slurm").glob("*.log"))
+            return "stopped early: repeat the command with '--resume' to continue" in logs
+
+        cluster.wait(has_stopped, "a task that is stopped", 300)
+        cluster.wait(lambda: not cluster.jobs(), "the results", 600)
+        self.assertEqual(chain.differences(results, self.whole), [], cluster.logs())
+
+
+if __name__ == "__main__":
+    unittest.main()
