@@ -18,6 +18,15 @@ Store load_store(const std::filesystem::path& path, bool allow_outside, std::siz
   return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output});
 }
 
+void protect_store(const std::filesystem::path& folder, const std::filesystem::path& file,
+                   const std::string& resolved) {
+  std::error_code missing;
+  const auto home = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != resolved)
+    throw InputError(folder.string(), "is the folder of the store file; a plan needs a folder of its own",
+                     "choose another folder for the plan");
+}
+
 void expect_no_warnings(const Scene& scene, bool strict) {
   if (!strict || scene.warnings.empty()) return;
   const std::size_t others = scene.warnings.size() - 1;

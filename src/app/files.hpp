@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -16,6 +17,11 @@ namespace shelfbeam::app {
 /// `memory`: limit in bytes, 0 for memory_limit(). `output`: a file that the run will write.
 Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0,
                  const std::filesystem::path& output = {});
+
+/// Throws InputError if `folder` is that of the store file, unless `plan` wrote the file: its text is
+/// `resolved`. Protects the lists in its folder, too.
+void protect_store(const std::filesystem::path& folder, const std::filesystem::path& file,
+                   const std::string& resolved);
 
 /// Throws InputError if the scene has warnings and `strict` is set.
 void expect_no_warnings(const Scene& scene, bool strict);

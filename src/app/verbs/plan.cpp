@@ -51,6 +51,7 @@ struct Options {
   double reflectance_error = SensitivityOptions().assumed_error;
   Requirements requirements;
   std::filesystem::path store, folder, signal;
+  std::vector<std::filesystem::path> sampled;
   std::optional<std::uint32_t> states;  ///< 0: the shop as the file gives it
   AvailabilityGoal goal;
   bool allow_outside = false, strict = false, overwrite = false, safe_csv = false;
@@ -60,16 +61,6 @@ SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
   SignalTable table = make_signal_table(matrix);
   options.requirements.apply(table, options.store.string());
   return table;
-}
-
-// Protects a store file that was not written by `plan`, and the lists in its folder.
-void protect_store(const std::filesystem::path& folder, const std::filesystem::path& file,
-                   const std::string& resolved) {
-  std::error_code missing;
-  const auto home = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (std::filesystem::equivalent(folder, home, missing) && read_file(file) != resolved)
-    throw InputError(folder.string(), "is the folder of the store file; a plan needs a folder of its own",
-                     "choose another folder for the plan");
 }
 
 // Alternatives, curve and sensitivity.
@@ -241,6 +232,13 @@ int run_plan(const Options& options) {
   simulation.checkpoint.at_end = true;
   const std::filesystem::path states_log = options.folder / states_checkpoint_name;
   if (follows_decision(options)) simulation.samples = decision_samples;
+  std::optional<SampledStates> sampled;
+  if (!options.sampled.empty()) {
+    if (states == 0) throw InputError("--sampled", "applies to a shop that changes only", "omit it");
+    sampled.emplace(options.sampled);
+    sampled->expect(scene.store_hash, options.common.seed, scene.labels.size(), scene.transceivers.size(),
+                    states);
+  }
   const PlanFolder folder(options.folder, resolved, options.overwrite);
   // The report and the tables take at least as much again as the resolved store.
   constexpr std::size_t least_report = 600'000;
@@ -273,6 +271,7 @@ int run_plan(const Options& options) {
     plan = make_plan(scene, std::move(plan_options), control);
     if (states > 0 && plan.complete && plan.placement.has_selection()) {
       StatesOptions over{.sample = states,
+                         .sampled = sampled ? &*sampled : nullptr,
                          .goal = options.goal,
                          .confidence = confidence,
                          .certifies = !options.no_certificate,
@@ -367,6 +366,12 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       "States of a shop with 'variation' on which units are placed; default 100; 0: the shop as "
       "the file gives it",
       options->goal);
+  verb->add_option(
+          "--sampled", options->sampled,
+          "Outputs of 'simulate --states N --for-plan', all parts in any order: the states on which units "
+          "are placed, instead of a simulation")
+      ->option_text("FILES")
+      ->group(group::states);
   add_run_options(*verb, options->simulation);
   verb->add_flag("--overwrite", options->overwrite, "Replace a finished plan in the folder")
       ->group(group::runs);

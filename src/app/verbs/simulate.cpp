@@ -12,6 +12,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
+#include "shelfbeam/plan/states/reflectance_ends.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
@@ -38,7 +39,7 @@ struct Options {
   std::size_t hard_labels = 1000;
   std::optional<std::uint64_t> state;
   Share part;
-  bool allow_outside = false, strict = false;
+  bool for_plan = false, allow_outside = false, strict = false;
 };
 
 std::string part_text(const Share& part) {
@@ -53,8 +54,12 @@ int simulate_states_to_file(const Options& options, const Store& store, const Sc
     const RunControl control{options.common.threads, &cancel, progress.sink()};
     ResultLog log = log_of_states(simulation.checkpoint.path, scene.store_hash, simulation);
     try {
-      matrix = simulate_states(store, scene, simulation, {.first = 0, .count = options.states},
-                               options.hard_labels, log, control);
+      const StateRange range{.first = 0, .count = options.states};
+      matrix = options.for_plan
+                   ? simulate_planning_states(with_reflectances_at(RangeEnd::low, store),
+                                              with_reflectances_at(RangeEnd::low, scene), simulation, range,
+                                              log, control)
+                   : simulate_states(store, scene, simulation, range, options.hard_labels, log, control);
     } catch (const Interrupted&) {
       log.flush();
       if (!options.common.quiet)
@@ -147,6 +152,13 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->option_text("N")
       ->check(CLI::Range(1, 10'000'000))
       ->needs(states)
+      ->group(group::states);
+  verb->add_flag(
+          "--for-plan", options->for_plan,
+          "With --states: simulate the states for 'plan --sampled', with all labels, their errors, and "
+          "reflectances at the low ends of their ranges")
+      ->needs(states)
+      ->excludes("--hard-labels")
       ->group(group::states);
   verb->add_option("--state", options->state,
                    "Simulate the shop in this state, from 0, as 'inspect --state K -o' writes it")

@@ -53,6 +53,7 @@ struct StateTensor {
       deviation;  ///< m n entries: standard deviation between states, with their sampling noise
   std::vector<std::uint32_t> hard;  ///< labels whose signals follow, ascending
   std::vector<float> signal;        ///< by state, hard label and transceiver
+  std::vector<float> error;         ///< standard errors of `signal`; empty unless the states serve a plan
 
   bool operator==(const StateTensor&) const = default;
 };

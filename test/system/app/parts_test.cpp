@@ -94,12 +94,49 @@ TEST_F(Parts, AreThePlanOfOneRun) {
           {"seed is '1' instead of '2'", "--signal"});
   refused("plan @store.json --signal @signal.h5 --samples 64 -o @other", {"--signal", "--samples"});
   refused("place @1.h5", {"1.h5: is part 1 of 2"});
-  refused("merge @1.h5 -o @again.h5", {"number 2 is missing", "(--part)"});
+  refused("merge @1.h5 -o @again.h5", {"number 2 is missing", "simulate them, or name their files"});
   refused("merge @1.h5 @2.h5 -o @1.h5", {"is also the input"});
   refused("simulate @store.json --part 3/2 -o @3.h5", {"--part: '3/2' is not a part such as 2/4"});
   refused("simulate @store.json --part 1/2 --time 5 -o @3.h5", {"--time", "--part"});
   refused("simulate @store.json --part 1/5000 -o @3.h5", {"is too small: the labels form", "use at most"});
   refused("simulate @store.json --part 1/2 --strategy particle -o @3.h5", {"requires walks from labels"});
+}
+
+// The plan reads the states of all parts as if it had simulated them.
+TEST_F(Parts, ServeAPlanOverStates) {
+  test::Json store = test::small_store();
+  store["variation"] = {{"unit_power_db", 3}};
+  store["materials"]["m"]["reflectance_range"] = {0.25, 0.35};
+  folder.write("store.json", store.dump());
+  const std::string plan = "plan @store.json --states 20 --no-certificate --samples 500 --seed 3 ";
+  const std::string simulate = "simulate @store.json --states 20 --for-plan --seed 3 ";
+  told(plan + "-o @one");
+  for (const int number : {1, 2, 3}) told(simulate + fmt::format("--part {0}/3 -o @{0}.h5", number));
+  told(plan + "-o @sampled --sampled @3.h5 @1.h5 @2.h5");
+  const auto states = [&](const std::string& name) {
+    test::Json object = json(name + "/placement.json")["states"];
+    object.erase("seconds");
+    return object;
+  };
+  EXPECT_EQ(states("sampled"), states("one"));
+  // The control: states of other signals give other numbers.
+  store["materials"]["m"].erase("reflectance_range");
+  folder.write("store.json", store.dump());
+  told(plan + "-o @control");
+  EXPECT_NE(states("control"), states("one"));
+
+  const std::string other = "plan @store.json --states 20 -o @other --sampled @1.h5 @2.h5 @3.h5";
+  refused(other + " --seed 3", {"1.h5: is of another store"});
+  store["materials"]["m"]["reflectance_range"] = {0.25, 0.35};
+  folder.write("store.json", store.dump());
+  refused(other, {"1.h5: has the seed 3 instead of 1"});
+  refused(plan + "-o @other --sampled @1.h5 @3.h5", {"number 2 is missing"});
+  refused("plan @store.json --states 21 --seed 3 -o @other --sampled @1.h5 @2.h5 @3.h5",
+          {"20 states, but the plan needs 21"});
+  refused("plan @store.json --states 0 --seed 3 -o @other --sampled @1.h5 @2.h5 @3.h5", {"--sampled"});
+  refused("merge @1.h5 @2.h5 @3.h5 -o @merged.h5", {"1.h5: serves a plan"});
+  told("simulate @store.json --states 20 --seed 3 --part 1/1 -o @whole.h5");
+  refused("plan @store.json --states 20 --seed 3 -o @other --sampled @whole.h5", {"whole.h5: is not a part"});
 }
 
 // A part that is stopped writes its checkpoint only.

@@ -37,14 +37,14 @@ class Planner {
  public:
   Planner(const Store& store, const Scene& scene, const SignalTable& table, const Placement& nominal,
           const StatesOptions& options, ResultLog& log, const RunControl& control)
-      : scene_(with_reflectances_at(ReflectanceEnd::low, scene)),
-        store_(with_reflectances_at(ReflectanceEnd::low, store)),
+      : scene_(with_reflectances_at(RangeEnd::low, scene)),
+        store_(with_reflectances_at(RangeEnd::low, store)),
         states_(store_, scene_, options.simulation.seed),
         all_(table),
         options_(options),
         log_(log),
         control_(control),
-        sample_(states_, scene_, options_.simulation, options_.sample, log_, control_),
+        sample_(states_, scene_, options_.simulation, options_.sample, log_, control_, options_.sampled),
         result_{nominal, {}} {
     Availability& answer = result_.availability;
     answer.goal = options.goal;
@@ -53,6 +53,9 @@ class Planner {
   }
 
   PlanOverStates run() {
+    if (options_.sampled != nullptr)
+      options_.sampled->expect(scene_.store_hash, options_.simulation.seed, scene_.labels.size(),
+                               scene_.transceivers.size(), options_.sample);
     const auto begun = std::chrono::steady_clock::now();
     try {
       place();

@@ -9,13 +9,15 @@
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/checkpoint/result_log.hpp"
+#include "shelfbeam/signal/parts/sampled_states.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {
 
 struct StatesOptions {
-  std::uint32_t sample = 100;  ///< states on which units are placed
+  std::uint32_t sample = 100;              ///< states on which units are placed
+  const SampledStates* sampled = nullptr;  ///< these states, if they are simulated already
   AvailabilityGoal goal = {};
   double confidence = 0.99;
   bool certifies = true;              ///< examine plans in fresh states

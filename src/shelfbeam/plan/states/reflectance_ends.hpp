@@ -10,11 +10,11 @@ namespace shelfbeam {
 
 /// Ends of the ranges of reflectances (NamedMaterial::reflectance_range). No signal is smaller where a
 /// surface reflects more, so a plan that holds at the low ends holds everywhere within the ranges.
-enum class ReflectanceEnd : std::size_t { low = 0, high = 1 };
+enum class RangeEnd : std::size_t { low = 0, high = 1 };
 
 /// A store or a scene in which every material with a range is at an end of it.
 template <class T>
-T with_reflectances_at(ReflectanceEnd end, T shop) {
+T with_reflectances_at(RangeEnd end, T shop) {
   for (NamedMaterial& material : shop.materials)
     if (material.reflectance_range)
       material.material =

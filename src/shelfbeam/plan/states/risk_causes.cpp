@@ -30,7 +30,7 @@ class Causes {
          const SimulationOptions& options, ResultLog& log, const RunControl& control)
       : states_(states),
         low_(units),
-        high_(with_reflectances_at(ReflectanceEnd::high, units)),
+        high_(with_reflectances_at(RangeEnd::high, units)),
         problem_(problem),
         options_(options),
         log_(log),
@@ -48,7 +48,7 @@ class Causes {
     return moments(
         *first,
         [&](std::uint64_t k) {
-          return with_reflectances_at(ReflectanceEnd::high, states_.state(StateNumbers::only({}, k), high_));
+          return with_reflectances_at(RangeEnd::high, states_.state(StateNumbers::only({}, k), high_));
         },
         "high reflectances");
   }

@@ -1,5 +1,6 @@
 #include "shelfbeam/plan/states/state_sample.hpp"
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/transport/run/prepared_scene.hpp"
 
@@ -8,13 +9,39 @@ namespace shelfbeam {
 void StateSample::simulate(const Scene& part, const std::function<void(const StateSignals&)>& use) const {
   const auto first = prepare(part, options_, true, control_);
   simulate_states([&](std::uint64_t k) { return states_.state(StateNumbers(k), part); }, *first, options_,
-                  {.first = 0, .count = count_, .batches = batches}, use, log_, "sample", control_);
+                  {.first = 0, .count = count_, .batches = batches}, use, log_, planning_states, control_);
+}
+
+void StateSample::signals(Ids labels, std::optional<Ids> units,
+                          const std::function<void(const StateSignals&)>& use) const {
+  if (sampled_ == nullptr) {
+    simulate(units ? sub_scene(scene_, labels, *units) : sub_scene(scene_, labels), use);
+    return;
+  }
+  const std::size_t n = scene_.transceivers.size();
+  for (std::uint32_t k = 0; k < count_; ++k) {
+    control_.report("reading states", static_cast<double>(k) / count_);
+    if (control_.cancelled()) throw Interrupted("the plan was stopped");
+    const SignalLayer all = sampled_->state(k);
+    SignalLayer part;
+    const auto add = [&](std::size_t entry) {
+      part.mean.push_back(all.mean[entry]);
+      part.standard_error.push_back(all.standard_error[entry]);
+    };
+    for (const std::uint32_t i : labels) {
+      if (units)
+        for (const std::uint32_t j : *units) add(i * n + j);
+      else
+        for (std::size_t j = 0; j < n; ++j) add(i * n + j);
+    }
+    use({k, part});
+  }
 }
 
 void StateSample::fill(StateTable& table, std::span<const std::uint32_t> labels, std::size_t first) const {
   if (labels.empty()) return;
-  simulate(sub_scene(scene_, labels),
-           [&](const StateSignals& state) { set_state(table, state.state, first, state.signals); });
+  signals(labels, std::nullopt,
+          [&](const StateSignals& state) { set_state(table, state.state, first, state.signals); });
 }
 
 std::vector<double> StateSample::received(std::span<const std::uint32_t> labels,
@@ -22,7 +49,7 @@ std::vector<double> StateSample::received(std::span<const std::uint32_t> labels,
                                           const PlacementProblem& problem) const {
   std::vector<double> result(labels.size() * count_);
   if (labels.empty() || units.empty()) return result;
-  simulate(sub_scene(scene_, labels, units), [&](const StateSignals& state) {
+  signals(labels, units, [&](const StateSignals& state) {
     for (std::size_t i = 0; i < labels.size(); ++i) {
       ReceivedSignal received(problem);
       for (std::size_t j = 0; j < units.size(); ++j)

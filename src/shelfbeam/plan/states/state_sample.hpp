@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/result_log.hpp"
+#include "shelfbeam/signal/parts/sampled_states.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
@@ -23,10 +25,18 @@ class StateSample {
  public:
   static constexpr std::uint32_t batches = 4;  ///< of each label in each state
 
-  /// `scene` is that of `states`. All references must outlive the object.
+  /// `scene` is that of `states`. `sampled`: null, or the states that are simulated already. All references
+  /// must outlive the object.
   StateSample(const StoreStates& states, const Scene& scene, const SimulationOptions& options,
-              std::uint32_t count, ResultLog& log, const RunControl& control)
-      : states_(states), scene_(scene), options_(options), count_(count), log_(log), control_(control) {}
+              std::uint32_t count, ResultLog& log, const RunControl& control,
+              const SampledStates* sampled = nullptr)
+      : states_(states),
+        scene_(scene),
+        options_(options),
+        count_(count),
+        sampled_(sampled),
+        log_(log),
+        control_(control) {}
 
   std::uint32_t count() const { return count_; }
 
@@ -38,12 +48,17 @@ class StateSample {
                                const PlacementProblem& problem) const;
 
  private:
+  using Ids = std::span<const std::uint32_t>;
+  // All units, or some.
+  void signals(Ids labels, std::optional<Ids> units,
+               const std::function<void(const StateSignals&)>& use) const;
   void simulate(const Scene& part, const std::function<void(const StateSignals&)>& use) const;
 
   const StoreStates& states_;
   const Scene& scene_;
   const SimulationOptions& options_;
   std::uint32_t count_;
+  const SampledStates* sampled_;
   ResultLog& log_;
   const RunControl& control_;
 };

@@ -70,8 +70,8 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
 Availability verify_over_states(const Store& store, const Scene& scene, const Scene& units,
                                 const PlacementProblem& problem, const VerifyStatesOptions& options,
                                 ResultLog& log, const RunControl& control) {
-  const Store low_store = with_reflectances_at(ReflectanceEnd::low, store);
-  const Scene low_units = with_reflectances_at(ReflectanceEnd::low, units);
+  const Store low_store = with_reflectances_at(RangeEnd::low, store);
+  const Scene low_units = with_reflectances_at(RangeEnd::low, units);
   const Scene all = with_candidates(low_units, scene);
   const StoreStates states(low_store, all, options.simulation.seed);
   Availability found;

@@ -84,10 +84,18 @@ class MatrixReader {
     return part;
   }
 
-  std::vector<float> state(std::uint32_t k, std::size_t m, std::size_t n) const {
-    auto signal = file_.numbers_of_rows("/states/signal", k * m, {m, n});
-    expect_signals(signal, k * m, n);
-    return signal;
+  bool serves_plan() const { return file_.has_attribute("states") && file_.has("/states/standard_error"); }
+
+  // The signals of all labels in the part's state k, with their errors if it serves a plan.
+  SignalLayer state(std::uint32_t k, std::size_t m, std::size_t n) const {
+    const auto read = [&](const char* path) {
+      auto values = file_.numbers_of_rows(path, k * m, {m, n});
+      expect_signals(path, values, k * m, n);
+      return values;
+    };
+    SignalLayer layer{read("/states/signal"), {}};
+    if (serves_plan()) layer.standard_error = read("/states/standard_error");
+    return layer;
   }
 
  private:
@@ -143,15 +151,16 @@ class MatrixReader {
         fail(fmt::format("/states/hard, row {}", k + 1), "is not a label in ascending order");
     if (is_part()) return tensor;
     tensor.signal = file_.numbers<float>("/states/signal", {tensor.states * h, matrix.columns()});
-    expect_signals(tensor.signal, 0, matrix.columns());
+    expect_signals("/states/signal", tensor.signal, 0, matrix.columns());
     return tensor;
   }
 
   // One state has few batches, so its errors are too uncertain for a judgement of negative signals.
-  void expect_signals(std::span<const float> signal, std::size_t first_row, std::size_t columns) const {
+  void expect_signals(const std::string& path, std::span<const float> signal, std::size_t first_row,
+                      std::size_t columns) const {
     for (std::size_t k = 0; k < signal.size(); ++k)
       if (const auto problem = amount_problem(std::abs(signal[k])); !problem.empty())
-        fail(fmt::format("/states/signal, row {}", first_row + k / columns + 1), problem);
+        fail(fmt::format("{}, row {}", path, first_row + k / columns + 1), problem);
   }
 
   std::vector<Vec3> vectors(const std::string& path, std::size_t count) const {
@@ -225,7 +234,11 @@ SignalMatrix SignalPart::matrix() const {
   return reader_->read();
 }
 
-std::vector<float> SignalPart::state(std::uint32_t k, std::size_t labels, std::size_t units) const {
+bool SignalPart::serves_plan() const {
+  return reader_->serves_plan();
+}
+
+SignalLayer SignalPart::state(std::uint32_t k, std::size_t labels, std::size_t units) const {
   return reader_->state(k, labels, units);
 }
 

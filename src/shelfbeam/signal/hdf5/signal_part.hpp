@@ -25,8 +25,11 @@ class SignalPart {
   const MatrixPart& share() const { return share_; }
   /// The part without the signals of its states. Throws as `read_signal_file`.
   SignalMatrix matrix() const;
-  /// The signals of all labels in the part's state `k`, from 0, by label and unit. Throws the same.
-  std::vector<float> state(std::uint32_t k, std::size_t labels, std::size_t units) const;
+  /// Whether it has standard errors of states, for a plan.
+  bool serves_plan() const;
+  /// The signals of all labels in the part's state `k`, from 0, with their errors if it serves a plan. Throws
+  /// the same.
+  SignalLayer state(std::uint32_t k, std::size_t labels, std::size_t units) const;
 
  private:
   std::filesystem::path path_;

@@ -102,6 +102,8 @@ class MatrixWriter {
     matrix("/states/deviation", states.deviation, matrix_.rows());
     file_.numbers("/states/hard", std::span<const std::uint32_t>(states.hard), {states.hard.size()});
     matrix("/states/signal", states.signal, states.states * states.hard.size());
+    if (!states.error.empty())
+      matrix("/states/standard_error", states.error, states.states * states.hard.size());
   }
 
   void part() {

@@ -27,15 +27,18 @@ std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, std::span<
 
 }  // namespace
 
-void StateSummary::add(std::span<const float> signals) {
+void StateSummary::add(std::span<const float> signals, std::span<const float> errors) {
   StateTensor& states = matrix_.states;
   for (std::size_t e = 0; e < moments_.size(); ++e) moments_[e].add(static_cast<double>(signals[e]));
   if (states.states == 0) states.hard = hardest_labels(matrix_, signals, max_hard_);
   ++states.states;
   const std::size_t n = matrix_.columns();
   for (const std::uint32_t i : states.hard) {
-    const auto row = signals.subspan(i * n, n);
-    states.signal.insert(states.signal.end(), row.begin(), row.end());
+    const auto append = [&](std::vector<float>& all, std::span<const float> row) {
+      all.insert(all.end(), row.begin(), row.end());
+    };
+    append(states.signal, signals.subspan(i * n, n));
+    if (!errors.empty()) append(states.error, errors.subspan(i * n, n));
   }
 }
 

@@ -17,8 +17,9 @@ class StateSummary {
   StateSummary(SignalMatrix& matrix, std::size_t max_hard)
       : matrix_(matrix), max_hard_(max_hard), moments_(matrix.rows() * matrix.columns()) {}
 
-  /// Adds the signals of the next state, by label and transceiver.
-  void add(std::span<const float> signals);
+  /// Adds the signals of the next state, by label and transceiver, and their errors if the states serve a
+  /// plan.
+  void add(std::span<const float> signals, std::span<const float> errors = {});
   /// After the last state.
   void finish();
 

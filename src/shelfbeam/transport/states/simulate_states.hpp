@@ -42,6 +42,9 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
                      const StateRange& range, const std::function<void(const StateSignals&)>& use,
                      ResultLog& log, std::string_view purpose, const RunControl& control = {});
 
+/// The purpose of the states on which a plan places units.
+inline constexpr std::string_view planning_states = "sample";
+
 /// Mean, deviation, and the signals of the `max_hard` hardest labels, which the fewest candidates reach: the
 /// sum of min(1, M_ij / requirement_i) over all candidates j, in the first of the states, is smallest. Memory
 /// does not grow with the number of states otherwise. With `options.part`, simulates that part of the states
@@ -49,6 +52,12 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
 SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
                              const StateRange& range, std::size_t max_hard, ResultLog& log,
                              const RunControl& control = {});
+
+/// The states on which a plan places units (`options.part` of them), with the signals of all labels and their
+/// errors, for SampledStates. `store` and `scene` have their reflectances as the plan assumes them.
+SignalMatrix simulate_planning_states(const Store& store, const Scene& scene,
+                                      const SimulationOptions& options, const StateRange& range,
+                                      ResultLog& log, const RunControl& control = {});
 
 /// The part of a unit in the keys of a log.
 std::string key_text(const Transceiver& unit);

@@ -95,7 +95,7 @@ TEST(SignalFile, KeepsTheMatricesOfBouncesAndLengths) {
 TEST(SignalFile, KeepsTheStatesOfAShop) {
   const TempFolder folder;
   SignalMatrix written = small_matrix(4, 3);
-  written.states = {2, written.direct, {1, 3}, std::vector<float>(2 * 2 * 3)};
+  written.states = {2, written.direct, {1, 3}, std::vector<float>(2 * 2 * 3), {}};
   for (std::size_t k = 0; k < written.states.signal.size(); ++k)
     written.states.signal[k] = static_cast<float>(k) - 2;
   write_signal_file(written, folder / "signal.h5");
