@@ -41,7 +41,7 @@ class Batch(unittest.TestCase):
     def test_results_are_sorted_by_need(self):
         chain.make_chain(self.shops, "--count", 7, "--kinds", "valid,valid,infeasible,broken")
         ended = self.batch("--", *QUICK, code=1)
-        self.assertIn("Of 7 stores, ", ended.stdout)
+        self.assertIn("Planned: 4 of 7 stores. These need attention: 1 failed, 2 not possible", ended.stdout)
         self.assertIn("1 failed", ended.stdout)
         rows = chain.rows(self.results)
         self.assertEqual(len(rows), 7)
@@ -90,7 +90,7 @@ class Batch(unittest.TestCase):
             (self.shops / "plan" / name).write_text("{}", encoding="utf-8")
         (self.shops / "results/store.json").write_text("{}", encoding="utf-8")
         ended = chain.shelfbeam("batch", self.shops, "-o", self.shops / "results", "--resume")
-        self.assertIn("Of 2 stores, 0 are planned", ended.stdout)
+        self.assertIn("Planned: 0 of 2 stores.", ended.stdout)
 
     def test_wrong_use_is_refused(self):
         chain.make_chain(self.shops, "--count", 2, "--kinds", "broken")

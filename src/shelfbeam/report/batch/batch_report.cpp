@@ -45,9 +45,10 @@ std::string price_text(double price, const std::string& currency) {
   return currency.empty() ? amount : fmt::format("{}\u00A0{}", amount, currency);
 }
 
-std::string seconds_text(double seconds) {
-  return seconds < 600 ? say("batch.seconds", fixed(seconds, 1))
-                       : say("batch.minutes", fixed(seconds / 60, 0));
+std::string duration_text(double seconds) {
+  if (seconds < 600) return say("batch.seconds", fixed(seconds, 1));
+  return seconds < 7200 ? say("batch.minutes", fixed(seconds / 60, 0))
+                        : say("batch.hours", fixed(seconds / 3600, 1));
 }
 
 std::string memory_text(std::uint64_t bytes) {
@@ -80,7 +81,7 @@ std::string remarks(Results results) {
   std::string text = say_count("batch.units", units);
   for (const auto& [currency, price] : prices) text += " " + say("batch.price", price_text(price, currency));
   return paragraph(text, "remark") + paragraph(say("batch.scope"), "remark") +
-         paragraph(say("batch.effort", fixed(cpu_s / 3600, 2), memory_text(peak)), "remark");
+         paragraph(say("batch.effort", duration_text(cpu_s), memory_text(peak)), "remark");
 }
 
 std::string need_section(Results results, std::string_view need) {
@@ -100,7 +101,7 @@ std::string need_section(Results results, std::string_view need) {
     const bool has_run = result.effort.runs > 0;
     table.add_row({result.name, optional_count(result.units), optional_count(result.lower_bound),
                    result.price ? price_text(*result.price, result.currency) : "–", answer,
-                   has_run ? seconds_text(result.effort.cpu_s) : "–",
+                   has_run ? duration_text(result.effort.cpu_s) : "–",
                    has_run ? memory_text(result.effort.peak_memory) : "–"},
                   address(result.report));
   }
