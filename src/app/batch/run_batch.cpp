@@ -6,6 +6,7 @@
 #include <list>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -19,6 +20,7 @@
 
 #include "app/batch/child.hpp"
 #include "app/batch/database.hpp"
+#include "app/plan_folder.hpp"
 #include "app/verbs.hpp"
 
 namespace shelfbeam::app {
@@ -42,8 +44,10 @@ std::string input_of(const ListedStore& store, const BatchOptions& options) {
 // Plans whose batch was killed end a moment after it.
 void wait_until_free(const std::filesystem::path& plan) {
   constexpr int attempts = 100;
+  std::error_code missing;
+  if (!std::filesystem::exists(plan, missing)) return;
   for (int k = 0; k < attempts; ++k) try {
-      const OutputLock probe(plan, plan.string());
+      const OutputLock probe(plan / signal_name, plan.string());
       return;
     } catch (const InputError&) {
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -61,7 +65,8 @@ class Runner {
           ++done_;
           continue;
         }
-        if (record->input == job.input) job.effort = record->result.effort;
+        job.continues = record->input == job.input;
+        if (job.continues) job.effort = record->result.effort;
       }
       waiting_.push_back(std::move(job));
     }
@@ -82,7 +87,8 @@ class Runner {
   struct Job {
     const ListedStore* store;
     std::string input;
-    PlanEffort effort;  ///< of earlier runs
+    PlanEffort effort;       ///< of earlier runs
+    bool continues = false;  ///< whether its checkpoints are of the same input
     bool is_alone = false;
     unsigned threads = 1;
     std::optional<Child> child = {};
@@ -114,17 +120,11 @@ class Runner {
     const std::filesystem::path plan = options_.folder.plan(job.store->name);
     make_output_folder(plan.parent_path());
     wait_until_free(plan);
-    std::vector<std::string> words{own_program,
-                                   "plan",
-                                   job.store->file.string(),
-                                   "-o",
-                                   plan.string(),
-                                   "--resume",
-                                   "--overwrite",
-                                   "--seed",
-                                   fmt::format("{}", options_.seed),
-                                   "--threads",
-                                   fmt::format("{}", threads)};
+    if (!job.continues) write_record(options_.folder, {without_result(*job.store), job.input, false});
+    std::vector<std::string> words{
+        own_program,   "plan",   job.store->file.string(),         "-o",        plan.string(),
+        "--overwrite", "--seed", fmt::format("{}", options_.seed), "--threads", fmt::format("{}", threads)};
+    if (job.continues) words.emplace_back("--resume");
     words.insert(words.end(), options_.plan_options.begin(), options_.plan_options.end());
     job.child.emplace(std::move(words), memory);
     running_.push_back(std::move(job));
@@ -155,7 +155,7 @@ class Runner {
     effort.peak_memory = std::max(effort.peak_memory, end.peak_memory);
     ++effort.runs;
     if (record.is_final && may_lack_memory(end) && !job.is_alone && options_.jobs > 1) {
-      alone_.push_back({job.store, job.input, effort, true});
+      alone_.push_back({job.store, job.input, effort, true, true});
       return;
     }
     write_record(options_.folder, record);

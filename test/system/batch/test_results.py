@@ -111,20 +111,28 @@ class Batch(unittest.TestCase):
         (self.results / "results.csv").write_text("my own", encoding="utf-8")
         self.refused("results.csv: was not written by a batch")
 
-    def test_a_stopped_batch_resumes(self):
-        chain.make_chain(self.shops, "--count", 3, "--kinds", "valid")
-        process = subprocess.Popen([chain.PROGRAM, "batch", self.shops, "-o", self.results, "--", "--samples", "15000", "--no-certificate"],
+    def stopped(self, *arguments):
+        """The output of a batch that is stopped while plans save checkpoints."""
+        process = subprocess.Popen([chain.PROGRAM, "batch", self.shops, "-o", self.results, *arguments],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        while not list(self.results.glob("plans/*/*")):
+        while not list(self.results.glob("plans/*/*.checkpoint")):
             time.sleep(0.02)
         process.send_signal(signal.SIGINT)
         out, err = process.communicate()
         self.assertEqual(process.returncode, 3, err)
-        self.assertIn("3 not planned yet", out)
         self.assertIn("stopped early: repeat the command with '--resume' to continue", err)
-        self.batch("--resume", "--", "--samples", "15000", "--no-certificate", code=0)
+        return out
+
+    def test_a_stopped_batch_resumes(self):
+        chain.make_chain(self.shops, "--count", 3, "--kinds", "valid")
+        options = ["--no-certificate", "--checkpoint-interval", "0", "--samples"]
+        self.assertIn("3 not planned yet", self.stopped("--", *options, "15000"))
+        self.batch("--resume", "--", *options, "15000", code=0)
         with sqlite3.connect(self.results / "results.sqlite") as database:
             self.assertGreater(database.execute("SELECT max(runs) FROM effort").fetchone()[0], 1)
+        # Checkpoints of other options do not hinder new plans.
+        self.stopped("--overwrite", "--", *options, "15000")
+        self.batch("--resume", "--", *options, "1000", code=0)
 
     def test_a_plan_that_lacks_memory_runs_again_alone(self):
         chain.make_chain(self.shops, "--count", 2, "--kinds", "broken,valid")
