@@ -17,6 +17,7 @@
 #include "shelfbeam/placement/answer/names.hpp"
 
 #include "placement_bounds.hpp"
+#include "placement_classes.hpp"
 #include "placement_instances.hpp"
 #include "support.hpp"
 
@@ -28,6 +29,8 @@ using namespace shelfbeam::bench;
 constexpr const char* usage =
     R"(bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
 bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
+bench_placement --classes [--seeds N] [--limit S]
+bench_placement --wide [--limit S]
 
 Solves the same placement problems with our search and every MIP solver, and prints times and their ratios.
 
@@ -39,6 +42,8 @@ SIGNAL        any matrix that 'shelfbeam place' reads; by default the thesis env
 --only-count  omit second objectives
 --json        print rows as JSON
 --bounds      print instead the sizes after reductions, and linear programming bounds with and without shares
+--classes     compare on random weighted covers of eight classes, N seeds each (5), in CPU time on one thread
+--wide        compare on random weighted covers of 500 rows by 60,000 columns
 )";
 
 struct Settings {
@@ -47,7 +52,8 @@ struct Settings {
   double limit = 60;
   bool only_count = false;
   bool json = false;
-  bool bounds = false;
+  bool bounds = false, classes = false, wide = false;
+  std::size_t seeds = 5;
   bool help = false;
 };
 
@@ -177,6 +183,12 @@ Settings parse(int argc, char** argv) {
       settings.json = true;
     } else if (word == "--bounds") {
       settings.bounds = true;
+    } else if (word == "--classes") {
+      settings.classes = true;
+    } else if (word == "--wide") {
+      settings.wide = true;
+    } else if (word == "--seeds") {
+      settings.seeds = static_cast<std::size_t>(positive(value()));
     } else if (word == "--help") {
       settings.help = true;
     } else if (word.starts_with("--")) {
@@ -197,6 +209,10 @@ int main(int argc, char** argv) {
     const Settings settings = parse(argc, argv);
     if (settings.help)
       fmt::print("{}", usage);
+    else if (settings.classes)
+      compare_classes(settings.seeds, settings.limit);
+    else if (settings.wide)
+      compare_wide(settings.limit);
     else if (settings.bounds)
       print_bounds(settings.files, settings.scales, settings.limit);
     else

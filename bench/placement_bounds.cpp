@@ -40,8 +40,8 @@ void print_bound(const SignalTable& table, const milp::Backend& backend, double 
              fmt::format("{}:", backend.name), lp.dual.bound, lp.labels.size(), table.rows(), seconds,
              lp.complete ? "" : ", stopped");
   detail::CountBound count;
-  const double with_shares =
-      wall_seconds([&] { count = detail::count_bound(table, problem, backend, limit, {}); });
+  const double with_shares = wall_seconds(
+      [&] { count = detail::count_bound(table, problem, backend, {.time_limit_s = limit}, {}); });
   fmt::print("  cooperative, {:<6} count at least {} with shares, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), count.count, with_shares, count.complete ? "" : ", stopped");
   std::fflush(stdout);

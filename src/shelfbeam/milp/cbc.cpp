@@ -135,6 +135,36 @@ class ClpSession final : public LpSession {
                  more.indices.data(), more.values.data());
   }
 
+  void set_bounds(std::uint32_t column, double lower, double upper) override {
+    clp_.setColumnBounds(static_cast<int>(column), bound(lower), bound(upper));
+  }
+
+  void set_cutoff(double objective) override {
+    clp_.setDualObjectiveLimit(objective < infinity ? objective * scale_ : COIN_DBL_MAX);
+  }
+
+  std::vector<Probe> probe(std::span<const std::uint32_t> columns, int pivots) override {
+    const std::size_t count = columns.size();
+    std::vector<int> which(columns.begin(), columns.end()), status(2 * count), steps(2 * count);
+    std::vector<double> up(count, 1.0), down(count, 0.0);
+    const auto width = static_cast<std::size_t>(clp_.numberColumns());
+    std::vector<std::vector<double>> solutions(2 * count, std::vector<double>(width));
+    std::vector<double*> pointers;
+    for (auto& solution : solutions) pointers.push_back(solution.data());
+    const int before = clp_.maximumIterations();
+    clp_.setMaximumIterations(pivots);
+    // Clp's first list has the new lower bounds, its second the new upper ones; both return changes.
+    clp_.strongBranching(static_cast<int>(count), which.data(), up.data(), down.data(), pointers.data(),
+                         status.data(), steps.data(), false, true, 0);
+    clp_.setMaximumIterations(before);
+    std::vector<Probe> probes;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto change = [&](double value, int ended) { return ended == 1 ? infinity : value / scale_; };
+      probes.push_back({change(down[k], status[2 * k]), change(up[k], status[2 * k + 1])});
+    }
+    return probes;
+  }
+
   LpResult solve(double time_limit_s, const RunControl& control) override {
     if (control.cancelled()) return {Termination::interrupted, infinity, {}, {}};
     if (time_limit_s <= 0) return {Termination::limit, infinity, {}, {}};
@@ -146,7 +176,7 @@ class ClpSession final : public LpSession {
       case 0:
         break;
       case 1:
-        return {Termination::infeasible, infinity, {}, {}};
+        return infeasible();
       case 3:
       case 5:
         return {control.cancelled() ? Termination::interrupted : Termination::limit, infinity, {}, {}};
@@ -155,13 +185,28 @@ class ClpSession final : public LpSession {
     }
     result.termination = Termination::optimal;
     result.x.assign(clp_.primalColumnSolution(), clp_.primalColumnSolution() + clp_.numberColumns());
-    result.y.assign(clp_.dualRowSolution(), clp_.dualRowSolution() + clp_.numberRows());
-    for (double& dual : result.y) dual /= scale_;
+    result.y = duals();
     result.objective = clp_.objectiveValue() / scale_;
     return result;
   }
 
  private:
+  std::vector<double> duals() const {
+    std::vector<double> y(clp_.dualRowSolution(), clp_.dualRowSolution() + clp_.numberRows());
+    for (double& dual : y) dual /= scale_;
+    return y;
+  }
+
+  // Infeasible or beyond the cut-off. Clp's ray has the opposite sign.
+  LpResult infeasible() const {
+    LpResult result{Termination::infeasible, infinity, {}, duals()};
+    if (double* const ray = clp_.infeasibilityRay()) {
+      for (int i = 0; i < clp_.numberRows(); ++i) result.ray.push_back(-ray[i]);
+      delete[] ray;
+    }
+    return result;
+  }
+
   double scale_;
   Silent silent_;
   ClpSimplex clp_;
@@ -188,8 +233,10 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
   cbc.setMaximumSeconds(std::clamp(options.time_limit_s, 0.0, 1e10));
   if (options.node_limit)
     cbc.setMaximumNodes(static_cast<int>(std::min<std::uint64_t>(*options.node_limit, INT_MAX)));
+  if (options.cutoff < infinity) cbc.setCutoff(options.cutoff * scale);
   cbc.setAllowableFractionGap(options.relative_gap);
   cbc.setAllowableGap(0);
+  cbc.setIntegerTolerance(1e-7);
   BoundReport report(control);
   const Watch watch(control, report, scale);
   cbc.passInEventHandler(&watch);

@@ -110,6 +110,37 @@ class HighsSession final : public LpSession {
     loaded_ = loaded_ && status != HighsStatus::kError;
   }
 
+  void set_bounds(std::uint32_t column, double lower, double upper) override {
+    highs_.changeColBounds(static_cast<HighsInt>(column), lower, upper);
+  }
+
+  void set_cutoff(double objective) override {
+    highs_.setOptionValue("objective_bound", objective < infinity ? objective * scale_ : kHighsInf);
+  }
+
+  std::vector<Probe> probe(std::span<const std::uint32_t> columns, int pivots) override {
+    const SchedulerGuard guard;
+    const HighsBasis basis = highs_.getBasis();
+    const double before = highs_.getInfo().objective_function_value;
+    highs_.setOptionValue("simplex_iteration_limit", static_cast<HighsInt>(pivots));
+    const auto change = [&](std::uint32_t column, double value) {
+      highs_.changeColBounds(static_cast<HighsInt>(column), value, value);
+      highs_.setBasis(basis);
+      highs_.run();
+      const bool is_empty = highs_.getModelStatus() == HighsModelStatus::kInfeasible ||
+                            highs_.getModelStatus() == HighsModelStatus::kObjectiveBound;
+      return is_empty ? infinity : (highs_.getInfo().objective_function_value - before) / scale_;
+    };
+    std::vector<Probe> probes;
+    for (const std::uint32_t column : columns) {
+      probes.push_back({change(column, 0), change(column, 1)});
+      highs_.changeColBounds(static_cast<HighsInt>(column), 0, 1);
+    }
+    highs_.setOptionValue("simplex_iteration_limit", kHighsIInf);
+    highs_.setBasis(basis);
+    return probes;
+  }
+
   LpResult solve(double time_limit_s, const RunControl& control) override {
     if (control.cancelled()) return {Termination::interrupted, infinity, {}, {}};
     if (!loaded_) return {};
@@ -121,16 +152,26 @@ class HighsSession final : public LpSession {
     control_ = nullptr;
     if (status == HighsStatus::kError) return {};
     LpResult result;
-    result.termination = to_termination(highs_.getModelStatus(), columns_);
+    const bool is_beyond = highs_.getModelStatus() == HighsModelStatus::kObjectiveBound;
+    result.termination =
+        is_beyond ? Termination::infeasible : to_termination(highs_.getModelStatus(), columns_);
+    if (result.termination == Termination::optimal || is_beyond) result.y = highs_.getSolution().row_dual;
+    for (double& dual : result.y) dual /= scale_;
+    if (result.termination == Termination::infeasible && !is_beyond) result.ray = dual_ray();
     if (result.termination != Termination::optimal) return result;
     result.x = highs_.getSolution().col_value;
-    result.y = highs_.getSolution().row_dual;
-    for (double& dual : result.y) dual /= scale_;
     result.objective = highs_.getInfo().objective_function_value / scale_;
     return result;
   }
 
  private:
+  std::vector<double> dual_ray() {
+    bool has_ray = false;
+    std::vector<double> ray(static_cast<std::size_t>(highs_.getNumRow()));
+    highs_.getDualRay(has_ray, ray.data());
+    return has_ray ? ray : std::vector<double>{};
+  }
+
   std::vector<Column> columns_;
   double scale_;
   Highs highs_;
@@ -162,6 +203,10 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   if (options.node_limit)
     highs.setOptionValue("mip_max_nodes",
                          static_cast<HighsInt>(std::min<std::uint64_t>(*options.node_limit, kHighsIInf)));
+  if (options.cutoff < infinity) {
+    highs.setOptionValue("objective_bound", options.cutoff * scale);
+    highs.setOptionValue("mip_heuristic_effort", 0.0);
+  }
   if (highs.passModel(to_highs(model.columns, Rows(model.rows), scale)) == HighsStatus::kError) return {};
 
   BoundReport report(control);

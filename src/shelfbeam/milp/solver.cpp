@@ -24,11 +24,17 @@ double miss(double value, double lower, double upper) {
   return worst;
 }
 
-// Tolerance for objectives of this model, besides the relative gap.
-double objective_slack(const Model& model, double objective_value) {
-  double largest = 0;
-  for (const Column& column : model.columns) largest = std::max(largest, std::abs(column.cost));
-  return feasibility_tolerance * std::max(largest, std::abs(objective_value));
+// Beyond the cut-off, solvers end with the status "optimal" and a solution that is none, or none at all.
+Result within_cutoff(const Model& model, const SolveOptions& options, Result result) {
+  if (!(options.cutoff < infinity)) return result;
+  const double slack = objective_slack(model, options.cutoff);
+  const bool is_beyond =
+      !result.solution.empty() && !(objective(model, result.solution) <= options.cutoff + slack);
+  if (is_beyond) result.solution.clear();
+  const bool has_none = result.solution.empty() && !model.columns.empty();
+  if (has_none && result.termination == Termination::optimal) result.termination = Termination::infeasible;
+  if (has_none) result.dual_bound = std::min(result.dual_bound, options.cutoff);
+  return result;
 }
 
 // Not every solver accepts a model without columns. The empty solution meets its rows, or none does.
@@ -45,6 +51,13 @@ Result guarded(const Model& model, const SolveOptions& options, const RunControl
 }
 
 }  // namespace
+
+double objective_slack(const Model& model, double objective_value) {
+  if (!std::isfinite(objective_value)) return 0;
+  double largest = 0;
+  for (const Column& column : model.columns) largest = std::max(largest, std::abs(column.cost));
+  return objective_tolerance * std::max(largest, std::abs(objective_value));
+}
 
 double violation(const Model& model, std::span<const double> x) {
   if (x.size() != model.columns.size()) return infinity;
@@ -72,6 +85,7 @@ double objective(const Model& model, std::span<const double> x) {
 Result verified(const Model& model, const SolveOptions& options, Result result) {
   Result wrong;
   if (result.termination == Termination::error) return wrong;
+  result = within_cutoff(model, options, std::move(result));
   if (result.termination == Termination::infeasible) {
     if (!result.solution.empty()) return wrong;
     return {Termination::infeasible, infinity, infinity, {}};

@@ -26,6 +26,9 @@ struct SolveOptions {
   /// Work limit in nodes of the branch-and-bound tree, for results that do not depend on the machine.
   std::optional<std::uint64_t> node_limit = {};
   double relative_gap = 1e-6;
+  /// Only solutions of at most this objective are sought. If there is none, the model counts as infeasible; a
+  /// dual bound is at most the cut-off.
+  double cutoff = infinity;
 };
 
 struct Result {
@@ -33,9 +36,11 @@ struct Result {
   double primal_bound = infinity;  ///< objective of `solution`
   double dual_bound = -infinity;   ///< lower bound on the objective of every solution
   std::vector<double> solution;    ///< empty if none was found
+  bool is_safe = false;            ///< dual_bound holds without tolerances
 };
 
-/// The result of one LP solve; `x` and `y` are empty unless `termination` is optimal.
+/// The result of one LP solve; `x` is empty unless `termination` is optimal, and so is `y`, unless the LP is
+/// infeasible or beyond the cut-off.
 struct LpResult {
   Termination termination = Termination::error;
   double objective = infinity;  ///< of `x`
@@ -43,6 +48,14 @@ struct LpResult {
   /// Dual value of every row, in the order of `add_rows`: the derivative of the objective by the row's bound,
   /// so it is nonnegative if only `lower` is finite and nonpositive if only `upper` is.
   std::vector<double> y;
+  /// If infeasible: multipliers of the rows that show it (Farkas), as far as the solver gives them.
+  std::vector<double> ray = {};
+};
+
+/// Changes of an LP's objective if a column is fixed; infinite if no solution is left.
+struct Probe {
+  double down = 0;  ///< at 0
+  double up = 0;    ///< at 1
 };
 
 /// A linear program that stays loaded. Each solve starts from the basis of the previous one, so added rows
@@ -57,6 +70,13 @@ class LpSession {
   virtual ~LpSession() = default;
 
   virtual void add_rows(std::span<const Row> rows) = 0;
+  virtual void set_bounds(std::uint32_t column, double lower, double upper) = 0;
+  /// Solves may end early, as infeasible, once the objective exceeds `objective`.
+  virtual void set_cutoff(double objective) = 0;
+
+  /// Strong branching from the last optimal solution: changes of the objective if a column in [0, 1] is fixed
+  /// at 0 or 1, after at most `pivots` steps of the dual simplex method. Estimates, not bounds.
+  virtual std::vector<Probe> probe(std::span<const std::uint32_t> columns, int pivots) = 0;
 
   /// Ends early at the time limit or when cancelled; the next solve continues from there.
   virtual LpResult solve(double time_limit_s, const RunControl& control) = 0;
@@ -93,6 +113,12 @@ inline constexpr double feasibility_tolerance = 1e-6;
 double violation(const Model& model, std::span<const double> x);
 
 double objective(const Model& model, std::span<const double> x);
+
+/// Relative accuracy of objectives and dual bounds. Solvers accept values that are integral within 1e-7.
+inline constexpr double objective_tolerance = 2e-7;
+
+/// Tolerance for objectives and dual bounds of this model, relative to the largest cost or the value.
+double objective_slack(const Model& model, double objective_value);
 
 /// A solver's result after a check in double precision, independent of the solver: integer values are rounded
 /// and the objective is recomputed. A solution that violates the model by more than `feasibility_tolerance`,

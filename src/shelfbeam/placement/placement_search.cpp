@@ -16,7 +16,10 @@ namespace {
 
 using State = const SearchState&;
 
-constexpr auto is_plain = [](State state) { return is_plain_cover(state.table, state.problem); };
+// Covers that are searched without a dense matrix.
+constexpr auto is_sparse = [](State state) {
+  return state.is_cover() && (state.is_weighted || !state.is_small());
+};
 
 // `steps` are moves of the weighted local search; moves of the other walks take less time.
 void improve(SearchState& state, const Effort& effort) {
@@ -24,9 +27,9 @@ void improve(SearchState& state, const Effort& effort) {
     return Effort{std::min(effort.steps, any_steps / of_one) * of_one, effort.until};
   };
   const Selection& best = state.incumbent.selected();
-  if (is_plain(state) && !state.is_small())
-    state.offer(cover_search(state.table, state.problem, state.reduction(), best, with_moves(10), state.seed,
-                             state.control));
+  if (is_sparse(state))
+    state.offer(
+        cover_search(state.instance, state.reduction(), best, with_moves(10), state.seed, state.control));
   else if (state.matrix && can_anneal(state.problem))
     state.offer(anneal(state.instance, *state.matrix, best, with_moves(state.is_small() ? 10 : 40),
                        state.seed, state.control));
@@ -59,6 +62,7 @@ constexpr auto is_small_whole = [](State state) { return state.is_small() && !st
 constexpr auto is_large_whole = [](State state) { return !state.is_small() && !state.is_cover(); };
 constexpr auto is_large_cover = [](State state) { return !state.is_small() && state.is_cover(); };
 constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.is_cover(); };
+constexpr auto is_covering = [](State state) { return state.is_cover(); };
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
 constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
@@ -69,12 +73,11 @@ constexpr auto has_more_than_bounds = [](State state) { return !has_bounds_alone
 constexpr Step schedule[] = {
     // name, condition, share of the time left, maximum seconds, maximum steps, function
     {"short tree search", is_small, 0.2, no_limit_s, 15'000, raise_bound_by_tree},
+    {"multipliers", always, 0.2, no_limit_s, any_steps, raise_bound_by_multipliers},
     {"linear programs", has_more_than_bounds, 0.5, no_limit_s, any_steps, raise_bound_by_lp},
     {"linear programs only", has_bounds_alone, 0.7, no_limit_s, any_steps, raise_bound_by_lp},
-    // The reductions often leave little, and then a MIP is fastest, as it is for small models.
-    {"short MIP search", is_large_cover, 0.3, no_limit_s, any_steps, solve_mip},
-    {"short MIP search", is_large_whole, 0.15, 5, any_steps, solve_mip},
     {"longer tree search", is_small_whole, 0.3, no_limit_s, 5'000'000, raise_bound_by_tree},
+    {"branch and bound", is_covering, 0.3, no_limit_s, any_steps, branch_on_remainder},
     {"more local search", always, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
@@ -103,7 +106,9 @@ void run(std::span<const Step> steps, SearchState& state) {
 
 // Limits of the first local search: short if it gains little or moves are cheap.
 Effort opening(State state) {
-  const std::uint64_t moves = is_plain(state) || state.is_small() ? 1'000 : 20'000;
+  const std::uint64_t moves = is_sparse(state) && state.is_weighted  ? 100
+                              : is_sparse(state) || state.is_small() ? 1'000
+                                                                     : 20'000;
   return {std::min(moves, state.limits.step_limit.value_or(any_steps)), state.deadline.end()};
 }
 

@@ -1,6 +1,9 @@
 #include "shelfbeam/placement/search_state.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -57,16 +60,10 @@ bool Incumbent::raise(double bound, BoundProof proof, std::string_view step) {
   }
   bound_ = std::min(bound, value_);
   proof_ = proof;
+  constexpr double gap = 1e-6;
+  if (proof == BoundProof::solver && bounds_.step() == 0 && value_ - bound_ <= gap * value_)
+    solver_closed_ = true;
   return true;
-}
-
-void Incumbent::close_by_solver(const std::optional<Selection>& proven) {
-  if (!proven || is_closed()) return;
-  const std::optional<double> value = first_value(*proven);
-  if (!value || *value > value_ * (1 + equal_values)) return;
-  solver_closed_ = true;
-  if (!is_weighted_) bound_ = value_;
-  proof_ = BoundProof::solver;
 }
 
 std::string Incumbent::text() const {
@@ -111,9 +108,35 @@ const Reduction& SearchState::reduction() {
   if (!reduction_) {
     std::vector<bool> pinned(table.conflicts.empty() ? 0 : table.columns(), false);
     for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
-    reduction_ = reduce_cover(table, problem, first_cost, pinned, [this] { return out_of_time(); });
+    reduction_ = reduce_cover(
+        table, problem, first_cost, pinned, [this] { return out_of_time(); }, useless);
   }
   return *reduction_;
+}
+
+bool SearchState::exclude(const DualBound& dual) {
+  std::vector<std::uint32_t> all;
+  const std::vector<std::uint32_t> found = useless_columns(dual, bounds.below(incumbent.value()));
+  std::set_union(useless.begin(), useless.end(), found.begin(), found.end(), std::back_inserter(all));
+  if (all.size() == useless.size()) return false;
+  useless = std::move(all);
+  reduction_.reset();
+  return true;
+}
+
+SelectionSet SearchState::open_selections() {
+  if (!is_cover()) return {.without = useless};
+  SelectionSet open;
+  std::vector<bool> is_open(table.columns(), false);
+  for (const std::uint32_t j : reduction().forced) {
+    is_open[j] = true;
+    if (!table.transceivers[j].installed) open.with.push_back(j);
+  }
+  for (const CoverPart& part : reduction().parts)
+    for (const std::uint32_t j : part.columns) is_open[j] = true;
+  for (std::uint32_t j = 0; j < table.columns(); ++j)
+    if (!is_open[j]) open.without.push_back(j);
+  return open;
 }
 
 void SearchState::report(std::string_view stage, double, std::string_view detail) {

@@ -19,8 +19,6 @@
 
 namespace shelfbeam::detail {
 
-// Values within this relative difference are equal, because sums in another order round differently.
-inline constexpr double equal_values = 1e-9;
 inline constexpr double no_limit_s = 1e8;
 inline constexpr std::uint64_t any_steps = std::numeric_limits<std::uint64_t>::max();
 
@@ -36,7 +34,7 @@ class Incumbent {
   double value() const { return value_; }
   double bound() const { return bound_; }
   BoundProof proof() const { return proof_; }
-  bool is_closed() const { return solver_closed_ || value_ - bound_ <= equal_values * value_; }
+  bool is_closed() const { return solver_closed_ || value_ - bound_ <= bounds_.tolerance(value_); }
 
   /// The second objective (lexicographic), or the whole sum (weighted).
   double value_of(const Selection& selected) const;
@@ -46,10 +44,9 @@ class Incumbent {
   /// Replaces the incumbent if the selection is better; true then.
   bool offer(const std::optional<Selection>& found);
   /// Raises the bound; true if it rises. A bound above the value of an accepted selection is wrong: from a
-  /// solver it is ignored, from our own methods it throws std::logic_error with the name of the step.
+  /// solver it is ignored, from our own methods it throws std::logic_error with the name of the step. A
+  /// solver's bound within 1e-6 of the value closes the gap if costs have no step.
   bool raise(double bound, BoundProof proof, std::string_view step);
-  /// A solver claims optimality within its own gap, which is wider than equal_values.
-  void close_by_solver(const std::optional<Selection>& proven);
   /// Sets the proof to the weaker of this one and `proof`, since the result reports one proof for both
   /// bounds.
   void rest_on(BoundProof proof) { proof_ = std::max(proof_, proof); }
@@ -79,7 +76,7 @@ struct SecondObjective {
   double lower_bound;
   bool solver_closed = false;
 
-  bool is_closed() const { return solver_closed || value - lower_bound <= equal_values * value; }
+  bool is_closed() const { return solver_closed || value - lower_bound <= bounds.tolerance(value); }
 };
 
 /// State shared by the steps of one search: problem, incumbent, bounds and remaining time. Reports incumbent
@@ -104,8 +101,12 @@ struct SearchState final : ProgressSink {
   std::optional<TreeSearch> tree;      ///< starts with the rows and weights of the last LP
   Incumbent incumbent;
   std::optional<SecondObjective> second;  ///< once the first objective is done
-  std::optional<DualBound> relaxation;    ///< of the first objective
-  std::string last_backend;               ///< name and version of the last back end used; empty if none
+  /// Reduced-cost fixing: columns that no selection of cost CostBounds::below(value) contains, ascending. If
+  /// a better selection exists, an optimal one is among those of `open_selections`.
+  std::vector<std::uint32_t> useless;
+  /// Label rows and multipliers of the last relaxation of the first objective, for the next one.
+  std::vector<BoundRow> rows;
+  std::string last_backend;  ///< name and version of the last back end used; empty if none
   ProgressSink* watcher;
   RunControl control;     ///< reports through this object
   std::string_view step;  ///< name of the current step
@@ -122,6 +123,11 @@ struct SearchState final : ProgressSink {
   bool is_cover() const { return problem.model == CommunicationModel::non_cooperative && !problem.redundant; }
   bool fits_mip() const { return !solvers.only_linear && table.entries.size() <= limits.max_mip_entries; }
   bool may_ask_mip() const { return fits_mip() || (!solvers.only_linear && is_cover()); }
+  /// No selection better than the incumbent has more units.
+  std::size_t max_better_count() const {
+    const double below = bounds.below(incumbent.value());
+    return is_weighted ? bounds.affordable(below) : incumbent.selected().size() - 1;
+  }
   /// A tree search is suitable for selections of `units` units.
   bool has_tree(std::size_t units) const {
     return matrix && table.rows() * table.columns() <= limits.max_cells_of_trees &&
@@ -134,11 +140,20 @@ struct SearchState final : ProgressSink {
   void raise(double bound, BoundProof proof) {
     if (incumbent.raise(bound, proof, step)) report_state();
   }
+  /// A bound that holds for `open_selections`: the others are no better than the incumbent.
+  void raise_open(double bound, BoundProof proof) {
+    const double value = incumbent.value(), below = bounds.below(value);
+    raise(bound > below ? (bounds.step() > 0 ? value : std::max(below, incumbent.bound())) : bound, proof);
+  }
+  /// Excludes the columns that this bound rules out; true if there are new ones.
+  bool exclude(const DualBound& dual);
+  /// The selections that remain after reductions and exclusions.
+  SelectionSet open_selections();
   /// The same for the second objective.
   void offer_second(const std::optional<Selection>& found);
   void raise_second(double bound, BoundProof proof);
 
-  /// The remainder of the reductions, computed on first use.
+  /// The remainder of the reductions without useless columns, computed on first use. Covers only.
   const Reduction& reduction();
 
   void report_state() const { control.report("placing", -1); }
@@ -154,11 +169,20 @@ struct SearchState final : ProgressSink {
 /// equals the bound is optimal; if none exists, the bound rises by one.
 void raise_bound_by_tree(SearchState& state, const Effort& effort);
 
+/// Lagrangian bound on the count or the whole sum by dual ascent and subgradient steps, without a solver.
+/// Offers selections chosen by the multipliers, and excludes columns by their reduced costs.
+void raise_bound_by_multipliers(SearchState& state, const Effort& effort);
+
 /// LP bound on the count or the whole sum, with the next back end if one fails. The LP's rows and dual
 /// solution become the first rows and weights of the tree search.
 void raise_bound_by_lp(SearchState& state, const Effort& effort);
 
-/// MIP on the remainder of the reductions, or on the whole model if they do not apply.
+/// Branch and bound by linear programs on the remainder of the reductions, for a selection better than the
+/// incumbent.
+void branch_on_remainder(SearchState& state, const Effort& effort);
+
+/// MIP on the remainder of the reductions, or on the whole model if they do not apply, for a selection better
+/// than the incumbent, without useless columns.
 void solve_mip(SearchState& state, const Effort& effort);
 
 // The same methods for the second objective, among selections of at most as many units as the incumbent.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/milp/branching.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
@@ -77,22 +78,18 @@ SignalTable table_of(const SignalTable& table, std::span<const double> cost, con
   return own;
 }
 
-/// Solves the remainder of a non-cooperative problem (reduce_cover) part by part with a MIP solver,
-/// minimising `cost` over selections without `omitted`. The bound is that of these selections, infinite if
-/// there are none. `selected` is not checked yet.
+// Solves the remainder of a cover part by part for a selection of cost up to `cutoff`. The bound is that of
+// selections of the remainder, and at most just above the cut-off. `selected` is not checked yet.
 Answer place_reduced(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-                     const Reduction& reduction, std::span<const std::uint32_t> omitted,
-                     const SolveFunction& solve, double time_limit_s, const RunControl& control) {
+                     const Reduction& reduction, double cutoff, const SolveFunction& solve,
+                     double time_limit_s, const RunControl& control) {
   const Deadline deadline(time_limit_s);
   Answer answer;
-  if (reduction.infeasible) return answer;
   std::vector<std::uint32_t> selected = reduction.forced;
   answer.bound = 0;
   for (const std::uint32_t j : reduction.forced) answer.bound += cost[j];
-  answer.proven = true;
   bool is_whole = true;
   std::vector<bool> is_out(table.columns(), false);
-  for (const std::uint32_t j : omitted) is_out[j] = true;
   const Mounts mounts(table);
   for (const std::uint32_t j : reduction.forced)
     mounts.for_each_conflict(j, [&](std::uint32_t other) { is_out[other] = true; });
@@ -103,9 +100,14 @@ Answer place_reduced(const SignalTable& table, const PlacementProblem& problem, 
     PlacementProblem sum;
     sum.model = problem.model;
     sum.combination = Combination::weighted;
-    const MipResult best = place_by_mip(own, sum, std::nullopt, solve, deadline.seconds_left(), control);
-    answer.proven = answer.proven && best.placement.status == Status::optimal;
+    // The other parts cost at least their bounds so far, and at least nothing.
+    const MipResult best = place_by_mip(own, sum, std::nullopt, solve, deadline.seconds_left(), control,
+                                        {.cutoff = cutoff - answer.bound});
     answer.failed = answer.failed || best.solver_failed;
+    if (best.placement.status == Status::infeasible) {
+      answer.bound = milp::infinity;
+      return answer;
+    }
     answer.bound += std::max(0.0, best.placement.lower_bound);
     is_whole = is_whole && !best.placement.selected.empty();
     for (const std::uint32_t j : best.placement.selected) selected.push_back(columns[j]);
@@ -115,38 +117,58 @@ Answer place_reduced(const SignalTable& table, const PlacementProblem& problem, 
   return answer;
 }
 
-// Omits the units that reduced costs exclude from any better selection: with one of them, a selection costs
-// more than `worth`, which is just below the incumbent.
+// Between the values of the incumbent and of any better selection.
+double cutoff_of(const SearchState& state) {
+  const double value = state.incumbent.value(), step = state.bounds.step();
+  return step > 0 ? std::min(value - 0.5 * step, state.bounds.below(value) + 0.5 * step)
+                  : state.bounds.below(value);
+}
+
+// Branch and bound on the remainder of a cover, by the first back end's linear programs.
+Answer branch_reduced(SearchState& state, const Effort& effort) {
+  std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
+  std::stable_partition(backends.begin(), backends.end(),
+                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  const SolveFunction branch = [&](const milp::Model& model, const milp::SolveOptions& options,
+                                   const RunControl& control) {
+    return milp::branch_and_bound(model, backends.front(), options, control);
+  };
+  return place_reduced(state.table, state.problem, state.first_cost, state.reduction(),
+                       state.bounds.below(state.incumbent.value()), limited(branch, effort.steps),
+                       effort.seconds_left(), state.control);
+}
+
 Answer solve_reduced(SearchState& state, const Effort& effort) {
-  const bool is_whole = state.bounds.rounded(0.5) > 0.5;
-  const double known = state.incumbent.value();
-  const double worth = is_whole ? known - 1 : known * (1 - equal_values);
-  const std::vector<std::uint32_t> useless =
-      state.relaxation ? useless_columns(*state.relaxation, worth) : std::vector<std::uint32_t>{};
-  Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    return place_reduced(state.table, state.problem, state.first_cost, state.reduction(), useless, solve,
-                         effort.seconds_left(), state.control);
+  return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
+    return place_reduced(state.table, state.problem, state.first_cost, state.reduction(), cutoff_of(state),
+                         solve, effort.seconds_left(), state.control);
   });
-  state.offer(answer.selected);
-  // With integer costs no value lies between `worth` and the incumbent.
-  const double best = state.incumbent.value();
-  if (!useless.empty()) answer.bound = std::min(answer.bound, best - worth >= 0.5 ? best : worth);
-  return answer;
+}
+
+// The label rows and cuts of the last relaxation are part of the model, the cuts as further rows.
+std::vector<milp::Row> cuts_of(const SearchState& state) {
+  std::vector<milp::Row> cuts;
+  BoundRowReader reader(state.table, state.problem, state.max_better_count());
+  for (const BoundRow& row : state.rows) {
+    if (row.is_plain()) continue;
+    milp::Row& cut = cuts.emplace_back();
+    cut.lower = reader.read(row, [&](std::uint32_t j, double a) { cut.entries.push_back({j, a}); });
+    cut = relaxed(std::move(cut));
+  }
+  return cuts;
 }
 
 Answer solve_whole(SearchState& state, const Effort& effort) {
   PlacementProblem first = state.problem;
   if (!state.is_weighted) first.objective = Objective::count;
-  const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    const MipResult mip = place_by_mip(state.table, first, state.incumbent.selected(), solve,
-                                       effort.seconds_left(), state.control);
+  return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
+    const MipResult mip = place_by_mip(state.table, first, std::nullopt, solve, effort.seconds_left(),
+                                       state.control, {cutoff_of(state), state.useless, cuts_of(state)});
+    const bool is_empty = mip.placement.status == Status::infeasible;
     return Answer{.selected = mip.placement.selected,
-                  .bound = mip.placement.lower_bound,
-                  .proven = mip.placement.status == Status::optimal,
+                  .bound = is_empty ? milp::infinity : mip.placement.lower_bound,
                   .failed = mip.solver_failed};
   });
-  state.offer(answer.selected);
-  return answer;
 }
 
 }  // namespace
@@ -155,6 +177,7 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   struct Relaxation : LpBound {
     bool failed = false;
   };
+  const SelectionSet open = state.open_selections();
   const bool is_large = state.table.entries.size() > state.limits.max_small_lp_entries;
   std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
   if (is_large)  // Clp is faster than HiGHS on large linear programs
@@ -162,28 +185,35 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
                           [](const milp::Backend& backend) { return backend.name == "cbc"; });
   const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
     Relaxation relaxation;
+    const LpBoundOptions options{
+        .time_limit_s = effort.seconds_left(), .selections = open, .rows = state.rows};
     if (state.is_weighted) {
-      relaxation = {lp_bound(state.table, state.problem, state.first_cost, backend,
-                             {.time_limit_s = effort.seconds_left()}, state.control)};
-      state.raise(relaxation.dual.bound, BoundProof::dual);
+      relaxation = {lp_bound(state.table, state.problem, state.first_cost, backend, options, state.control)};
+      state.raise_open(relaxation.dual.bound, BoundProof::dual);
     } else {
-      CountBound count =
-          count_bound(state.table, state.problem, backend, effort.seconds_left(), state.control);
-      state.raise(static_cast<double>(count.count), BoundProof::dual);
+      CountBound count = count_bound(state.table, state.problem, backend, options, state.control);
+      state.raise_open(static_cast<double>(count.count), BoundProof::dual);
       relaxation = {std::move(count.relaxation)};
     }
     relaxation.failed = relaxation.rounds == 0 && !state.out_of_time();
     return relaxation;
   });
-  state.relaxation = lp.dual;
+  state.exclude(lp.dual);
+  if (!lp.rows.empty()) state.rows = lp.rows;
   begin_tree_with(lp, state);
+}
+
+void branch_on_remainder(SearchState& state, const Effort& effort) {
+  const Answer answer = branch_reduced(state, effort);
+  state.offer(answer.selected);
+  state.raise_open(answer.bound, BoundProof::search);
 }
 
 void solve_mip(SearchState& state, const Effort& effort) {
   if (!state.may_ask_mip()) return;
   const Answer answer = state.is_cover() ? solve_reduced(state, effort) : solve_whole(state, effort);
-  state.raise(answer.bound, BoundProof::solver);
-  if (answer.proven) state.incumbent.close_by_solver(answer.selected);
+  state.offer(answer.selected);
+  state.raise_open(answer.bound, BoundProof::solver);
 }
 
 void bound_second_by_lp(SearchState& state, const Effort& effort) {

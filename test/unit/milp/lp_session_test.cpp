@@ -108,7 +108,7 @@ TEST_P(MilpLpSession, DualsProveTheOptimum) {
       if (result.termination == Termination::infeasible) {
         ++infeasible;
         EXPECT_EQ(GetParam().solve(model, {}, {}).termination, Termination::infeasible);
-        EXPECT_TRUE(result.x.empty() && result.y.empty());
+        EXPECT_TRUE(result.x.empty());
         break;
       }
       ASSERT_EQ(result.termination, Termination::optimal);

@@ -23,11 +23,12 @@ std::vector<BoundRow> rows_for(const LpBound& bound, std::size_t count) {
 }  // namespace
 
 CountBound count_bound(const SignalTable& table, const PlacementProblem& problem,
-                       const milp::Backend& backend, double time_limit_s, const RunControl& control) {
-  const Deadline deadline(time_limit_s);
+                       const milp::Backend& backend, const LpBoundOptions& options,
+                       const RunControl& control) {
+  const Deadline deadline(options.time_limit_s);
   const std::vector<double> ones(table.columns(), 1.0);
   CountBound result;
-  result.relaxation = lp_bound(table, problem, ones, backend, {.time_limit_s = time_limit_s}, control);
+  result.relaxation = lp_bound(table, problem, ones, backend, options, control);
   result.complete = result.relaxation.complete;
   result.count = static_cast<std::size_t>(std::max(0.0, std::ceil(result.relaxation.dual.bound)));
   if (problem.model != CommunicationModel::cooperative) return result;
@@ -36,19 +37,19 @@ CountBound count_bound(const SignalTable& table, const PlacementProblem& problem
   while (result.complete && result.count < table.columns()) {
     // Any bound above k proves k + 1; a bound less than 1e-6 above k may be rounding.
     const double enough = static_cast<double>(result.count) + 1e-6;
-    const LpBound limited = lp_bound(table, problem, ones, backend,
-                                     {.time_limit_s = deadline.seconds_left(),
-                                      .enough = enough,
-                                      .selections = {.max_count = result.count},
-                                      .rows = std::move(rows)},
-                                     control);
-    if (limited.dual.bound < enough &&
-        !(limited.complete && prove_count_exceeds(table, problem, backend, result.count, limited,
-                                                  deadline.seconds_left(), control))) {
-      result.complete = limited.complete;
+    LpBoundOptions limited = options;
+    limited.time_limit_s = deadline.seconds_left();
+    limited.enough = enough;
+    limited.selections.max_count = result.count;
+    limited.rows = std::move(rows);
+    const LpBound found = lp_bound(table, problem, ones, backend, limited, control);
+    if (found.dual.bound < enough &&
+        !(found.complete && prove_count_exceeds(table, problem, backend, limited.selections, found,
+                                                deadline.seconds_left(), control))) {
+      result.complete = found.complete;
       break;
     }
-    rows = rows_for(limited, result.count);
+    rows = rows_for(found, result.count);
     ++result.count;
   }
   return result;

@@ -23,15 +23,15 @@ struct Split {
 class Cases {
  public:
   Cases(const SignalTable& table, const PlacementProblem& problem, const milp::Backend& backend,
-        std::size_t max_count, double time_limit_s, const RunControl& control)
+        const SelectionSet& selections, double time_limit_s, const RunControl& control)
       : table_(table),
         problem_(problem),
         backend_(backend),
-        max_count_(max_count),
-        enough_(static_cast<double>(max_count) + 1e-6),
+        selections_(selections),
+        enough_(static_cast<double>(selections.max_count) + 1e-6),
         deadline_(time_limit_s),
         control_(control),
-        cover_(table, problem, max_count),
+        cover_(table, problem, selections.max_count),
         ones_(table.columns(), 1.0) {}
 
   // True if no selection without the columns `without` remains; `open` is the LP bound of these selections.
@@ -68,11 +68,13 @@ class Cases {
                   const std::vector<std::uint32_t>& without) {
     const double left = deadline_.seconds_left();
     if (left <= 0 || control_.cancelled() || ++cases_ > max_cases) return false;
-    control_.report("bound", -1, fmt::format("at most {} units, case {}", max_count_, cases_));
+    control_.report("bound", -1, fmt::format("at most {} units, case {}", selections_.max_count, cases_));
+    SelectionSet selections = selections_;
+    selections.without = without;
     const LpBound bound = lp_bound(table_, problem_, ones_, backend_,
                                    {.time_limit_s = left,
                                     .enough = enough_,
-                                    .selections = {.max_count = max_count_, .without = without},
+                                    .selections = std::move(selections),
                                     .rows = std::move(rows)},
                                    {control_.threads, control_.cancel});
     if (bound.dual.bound >= enough_) return true;
@@ -124,7 +126,7 @@ class Cases {
   const SignalTable& table_;
   const PlacementProblem& problem_;
   const milp::Backend& backend_;
-  std::size_t max_count_;
+  const SelectionSet& selections_;
   double enough_;
   Deadline deadline_;
   const RunControl& control_;
@@ -136,11 +138,11 @@ class Cases {
 }  // namespace
 
 bool prove_count_exceeds(const SignalTable& table, const PlacementProblem& problem,
-                         const milp::Backend& backend, std::size_t max_count, const LpBound& open,
+                         const milp::Backend& backend, const SelectionSet& selections, const LpBound& open,
                          double time_limit_s, const RunControl& control) {
   constexpr double max_lacking = 0.5;
-  if (open.dual.bound < static_cast<double>(max_count) - max_lacking) return false;
-  return Cases(table, problem, backend, max_count, time_limit_s, control).close(open, {});
+  if (open.dual.bound < static_cast<double>(selections.max_count) - max_lacking) return false;
+  return Cases(table, problem, backend, selections, time_limit_s, control).close(open, selections.without);
 }
 
 }  // namespace shelfbeam::detail

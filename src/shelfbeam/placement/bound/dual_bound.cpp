@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A mounting point without an installed unit, or a column with a mounting point of its own.
+/// A mounting point without a chosen unit, or a column with a mounting point of its own.
 struct Point {
   std::vector<std::uint32_t> options;
   double least = infinite;  ///< smallest r_j of its options
@@ -23,10 +23,18 @@ Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& 
   return {std::move(options), least};
 }
 
-/// The mounting points without an installed unit. Adds the installed units to the bound and excludes the
-/// other options of their points.
-std::vector<Point> free_points(const SignalTable& table, const std::vector<std::uint32_t>& without,
-                               DualBound& dual) {
+/// The columns that are chosen in all selections.
+std::vector<bool> chosen_columns(const SignalTable& table, const SelectionSet& selections) {
+  std::vector<bool> chosen(table.columns());
+  for (std::size_t j = 0; j < table.columns(); ++j) chosen[j] = table.transceivers[j].installed;
+  for (const std::uint32_t j : selections.with) chosen[j] = true;
+  return chosen;
+}
+
+/// The mounting points without a chosen unit. Adds the chosen units to the bound and excludes the other
+/// options of their points.
+std::vector<Point> free_points(const SignalTable& table, const std::vector<bool>& chosen,
+                               const std::vector<std::uint32_t>& without, DualBound& dual) {
   std::vector<Point> points;
   std::vector<bool> shares(table.columns(), false), is_out(table.columns(), false);
   for (const std::uint32_t j : without) {
@@ -37,17 +45,17 @@ std::vector<Point> free_points(const SignalTable& table, const std::vector<std::
     bool taken = false;
     for (const std::uint32_t j : mount) {
       shares[j] = true;
-      taken = taken || table.transceivers[j].installed;
+      taken = taken || chosen[j];
     }
     for (const std::uint32_t j : mount)
-      if (taken && !table.transceivers[j].installed) dual.if_chosen[j] = infinite;
+      if (taken && !chosen[j]) dual.if_chosen[j] = infinite;
     std::vector<std::uint32_t> options;
     for (const std::uint32_t j : mount)
       if (!is_out[j]) options.push_back(j);
     if (!taken && !options.empty()) points.push_back(make_point(std::move(options), dual.reduced_cost));
   }
   for (std::uint32_t j = 0; j < table.columns(); ++j) {
-    if (table.transceivers[j].installed)
+    if (chosen[j])
       dual.bound += dual.reduced_cost[j];
     else if (!shares[j] && !is_out[j])
       points.push_back(make_point({j}, dual.reduced_cost));
@@ -105,12 +113,11 @@ DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
     return dual;
   }
 
-  std::vector<Point> points = free_points(table, selections.without, dual);
-  const auto installed = static_cast<std::size_t>(
-      std::count_if(table.transceivers.begin(), table.transceivers.end(),
-                    [](const SignalTable::Transceiver& unit) { return unit.installed; }));
-  take_points(std::move(points), selections.min_count - std::min(selections.min_count, installed),
-              selections.max_count - std::min(selections.max_count, installed), dual);
+  const std::vector<bool> chosen = chosen_columns(table, selections);
+  std::vector<Point> points = free_points(table, chosen, selections.without, dual);
+  const auto count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
+  take_points(std::move(points), selections.min_count - std::min(selections.min_count, count),
+              selections.max_count - std::min(selections.max_count, count), dual);
 
   const double slack =
       static_cast<double>(rows.size() + n + 8) * std::numeric_limits<double>::epsilon() * added;

@@ -46,6 +46,7 @@ struct SelectionSet {
   std::size_t min_count = 0;  ///< minimum count, installed units included
   std::size_t max_count = std::numeric_limits<std::size_t>::max();
   std::vector<std::uint32_t> without = {};  ///< columns that are not chosen; no installed ones
+  std::vector<std::uint32_t> with = {};     ///< columns that are chosen besides the installed ones
 };
 
 /// A lower bound from multipliers; all numbers are safe against rounding.
@@ -60,7 +61,7 @@ struct DualBound {
 ///
 ///   c T >= c T + sum_i y_i (b_i - a_i T) = sum_i y_i b_i + sum_j r_j T_j,   r_j = c_j - sum_i y_i a_ij.
 ///
-/// The bound is the minimum of the right-hand side over all T with the installed units, at most one option
+/// The bound is the minimum of the right-hand side over all T with the chosen units, at most one option
 /// per mounting point, and a count allowed by `selections`: the mounting points with the smallest r_j (of
 /// their best option), at least the minimum count, and further negative ones up to the maximum. `if_chosen`
 /// is the same minimum with T_j = 1. Multipliers that are negative or not finite count as 0. Rounding errors

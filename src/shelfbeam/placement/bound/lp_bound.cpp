@@ -31,7 +31,9 @@ class RowGeneration {
         reader_(table, problem, options.selections.max_count),
         pricing_(table, problem, options.selections.max_count),
         lp_(load(table, cost, backend, options)),
-        is_row_(table.rows(), false) {
+        is_row_(table.rows(), false),
+        is_out_(table.columns(), false) {
+    for (const std::uint32_t j : options.selections.without) is_out_[j] = true;
     result_.dual = dual_bound(table, problem, {}, {}, cost, options.selections);
   }
 
@@ -61,6 +63,7 @@ class RowGeneration {
     for (std::size_t j = 0; j < table.columns(); ++j)
       columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
     for (const std::uint32_t j : options.selections.without) columns[j].upper = 0;
+    for (const std::uint32_t j : options.selections.with) columns[j].lower = 1;
     auto lp = backend.lp(columns);
     std::vector<milp::Row> rows;
     for (const auto& mount : table.mounts) {
@@ -84,7 +87,9 @@ class RowGeneration {
     std::vector<milp::Row> rows;
     for (const BoundRow& row : batch) {
       milp::Row& built = rows.emplace_back();
-      built.lower = reader_.read(row, [&](std::uint32_t j, double a) { built.entries.push_back({j, a}); });
+      built.lower = reader_.read(row, [&](std::uint32_t j, double a) {
+        if (!is_out_[j]) built.entries.push_back({j, a});
+      });
       if (row.is_plain()) {
         is_row_[row.label] = true;
         result_.labels.push_back(row.label);
@@ -148,6 +153,7 @@ class RowGeneration {
   std::unique_ptr<milp::LpSession> lp_;
   std::vector<BoundRow> rows_;  ///< all rows in the LP
   std::vector<bool> is_row_;    ///< per label: its row is in the LP
+  std::vector<bool> is_out_;    ///< per column: SelectionSet::without
   LpBound result_;
 };
 

@@ -10,19 +10,35 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// Rows and columns of the remainder of the reductions, numbered from 0.
+// Rows and columns of the remainder of the reductions, numbered from 0. Columns in conflict with forced ones
+// are omitted.
 struct SparseCover {
   std::vector<std::vector<std::uint32_t>> columns_of, rows_of;
-  std::vector<std::uint32_t> column;  ///< number in the table
+  std::vector<std::vector<std::uint32_t>> excludes;  ///< by column: those in conflict with it
+  std::vector<std::int64_t> cost;                    ///< 1 if units are counted
+  std::vector<std::uint32_t> column;                 ///< number in the table
 
-  SparseCover(const SignalTable& table, const PlacementProblem& problem, const Reduction& reduction) {
+  SparseCover(const SearchInstance& instance, const Reduction& reduction) {
+    const SignalTable& table = instance.table;
+    const PlacementProblem& problem = instance.problem;
+    const bool is_weighted = problem.combination == Combination::weighted;
+    std::vector<bool> is_out(table.columns(), false);
+    for (const std::uint32_t j : reduction.forced)
+      for (const std::uint32_t other : instance.excludes[j]) is_out[other] = true;
     std::vector<std::uint32_t> place(table.columns(), none);
     for (const CoverPart& part : reduction.parts) {
       if (part.labels.empty()) continue;
       for (const std::uint32_t j : part.columns) {
+        if (is_out[j]) continue;
         place[j] = static_cast<std::uint32_t>(column.size());
         column.push_back(j);
+        cost.push_back(is_weighted ? instance.cost[j] : 1);
       }
+    }
+    for (const std::uint32_t j : column) {
+      auto& others = excludes.emplace_back();
+      for (const std::uint32_t other : instance.excludes[j])
+        if (place[other] != none) others.push_back(place[other]);
     }
     rows_of.resize(column.size());
     for (const CoverPart& part : reduction.parts) {
@@ -45,9 +61,9 @@ struct SparseCover {
 
 class CoverWalk {
  public:
-  CoverWalk(const SparseCover& cover, std::size_t known, std::uint32_t seed)
+  CoverWalk(const SparseCover& cover, std::int64_t known, std::uint32_t seed)
       : cover_(cover),
-        fewest_(known),
+        least_(known),
         in_(cover.column.size(), false),
         score_(cover.column.size(), 0),
         touched_(cover.column.size(), 0),
@@ -59,12 +75,19 @@ class CoverWalk {
       position_[i] = static_cast<std::uint32_t>(open_.size());
       open_.push_back(i);
     }
-    for (std::size_t c = 0; c < in_.size(); ++c)
+    for (std::size_t c = 0; c < in_.size(); ++c) {
       score_[c] = static_cast<std::int64_t>(cover.rows_of[c].size());
+      per_cost_.push_back(1 / std::max(static_cast<double>(cover.cost[c]), 1e-3));
+    }
+    if (!cover.cost.empty()) min_cost_ = *std::min_element(cover.cost.begin(), cover.cost.end());
   }
 
   void run(const Effort& effort, const RunControl& control) {
-    while (!open_.empty()) add(best_for(open_[random_() % open_.size()], true));
+    // Conflicts may keep a first selection from ever being complete.
+    for (std::size_t k = 0; k < 2 * weight_.size() && !open_.empty(); ++k) {
+      const std::uint32_t c = best_for(open_[random_() % open_.size()], true);
+      if (c != SparseCover::none) add(c);
+    }
     constexpr std::uint64_t between_looks = 1024;
     std::uint32_t last = SparseCover::none;
     for (std::uint64_t move = 1; move <= effort.steps; ++move) {
@@ -73,18 +96,21 @@ class CoverWalk {
         control.report("local search", -1, fmt::format("{} moves", move));
       }
       now_ = move;
-      while (open_.empty() || chosen_.size() >= fewest_) {
-        if (open_.empty() && chosen_.size() < fewest_) {
-          fewest_ = chosen_.size();
+      while (open_.empty() || spent_ >= least_) {
+        if (open_.empty() && spent_ < least_) {
+          least_ = spent_;
           best_ = chosen_;
         }
         if (chosen_.empty()) return;
         remove(min_useful(SparseCover::none));
       }
-      if (chosen_.size() + 1 >= fewest_ && !chosen_.empty()) remove(min_useful(last));
+      if (spent_ + min_cost_ >= least_ && !chosen_.empty()) remove(min_useful(last));
       if (open_.empty()) continue;
       last = best_for(open_[random_() % open_.size()], false);
-      if (last != SparseCover::none) add(last);
+      if (last != SparseCover::none) {
+        add(last);
+        while (spent_ >= least_ && chosen_.size() > 1) remove(min_useful(last));
+      }
       for (const std::uint32_t i : open_) {
         ++weight_[i];
         for (const std::uint32_t c : cover_.columns_of[i]) ++score_[c];
@@ -92,16 +118,23 @@ class CoverWalk {
     }
   }
 
-  Found best() const { return {best_, static_cast<double>(fewest_)}; }
+  Found best() const { return {best_, static_cast<double>(least_)}; }
 
  private:
+  double value(std::uint32_t c) const { return static_cast<double>(score_[c]) * per_cost_[c]; }
+
   std::uint32_t best_for(std::uint32_t row, bool may_return) const {
     std::uint32_t best = SparseCover::none;
+    double max_value = 0;
     for (const std::uint32_t c : cover_.columns_of[row]) {
-      if (in_[c] || (!may_return && touched_[c] > 0 && touched_[c] + 1 >= now_)) continue;
-      if (best == SparseCover::none || score_[c] > score_[best] ||
-          (score_[c] == score_[best] && touched_[c] < touched_[best]))
-        best = c;
+      if (in_[c] || cover_.cost[c] >= least_) continue;
+      if (!may_return && touched_[c] > 0 && touched_[c] + 1 >= now_) continue;
+      const double own = value(c);
+      if (best != SparseCover::none &&
+          (own < max_value || (own == max_value && touched_[c] >= touched_[best])))
+        continue;
+      best = c;
+      max_value = own;
     }
     return best;
   }
@@ -109,11 +142,15 @@ class CoverWalk {
   // The column added last stays for a move, unless it is the only one.
   std::uint32_t min_useful(std::uint32_t last) const {
     std::uint32_t best = SparseCover::none;
+    double min_value = 0;
     for (const std::uint32_t c : chosen_) {
       if (c == last && chosen_.size() > 1) continue;
-      if (best == SparseCover::none || score_[c] < score_[best] ||
-          (score_[c] == score_[best] && touched_[c] < touched_[best]))
-        best = c;
+      const double own = value(c);
+      if (best != SparseCover::none &&
+          (own > min_value || (own == min_value && touched_[c] >= touched_[best])))
+        continue;
+      best = c;
+      min_value = own;
     }
     return best;
   }
@@ -123,7 +160,10 @@ class CoverWalk {
   //   score_j = sum of w_i over the open rows that j would reach  (j outside the selection),
   //   score_j = sum of w_i over the rows that only j reaches      (j in the selection).
   void add(std::uint32_t c) {
+    for (const std::uint32_t other : cover_.excludes[c])
+      if (in_[other]) remove(other);
     in_[c] = true;
+    spent_ += cover_.cost[c];
     chosen_.push_back(c);
     touched_[c] = now_;
     std::int64_t alone = 0;
@@ -143,6 +183,7 @@ class CoverWalk {
 
   void remove(std::uint32_t c) {
     in_[c] = false;
+    spent_ -= cover_.cost[c];
     chosen_.erase(std::find(chosen_.begin(), chosen_.end(), c));
     touched_[c] = now_;
     std::int64_t lost = 0;
@@ -168,7 +209,9 @@ class CoverWalk {
   }
 
   const SparseCover& cover_;
-  std::size_t fewest_;
+  std::int64_t least_;  ///< cost of the best selection
+  std::int64_t spent_ = 0, min_cost_ = 0;
+  std::vector<double> per_cost_;
   std::vector<bool> in_;
   std::vector<std::int64_t> score_;
   std::vector<std::uint64_t> touched_;  ///< last move that added or removed the column
@@ -183,20 +226,19 @@ class CoverWalk {
 
 }  // namespace
 
-bool is_plain_cover(const SignalTable& table, const PlacementProblem& problem) {
-  return problem.model == CommunicationModel::non_cooperative && !problem.redundant &&
-         problem.combination == Combination::lexicographic && table.mounts.empty() && table.conflicts.empty();
-}
-
-std::optional<Selection> cover_search(const SignalTable& table, const PlacementProblem& problem,
-                                      const Reduction& reduction, const Selection& start,
-                                      const Effort& effort, std::uint32_t seed, const RunControl& control) {
-  if (!is_plain_cover(table, problem)) return std::nullopt;
-  if (reduction.infeasible || start.size() <= reduction.forced.size()) return std::nullopt;
-  const SparseCover cover(table, problem, reduction);
-  const auto columns = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
-    return CoverWalk(cover, start.size() - reduction.forced.size(), own_seed);
-  });
+std::optional<Selection> cover_search(const SearchInstance& instance, const Reduction& reduction,
+                                      const Selection& start, const Effort& effort, std::uint32_t seed,
+                                      const RunControl& control) {
+  if (reduction.infeasible) return std::nullopt;
+  const bool is_weighted = instance.problem.combination == Combination::weighted;
+  const auto cost_of = [&](const Selection& selected) {
+    return is_weighted ? instance.cost_of(selected) : static_cast<std::int64_t>(selected.size());
+  };
+  const std::int64_t known = cost_of(start) - cost_of(reduction.forced);
+  if (known <= 0) return std::nullopt;
+  const SparseCover cover(instance, reduction);
+  const auto columns = best_of_walks(
+      seed, effort, control, [&](std::uint32_t own_seed) { return CoverWalk(cover, known, own_seed); });
   if (!columns) return std::nullopt;
   std::vector<std::uint32_t> selected = reduction.forced;
   for (const std::uint32_t c : *columns) selected.push_back(cover.column[c]);

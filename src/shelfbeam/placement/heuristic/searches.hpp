@@ -29,14 +29,11 @@ std::optional<Selection> anneal(const SearchInstance& instance, const SearchMatr
                                 const Selection& start, const Effort& effort, std::uint32_t seed,
                                 const RunControl& control);
 
-/// Whether `cover_search` applies: lexicographic, non-cooperative, no unit failure, no conflicts.
-bool is_plain_cover(const SignalTable& table, const PlacementProblem& problem);
-
-/// A selection with fewer units than the feasible `start`: row-weighting search for set covering (Gao and
-/// others, Eur. J. Oper. Res. 246, 2015) on the remainder of `reduction`, which is for the count. Moves need
-/// no scan of the matrix.
-std::optional<Selection> cover_search(const SignalTable& table, const PlacementProblem& problem,
-                                      const Reduction& reduction, const Selection& start,
-                                      const Effort& effort, std::uint32_t seed, const RunControl& control);
+/// A selection better than `start` (fewer units, or less cost if weighted), for non-cooperative problems
+/// without unit failure: row-weighting search for set covering (Gao and others, Eur. J. Oper. Res. 246, 2015)
+/// on the remainder of `reduction`, which is for the first objective. Moves need no scan of the matrix.
+std::optional<Selection> cover_search(const SearchInstance& instance, const Reduction& reduction,
+                                      const Selection& start, const Effort& effort, std::uint32_t seed,
+                                      const RunControl& control);
 
 }  // namespace shelfbeam::detail

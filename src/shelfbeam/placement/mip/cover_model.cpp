@@ -35,14 +35,21 @@ milp::Row relaxed(milp::Row row) {
 }
 
 CoverModel::CoverModel(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve,
-                       double time_limit_s, const RunControl& control)
-    : table_(table), problem_(problem), solve_(solve), control_(control), deadline_(time_limit_s) {}
+                       double time_limit_s, const RunControl& control, const MipKnowledge& knowledge)
+    : table_(table),
+      problem_(problem),
+      solve_(solve),
+      control_(control),
+      knowledge_(knowledge),
+      deadline_(time_limit_s) {}
 
 void CoverModel::build() {
   model_ = model_without_failures(table_, problem_);
   built_ = true;
+  if (problem_.model == CommunicationModel::cooperative)
+    for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
+  model_.rows.insert(model_.rows.end(), knowledge_.cuts.begin(), knowledge_.cuts.end());
   if (problem_.model == CommunicationModel::non_cooperative) return;
-  for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
   if (!problem_.redundant) return;
   for (std::size_t i = 0; i < table_.rows(); ++i) {
     const auto row = table_.row(i);
@@ -106,10 +113,11 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
   if (!built_) build();
   for (std::size_t j = 0; j < cost.size(); ++j) {
     milp::Column& column = model_.columns[j];
-    const bool too_dear = column.lower == 0 && cost[j] > known * (1 + 1e-9);
+    const bool too_dear = column.lower == 0 && cost[j] > std::min(known, knowledge_.cutoff) * (1 + 1e-9);
     column.cost = too_dear ? 0 : cost[j];
     column.upper = too_dear ? 0 : 1;
   }
+  for (const std::uint32_t j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
   bound_label_rows(count ? *count : CostBounds(table_, cost).affordable(known));
   milp::Row count_row;
   if (count) {
@@ -119,7 +127,11 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
 
   while (!deadline_.has_passed() && !control_.cancelled()) {
     if (count) model_.rows.push_back(count_row);
-    const milp::Result result = solve_(model_, {.time_limit_s = deadline_.seconds_left()}, control_);
+    const milp::Result result = solve_(model_,
+                                       {.time_limit_s = deadline_.seconds_left(),
+                                        .relative_gap = CostBounds(table_, cost).step() > 0 ? 1e-9 : 1e-6,
+                                        .cutoff = knowledge_.cutoff},
+                                       control_);
     const bool empty_handed = result.solution.empty() && !model_.columns.empty();
     const bool wrong =
         !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
@@ -127,7 +139,8 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
 
     // Rows relax the rule and cuts keep every feasible selection, so this is a proof unless a selection is
     // known.
-    if (result.termination == milp::Termination::infeasible && known == milp::infinity) {
+    const bool may_be_empty = known == milp::infinity || knowledge_.cutoff < milp::infinity;
+    if (result.termination == milp::Termination::infeasible && may_be_empty) {
       outcome.infeasible = true;
       break;
     }
@@ -136,15 +149,17 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
       outcome.failed = true;
       break;
     }
-    outcome.bound = std::max(outcome.bound, result.dual_bound);
+    const double tolerance = result.is_safe ? 0 : milp::objective_slack(model_, result.dual_bound);
+    outcome.bound = std::max(outcome.bound, result.dual_bound - tolerance);
     if (empty_handed) break;
     std::vector<std::uint32_t> selected;
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
       if (result.solution[j] > 0.5) selected.push_back(j);
     const Check check = check_selection(table_, problem_, selected);
     if (check.met()) {
+      outcome.proven = result.termination == milp::Termination::optimal &&
+                       supports(outcome.bound, milp::objective(model_, result.solution), cost);
       outcome.selected = std::move(selected);
-      outcome.proven = result.termination == milp::Termination::optimal;
       break;
     }
     if (result.termination != milp::Termination::optimal) break;
@@ -155,6 +170,13 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     if (!add_failure_rows(selected, check.unmet)) cut_off(selected, check.unmet.front());
   }
   return outcome;
+}
+
+bool CoverModel::supports(double bound, double value, std::span<const double> cost) const {
+  const CostBounds bounds(table_, cost);
+  if (bounds.step() > 0) return bounds.rounded(bound) >= value - bounds.tolerance(value);
+  constexpr double gap = 1e-6;
+  return value - bound <= gap * value;
 }
 
 // The selection misses the label, and so does every part of it (signals are not negative). It is extended by

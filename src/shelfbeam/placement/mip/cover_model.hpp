@@ -21,24 +21,29 @@ milp::Row relaxed(milp::Row row);
 class CoverModel {
  public:
   CoverModel(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve,
-             double time_limit_s, const RunControl& control);
+             double time_limit_s, const RunControl& control, const MipKnowledge& knowledge = {});
 
   struct Outcome {
     std::optional<std::vector<std::uint32_t>> selected;  ///< ascending, accepted by the checker
-    double bound = -milp::infinity;                      ///< no selection costs less
-    bool proven = false;                                 ///< `selected` is optimal within the solver's gap
-    bool infeasible = false;  ///< no feasible selection exists; only if none was known
-    bool failed = false;      ///< the solver failed or contradicted what is known
+    double bound = -milp::infinity;  ///< no selection costs less, as far as the solver's tolerances tell
+    bool proven = false;             ///< the bound supports that `selected` is optimal
+    bool infeasible = false;         ///< no feasible selection exists, or none of cost up to the cut-off
+    bool failed = false;             ///< the solver failed or contradicted what is known
   };
 
   /// The feasible selection of minimum cost; of exactly `count` units if given. Precondition: a feasible
   /// selection costs at most `known`; infinite if none is known. Units that alone cost more are omitted, so
   /// that their costs do not hide the others within the solver's tolerances.
+  ///
+  /// Bounds that are not safe are lowered by the tolerance of solvers (milp::objective_slack). `proven`
+  /// requires that the bound, rounded up to CostBounds::step, is the cost of the selection, or without a
+  /// step, that both differ by at most 1e-6 of the cost.
   Outcome minimise(std::span<const double> cost, double known,
                    std::optional<std::size_t> count = std::nullopt);
 
  private:
   void build();
+  bool supports(double bound, double value, std::span<const double> cost) const;
   void bound_label_rows(std::size_t max_units);
   bool add_failure_rows(const std::vector<std::uint32_t>& selected, const std::vector<std::uint32_t>& unmet);
   bool add_failure(std::size_t label, std::uint32_t failed);
@@ -48,6 +53,7 @@ class CoverModel {
   const PlacementProblem& problem_;
   const SolveFunction& solve_;
   const RunControl& control_;
+  MipKnowledge knowledge_;
   Deadline deadline_;
   milp::Model model_;  ///< built on first use
   bool built_ = false;

@@ -124,8 +124,8 @@ SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> n
 
 MipResult place_by_mip(const SignalTable& table, const PlacementProblem& problem,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
-                       double time_limit_s, const RunControl& control) {
-  detail::CoverModel model(table, problem, solve, time_limit_s, control);
+                       double time_limit_s, const RunControl& control, const MipKnowledge& knowledge) {
+  detail::CoverModel model(table, problem, solve, time_limit_s, control, knowledge);
   Search search{table, problem, model};
   search.offer(start);
   MipResult answer =

@@ -6,12 +6,14 @@
 #include <numeric>
 
 #include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
 constexpr double solver_tolerance = 1e-6;
+constexpr double rounding = 1e-7;  // of a bound, before it is rounded up to a step
 
 }  // namespace
 
@@ -25,8 +27,9 @@ std::size_t trivial_count_bound(const SignalTable& table, const PlacementProblem
 }
 
 CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {
+  bool is_whole = true;
   for (std::size_t j = 0; j < cost.size(); ++j) {
-    whole_ = whole_ && cost[j] == std::round(cost[j]);
+    is_whole = is_whole && cost[j] == std::round(cost[j]);
     if (table.transceivers[j].installed) {
       installed_cost_ += cost[j];
       ++installed_;
@@ -35,6 +38,7 @@ CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {
     }
   }
   std::sort(ascending_.begin(), ascending_.end());
+  step_ = std::max(price_step(cost), is_whole ? 1.0 : 0.0);
 }
 
 double CostBounds::cheapest(std::size_t count) const {
@@ -67,9 +71,21 @@ std::size_t CostBounds::affordable(double cost) const {
 }
 
 double CostBounds::rounded(double bound) const {
-  const double slack = solver_tolerance * std::max(1.0, std::abs(bound));
-  if (!whole_ || !(slack < 0.5)) return bound;
-  return std::ceil(bound - slack);
+  const double slack = rounding * std::max(step_, std::abs(bound));
+  if (!std::isfinite(bound) || !(slack < 0.5 * step_)) return bound;
+  return std::ceil((bound - slack) / step_) * step_;
+}
+
+double CostBounds::tolerance(double value) const {
+  constexpr double equal_values = 1e-9, exact = 1e12;
+  const bool sees_steps = step_ > 0 && value < exact * step_;
+  return sees_steps ? std::min(equal_values * value, 0.5 * step_) : equal_values * value;
+}
+
+double CostBounds::below(double known) const {
+  const bool sees_steps = step_ > 0 && tolerance(known) <= 0.5 * step_;
+  constexpr double within = 0.99;  // the difference is rounded
+  return known - (sees_steps ? step_ * (1 - rounding) : within * tolerance(known));
 }
 
 }  // namespace shelfbeam

@@ -28,14 +28,25 @@ class CostBounds {
   /// others.
   std::size_t affordable(double cost) const;
 
-  /// A solver's dual bound, rounded up (less 1e-6, the solvers' tolerance) if all costs are integers.
+  /// A dual bound, rounded up to a multiple of `step` (less 1e-7, for rounding) if there is one.
   double rounded(double bound) const;
+
+  /// The largest number of which all costs are multiples, so that different values differ by at least this;
+  /// 0 if there is none (price_step).
+  double step() const { return step_; }
+
+  /// Values that differ by no more than this are equal: 1e-9 of the value, because sums in another order
+  /// round differently, and less than a step.
+  double tolerance(double value) const;
+
+  /// The largest cost of selections that are better than one of cost `known`.
+  double below(double known) const;
 
  private:
   double installed_cost_ = 0;
   std::size_t installed_ = 0;
   std::vector<double> ascending_;  ///< costs of the units that are not installed
-  bool whole_ = true;
+  double step_ = 0;
 };
 
 }  // namespace shelfbeam

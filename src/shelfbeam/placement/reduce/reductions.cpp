@@ -60,7 +60,8 @@ std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
 class CoverReducer {
  public:
   CoverReducer(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-               const std::vector<bool>& pinned, const std::function<bool()>& stop)
+               const std::vector<bool>& pinned, const std::function<bool()>& stop,
+               std::span<const std::uint32_t> omitted)
       : table_(table),
         stop_(stop),
         cost_(cost),
@@ -75,6 +76,7 @@ class CoverReducer {
       cover.for_entries(i, [&](std::uint32_t j, double) { rows_.add(i, j); });
     for (std::uint32_t k = 0; k < table.mounts.size(); ++k)
       for (const std::uint32_t j : table.mounts[k]) mount_[j] = k;
+    for (const std::uint32_t j : omitted) open_[j] = false;
   }
 
   Reduction run() {
@@ -252,8 +254,8 @@ class CoverReducer {
 
 Reduction reduce_cover(const SignalTable& table, const PlacementProblem& problem,
                        std::span<const double> cost, const std::vector<bool>& pinned,
-                       const std::function<bool()>& stop) {
-  return CoverReducer(table, problem, cost, pinned, stop).run();
+                       const std::function<bool()>& stop, std::span<const std::uint32_t> omitted) {
+  return CoverReducer(table, problem, cost, pinned, stop, omitted).run();
 }
 
 }  // namespace shelfbeam::detail

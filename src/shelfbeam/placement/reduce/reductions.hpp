@@ -38,11 +38,12 @@ struct Reduction {
 /// constraints unknown here: they are neither closed nor used to close others, are forced only if a label
 /// requires them, and those that remain form one part. For an objective at the minimum count, where every
 /// unit counts 1, `cost` is that objective: a column is then exchanged for another at no greater value.
+/// Columns of `omitted` are closed from the beginning: the result concerns selections without them.
 ///
 /// If `stop` returns true, the reduction ends early and is still valid. It is not valid if labels must be
 /// reached twice.
 Reduction reduce_cover(const SignalTable& table, const PlacementProblem& problem,
                        std::span<const double> cost, const std::vector<bool>& pinned = {},
-                       const std::function<bool()>& stop = {});
+                       const std::function<bool()>& stop = {}, std::span<const std::uint32_t> omitted = {});
 
 }  // namespace shelfbeam::detail

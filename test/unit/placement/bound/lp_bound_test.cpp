@@ -109,7 +109,8 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
         .redundant = random.chance(0.2)};
     const test::BruteForce truth(table, problem);
     if (!truth.feasible) continue;
-    const detail::CountBound found = detail::count_bound(table, problem, GetParam(), milp::infinity, {});
+    const detail::CountBound found =
+        detail::count_bound(table, problem, GetParam(), {.time_limit_s = milp::infinity}, {});
     ASSERT_LE(found.count, truth.fewest);
     ASSERT_GE(static_cast<double>(found.count), found.relaxation.dual.bound);
     EXPECT_TRUE(found.complete);
@@ -121,7 +122,8 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
     for (const std::size_t most : {truth.fewest - std::min<std::size_t>(truth.fewest, 1), truth.fewest}) {
       const LpBound limited = bound(table, problem, ones, {.selections = {.max_count = most}});
       const auto is_shown = [&](double seconds, const RunControl& control) {
-        return prove_count_exceeds(table, problem, GetParam(), most, limited, seconds, control);
+        return prove_count_exceeds(table, problem, GetParam(), {.max_count = most}, limited, seconds,
+                                   control);
       };
       if (most == truth.fewest) {
         ASSERT_FALSE(is_shown(milp::infinity, {}));
@@ -168,7 +170,7 @@ TEST_P(LpBounds, OfTheCountTestSmallerCounts) {
   std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
   for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
   const detail::CountBound found =
-      detail::count_bound(test::make_table(matrix, 10), {}, GetParam(), milp::infinity, {});
+      detail::count_bound(test::make_table(matrix, 10), {}, GetParam(), {.time_limit_s = milp::infinity}, {});
   EXPECT_LT(found.relaxation.dual.bound, 4);
   EXPECT_EQ(found.count, 5U);
   EXPECT_TRUE(found.complete);

@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
+#include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
+#include "unit/placement/enumeration.hpp"
 #include "unit/placement/formula_instances.hpp"
 
 namespace shelfbeam {
@@ -21,7 +24,8 @@ std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const
                                                  std::uint32_t seed = 1) {
   const std::vector<double> ones(table.columns(), 1.0);
   const detail::Reduction reduction = detail::reduce_cover(table, alone, ones);
-  return detail::cover_search(table, problem, reduction, start, {moves}, seed, {});
+  const detail::SearchInstance instance(table, problem);
+  return detail::cover_search(instance, reduction, start, {moves}, seed, {});
 }
 
 std::vector<std::uint32_t> everything(const SignalTable& table) {
@@ -61,13 +65,35 @@ TEST(CoverSearch, KeepsInstalledUnitsAndClaimsNoBound) {
                search(table, alone, *found, moves)->size() >= found->size());
 }
 
-TEST(CoverSearch, IgnoresOtherProblems) {
-  SignalTable table = test::affine_lines(2);
-  const auto all = everything(table);
-  EXPECT_FALSE(search(table, {}, all, 1000));
-  EXPECT_FALSE(search(table, {.model = alone.model, .redundant = true}, all, 1000));
-  table.conflicts = {{0, 1}};
-  EXPECT_FALSE(search(table, alone, all, 1000));
+// Random weighted covers with conflicts, compared with enumeration: most selections are optimal, and all are
+// feasible and cheaper than the start.
+TEST(CoverSearch, FindsCheapSelectionsWithConflicts) {
+  test::RandomTables random(41, {.labels = 12, .transceivers = 12, .borderline = false, .mounts = true});
+  int found_some = 0, optimal = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const SignalTable table = random.next();
+    const PlacementProblem problem{.model = CommunicationModel::non_cooperative,
+                                   .combination = Combination::weighted};
+    const test::BruteForce truth(table, problem);
+    const auto start = greedy_selection(table, {.model = problem.model});
+    if (!truth.feasible || !check_selection(table, problem, start).met()) continue;
+    const std::vector<double> cost = first_objective(table, problem);
+    const auto value = [&](const std::vector<std::uint32_t>& selected) {
+      double sum = 0;
+      for (const std::uint32_t j : selected) sum += cost[j];
+      return sum;
+    };
+    const detail::Reduction reduction = detail::reduce_cover(table, problem, cost);
+    const detail::SearchInstance instance(table, problem);
+    const auto found = detail::cover_search(instance, reduction, start, {500}, 1, {});
+    if (!found) continue;
+    ++found_some;
+    EXPECT_TRUE(check_selection(table, problem, *found).met()) << k;
+    EXPECT_LT(value(*found), value(start)) << k;
+    optimal += value(*found) <= truth.best_sum * (1 + 1e-9);
+  }
+  EXPECT_GT(found_some, 20);
+  EXPECT_GE(optimal, found_some - 1);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(PlacementBounds, AlwaysIncludeInstalledUnits) {
   EXPECT_EQ(trivial_count_bound(table, {}), 2U);
 }
 
-TEST(PlacementBounds, RoundUpWholeCostsOnly) {
+TEST(PlacementBounds, RoundUpToTheStepOfCosts) {
   const SignalTable table = test::make_table({}, 2);
   const CostBounds whole(table, std::vector<double>{1, 2});
   EXPECT_EQ(whole.rounded(4.3), 5);
@@ -63,9 +63,20 @@ TEST(PlacementBounds, RoundUpWholeCostsOnly) {
   EXPECT_EQ(whole.rounded(4.00001), 5);
   EXPECT_EQ(whole.rounded(3.9999999), 4);
   EXPECT_EQ(whole.rounded(-INFINITY), -INFINITY);
-  EXPECT_EQ(whole.rounded(1e7 + 0.25), 1e7 + 0.25);  // the gap of 1e-6 is larger than 1 there
-  const CostBounds broken(table, std::vector<double>{1, 2.5});
-  EXPECT_EQ(broken.rounded(4.3), 4.3);
+  EXPECT_EQ(whole.rounded(1e7 + 0.25), 1e7 + 0.25);  // bounds are not accurate enough there
+  EXPECT_NEAR(whole.below(5), 4, 1e-6);
+  const CostBounds halves(table, std::vector<double>{1, 2.5});
+  EXPECT_EQ(halves.step(), 0.5);
+  EXPECT_EQ(halves.rounded(4.3), 4.5);
+  EXPECT_NEAR(halves.below(5), 4.5, 1e-6);
+  const CostBounds real(table, std::vector<double>{1, std::sqrt(2)});
+  EXPECT_EQ(real.step(), 0);
+  EXPECT_EQ(real.rounded(4.3), 4.3);
+  EXPECT_LT(real.below(5), 5);
+  EXPECT_GT(real.below(5), 5 - 1e-8);
+  const CostBounds vast(table, std::vector<double>{1, 1e12});
+  EXPECT_NEAR(vast.below(1e11 + 10), 1e11 + 9, 1e-3);
+  EXPECT_LT(vast.tolerance(1e11), 1);
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include "shelfbeam/placement/bound/sparse_rows.hpp"
+
+#include <utility>
+
+#include "shelfbeam/placement/problem/mounts.hpp"
+
+namespace shelfbeam::detail {
+
+SparseRows::SparseRows(const SignalTable& table, const PlacementProblem& problem,
+                       std::span<const double> cost, const SelectionSet& selections,
+                       std::vector<BoundRow> rows)
+    : bound_rows_(std::move(rows)) {
+  constexpr std::uint32_t closed = ~std::uint32_t{0}, is_chosen = closed - 1;
+  const Mounts mounts(table);
+  std::vector<std::uint32_t> place(table.columns(), 0);
+  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+    if (!mounts.available(j)) place[j] = closed;
+    if (table.transceivers[j].installed) place[j] = is_chosen;
+  }
+  for (const std::uint32_t j : selections.without) place[j] = closed;
+  for (const std::uint32_t j : selections.with) {
+    for (const std::uint32_t option : mounts.options(j)) place[option] = closed;
+    place[j] = is_chosen;
+  }
+  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+    if (place[j] == is_chosen) {
+      chosen_.push_back(j);
+      chosen_cost_ += cost[j];
+    }
+    if (place[j] >= is_chosen) continue;
+    place[j] = static_cast<std::uint32_t>(column_.size());
+    column_.push_back(j);
+    cost_.push_back(cost[j]);
+  }
+  group_.assign(column_.size(), no_group);
+  for (const auto& mount : table.mounts) {
+    bool is_open = false;
+    for (const std::uint32_t j : mount) {
+      if (place[j] >= is_chosen) continue;
+      group_[place[j]] = static_cast<std::uint32_t>(groups_);
+      is_open = true;
+    }
+    groups_ += is_open ? 1 : 0;
+  }
+
+  BoundRowReader reader(table, problem, selections.max_count);
+  column_begin_.assign(column_.size() + 1, 0);
+  for (const BoundRow& row : bound_rows_) {
+    double met = 0;
+    const double rhs = reader.read(row, [&](std::uint32_t j, double a) {
+      if (place[j] == is_chosen) met += a;
+      if (place[j] >= is_chosen) return;
+      of_row_.push_back({place[j], static_cast<float>(a)});
+      ++column_begin_[place[j] + 1];
+    });
+    rhs_.push_back(rhs - met);
+    row_begin_.push_back(of_row_.size());
+  }
+  for (std::size_t j = 0; j < column_.size(); ++j) column_begin_[j + 1] += column_begin_[j];
+  of_column_.resize(of_row_.size());
+  std::vector<std::size_t> next(column_begin_.begin(), column_begin_.end() - 1);
+  for (std::uint32_t i = 0; i < rhs_.size(); ++i)
+    for (const Term& term : row(i)) of_column_[next[term.index]++] = {i, term.a};
+}
+
+}  // namespace shelfbeam::detail
