@@ -106,7 +106,20 @@ class Tree {
 
   bool is_over() {
     return failed_ || was_cut_ || control_.cancelled() || deadline_.has_passed() ||
-           (options_.node_limit && nodes_ >= *options_.node_limit);
+           (options_.node_limit && nodes_ >= *options_.node_limit) || is_hopeless();
+  }
+
+  // At the present pace, the tree would take several times the limits. Each branch counts half of its node.
+  bool is_hopeless() const {
+    constexpr double trial = 0.05, patience = 3;
+    const auto exceeds = [&](double used, double limit) {
+      return used > trial * limit && used > patience * limit * closed_;
+    };
+    if (options_.node_limit &&
+        exceeds(static_cast<double>(nodes_), static_cast<double>(*options_.node_limit)))
+      return true;
+    return options_.time_limit_s < infinity &&
+           exceeds(options_.time_limit_s - deadline_.seconds_left(), options_.time_limit_s);
   }
 
   void set(std::uint32_t j, double lower, double upper) {
@@ -134,7 +147,11 @@ class Tree {
   // Explores the subtree of the present bounds. `above`: bound of the parent.
   void visit(double above) {
     const std::size_t depth = changes_.size();
+    const double before = closed_, size = std::ldexp(1.0, -branches_);
+    ++branches_;
     explore(above);
+    --branches_;
+    closed_ = before + size;
     undo(depth);
   }
 
@@ -319,6 +336,8 @@ class Tree {
   double best_value_ = infinity;
   double open_bound_ = infinity;  ///< of the subtrees left open
   bool was_cut_ = false, failed_ = false;
+  double closed_ = 0;  ///< share of the tree
+  int branches_ = 0;   ///< above the present node
   std::uint64_t nodes_ = 0;
 };
 

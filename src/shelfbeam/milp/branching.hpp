@@ -13,6 +13,8 @@ namespace shelfbeam::milp {
 /// in double precision, prove that it contains nothing up to the cut-off (`safe_bound`), or that it contains
 /// nothing at all. Result::dual_bound is such a bound, too. SolveOptions::relative_gap plays no part.
 ///
+/// Ends early, as at a limit, if its progress shows that the limits are several times too short.
+///
 /// Termination::error if some column is not binary or the LPs fail.
 Result branch_and_bound(const Model& model, const Backend& backend, const SolveOptions& options,
                         const RunControl& control);

@@ -63,6 +63,12 @@ constexpr auto is_large_whole = [](State state) { return !state.is_small() && !s
 constexpr auto is_large_cover = [](State state) { return !state.is_small() && state.is_cover(); };
 constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.is_cover(); };
 constexpr auto is_covering = [](State state) { return state.is_cover(); };
+// Better selections exclude more columns, which pays if many are left.
+constexpr auto has_many_left = [](State state) {
+  constexpr std::size_t many = 1000;
+  return state.is_cover() && state.table.columns() - state.useless.size() > many;
+};
+constexpr auto has_few_left = [](State state) { return !has_many_left(state); };
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
 constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
@@ -77,8 +83,9 @@ constexpr Step schedule[] = {
     {"linear programs", has_more_than_bounds, 0.5, no_limit_s, any_steps, raise_bound_by_lp},
     {"linear programs only", has_bounds_alone, 0.7, no_limit_s, any_steps, raise_bound_by_lp},
     {"longer tree search", is_small_whole, 0.3, no_limit_s, 5'000'000, raise_bound_by_tree},
-    {"branch and bound", is_covering, 0.3, no_limit_s, any_steps, branch_on_remainder},
-    {"more local search", always, 0.2, 20, 200'000, improve},
+    {"more local search", has_many_left, 0.2, 20, 200'000, improve},
+    {"branch and bound", is_covering, 0.8, no_limit_s, any_steps, branch_on_remainder},
+    {"more local search", has_few_left, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
     {"tree search", is_large_whole, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
@@ -89,6 +96,7 @@ constexpr Step schedule[] = {
 
 // The schedule of the second objective, once the minimum count is known.
 constexpr Step second_schedule[] = {
+    {"second objective, multipliers", is_large, 0.2, no_limit_s, any_steps, bound_second_by_multipliers},
     {"second objective, linear program", is_large, 0.3, no_limit_s, any_steps, bound_second_by_lp},
     {"second objective, tree", has_tree, 0.6, no_limit_s, any_steps, search_second_by_tree},
     {"second objective, MIP", fits_mip, 1, no_limit_s, any_steps, solve_mip_for_second},
@@ -112,7 +120,14 @@ Effort opening(State state) {
   return {std::min(moves, state.limits.step_limit.value_or(any_steps)), state.deadline.end()};
 }
 
-Placement answer_of(State state) {
+// Bounds that a search without time still owes: a fraction of a second, unless steps are limited.
+Effort last_effort(State state) {
+  constexpr double seconds = 1;
+  constexpr std::uint64_t steps = 150;
+  return {std::min(steps, state.limits.step_limit.value_or(steps)), Deadline(seconds).end()};
+}
+
+Placement answer_of(SearchState& state) {
   const SignalTable& table = state.table;
   const PlacementProblem& problem = state.problem;
   Placement placement;
@@ -124,10 +139,13 @@ Placement answer_of(State state) {
                                   : static_cast<double>(placement.selected.size());
   placement.lower_bound =
       std::min(state.second ? state.second->lower_bound : state.incumbent.bound(), placement.objective_value);
-  placement.count_lower_bound =
-      state.is_weighted ? static_cast<double>(std::max(trivial_count_bound(table, problem),
-                                                       state.bounds.fewest(placement.lower_bound)))
-                        : state.incumbent.bound();
+  placement.count_lower_bound = state.incumbent.bound();
+  if (state.is_weighted) {
+    const std::size_t fewest =
+        std::max(trivial_count_bound(table, problem), state.bounds.fewest(placement.lower_bound));
+    placement.count_lower_bound =
+        std::max(static_cast<double>(fewest), count_bound_by_multipliers(state, last_effort(state)));
+  }
   placement.bound_proof = state.incumbent.proof();
   placement.solver = state.last_backend.empty() ? "search" : "search with " + state.last_backend;
   return placement;
@@ -143,7 +161,10 @@ Placement search(SearchState& state) {
     const CostBounds bounds(state.table, cost);
     state.second = {std::move(cost), bounds, state.incumbent.value_of(state.incumbent.selected()),
                     bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound()))};
-    if (state.incumbent.is_closed()) run(second_schedule, state);
+    if (state.incumbent.is_closed())
+      run(second_schedule, state);
+    else
+      bound_second_by_multipliers(state, last_effort(state));
   }
   const bool is_optimal = state.is_closed();
   const bool settled = is_optimal && state.limits.settles_ties && settle_ties(state, of_opening);

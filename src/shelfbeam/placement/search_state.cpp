@@ -106,12 +106,21 @@ void SearchState::raise_second(double bound, BoundProof proof) {
 
 const Reduction& SearchState::reduction() {
   if (!reduction_) {
-    std::vector<bool> pinned(table.conflicts.empty() ? 0 : table.columns(), false);
-    for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
-    reduction_ = reduce_cover(
-        table, problem, first_cost, pinned, [this] { return out_of_time(); }, useless);
+    reduction_ = reduction_without(useless);
+    reduced_without_ = useless.size();
   }
   return *reduction_;
+}
+
+Reduction SearchState::reduction_below(double cost) const {
+  return reduction_without(relaxation ? useless_columns(*relaxation, cost) : useless);
+}
+
+Reduction SearchState::reduction_without(std::span<const std::uint32_t> columns) const {
+  std::vector<bool> pinned(table.conflicts.empty() ? 0 : table.columns(), false);
+  for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
+  return reduce_cover(
+      table, problem, first_cost, pinned, [this] { return out_of_time(); }, columns);
 }
 
 bool SearchState::exclude(const DualBound& dual) {
@@ -120,6 +129,9 @@ bool SearchState::exclude(const DualBound& dual) {
   std::set_union(useless.begin(), useless.end(), found.begin(), found.end(), std::back_inserter(all));
   if (all.size() == useless.size()) return false;
   useless = std::move(all);
+  // Few further columns are not worth another reduction.
+  constexpr std::size_t part = 20;
+  if ((useless.size() - reduced_without_) * part < table.columns() - useless.size()) return false;
   reduction_.reset();
   return true;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -104,6 +105,7 @@ struct SearchState final : ProgressSink {
   /// Reduced-cost fixing: columns that no selection of cost CostBounds::below(value) contains, ascending. If
   /// a better selection exists, an optimal one is among those of `open_selections`.
   std::vector<std::uint32_t> useless;
+  std::optional<DualBound> relaxation;  ///< the last LP of the first objective, for `open_selections`
   /// Label rows and multipliers of the last relaxation of the first objective, for the next one.
   std::vector<BoundRow> rows;
   std::string last_backend;  ///< name and version of the last back end used; empty if none
@@ -145,7 +147,7 @@ struct SearchState final : ProgressSink {
     const double value = incumbent.value(), below = bounds.below(value);
     raise(bound > below ? (bounds.step() > 0 ? value : std::max(below, incumbent.bound())) : bound, proof);
   }
-  /// Excludes the columns that this bound rules out; true if there are new ones.
+  /// Excludes the columns that this bound rules out; true if there are enough new ones for a reduction.
   bool exclude(const DualBound& dual);
   /// The selections that remain after reductions and exclusions.
   SelectionSet open_selections();
@@ -155,12 +157,17 @@ struct SearchState final : ProgressSink {
 
   /// The remainder of the reductions without useless columns, computed on first use. Covers only.
   const Reduction& reduction();
+  /// The remainder for selections of cost up to `cost`, by the reduced costs of `relaxation`.
+  Reduction reduction_below(double cost) const;
 
   void report_state() const { control.report("placing", -1); }
   void report(std::string_view stage, double fraction, std::string_view detail) override;
 
  private:
+  Reduction reduction_without(std::span<const std::uint32_t> columns) const;
+
   std::optional<Reduction> reduction_;
+  std::size_t reduced_without_ = 0;  ///< number of useless columns at the time
 };
 
 // The steps of a search. Each raises a bound or offers a selection, or both.
@@ -172,6 +179,9 @@ void raise_bound_by_tree(SearchState& state, const Effort& effort);
 /// Lagrangian bound on the count or the whole sum by dual ascent and subgradient steps, without a solver.
 /// Offers selections chosen by the multipliers, and excludes columns by their reduced costs.
 void raise_bound_by_multipliers(SearchState& state, const Effort& effort);
+
+/// A lower bound on the count of all feasible selections in the same way, for problems that minimise a sum.
+double count_bound_by_multipliers(SearchState& state, const Effort& effort);
 
 /// LP bound on the count or the whole sum, with the next back end if one fails. The LP's rows and dual
 /// solution become the first rows and weights of the tree search.
@@ -185,7 +195,9 @@ void branch_on_remainder(SearchState& state, const Effort& effort);
 /// than the incumbent, without useless columns.
 void solve_mip(SearchState& state, const Effort& effort);
 
-// The same methods for the second objective, among selections of at most as many units as the incumbent.
+// The same methods for the second objective, among selections of at most as many units as the incumbent. The
+// multipliers serve all counts from the bound on, if the minimum count is not proven.
+void bound_second_by_multipliers(SearchState& state, const Effort& effort);
 void bound_second_by_lp(SearchState& state, const Effort& effort);
 void search_second_by_tree(SearchState& state, const Effort& effort);
 void solve_mip_for_second(SearchState& state, const Effort& effort);

@@ -125,7 +125,7 @@ double cutoff_of(const SearchState& state) {
 }
 
 // Branch and bound on the remainder of a cover, by the first back end's linear programs.
-Answer branch_reduced(SearchState& state, const Effort& effort) {
+Answer branch_reduced(SearchState& state, const Reduction& reduction, double cutoff, const Effort& effort) {
   std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
   std::stable_partition(backends.begin(), backends.end(),
                         [](const milp::Backend& backend) { return backend.name == "cbc"; });
@@ -133,9 +133,27 @@ Answer branch_reduced(SearchState& state, const Effort& effort) {
                                    const RunControl& control) {
     return milp::branch_and_bound(model, backends.front(), options, control);
   };
-  return place_reduced(state.table, state.problem, state.first_cost, state.reduction(),
-                       state.bounds.below(state.incumbent.value()), limited(branch, effort.steps),
-                       effort.seconds_left(), state.control);
+  Answer nothing;
+  nothing.bound = milp::infinity;
+  if (reduction.infeasible) return nothing;
+  return place_reduced(state.table, state.problem, state.first_cost, reduction, cutoff,
+                       limited(branch, state.limits.step_limit), effort.seconds_left(), state.control);
+}
+
+// Whether a selection costs no more than the bound, or a little more: its tree is small, because reduced
+// costs exclude most columns.
+void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
+  while (!state.is_closed() && !effort.is_over(state.control)) {
+    constexpr double part = 0.1;
+    const double bound = state.incumbent.bound(), value = state.incumbent.value();
+    const double step = state.bounds.step() > 0 ? 0.5 * state.bounds.step() : part * (value - bound);
+    const Reduction reduction = state.reduction_below(bound + step);
+    const Answer answer = branch_reduced(state, reduction, bound + step, effort);
+    state.offer(answer.selected);
+    const bool is_empty = answer.bound > bound + step;
+    if (!is_empty) return;
+    state.raise_open(bound + step, BoundProof::branches);
+  }
 }
 
 Answer solve_reduced(SearchState& state, const Effort& effort) {
@@ -199,14 +217,19 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
     return relaxation;
   });
   state.exclude(lp.dual);
+  state.relaxation = lp.dual;
   if (!lp.rows.empty()) state.rows = lp.rows;
   begin_tree_with(lp, state);
 }
 
 void branch_on_remainder(SearchState& state, const Effort& effort) {
-  const Answer answer = branch_reduced(state, effort);
+  if (state.relaxation) state.exclude(*state.relaxation);  // the incumbent may be better than at that time
+  const Answer answer =
+      branch_reduced(state, state.reduction(), state.bounds.below(state.incumbent.value()), effort);
   state.offer(answer.selected);
-  state.raise_open(answer.bound, BoundProof::search);
+  state.raise_open(answer.bound, BoundProof::branches);
+  if (!state.is_closed())
+    raise_bound_by_cutoffs(state, {effort.steps, Deadline(0.4 * effort.seconds_left()).end()});
 }
 
 void solve_mip(SearchState& state, const Effort& effort) {

@@ -41,6 +41,7 @@ inline constexpr auto names_of<BoundProof> =
     std::to_array<Named<BoundProof>>({{"trivial", BoundProof::trivial},
                                       {"dual", BoundProof::dual},
                                       {"log", BoundProof::log},
+                                      {"branches", BoundProof::branches},
                                       {"search", BoundProof::search},
                                       {"solver", BoundProof::solver}});
 

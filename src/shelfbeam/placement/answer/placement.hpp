@@ -24,11 +24,12 @@ enum class Status {
 
 /// The proof of a lower bound.
 enum class BoundProof {
-  trivial,  ///< no search: installed units, one more if they miss a label, costs of the cheapest units
-  dual,     ///< multipliers, summed again from the table, independent of the solver that found them
-  log,      ///< log of a tree search, verified step by step from the table
-  search,   ///< tree search whose log was too long to verify
-  solver    ///< MIP solver, not verified independently
+  trivial,   ///< no search: installed units, one more if they miss a label, costs of the cheapest units
+  dual,      ///< multipliers, summed again from the table, independent of the solver that found them
+  log,       ///< log of a tree search, verified step by step from the table
+  branches,  ///< branch and bound; the bound of every node was summed again from multipliers
+  search,    ///< tree search whose log was too long to verify
+  solver     ///< MIP solver, not verified independently
 };
 
 struct Unreachable {

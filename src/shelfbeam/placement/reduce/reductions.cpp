@@ -177,9 +177,10 @@ class CoverReducer {
     const std::vector<std::uint32_t> labels = indices(unmet_);
     std::vector<std::vector<std::uint32_t>> columns(labels.size());
     BitRows reach(table_.columns(), labels.size());
+    std::vector<std::uint32_t> size(table_.columns(), 0);
     for (std::uint32_t k = 0; k < labels.size(); ++k) {
       columns[k] = open_columns(labels[k]);
-      for (const std::uint32_t j : columns[k]) reach.add(j, k);
+      for (const std::uint32_t j : columns[k]) reach.add(j, k), ++size[j];
     }
     bool dropped = false;
     // Columns are closed one at a time, compared with open columns, so one of equal columns stays.
@@ -192,7 +193,8 @@ class CoverReducer {
       });
       const bool is_dominated =
           fewest == nullptr || std::any_of(fewest->begin(), fewest->end(), [&](std::uint32_t other) {
-            return other != j && open_[other] && may_replace(other, j) && reach.is_subset(j, other);
+            return size[other] >= size[j] && other != j && open_[other] && may_replace(other, j) &&
+                   reach.is_subset(j, other);
           });
       if (!is_dominated) continue;
       open_[j] = false;

@@ -72,8 +72,8 @@ void say_bounds(Sentences& to) {
        {of_units(4, 4, Status::optimal), of_units(4, 2.4, Status::stopped), of_units(4, 1, Status::stopped),
         of_units(4, 0, Status::stopped), of_units(4, 1, Status::optimal, {.combination = weighted})})
     to.say(terminal_bound(placement), page_bound(placement));
-  for (const auto proof :
-       {BoundProof::trivial, BoundProof::dual, BoundProof::log, BoundProof::search, BoundProof::solver})
+  for (const auto proof : {BoundProof::trivial, BoundProof::dual, BoundProof::log, BoundProof::branches,
+                           BoundProof::search, BoundProof::solver})
     to.say(bound_proof_text(proof));
   Placement proven = of_units(2, 2, Status::optimal);
   to.say(proof_sentence(proven));

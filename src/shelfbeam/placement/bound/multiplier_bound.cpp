@@ -1,0 +1,109 @@
+#include "shelfbeam/placement/bound/multiplier_bound.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/bound/row_pricing.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+// Where linear programs take milliseconds, few steps are enough: they do the rest.
+constexpr std::size_t max_steps = 600, few_steps = 150, small = 100'000;
+constexpr int max_rounds = 8;
+
+class Bounding {
+ public:
+  Bounding(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
+           const MultiplierBoundOptions& options, const RowHeuristic& heuristic, const RunControl& control)
+      : table_(table),
+        problem_(problem),
+        cost_(cost),
+        options_(options),
+        heuristic_(heuristic),
+        control_(control),
+        rows_(options.rows),
+        is_row_(table.rows(), false) {}
+
+  MultiplierBound run() {
+    if (!rows_.empty()) {
+      improve();
+      return std::move(best_);
+    }
+    const RowPricing pricing(table_, problem_, options_.selections.max_count);
+    for (const std::uint32_t label : pricing.hardest()) add(label);
+    for (int round = 0; round < max_rounds; ++round) {
+      const std::vector<double> x = improve();
+      constexpr double missed = 0.02;  // averages of few steps are no better
+      const auto batch = pricing.violated(x, missed, 50 + table_.columns() / 4, is_row_);
+      if (batch.empty() || control_.cancelled() || std::chrono::steady_clock::now() >= options_.until) break;
+      for (const auto& row : batch) add(row.label);
+    }
+    return std::move(best_);
+  }
+
+ private:
+  void add(std::uint32_t label) {
+    is_row_[label] = true;
+    rows_.push_back({label});
+  }
+
+  // Improves the multipliers of the present rows; returns the average solution, one per column of the table.
+  std::vector<double> improve() {
+    const SparseRows rows(table_, problem_, cost_, options_.selections, rows_);
+    if (y_.empty())
+      y_ = ascended(rows);
+    else
+      y_.resize(rows_.size(), 0.0);
+    const std::size_t chosen = rows.chosen().size();
+    SubgradientOptions steps;
+    steps.min_count = options_.selections.min_count - std::min(options_.selections.min_count, chosen);
+    steps.max_count = options_.selections.max_count - std::min(options_.selections.max_count, chosen);
+    steps.known = options_.known;
+    steps.step = options_.step;
+    steps.max_steps = std::min(options_.max_steps, rows.entries() < small ? few_steps : max_steps);
+    steps.until = options_.until;
+    PrimalHeuristic heuristic;
+    if (heuristic_)
+      heuristic = [&](const Multipliers& now, std::span<const std::uint32_t> core) {
+        return heuristic_(rows, now, core);
+      };
+    Multipliers found = subgradient(rows, std::move(y_), steps, heuristic, control_);
+    y_ = std::move(found.y);
+    DualBound dual = dual_bound(table_, problem_, rows_, y_, cost_, options_.selections);
+    if (best_.rows.empty() || dual.bound > best_.dual.bound) {
+      best_.dual = std::move(dual);
+      best_.rows.clear();
+      for (std::size_t k = 0; k < rows_.size(); ++k)
+        if (y_[k] > 0) best_.rows.push_back(rows_[k]);
+    }
+    std::vector<double> x(table_.columns(), 0.0);
+    for (const std::uint32_t j : rows.chosen()) x[j] = 1;
+    for (std::size_t j = 0; j < rows.columns(); ++j) x[rows.column(j)] = found.x[j];
+    return x;
+  }
+
+  const SignalTable& table_;
+  const PlacementProblem& problem_;
+  std::span<const double> cost_;
+  const MultiplierBoundOptions& options_;
+  const RowHeuristic& heuristic_;
+  const RunControl& control_;
+  std::vector<BoundRow> rows_;
+  std::vector<bool> is_row_;  ///< per label
+  std::vector<double> y_;
+  MultiplierBound best_;
+};
+
+}  // namespace
+
+MultiplierBound multiplier_bound(const SignalTable& table, const PlacementProblem& problem,
+                                 std::span<const double> cost, const MultiplierBoundOptions& options,
+                                 const RowHeuristic& heuristic, const RunControl& control) {
+  return with_threads(control.threads,
+                      [&] { return Bounding(table, problem, cost, options, heuristic, control).run(); });
+}
+
+}  // namespace shelfbeam::detail

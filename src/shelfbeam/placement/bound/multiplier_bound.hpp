@@ -1,0 +1,42 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/bound/subgradient.hpp"
+
+namespace shelfbeam::detail {
+
+/// A proven bound with the rows that its multipliers use.
+struct MultiplierBound {
+  DualBound dual;
+  std::vector<BoundRow> rows;  ///< rows with a positive multiplier
+};
+
+struct MultiplierBoundOptions {
+  SelectionSet selections = {};  ///< the bound holds for these selections
+  double known = 0;  ///< cost of a selection, which the steps aim at; any positive number is valid
+  double step = 0;   ///< SubgradientOptions::step
+  std::size_t max_steps = std::numeric_limits<std::size_t>::max();  ///< per set of rows
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  /// The labels whose rows are used. Empty: the labels of smallest total sum_j a_ij per strongest unit, to
+  /// which labels are added that the relaxation misses.
+  std::vector<BoundRow> rows = {};
+};
+
+/// A PrimalHeuristic that also sees the rows.
+using RowHeuristic =
+    std::function<double(const SparseRows&, const Multipliers&, std::span<const std::uint32_t> core)>;
+
+/// A lower bound on the cost of the selections by dual ascent and subgradient steps, without a solver; costs
+/// must not be negative. The work is counted, so the result is the same for any number of threads unless
+/// `until` comes first.
+MultiplierBound multiplier_bound(const SignalTable& table, const PlacementProblem& problem,
+                                 std::span<const double> cost, const MultiplierBoundOptions& options,
+                                 const RowHeuristic& heuristic, const RunControl& control);
+
+}  // namespace shelfbeam::detail
