@@ -17,7 +17,7 @@ using test::TempFolder;
 TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
   const auto csv = test::fenced_blocks("matrices.md", "csv");
   const auto text = test::fenced_blocks("matrices.md", "text");
-  ASSERT_EQ(csv.size(), 5u);
+  ASSERT_EQ(csv.size(), 6u);
   ASSERT_EQ(text.size(), 3u);
   const TempFolder folder;
   const auto read = [&](const std::string& content) {
@@ -48,6 +48,8 @@ TEST(Documentation, ExamplesOfTheMatrixFormatsAreRead) {
   EXPECT_EQ(with_ids.labels[0].signal_cost, 0.01);
   forbid_pairs(with_ids, folder.write("pairs", csv[4]));
   EXPECT_EQ(with_ids.conflicts.size(), 1u);
+  apply_weights(with_ids, folder.write("weights", csv[5]));
+  EXPECT_EQ(with_ids.labels[0].weight, 2.5);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <unordered_map>
 #include <unordered_set>
 
 #include <fmt/format.h>
@@ -152,6 +153,52 @@ void apply_costs(SignalTable& table, const std::filesystem::path& path) {
       (header[field] == "link_cost" ? label.link_cost : label.signal_cost) = csv.amount(field);
     });
   }
+}
+
+namespace {
+
+/// An id of the file, and the rows that it stands for.
+struct NamedRows {
+  std::string id;
+  std::vector<std::uint32_t> rows;
+};
+
+/// Every label by its id, and by its id in its scenario, which may stand for a row in each.
+std::vector<NamedRows> named_rows(const SignalTable& table) {
+  std::vector<NamedRows> result;
+  for (std::uint32_t i = 0; i < table.rows(); ++i) result.push_back({table.labels[i].id, {i}});
+  std::unordered_map<std::string, std::size_t> known;
+  for (const SignalTable::Scenario& scenario : table.scenarios)
+    for (std::size_t i = scenario.first; i < scenario.first + scenario.labels; ++i) {
+      std::string id = table.labels[i].id.substr(scenario.name.size() + 1);
+      const auto [found, is_new] = known.emplace(id, result.size());
+      if (is_new) result.push_back({std::move(id), {}});
+      result[found->second].rows.push_back(static_cast<std::uint32_t>(i));
+    }
+  return result;
+}
+
+}  // namespace
+
+void apply_weights(SignalTable& table, const std::filesystem::path& path) {
+  const char* const expected = "the first line must be 'id,weight'";
+  const std::string text = detail::read_text_file(path);
+  CsvReader csv(text, path.string());
+  if (!csv.next()) csv.fail("is empty", expected);
+  if (csv.fields().size() != 2 || csv.fields()[0] != "id" || csv.fields()[1] != "weight")
+    csv.fail("is not the header of a file of weights", expected);
+  std::vector<NamedRows> named = named_rows(table);
+  std::vector<bool> seen(table.rows(), false);
+  detail::for_each_line(csv, named, "label", [&](const NamedRows& label, std::size_t field) {
+    const double weight = csv.amount(field);
+    for (const std::uint32_t i : label.rows) {
+      if (seen[i])
+        csv.fail(0, fmt::format("is a second weight of label {}", in_quotes(table.labels[i].id)),
+                 "remove one of the lines");
+      seen[i] = true;
+      table.labels[i].weight = weight;
+    }
+  });
 }
 
 }  // namespace shelfbeam

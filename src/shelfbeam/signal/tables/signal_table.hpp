@@ -32,6 +32,7 @@ struct SignalTable {
     double single_requirement = 0;
     double link_cost = 0;
     double signal_cost = 0;
+    double weight = 1;  ///< in max coverage
   };
   struct Transceiver {
     std::string id;
@@ -92,5 +93,10 @@ void set_requirement(SignalTable& table, double requirement);
 /// Sets costs from a CSV with header `id,cost` (transceivers) or `id,link_cost,signal_cost` (labels; either
 /// cost column is optional). Throws InputError for unknown or duplicate ids and negative or non-finite costs.
 void apply_costs(SignalTable& table, const std::filesystem::path& csv);
+
+/// Sets weights of labels from a CSV with header `id,weight`. `scenarios` contains the labels' ids without
+/// the name of their scenario, too. Throws InputError for unknown or duplicate ids and negative or non-finite
+/// weights.
+void apply_weights(SignalTable& table, const std::filesystem::path& csv);
 
 }  // namespace shelfbeam

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/signal/constraints/stack_tables.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
@@ -91,6 +92,48 @@ TEST(Costs, BrokenFilesAreRefusedWithPosition) {
   refused("id,cost\nG1-0-0,1\nG1-0-0,1\n", "line 3, field 1", "'G1-0-0'");
   refused("id,cost\nG1-0-0,-1\n", "line 2, field 2", "negative");
   refused("id,cost\nG1-0-0\n", "line 2", "1 field");
+}
+
+TEST(Weights, OfLabels) {
+  const TempFolder folder;
+  SignalTable table = make_signal_table(small_matrix());
+  apply_weights(table, folder.write("w.csv", "id,weight\nA1-front-2,2.5\n"));
+  EXPECT_EQ(table.labels[2].weight, 2.5);
+  EXPECT_EQ(table.labels[1].weight, 1) << "not in the file";
+}
+
+// A label has its weight in every scenario, unless the file names the scenario.
+TEST(Weights, OfLabelsInScenarios) {
+  const TempFolder folder;
+  const auto scenario = [&](const char* name, const char* rows) {
+    return NamedTable{name, name, read_signal_table(folder.write(name, std::string("id,T1\n") + rows))};
+  };
+  const auto two = [&] {
+    return stack_tables({scenario("day", "L1,1\nL2,1\n"), scenario("night", "L1,1\n")});
+  };
+  SignalTable table = two();
+  apply_weights(table, folder.write("w.csv", "id,weight\nL1,3\nday:L2,0\n"));
+  EXPECT_EQ(table.labels[0].weight, 3);
+  EXPECT_EQ(table.labels[1].weight, 0);
+  EXPECT_EQ(table.labels[2].weight, 3);
+  table = two();
+  expect_file_refused([&](const auto& path) { apply_weights(table, path); }, "id,weight\nL1,3\nnight:L1,0\n",
+                      "line 3, field 1", "second weight of label 'night:L1'");
+}
+
+TEST(Weights, BrokenFilesAreRefusedWithPosition) {
+  SignalTable table = make_signal_table(small_matrix());
+  const auto refused = [&](std::string_view content, std::string_view place, std::string_view problem) {
+    expect_file_refused([&](const auto& path) { apply_weights(table, path); }, content, place, problem);
+  };
+  refused("", "", "empty");
+  refused("id\nA1-front-2\n", "line 1", "'id,weight'");
+  refused("id,cost\nA1-front-2,1\n", "line 1", "'id,weight'");
+  refused("id,weight\nA1-front-9,1\n", "line 2, field 1", "'A1-front-9'");
+  refused("id,weight\nA1-front-2,1\nA1-front-2,1\n", "line 3, field 1", "'A1-front-2'");
+  refused("id,weight\nA1-front-2,-1\n", "line 2, field 2", "negative");
+  refused("id,weight\nA1-front-2,inf\n", "line 2, field 2", "infinite");
+  refused("id,weight\nA1-front-2\n", "line 2", "1 field");
 }
 
 TEST(Requirement, IsSetOnEveryLabel) {
