@@ -1,0 +1,55 @@
+#include "shelfbeam/placement/kernels/coverage_kernels.hpp"
+
+#include "shelfbeam/base/cpu_vectors.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::size_t width = 16;
+
+SHELFBEAM_INLINE inline float share_of(float signal, float shift, float scale) {
+  const float above = signal > shift ? signal - shift : 0.0F;
+  const float share = above * scale;
+  return share < 1.0F ? share : 1.0F;
+}
+
+SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
+  float part[4];
+  for (std::size_t k = 0; k < 4; ++k) part[k] = (lanes[k] + lanes[k + 4]) + (lanes[k + 8] + lanes[k + 12]);
+  return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+}  // namespace
+
+SHELFBEAM_FOR_EACH_CPU
+float CoverageKernels::reached(const float* column, const float* lack, const float* weight,
+                               std::size_t rows) {
+  alignas(64) float total[width] = {};
+  for (std::size_t i = 0; i < rows; i += width) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < width; ++k) total[k] += column[i + k] >= lack[i + k] ? weight[i + k] : 0.0F;
+  }
+  return sum_of(total);
+}
+
+SHELFBEAM_FOR_EACH_CPU
+float CoverageKernels::value(const float* column, const Shares& shares, const float* weight) {
+  const Shares s = shares;
+  alignas(64) float total[width] = {};
+  for (std::size_t i = 0; i < s.rows; i += width) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < width; ++k)
+      total[k] += weight[i + k] * share_of(column[i + k], s.shift[i + k], s.scale[i + k]);
+  }
+  return sum_of(total);
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void CoverageKernels::add(const float* column, const Shares& shares, float* sum) {
+  const Shares s = shares;
+  SHELFBEAM_VECTORIZE
+  for (std::size_t i = 0; i < s.rows; ++i) sum[i] += share_of(column[i], s.shift[i], s.scale[i]);
+}
+
+}  // namespace shelfbeam::detail
