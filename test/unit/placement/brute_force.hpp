@@ -21,7 +21,8 @@ enum class Omission {
   tolerance,
   mounts,
   conflicts,
-  failure
+  failure,
+  weights
 };
 
 /// Solves the paper's models by enumeration, written from the formulas of chapter 3 with dense matrices M, l
@@ -98,6 +99,35 @@ struct BruteForce {
       for (std::size_t k = count; k < best.size(); ++k)
         if (!best[k] || reached > best[k]->reached || (reached == best[k]->reached && count < best[k]->units))
           best[k] = Budget{reached, count};
+    });
+    return best;
+  }
+
+  /// The maximum weight of the labels that selections of at most this many units reach, and the minimum count
+  /// that reaches it.
+  struct Weight {
+    double reached = 0;
+    std::size_t units = 0;
+  };
+  /// For every number of units up to all; nullopt without a selection.
+  static std::vector<std::optional<Weight>> weights(const SignalTable& table, const PlacementProblem& problem,
+                                                    Omission omission = Omission::nothing) {
+    const std::vector<std::vector<double>> signal = dense(table);
+    PlacementProblem rule = problem;
+    rule.redundant = problem.redundant && omission != Omission::failure;
+    const double tolerance = omission == Omission::tolerance ? 0 : 1e-9;
+    std::vector<std::optional<Weight>> best(table.columns() + 1);
+    for_each_allowed(table, omission, [&](std::uint32_t set, const Columns& columns) {
+      double reached = 0;
+      for (std::size_t i = 0; i < table.rows(); ++i)
+        if (got(rule, signal[i], set) >= requirement(table.labels[i], rule) * (1 - tolerance))
+          reached += omission == Omission::weights ? 1 : table.labels[i].weight;
+      for (std::size_t k = columns.size(); k < best.size(); ++k) {
+        const double rounding = best[k] ? 1e-12 * best[k]->reached : 0;
+        if (!best[k] || reached > best[k]->reached + rounding ||
+            (reached >= best[k]->reached - rounding && columns.size() < best[k]->units))
+          best[k] = Weight{reached, columns.size()};
+      }
     });
     return best;
   }

@@ -35,6 +35,7 @@ struct RandomTableLimits {
   bool mounts = false;     ///< with mounting points that have one to four options
   bool conflicts = false;  ///< with pairs that must not be chosen together
   bool redundant = false;  ///< in three of four problems a unit may fail; signals are slightly stronger
+  bool weights = false;  ///< of labels: in half of the tables 1, in the others whole, decimal or real; some 0
 };
 
 /// Small tables of many kinds: dense and sparse, real and quantised (many exact ties, and sums equal to the
@@ -63,6 +64,7 @@ class RandomTables {
         if (chance(0.7)) label.requirement *= 0.5, label.single_requirement *= 0.5;
     const double unit = chance(0.5) ? 1.0 : std::pow(10.0, real(-9, 4));
     scale(table, unit);
+    if (limits_.weights && chance(0.5)) add_weights(table);
     return table;
   }
 
@@ -139,6 +141,12 @@ class RandomTables {
       for (std::uint32_t b = a + 1; b < n; ++b)
         if (chance(density) && !(table.transceivers[a].installed && table.transceivers[b].installed))
           table.conflicts.emplace_back(a, b);
+  }
+
+  void add_weights(SignalTable& table) {
+    const int kind = whole(0, 2);
+    for (auto& label : table.labels)
+      label.weight = kind == 0 ? whole(0, 5) : kind == 1 ? whole(0, 40) / 10.0 : std::exp(real(-4, 4));
   }
 
   static void scale(SignalTable& table, double unit) {

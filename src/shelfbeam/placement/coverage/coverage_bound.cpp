@@ -15,12 +15,15 @@ float rounded_up(double value) {
 
 }  // namespace
 
-CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& problem, std::size_t max_units)
-    : mounts_(table), installed_(table.columns(), false), redundant_(problem.redundant) {
+CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& problem,
+                             const detail::LabelWeights& weights, std::size_t max_units)
+    : weights_(weights), mounts_(table), installed_(table.columns(), false), redundant_(problem.redundant) {
   for (std::size_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed) installed_[j] = true, ++installed_count_;
   const bool cooperative = problem.model == CommunicationModel::cooperative;
+  double all = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (weights[i] <= 0) continue;
     const auto row = table.row(i);
     const double requirement = requirement_of(table.labels[i], problem.model);
     if (!is_met(mounts_.max_signal(row, problem) * (1 + 1e-12), requirement)) continue;
@@ -39,18 +42,19 @@ CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& p
     }
     row_begin_.push_back(entries_.size());
     min_share_sum_.push_back(together);
+    weight_.push_back(weights[i]);
+    all += weights[i];
   }
   const std::vector<double> ones(min_share_sum_.size(), 1.0);
   for (const double omitted : {0.0, 0.3, 0.6, 0.95})
     if (omitted == 0 || cooperative) kinds_.push_back({omitted, ones});
-  best_.assign(max_units + 1, static_cast<double>(min_share_sum_.size()));
+  best_.assign(max_units + 1, all);
 }
 
-std::size_t CoverageBound::labels(std::size_t units) const {
-  const std::size_t all = min_share_sum_.size();
+double CoverageBound::weight(std::size_t units) const {
   if (units < (redundant_ ? 2U : 1U)) return 0;
   // The relative error of sums of m terms is below 1e-16 m.
-  return std::min(all, static_cast<std::size_t>(std::floor(best_[units] * (1 + 1e-9) + 1e-9)));
+  return weights_.rounded_down(best_[units]);
 }
 
 // The best candidate of every mounting point, without installed units, in descending order.
@@ -89,10 +93,10 @@ double CoverageBound::evaluate(const Kind& kind, std::size_t units, std::vector<
   double sum = 0;
   for (std::size_t i = 0; i < min_share_sum_.size(); ++i) {
     const double y = kind.multiplier[i];
-    sum += 1 - y;
+    sum += weight_[i] * (1 - y);
     if (y == 0) continue;
     for (std::size_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
-      value[entries_[k].column] += y * lifted(kind, units, i, entries_[k]);
+      value[entries_[k].column] += weight_[i] * y * lifted(kind, units, i, entries_[k]);
   }
   counted = installed_;
   for (std::size_t j = 0; j < value.size(); ++j)
@@ -112,15 +116,15 @@ double CoverageBound::evaluate(const Kind& kind, std::size_t units, std::vector<
   return at_most_units;
 }
 
-void CoverageBound::improve(std::size_t units, std::size_t reached, std::size_t steps,
-                            const RunControl& control, Clock::time_point until) {
+void CoverageBound::improve(std::size_t units, double reached, std::size_t steps, const RunControl& control,
+                            Clock::time_point until) {
   if (units == 0) return;
   const std::size_t each = (steps + kinds_.size() - 1) / kinds_.size();
   for (Kind& kind : kinds_)
-    if (labels(units) > reached) improve(kind, units, reached, each, control, until);
+    if (weight(units) > reached) improve(kind, units, reached, each, control, until);
 }
 
-void CoverageBound::improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
+void CoverageBound::improve(Kind& kind, std::size_t units, double reached, std::size_t steps,
                             const RunControl& control, Clock::time_point until) {
   std::vector<double>& multiplier = kind.multiplier;
   double length = 1;
@@ -131,7 +135,7 @@ void CoverageBound::improve(Kind& kind, std::size_t units, std::size_t reached, 
   std::vector<double> excess(multiplier.size());
   for (std::size_t step = 0; step < steps && !control.cancelled() && Clock::now() < until; ++step) {
     const double value = evaluate(kind, units, counted);
-    if (labels(units) <= reached) break;
+    if (weight(units) <= reached) break;
     if (value < smallest * (1 - 1e-6)) {
       since_better = 0;
     } else if (++since_better >= 10) {
@@ -148,17 +152,19 @@ void CoverageBound::improve(Kind& kind, std::size_t units, std::size_t reached, 
     // Subgradient step with Polyak's length towards the best known selection:
     //
     //   e_i = (sum of b_ij over the counted units) - 1,
-    //   y_i <- y_i - length max(1/2, bound - reached) e_i / sum_i e_i^2, kept in [0, 1].
+    //   y_i <- y_i - length max(1/2, bound - reached) e_i / sum_i w_i e_i^2, kept in [0, 1].
+    //
+    // The derivative by y_i is w_i e_i; measured in y_i sqrt(w_i), heavy and light labels move alike.
     double norm = 0;
     for (std::size_t i = 0; i < excess.size(); ++i) {
       excess[i] = -1;
       for (std::size_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
         if (counted[entries_[k].column]) excess[i] += lifted(kind, units, i, entries_[k]);
       const bool stays = (multiplier[i] >= 1 && excess[i] < 0) || (multiplier[i] <= 0 && excess[i] > 0);
-      if (!stays) norm += excess[i] * excess[i];
+      if (!stays) norm += weight_[i] * excess[i] * excess[i];
     }
     if (norm == 0) return;  // optimal multipliers for this number of units
-    const double move = length * std::max(0.5, value - static_cast<double>(reached)) / norm;
+    const double move = length * std::max(0.5 * weights_.step(), value - reached) / norm;
     for (std::size_t i = 0; i < excess.size(); ++i)
       multiplier[i] = std::clamp(multiplier[i] - move * excess[i], 0.0, 1.0);
   }

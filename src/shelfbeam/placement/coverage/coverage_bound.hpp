@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
-/// Proven upper bounds on the number of labels that at most k units, installed units included, can reach. For
-/// any multipliers y_i in [0, 1]
+/// Proven upper bounds on the weight of the labels that at most k units, installed units included, can reach.
+/// For any multipliers y_i in [0, 1]
 ///
-///   reached <= sum_i (1 - y_i) + sum of the k largest c_j,   c_j = sum_i y_i b_ij,
+///   reached <= sum_i w_i (1 - y_i) + sum of the k largest c_j,   c_j = sum_i w_i y_i b_ij,
 ///
 /// where every reached label satisfies sum_j b_ij T_j >= 1 (docs/methods/placement.md, "Max coverage"). Every
 /// y gives a bound; subgradient steps search for good ones. Bounds are sums in double precision over entries
@@ -24,14 +25,15 @@ class CoverageBound {
   using Clock = std::chrono::steady_clock;
 
   /// For selections of at most `max_units` units, at least the number installed.
-  CoverageBound(const SignalTable& table, const PlacementProblem& problem, std::size_t max_units);
+  CoverageBound(const SignalTable& table, const PlacementProblem& problem,
+                const detail::LabelWeights& weights, std::size_t max_units);
 
-  /// Upper bound on the labels that `units` <= max_units can reach; does not decrease with `units`.
-  std::size_t labels(std::size_t units) const;
+  /// Upper bound on the weight that `units` <= max_units can reach; does not decrease with `units`.
+  double weight(std::size_t units) const;
 
   /// Takes about `steps` subgradient steps for `units`, starting from the multipliers of the last ones. Ends
   /// early if the bound falls to `reached`, which is known to be possible, or at `until`.
-  void improve(std::size_t units, std::size_t reached, std::size_t steps, const RunControl& control,
+  void improve(std::size_t units, double reached, std::size_t steps, const RunControl& control,
                Clock::time_point until = Clock::time_point::max());
 
   /// Matrix entries that one step examines.
@@ -53,18 +55,20 @@ class CoverageBound {
     std::vector<double> multiplier;
   };
 
-  void improve(Kind& kind, std::size_t units, std::size_t reached, std::size_t steps,
-               const RunControl& control, Clock::time_point until);
+  void improve(Kind& kind, std::size_t units, double reached, std::size_t steps, const RunControl& control,
+               Clock::time_point until);
   double lifted(const Kind& kind, std::size_t units, std::size_t label, const Entry& entry) const;
   std::vector<Candidate> best_candidates(const std::vector<double>& value) const;
   double evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted);
 
+  const detail::LabelWeights& weights_;
   Mounts mounts_;
   std::vector<bool> installed_;
   std::size_t installed_count_ = 0;
   bool redundant_;
-  std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be reached at all
+  std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be reached and weigh anything
   std::vector<Entry> entries_;
+  std::vector<double> weight_;         ///< w_i
   std::vector<double> min_share_sum_;  ///< R_i, lower bound on the shares of a reached label
   std::vector<Kind> kinds_;
   std::vector<double> best_;  ///< per number of units

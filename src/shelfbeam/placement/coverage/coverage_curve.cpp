@@ -4,6 +4,8 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
+#include "shelfbeam/placement/coverage/coverage_effort.hpp"
+#include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/coverage_search.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
@@ -21,10 +23,16 @@ class Curve {
  public:
   Curve(const SignalTable& table, const PlacementProblem& problem, const std::vector<std::uint32_t>& selected,
         const RunControl& control, Clock::time_point until)
-      : table_(table), problem_(problem), control_(control), until_(until), search_(table, problem) {
+      : table_(table),
+        problem_(problem),
+        control_(control),
+        until_(until),
+        weights_(table),
+        search_(table, problem, weights_) {
     curve_.selected = selected;
     const std::size_t first = std::max<std::size_t>(1, search_.count());
-    for (std::size_t k = first; k <= selected.size(); ++k) curve_.points.push_back({k, 0, table.rows()});
+    for (std::size_t k = first; k <= selected.size(); ++k)
+      points_.push_back({.units = k, .at_most = weights_.total()});
   }
 
   CoverageCurve run(const std::vector<std::uint32_t>& selected) {
@@ -32,33 +40,51 @@ class Curve {
     offer(selected);
     look_forwards();
     look_backwards(selected);
-    for (std::size_t p = 1; p < points_.size(); ++p)
-      points_[p].at_least = std::max(points_[p].at_least, points_[p - 1].at_least);
+    rise();
     bound();
+    enumerate();
+    rise();
+    for (const Point& point : points_) curve_.points.push_back(in_table(point));
     curve_.is_complete = !is_over();
     return curve_;
   }
 
  private:
+  /// Weights in the unit of LabelWeights.
+  struct Point {
+    std::size_t units = 0;
+    std::size_t labels = 0;
+    double at_least = 0, at_most = 0;
+    BoundProof bound_proof = BoundProof::dual;
+  };
+
   bool is_over() const { return control_.cancelled() || Clock::now() >= until_; }
 
   // The checker counts the labels that a selection reaches.
   void offer(const std::vector<std::uint32_t>& selected) {
     const Check check = check_selection(table_, problem_, selected);
     if (!check.allowed() || selected.size() > points_.back().units) return;
-    const std::size_t place = std::max(selected.size(), points_.front().units) - points_.front().units;
-    points_[place].at_least = std::max(points_[place].at_least, table_.rows() - check.unmet.size());
+    Point& point = points_[std::max(selected.size(), points_.front().units) - points_.front().units];
+    point.labels = std::max(point.labels, table_.rows() - check.unmet.size());
+    point.at_least = std::max(point.at_least, weights_.without(check.unmet));
     if (check.unmet.empty() && selected.size() < curve_.selected.size()) curve_.selected = selected;
+  }
+
+  // More units reach no less.
+  void rise() {
+    for (std::size_t p = 1; p < points_.size(); ++p) {
+      points_[p].labels = std::max(points_[p].labels, points_[p - 1].labels);
+      points_[p].at_least = std::max(points_[p].at_least, points_[p - 1].at_least);
+    }
   }
 
   // Counts in ascending order, each search starting from the previous selection with an equal share of the
   // work.
   void look_forwards() {
     const std::size_t work = search_work / points_.size();
-    for (const CurvePoint& point : points_) {
+    for (const Point& point : points_) {
       if (is_over()) return;
-      control_.report("curve",
-                      static_cast<double>(point.units) / static_cast<double>(2 * points_.back().units));
+      report(0, point);
       search_.improve(point.units, work, control_, until_);
       offer(search_.selected());
     }
@@ -70,24 +96,58 @@ class Curve {
   }
 
   void bound() {
-    CoverageBound bound(table_, problem_, points_.back().units);
+    CoverageBound bound(table_, problem_, weights_, points_.back().units);
     const std::size_t all_steps = bound_work / (2 * bound.entries() + 1);
     const std::size_t steps = std::min<std::size_t>(300, 1 + all_steps / points_.size());
-    for (const CurvePoint& point : points_) {
-      control_.report("curve",
-                      0.5 + static_cast<double>(point.units) / static_cast<double>(2 * points_.back().units));
+    for (const Point& point : points_) {
+      report(0.5, point);
       bound.improve(point.units, point.at_least, steps, control_, until_);
     }
-    for (CurvePoint& point : points_) point.at_most = bound.labels(point.units);
+    for (Point& point : points_) point.at_most = bound.weight(point.units);
+  }
+
+  // The first counts, as far as the work suffices; the last point reaches everything.
+  void enumerate() {
+    detail::CoverageTable dense(table_, problem_, weights_);
+    detail::EnumerationLimits limits{detail::enumeration_work, until_};
+    for (Point& point : points_) {
+      rise();
+      if (point.at_least >= point.at_most) continue;
+      const auto found = enumerate_coverage(dense, weights_, point.units, point.at_least + weights_.step(),
+                                            detail::EnumerationAim::best, limits, control_);
+      if (found.selected) offer(*found.selected);
+      if (!found.is_complete) return;
+      rise();
+      point.at_most = point.at_least;
+      point.bound_proof = BoundProof::search;
+    }
+  }
+
+  void report(double before, const Point& point) const {
+    control_.report(
+        "curve", before + static_cast<double>(point.units) / static_cast<double>(2 * points_.back().units));
+  }
+
+  CurvePoint in_table(const Point& point) const {
+    CurvePoint result{.units = point.units, .at_least = point.labels, .bound_proof = point.bound_proof};
+    if (has_weights(table_)) {
+      result.at_most =
+          table_.rows() - (point.at_most < weights_.total() && point.labels < table_.rows() ? 1 : 0);
+      result.weight = {weights_.in_table(point.at_least), weights_.in_table(point.at_most)};
+    } else {
+      result.at_most = static_cast<std::size_t>(point.at_most);
+    }
+    return result;
   }
 
   const SignalTable& table_;
   const PlacementProblem& problem_;
   const RunControl& control_;
   Clock::time_point until_;
+  detail::LabelWeights weights_;
   detail::CoverageSearch search_;
   CoverageCurve curve_;
-  std::vector<CurvePoint>& points_ = curve_.points;
+  std::vector<Point> points_;
 };
 
 }  // namespace
@@ -117,7 +177,7 @@ void reconcile_bounds(Placement& placement, CoverageCurve& curve, const SignalTa
     placement.count_lower_bound = needed;
     if (only_counts) placement.lower_bound = needed;
     placement.bound_proof =
-        only_counts ? BoundProof::dual : std::max(placement.bound_proof, BoundProof::dual);
+        only_counts ? point.bound_proof : std::max(placement.bound_proof, point.bound_proof);
   }
   const bool is_proven = only_counts && placement.lower_bound >= placement.objective_value;
   if (is_proven) placement.status = Status::optimal;

@@ -11,17 +11,20 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam::detail {
 
-/// Max coverage as a MIP: the rows of CoverModel, with a variable u_i that fills row i if label i is missed,
+/// Max coverage as a MIP: the rows of CoverModel, with a variable u_i that fills row i if label i is missed.
 ///
-///   min sum_j T_j + (n + 1) sum_i u_i   subject to those rows and sum_j T_j <= k.
+///   maximise:  min sum_j T_j + (n + 1) sum_i w_i u_i   subject to those rows and sum_j T_j <= k,
+///   minimise:  min sum_j T_j   subject to those rows and sum_i w_i u_i <= total weight - target.
 ///
-/// u_i costs more than all units together, so missed labels are minimised first and units second.
+/// In the first, u_i costs more than all units together if weights are whole, so the missed weight is
+/// minimised first and units second. Units cost nothing if they are not.
 class CoverageModel {
  public:
   /// False if the model is too large to be solved to optimality.
@@ -32,17 +35,16 @@ class CoverageModel {
     return entries <= max_entries;
   }
 
-  CoverageModel(const SignalTable& table, const PlacementProblem& problem, std::size_t units)
-      : table_(table), problem_(problem), units_(units) {
+  CoverageModel(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights)
+      : table_(table), problem_(problem), weights_(weights) {
     problem_.objective = Objective::count;
     problem_.combination = Combination::lexicographic;
     model_ = model_without_failures(table, problem_);
     // Without unit failure, u_i is binary by itself in non-cooperative rows; otherwise it is declared
     // integer.
     const bool whole = problem.redundant || problem.model == CommunicationModel::cooperative;
-    const auto price = static_cast<double>(table.columns() + 1);
     for (std::size_t i = 0; i < table.rows(); ++i)
-      model_.columns.push_back({price, 0, 1, whole, "missed_" + table.labels[i].id});
+      model_.columns.push_back({0, 0, 1, whole, "missed_" + table.labels[i].id});
     for (std::size_t i = 0; i < table.rows(); ++i) {
       const auto missed = static_cast<std::uint32_t>(table.columns() + i);
       milp::Row& row = model_.rows[i];
@@ -54,62 +56,115 @@ class CoverageModel {
         model_.rows.back().entries.push_back({missed, 1.0});
       }
     }
-    milp::Row count{-milp::infinity, static_cast<double>(units), {}, "units"};
-    for (std::uint32_t j = 0; j < table.columns(); ++j) count.entries.push_back({j, 1.0});
-    model_.rows.push_back(std::move(count));
   }
 
   struct Outcome {
-    std::optional<std::vector<std::uint32_t>> selected;  ///< without conflicts, at most `units` units
-    std::size_t max_reached = 0;                         ///< no selection reaches more
-    bool failed = false;  ///< the solver failed or contradicted itself; `max_reached` still holds
+    std::optional<std::vector<std::uint32_t>> selected = {};  ///< without conflicts, within that row
+    /// maximise: no selection reaches more weight. minimise: every selection has at least as many units.
+    double bound = 0;
+    bool is_infeasible = false;  ///< according to the solver, no selection satisfies that row
+    bool failed = false;         ///< the solver failed or contradicted itself; `bound` still holds
   };
-  Outcome solve(const SolveFunction& solve, double time_limit_s, const RunControl& control) {
-    const Deadline deadline(time_limit_s);
+
+  /// The largest weight that at most `units` units reach.
+  Outcome maximise(std::size_t units, const SolveFunction& solve, double time_limit_s,
+                   const RunControl& control) {
+    const double unit_price = weights_.are_whole() ? 1 : 0;
+    const double price = weights_.are_whole() ? static_cast<double>(table_.columns() + 1) : 1;
+    milp::Row count{-milp::infinity, static_cast<double>(units), {}, "units"};
+    for (std::uint32_t j = 0; j < table_.columns(); ++j) {
+      model_.columns[j].cost = unit_price;
+      count.entries.push_back({j, 1.0});
+    }
+    for (std::size_t i = 0; i < table_.rows(); ++i)
+      model_.columns[table_.columns() + i].cost = price * weights_[i];
+    model_.rows.push_back(std::move(count));
+
+    Outcome outcome{.bound = weights_.total()};
+    const auto learn = [&](double dual_bound) {
+      // The dual bound d of count + price missed, with count <= units < price, proves missed >= (d - units) /
+      // price.
+      const double least = (dual_bound - unit_price * static_cast<double>(units)) / price;
+      const double missed = weights_.are_whole() ? std::ceil(least - 1e-6) : least * (1 - 1e-9);
+      if (missed > 0)
+        outcome.bound = std::min(outcome.bound, weights_.total() - std::min(weights_.total(), missed));
+    };
+    const auto fits = [&](const std::vector<std::uint32_t>& selected, const Check&) {
+      return selected.size() <= units;
+    };
+    outcome = run(outcome, learn, fits, solve, time_limit_s, control);
+    // The installed units alone are a selection.
+    outcome.failed = outcome.failed || outcome.is_infeasible;
+    return outcome;
+  }
+
+  /// The fewest units that reach the weight `target`.
+  Outcome minimise(double target, const SolveFunction& solve, double time_limit_s,
+                   const RunControl& control) {
+    double largest = 0;
+    for (std::size_t i = 0; i < table_.rows(); ++i) largest = std::max(largest, weights_[i]);
+    const double scale = largest > 0 ? 1 / largest : 1;
+    // Half a step keeps the row valid in spite of the solver's tolerance.
+    milp::Row missed{
+        -milp::infinity, scale * (weights_.total() - target + weights_.step() / 2), {}, "missed"};
+    for (std::uint32_t j = 0; j < table_.columns(); ++j) model_.columns[j].cost = 1;
+    for (std::size_t i = 0; i < table_.rows(); ++i) {
+      const auto column = static_cast<std::uint32_t>(table_.columns() + i);
+      model_.columns[column].cost = 0;
+      if (weights_[i] > 0) missed.entries.push_back({column, scale * weights_[i]});
+    }
+    model_.rows.push_back(std::move(missed));
+
     Outcome outcome;
-    outcome.max_reached = table_.rows();
-    const auto price = static_cast<double>(table_.columns() + 1);
+    const auto learn = [&](double dual_bound) {
+      outcome.bound = std::max(outcome.bound, std::ceil(dual_bound - 1e-6));
+    };
+    const auto fits = [&](const std::vector<std::uint32_t>&, const Check& check) {
+      return weights_.without(check.unmet) >= target;
+    };
+    return run(outcome, learn, fits, solve, time_limit_s, control);
+  }
+
+ private:
+  static constexpr std::size_t max_entries = 400'000;
+
+  // Solves the model until the checker agrees with the solver about the labels that a solution reaches.
+  template <class Learn, class Fits>
+  Outcome run(Outcome& outcome, const Learn& learn, const Fits& fits, const SolveFunction& solve,
+              double time_limit_s, const RunControl& control) {
+    const Deadline deadline(time_limit_s);
     while (!deadline.has_passed() && !control.cancelled()) {
       const milp::Result result = solve(model_, {.time_limit_s = deadline.seconds_left()}, control);
+      if (result.termination == milp::Termination::infeasible) {
+        outcome.is_infeasible = true;
+        break;
+      }
       const bool empty_handed = result.solution.empty() && !model_.columns.empty();
       const bool wrong =
           !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
-      // The model is always feasible: the installed units alone are a selection.
-      if (wrong || result.termination == milp::Termination::error ||
-          result.termination == milp::Termination::infeasible) {
+      if (wrong || result.termination == milp::Termination::error) {
         outcome.failed = true;
         break;
       }
-      // The dual bound d of count + price missed, with count <= units < price, proves missed >= (d - units) /
-      // price.
-      const double missed = std::ceil((result.dual_bound - static_cast<double>(units_)) / price - 1e-6);
-      if (missed > 0)
-        outcome.max_reached = std::min(
-            outcome.max_reached, table_.rows() - std::min(table_.rows(), static_cast<std::size_t>(missed)));
+      learn(result.dual_bound);
       if (empty_handed) break;
       std::vector<std::uint32_t> selected;
       for (std::uint32_t j = 0; j < table_.columns(); ++j)
         if (result.solution[j] > 0.5) selected.push_back(j);
       const Check check = check_selection(table_, problem_, selected);
-      if (!check.allowed() || selected.size() > units_) {
-        outcome.failed = true;
-        break;
-      }
-      outcome.selected = selected;
-      if (result.termination != milp::Termination::optimal) break;
       bool mistaken = false;
       for (const std::uint32_t i : check.unmet) {
         if (result.solution[table_.columns() + i] > 0.5) continue;
         cut_off(selected, i);
         mistaken = true;
       }
-      if (!mistaken) break;
+      const bool is_wanted = check.allowed() && fits(selected, check);
+      if (is_wanted) outcome.selected = selected;
+      outcome.failed = !check.allowed() || (!is_wanted && !mistaken);
+      if (outcome.failed || !mistaken || result.termination != milp::Termination::optimal) break;
     }
     return outcome;
   }
-
- private:
-  static constexpr std::size_t max_entries = 400'000;
 
   static bool fails_by_rows(const PlacementProblem& problem) {
     return problem.redundant && problem.model == CommunicationModel::cooperative;
@@ -126,7 +181,7 @@ class CoverageModel {
 
   const SignalTable& table_;
   PlacementProblem problem_;
-  std::size_t units_;
+  const LabelWeights& weights_;
   milp::Model model_;
 };
 

@@ -7,9 +7,11 @@
 
 namespace shelfbeam::detail {
 
-CoverageSearch::CoverageSearch(const SignalTable& table, const PlacementProblem& problem)
+CoverageSearch::CoverageSearch(const SignalTable& table, const PlacementProblem& problem,
+                               const LabelWeights& weights)
     : table_(table),
       problem_(problem),
+      weights_(weights),
       mounts_(table),
       chosen_(table.columns(), false),
       blocked_by_(table.columns(), 0),
@@ -43,15 +45,15 @@ void CoverageSearch::look() {
     for (const SignalEntry& entry : table_.row(i))
       if (chosen_[entry.transceiver]) shares_[i].add(entry.transceiver, share(i, entry));
     const double lack = detail::lacking(shares_[i].sum, shares_[i].largest, problem_);
-    reached_ += lack == 0 ? 1 : 0;
-    lacks_ += lack;
+    reached_ += lack == 0 ? weights_[i] : 0;
+    lacks_ += weights_[i] * lack;
   }
   work_ += table_.entries.size();
 }
 
 // Gains of every column for the selection, or for the selection without one unit.
 CoverageSearch::Gains CoverageSearch::gains(std::optional<std::uint32_t> without) {
-  Gains result{std::vector<std::size_t>(chosen_.size(), 0), std::vector<double>(chosen_.size(), 0.0)};
+  Gains result{std::vector<double>(chosen_.size(), 0.0), std::vector<double>(chosen_.size(), 0.0)};
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     const auto row = table_.row(i);
     double sum = shares_[i].sum, largest = shares_[i].largest;
@@ -65,17 +67,17 @@ CoverageSearch::Gains CoverageSearch::gains(std::optional<std::uint32_t> without
       }
     }
     const double lack = detail::lacking(sum, largest, problem_);
-    result.lacks += lack;
+    result.lacks += weights_[i] * lack;
     if (lack == 0) {
-      ++result.reached;
+      result.reached += weights_[i];
       continue;
     }
     work_ += row.size();
     for (const SignalEntry& entry : row) {
       const double part = share(i, entry);
       const double left = detail::lacking(sum + part, std::max(largest, part), problem_);
-      result.lacking[entry.transceiver] += lack - left;
-      if (left == 0) ++result.labels[entry.transceiver];
+      result.lacking[entry.transceiver] += weights_[i] * (lack - left);
+      if (left == 0) result.weight[entry.transceiver] += weights_[i];
     }
   }
   return result;
@@ -89,9 +91,9 @@ std::optional<CoverageSearch::Choice> CoverageSearch::best(const Gains& gains,
   std::optional<Choice> best;
   for (std::uint32_t j = 0; j < chosen_.size(); ++j) {
     if (chosen_[j] || (blocked_by_[j] > 0 && !freed[j]) || gains.lacking[j] <= 0) continue;
-    const Choice one{j, gains.labels[j], gains.lacking[j]};
+    const Choice one{j, gains.weight[j], gains.lacking[j]};
     const bool better =
-        !best || (aim == Aim::labels && one.labels != best->labels ? one.labels > best->labels
+        !best || (aim == Aim::weight && one.weight != best->weight ? one.weight > best->weight
                                                                    : one.lacking > best->lacking);
     if (better) best = one;
   }
@@ -99,8 +101,7 @@ std::optional<CoverageSearch::Choice> CoverageSearch::best(const Gains& gains,
 }
 
 bool CoverageSearch::drop() {
-  std::vector<std::size_t> missed(chosen_.size(), 0);
-  std::vector<double> lost(chosen_.size(), 0.0);
+  std::vector<double> missed(chosen_.size(), 0.0), lost(chosen_.size(), 0.0);
   for (std::size_t i = 0; i < shares_.size(); ++i) {
     const double before = detail::lacking(shares_[i].sum, shares_[i].largest, problem_);
     for (const SignalEntry& entry : table_.row(i)) {
@@ -108,8 +109,8 @@ bool CoverageSearch::drop() {
       if (!chosen_[j]) continue;
       const double after = detail::lacking(std::max(0.0, shares_[i].sum - share(i, entry)),
                                            shares_[i].largest_without(j), problem_);
-      lost[j] += after - before;
-      if (before == 0 && after > 0) ++missed[j];
+      lost[j] += weights_[i] * (after - before);
+      if (before == 0 && after > 0) missed[j] += weights_[i];
     }
   }
   work_ += table_.entries.size();
@@ -124,19 +125,18 @@ bool CoverageSearch::drop() {
   return true;
 }
 
-// Exchanges `out` for the best other unit if that reaches more labels, or equally many with less lack.
+// Exchanges `out` for the best other unit if that reaches more weight, or as much with less lack.
 bool CoverageSearch::exchange(std::uint32_t out) {
   constexpr double min_help = 1e-9;  // keeps rounding from causing endless exchanges
   const Gains without = gains(out);
-  const auto choice = best(without, out, Aim::labels);
+  const auto choice = best(without, out, Aim::weight);
   if (!choice) return false;
-  const std::size_t then = without.reached + choice->labels;
+  const double then = without.reached + choice->weight;
   const bool better =
       then > reached_ || (then == reached_ && without.lacks - choice->lacking < lacks_ - min_help);
   if (!better) return false;
   const std::vector<std::uint32_t> before = selected();
-  const std::size_t reached_before = reached_;
-  const double lacks_before = lacks_;
+  const double reached_before = reached_, lacks_before = lacks_;
   choose(out, false);
   choose(choice->column, true);
   look();
@@ -155,9 +155,9 @@ void CoverageSearch::improve(std::size_t max_units, std::size_t work, const RunC
   while (better && may_continue()) {
     better = false;
     while (count_ < max_units && may_continue()) {
-      const std::size_t before = reached_;
+      const double before = reached_;
       const std::vector<std::uint32_t> kept = selected();
-      const auto choice = best(gains({}), {}, count_ + 1 == max_units ? Aim::labels : Aim::deficit);
+      const auto choice = best(gains({}), {}, count_ + 1 == max_units ? Aim::weight : Aim::deficit);
       if (!choice) break;
       choose(choice->column, true);
       look();
@@ -172,7 +172,7 @@ void CoverageSearch::improve(std::size_t max_units, std::size_t work, const RunC
   }
   while (true) {
     const std::vector<std::uint32_t> before = selected();
-    const std::size_t reached = reached_;
+    const double reached = reached_;
     if (!drop()) return;
     if (reached_ < reached) return start(before);
   }
@@ -186,12 +186,11 @@ void CoverageSearch::improve_repeatedly(std::size_t max_units, std::size_t work,
   improve(max_units, work, control, until);
   end = std::min(end, work_ + work_of_repetitions);
   for (std::uint64_t repetition = 1; repetition <= repetitions; ++repetition) {
-    if (reached_ == shares_.size() || work_ >= end || control.cancelled() ||
+    if (reached_ >= weights_.total() || work_ >= end || control.cancelled() ||
         std::chrono::steady_clock::now() >= until)
       return;
     const std::vector<std::uint32_t> before = selected();
-    const std::size_t reached = reached_;
-    const double lacks = lacks_;
+    const double reached = reached_, lacks = lacks_;
     remove_some(repetition);
     improve(max_units, end - work_, control, until);
     if (reached_ < reached || (reached_ == reached && lacks_ > lacks)) start(before);

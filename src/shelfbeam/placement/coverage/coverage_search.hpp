@@ -7,21 +7,22 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam::detail {
 
-/// Search for selections of few units that reach many labels. Starts from the installed units, respects
-/// conflicts, and processes columns in order, so equal problems give equal results.
+/// Search for selections of few units that reach labels of a large weight. Starts from the installed units,
+/// respects conflicts, and processes columns in order, so equal problems give equal results.
 class CoverageSearch {
  public:
-  CoverageSearch(const SignalTable& table, const PlacementProblem& problem);
+  CoverageSearch(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights);
 
   /// Replaces the selection by one that contains the installed units.
   void start(const std::vector<std::uint32_t>& selected);
 
-  /// Removes the unit whose removal misses the fewest labels; false if all units are installed.
+  /// Removes the unit whose removal loses the least weight; false if all units are installed.
   bool drop();
   /// Adds units up to `max_units`, exchanges units, and finally removes units that reach no further label, as
   /// long as this improves the selection, within about `work` entries examined, and until `until`.
@@ -35,22 +36,23 @@ class CoverageSearch {
 
   std::vector<std::uint32_t> selected() const;
   std::size_t count() const { return count_; }
+  double reached() const { return reached_; }  ///< weight of the reached labels
 
  private:
   enum class Aim {
     deficit,  ///< the greedy gain: reduction of the total lack
-    labels    ///< labels newly reached, then the same
+    weight    ///< weight newly reached, then the same
   };
 
   struct Gains {
-    std::vector<std::size_t> labels;  ///< per column: labels newly reached
-    std::vector<double> lacking;      ///< per column: reduction of the total lack
-    std::size_t reached = 0;          ///< labels, without an addition
-    double lacks = 0;                 ///< total lack without an addition
+    std::vector<double> weight;   ///< per column: weight newly reached
+    std::vector<double> lacking;  ///< per column: reduction of the total lack
+    double reached = 0;           ///< weight without an addition
+    double lacks = 0;             ///< total lack, by weight, without an addition
   };
   struct Choice {
     std::uint32_t column = 0;
-    std::size_t labels = 0;
+    double weight = 0;
     double lacking = 0;
   };
 
@@ -66,13 +68,14 @@ class CoverageSearch {
 
   const SignalTable& table_;
   const PlacementProblem& problem_;
+  const LabelWeights& weights_;
   Mounts mounts_;
   std::vector<double> requirement_;
   std::vector<bool> chosen_;
   std::vector<std::uint32_t> blocked_by_;  ///< per column: chosen units in conflict with it
   std::vector<LabelShares> shares_;        ///< per label, of the chosen units
-  std::size_t count_ = 0, reached_ = 0;
-  double lacks_ = 0;
+  std::size_t count_ = 0;
+  double reached_ = 0, lacks_ = 0;
   std::size_t work_ = 0;
 };
 

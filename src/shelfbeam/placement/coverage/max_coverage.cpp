@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +10,8 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
+#include "shelfbeam/placement/coverage/coverage_effort.hpp"
+#include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/coverage_model.hpp"
 #include "shelfbeam/placement/coverage/coverage_search.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
@@ -20,92 +21,166 @@ namespace shelfbeam {
 namespace {
 
 using detail::CoverageModel;
+using detail::EnumerationAim;
+using detail::uses;
 using Clock = std::chrono::steady_clock;
 
-// Work in entries examined, so that results do not depend on the machine: about ten seconds each.
-constexpr std::size_t search_work = 2'000'000'000;
-constexpr std::size_t bound_work = 4'000'000'000;
+// MIP solvers prove optima within a part in 1e6.
+constexpr double solver_gap = 2e-6;
 
-// A step looks at all entries once.
-std::size_t work_of(const PlaceOptions& options, const SignalTable& table) {
-  const std::size_t most = std::numeric_limits<std::size_t>::max() / (table.entries.size() + 1);
-  return options.step_limit ? std::min<std::size_t>(*options.step_limit, most) * (table.entries.size() + 1)
-                            : std::numeric_limits<std::size_t>::max();
-}
+class Maximisation {
+ public:
+  Maximisation(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
+               const PlaceOptions& options, const RunControl& control)
+      : table_(table),
+        problem_(problem),
+        options_(options),
+        control_(control),
+        units_(std::min(units, table.columns())),
+        weights_(table),
+        search_(table, problem, weights_) {
+    reach_.problem = problem;
+    reach_.problem.combination = Combination::lexicographic;
+    reach_.at_most = units;
+    reach_.solver = "greedy";
+    reach_.selected = detail::installed_units(table);
+    reach_.missed = check_selection(table, problem, reach_.selected).unmet;
+    value_ = weights_.without(reach_.missed);
+  }
 
-/// Accepts a selection that is better than the incumbent.
-void offer(MaxCoverage& reach, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
-  Check check = check_selection(table, reach.problem, selected);
-  const std::size_t reached = table.rows() - check.unmet.size();
-  const bool better =
-      reached > reach.reached || (reached == reach.reached && selected.size() < reach.selected.size());
-  if (!check.allowed() || selected.size() > reach.at_most || !better) return;
-  reach.selected = selected;
-  reach.reached = reached;
-  reach.missed = std::move(check.unmet);
-}
+  MaxCoverage run() {
+    constexpr double endless_s = 1e8;
+    const double limit_s = options_.step_limit ? endless_s : options_.time_limit_s;
+    const bool may_ask = uses(options_, SolverChoice::mip);
+    const bool fits = CoverageModel::fits(table_, problem_);
+    const bool may_solve = may_ask && fits;
+    reach_.too_large = may_ask && !fits;
+    const Deadline search_end((may_solve ? 0.3 : 0.5) * limit_s), bound_end((may_solve ? 0.5 : 1) * limit_s),
+        enumeration_end((may_solve ? 0.6 : 1) * limit_s), end(limit_s);
+
+    search_.improve_repeatedly(units_, detail::allowed_work(detail::coverage_search_work, options_, table_),
+                               control_, search_end.end());
+    offer(search_.selected());
+    lower_bound(bound_end.end());
+    const bool is_settled = uses(options_, SolverChoice::search) && enumerate(enumeration_end.end());
+    if (may_solve && !is_settled) solve(end);
+
+    const bool was_cut_short = control_.cancelled() || end.has_passed();
+    reach_.status = is_proven()                                   ? Status::optimal
+                    : (may_solve && !is_settled) || was_cut_short ? Status::stopped
+                                                                  : Status::feasible;
+    reach_.reached = table_.rows() - reach_.missed.size();
+    if (!has_weights(table_)) {
+      reach_.upper_bound = static_cast<std::size_t>(bound_);
+      return std::move(reach_);
+    }
+    reach_.upper_bound = reachable_labels();
+    reach_.weight = CoverageWeight{weights_.in_table(value_), weights_.in_table(weights_.total()),
+                                   weights_.in_table(is_proven() ? value_ : bound_)};
+    return std::move(reach_);
+  }
+
+ private:
+  bool is_proven() const {
+    return bound_ <= value_ + (weights_.are_whole() ? 0 : solver_gap * weights_.total());
+  }
+
+  /// Accepts a selection that is better than the incumbent.
+  void offer(const std::vector<std::uint32_t>& selected) {
+    Check check = check_selection(table_, problem_, selected);
+    const double value = weights_.without(check.unmet);
+    const bool better = value > value_ || (value == value_ && selected.size() < reach_.selected.size());
+    if (!check.allowed() || selected.size() > reach_.at_most || !better) return;
+    reach_.selected = selected;
+    reach_.missed = std::move(check.unmet);
+    value_ = value;
+  }
+
+  void lower_to(double bound, BoundProof proof) {
+    if (bound >= bound_) return;
+    bound_ = bound;
+    reach_.bound_proof = proof;
+  }
+
+  void lower_bound(Clock::time_point until) {
+    CoverageBound bound(table_, problem_, weights_, units_);
+    bound_ = bound.weight(units_);
+    const std::size_t steps = 1 + detail::coverage_bound_work / (2 * bound.entries() + 1);
+    bound.improve(units_, value_, std::min<std::size_t>(1000, steps), control_, until);
+    lower_to(bound.weight(units_), BoundProof::dual);
+  }
+
+  /// Proves the value, then looks for fewer units of the same value; false if the work was not enough.
+  bool enumerate(Clock::time_point until) {
+    detail::CoverageTable table(table_, problem_, weights_);
+    detail::EnumerationLimits limits{detail::allowed_work(detail::enumeration_work, options_, table_), until};
+    const auto examine = [&](std::size_t units, double weight, EnumerationAim aim) {
+      auto found = enumerate_coverage(table, weights_, units, weight, aim, limits, control_);
+      if (found.selected) offer(*found.selected);
+      return found;
+    };
+    if (!is_proven()) {
+      if (!examine(units_, value_ + weights_.step(), EnumerationAim::best).is_complete) return false;
+      lower_to(value_, BoundProof::search);
+      reach_.solver = "search";
+      search_.start(reach_.selected);
+      search_.improve(units_, 0, control_, until);
+      offer(search_.selected());
+    }
+    while (reach_.selected.size() > table.installed().size()) {
+      const std::size_t size = reach_.selected.size();
+      const auto fewer = examine(size - 1, value_, EnumerationAim::first);
+      if (!fewer.is_complete) return reach_.bound_proof == BoundProof::search;
+      if (reach_.selected.size() == size) break;
+    }
+    reach_.solver = "search";
+    return true;
+  }
+
+  void solve(const Deadline& end) {
+    for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
+      CoverageModel model(table_, problem_, weights_);
+      const auto outcome =
+          model.maximise(units_, limited(backend.solve, options_.step_limit), end.seconds_left(), control_);
+      reach_.solver = fmt::format("{} {}", backend.name, backend.version);
+      lower_to(outcome.bound, BoundProof::solver);
+      if (outcome.selected) offer(*outcome.selected);
+      if (!outcome.failed) break;
+    }
+  }
+
+  std::size_t reachable_labels() const {
+    const Mounts mounts(table_);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < table_.rows(); ++i)
+      count += is_met(mounts.max_signal(table_.row(i), problem_) * (1 + 1e-12),
+                      requirement_of(table_.labels[i], problem_.model));
+    return count;
+  }
+
+  const SignalTable& table_;
+  const PlacementProblem& problem_;
+  const PlaceOptions& options_;
+  const RunControl& control_;
+  std::size_t units_;
+  detail::LabelWeights weights_;
+  detail::CoverageSearch search_;
+  MaxCoverage reach_;
+  double value_ = 0, bound_ = 0;  ///< weights of the selection and of its upper bound
+};
 
 }  // namespace
 
 MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
                               const PlaceOptions& options, const RunControl& control) {
   const auto start = Clock::now();
-  constexpr double endless_s = 1e8;
-  const double limit_s = options.step_limit ? endless_s : options.time_limit_s;
   check_problem(table, problem);
-  const auto backends = milp::backends_of(options.backend);
-
-  MaxCoverage reach;
-  reach.problem = problem;
-  reach.problem.combination = Combination::lexicographic;
-  reach.at_most = units;
-  reach.solver = "greedy";
-  for (std::uint32_t j = 0; j < table.columns(); ++j)
-    if (table.transceivers[j].installed) reach.selected.push_back(j);
-  if (reach.selected.size() > units)
+  milp::backends_of(options.backend);  // throws for an unknown name
+  if (const std::size_t installed = detail::installed_units(table).size(); installed > units)
     throw InputError("number of units",
-                     fmt::format("is {}, but {} units are already installed", units, reach.selected.size()),
+                     fmt::format("is {}, but {} units are already installed", units, installed),
                      "use at least the number of installed units", Setting::units);
-  units = std::min(units, table.columns());
-  reach.missed = check_selection(table, problem, reach.selected).unmet;
-  reach.reached = table.rows() - reach.missed.size();
-
-  const bool may_ask = options.solver == SolverChoice::automatic || options.solver == SolverChoice::mip;
-  const bool fits = CoverageModel::fits(table, problem);
-  const bool uses_solver = may_ask && fits;
-  reach.too_large = may_ask && !fits;
-  const Deadline search_end((uses_solver ? 0.3 : 0.5) * limit_s),
-      bound_end((uses_solver ? 0.5 : 1) * limit_s), end(limit_s);
-
-  detail::CoverageSearch search(table, problem);
-  search.improve_repeatedly(units, std::min(search_work, work_of(options, table)), control, search_end.end());
-  offer(reach, table, search.selected());
-
-  CoverageBound bound(table, problem, units);
-  const auto lower_to = [&](std::size_t value, BoundProof proof) {
-    if (value >= reach.upper_bound) return;
-    reach.upper_bound = value;
-    reach.bound_proof = proof;
-  };
-  reach.upper_bound = bound.labels(units);
-  bound.improve(units, reach.reached, std::min<std::size_t>(1000, 1 + bound_work / (2 * bound.entries() + 1)),
-                control, bound_end.end());
-  lower_to(bound.labels(units), BoundProof::dual);
-
-  if (uses_solver)
-    for (const milp::Backend& backend : backends) {
-      CoverageModel model(table, problem, units);
-      const auto outcome =
-          model.solve(limited(backend.solve, options.step_limit), end.seconds_left(), control);
-      reach.solver = fmt::format("{} {}", backend.name, backend.version);
-      lower_to(outcome.max_reached, BoundProof::solver);
-      if (outcome.selected) offer(reach, table, *outcome.selected);
-      if (!outcome.failed) break;
-    }
-  const bool was_cut_short = control.cancelled() || end.has_passed();
-  reach.status = reach.upper_bound <= reach.reached ? Status::optimal
-                 : uses_solver || was_cut_short     ? Status::stopped
-                                                    : Status::feasible;
+  MaxCoverage reach = Maximisation(table, problem, units, options, control).run();
   reach.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return reach;
 }

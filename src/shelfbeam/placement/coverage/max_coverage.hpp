@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,34 +11,47 @@
 
 namespace shelfbeam {
 
+/// The weight of labels, in the unit of SignalTable::Label::weight.
+struct CoverageWeight {
+  double reached = 0;      ///< by the selection
+  double total = 0;        ///< of all labels
+  double upper_bound = 0;  ///< proven: no selection reaches more, apart from 1e-9 of the total
+};
+
 /// The result of `maximise_coverage`.
 struct MaxCoverage {
   PlacementProblem problem;
-  std::size_t at_most = 0;                       ///< units, installed ones included
-  std::vector<std::uint32_t> selected;           ///< ascending; contains every installed unit
-  std::vector<std::uint32_t> missed;             ///< labels that the selection misses, ascending
-  std::size_t reached = 0;                       ///< labels that the selection reaches
-  std::size_t upper_bound = 0;                   ///< proven: at most this many labels can be reached
-  BoundProof bound_proof = BoundProof::trivial;  ///< of upper_bound; trivial: labels reachable one by one
-  /// optimal: reached = upper_bound. feasible: not proven, but all methods have finished. stopped: the time
-  /// limit, an interruption or a solver failure came first.
+  std::size_t at_most = 0;              ///< units, installed ones included
+  std::vector<std::uint32_t> selected;  ///< ascending; contains every installed unit
+  std::vector<std::uint32_t> missed;    ///< labels that the selection misses, ascending
+  std::size_t reached = 0;              ///< labels that the selection reaches
+  /// Proven: at most this many labels can be reached; with weights, the labels reachable one by one.
+  std::size_t upper_bound = 0;
+  std::optional<CoverageWeight> weight = {};  ///< if the table has weights
+  /// Of the bound on the weight or, without weights, on the labels; trivial: labels reachable one by one.
+  BoundProof bound_proof = BoundProof::trivial;
+  /// optimal: the selection reaches its upper bound. feasible: not proven, but all methods have finished.
+  /// stopped: the time limit, an interruption or a solver failure came first.
   Status status = Status::stopped;
   bool too_large = false;  ///< the problem is too large for the MIP, which did not run
-  std::string solver;      ///< "greedy", or name and version of the last MIP back end that ran
-  double seconds = 0;      ///< wall time
+  /// "greedy"; "search" if the enumeration finished; or name and version of the last MIP back end that ran
+  std::string solver;
+  double seconds = 0;  ///< wall time
 
-  /// (upper_bound - reached) / upper_bound; 0 when proven.
+  /// (upper_bound - reached) / upper_bound, of weights if there are any; 0 when proven.
   double gap() const {
-    if (upper_bound <= reached) return 0;
-    return static_cast<double>(upper_bound - reached) / static_cast<double>(upper_bound);
+    const double bound = weight ? weight->upper_bound : static_cast<double>(upper_bound);
+    const double value = weight ? weight->reached : static_cast<double>(reached);
+    return bound <= value ? 0 : (bound - value) / bound;
   }
 };
 
-/// Maximises the number of labels that at most `units` transceivers reach, then minimises their number (not
-/// part of the proof). A label counts if the problem's rule is met; objective and prices play no part.
-/// Methods: greedy with exchanges, and a MIP back end if the table is small enough (SolverChoice automatic
-/// and mip). The bound is the better one of CoverageBound and the MIP. `units` may exceed the number of
-/// candidates. Throws InputError as `place` does, and if more than `units` are installed.
+/// Maximises the weight of the labels that at most `units` transceivers reach, then minimises their number
+/// (not part of the proof). A label counts if the problem's rule is met; objective and prices play no part.
+/// Methods: greedy with exchanges; enumeration for few units (SolverChoice automatic and search); and, unless
+/// that finished, a MIP back end if the table is small enough (automatic and mip). The bound is the best one
+/// of CoverageBound, enumeration and MIP. `units` may exceed the number of candidates. Throws InputError as
+/// `place` does, and if more than `units` are installed.
 MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
                               const PlaceOptions& options, const RunControl& control = {});
 

@@ -14,6 +14,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/weak_spots.hpp"
+#include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
@@ -37,7 +38,8 @@ const std::initializer_list<std::string_view> keys = {
     "objective_value", "lower_bound",     "gap",       "bound_proof", "ties_settled",   "unit_costs",
     "redundant_share", "status",          "solver",    "seconds",     "unreachable",    "scenarios",
     "critical",        "verification",    "price",     "curve",       "curve_complete", "certificate",
-    "alternatives",    "sensitivity",     "states",    "warnings",    "complete",       "files"};
+    "alternatives",    "sensitivity",     "states",    "warnings",    "complete",       "files",
+    "total_weight"};
 constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
 // Integers without ".0", as readers expect of counts.
@@ -113,9 +115,18 @@ Json critical(const Placement& placement, const SignalTable& table) {
 
 Json curve_points(const std::vector<CurvePoint>& points) {
   Json result = Json::array();
-  for (const CurvePoint& point : points)
+  for (const CurvePoint& point : points) {
     result.push_back({{"units", point.units}, {"at_least", point.at_least}, {"at_most", point.at_most}});
+    if (!point.weight) continue;
+    result.back()["weight_at_least"] = point.weight->at_least;
+    result.back()["weight_at_most"] = point.weight->at_most;
+  }
   return result;
+}
+
+double total_weight(const SignalTable& table) {
+  const detail::LabelWeights weights(table);
+  return weights.in_table(weights.total());
 }
 
 }  // namespace
@@ -158,33 +169,13 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
   if (!curve.points.empty()) {
     file["curve"] = curve_points(curve.points);
     file["curve_complete"] = curve.is_complete;
+    if (curve.points.front().weight) file["total_weight"] = total_weight(table);
   }
   return file;
 }
 
 std::string placement_json(const Placement& placement, const SignalTable& table, const CoverageCurve& curve) {
   return detail::file_text(detail::placement_object(placement, table, curve));
-}
-
-std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
-  Json file = {{"format", format_version},
-               {"model", to_text(reach.problem.model)},
-               {"survives_failure", reach.problem.redundant},
-               {"at_most", reach.at_most},
-               {"selected", ids_of(table.transceivers, reach.selected)},
-               {"count", reach.selected.size()},
-               {"labels", table.rows()},
-               {"reached", reach.reached},
-               {"reached_upper_bound", reach.upper_bound},
-               {"gap", number(reach.gap())},
-               {"bound_proof", to_text(reach.bound_proof)},
-               {"status", to_text(reach.status)},
-               {"too_large", reach.too_large},
-               {"solver", reach.solver},
-               {"seconds", number(reach.seconds)},
-               {"missed", first_ids(reach.missed, table)}};
-  if (has_prices(table)) file["price"] = detail::price_object(price_of(table, reach.selected));
-  return detail::file_text(file);
 }
 
 Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
@@ -233,13 +224,15 @@ CoverageCurve detail::read_curve(const JsonCursor& file, const SignalTable& tabl
   if (!points) return curve;
   const auto labels = static_cast<std::int64_t>(table.rows());
   for (const JsonCursor& element : points->elements()) {
-    element.expect_keys({"units", "at_least", "at_most"});
+    element.expect_keys({"units", "at_least", "at_most", "weight_at_least", "weight_at_most"});
     const std::int64_t at_least = element["at_least"].integer(0, labels);
     const std::int64_t before =
         curve.points.empty() ? 0 : static_cast<std::int64_t>(curve.points.back().units);
     curve.points.push_back({static_cast<std::size_t>(element["units"].integer(before + 1, max_units)),
                             static_cast<std::size_t>(at_least),
                             static_cast<std::size_t>(element["at_most"].integer(at_least, labels))});
+    if (const auto weight = element.find("weight_at_least"))
+      curve.points.back().weight = {weight->non_negative(), element["weight_at_most"].non_negative()};
   }
   curve.is_complete = file["curve_complete"].boolean();
   return curve;

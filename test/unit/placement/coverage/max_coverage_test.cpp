@@ -6,12 +6,14 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 #include "support/expect_input_error.hpp"
 #include "support/processor_time.hpp"
 #include "unit/placement/brute_force.hpp"
+#include "unit/placement/coverage/weighed_tables.hpp"
 #include "unit/placement/random_table.hpp"
 
 namespace shelfbeam {
@@ -27,16 +29,11 @@ constexpr test::RandomTableLimits everything{
 constexpr test::RandomTableLimits pairs_only{
     .labels = 8, .transceivers = 10, .conflicts = true, .redundant = true};
 
-std::size_t installed(const SignalTable& table) {
-  return static_cast<std::size_t>(std::count_if(table.transceivers.begin(), table.transceivers.end(),
-                                                [](const auto& unit) { return unit.installed; }));
-}
-
-/// A valid number of units, including 0.
-std::size_t some_units(test::RandomTables& tables, const SignalTable& table) {
-  return static_cast<std::size_t>(
-      tables.whole(static_cast<int>(installed(table)),
-                   std::max(static_cast<int>(installed(table)), static_cast<int>(table.columns()) / 2)));
+/// A valid number of units, including 0, mostly fewer than half.
+std::size_t few_units(test::RandomTables& tables, const SignalTable& table) {
+  return static_cast<std::size_t>(tables.whole(
+      static_cast<int>(test::installed(table)),
+      std::max(static_cast<int>(test::installed(table)), static_cast<int>(table.columns()) / 2)));
 }
 
 void expect_consistent(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
@@ -60,11 +57,13 @@ void run(const milp::Backend& backend, std::uint64_t seed, int cases) {
     test::RandomTables& tables = k % 8 < 4 ? with_all : with_pairs;
     const SignalTable table = tables.next();
     const PlacementProblem problem = tables.next_problem();
-    const std::size_t units = some_units(tables, table);
+    const std::size_t units = few_units(tables, table);
     const auto brute = BruteForce::budgets(table, problem);
     const BruteForce::Budget best = brute[std::min(units, table.columns())].value();
     const MaxCoverage reach = maximise_coverage(
-        table, problem, units, {.backend = std::string(backend.name), .step_limit = 1 << 20}, {.threads = 1});
+        table, problem, units,
+        {.solver = SolverChoice::mip, .backend = std::string(backend.name), .step_limit = 1 << 20},
+        {.threads = 1});
     expect_consistent(table, problem, units, reach);
     EXPECT_LE(reach.reached, best.reached);
     EXPECT_GE(reach.upper_bound, best.reached);
@@ -106,7 +105,7 @@ TEST(MaxCoverage, GreedyAndItsBoundEncloseTheOptimum) {
   for (int k = 0; k < cases; ++k) {
     const SignalTable table = tables.next();
     const PlacementProblem problem = tables.next_problem();
-    const std::size_t units = some_units(tables, table);
+    const std::size_t units = few_units(tables, table);
     const std::size_t best = BruteForce::budgets(table, problem)[units].value().reached;
     const MaxCoverage reach = maximise_coverage(table, problem, units, {.solver = SolverChoice::greedy});
     expect_consistent(table, problem, units, reach);
@@ -122,6 +121,49 @@ TEST(MaxCoverage, GreedyAndItsBoundEncloseTheOptimum) {
   EXPECT_GT(tight, cases / 2);
   EXPECT_GT(below, 5);
   EXPECT_GT(loose, 50);
+}
+
+/// How often `maximise_coverage` differs from brute force with this rule omitted.
+int differences(std::uint64_t seed, int cases, test::Omission omission, const PlaceOptions& options) {
+  test::RandomTables tables(seed, test::weighed_tables);
+  int result = 0;
+  for (int k = 0; k < cases; ++k) {
+    const SignalTable table = tables.next();
+    const PlacementProblem problem = tables.next_problem();
+    const std::size_t units = test::some_units(tables, table);
+    const auto best = BruteForce::weights(table, problem, omission)[units];
+    const MaxCoverage reach = maximise_coverage(table, problem, units, options, {.threads = 1});
+    EXPECT_EQ(reach.weight.has_value(), has_weights(table));
+    const double reached = reach.weight ? reach.weight->reached : static_cast<double>(reach.reached);
+    const double bound = reach.weight ? reach.weight->upper_bound : static_cast<double>(reach.upper_bound);
+    const bool is_equal = best && test::are_equal(reached, best->reached) &&
+                          test::are_equal(bound, best->reached) && reach.status == Status::optimal &&
+                          reach.selected.size() == best->units &&
+                          test::are_equal(test::weight_of(table, problem, reach.selected), best->reached);
+    result += is_equal ? 0 : 1;
+  }
+  return result;
+}
+
+TEST(MaxCoverage, EqualsBruteForce) {
+  const PlaceOptions by_search{.solver = SolverChoice::search, .step_limit = 1 << 20};
+  EXPECT_EQ(differences(92, 1500, test::Omission::nothing, by_search), 0);
+  // Negative controls: the comparison notices a rule that one side does not follow.
+  for (const test::Omission omission :
+       {test::Omission::mounts, test::Omission::conflicts, test::Omission::failure, test::Omission::weights,
+        test::Omission::tolerance})
+    EXPECT_GT(differences(92, 300, omission, by_search), 3) << static_cast<int>(omission);
+}
+
+TEST(MaxCoverageSlow, EqualsBruteForceOnManyMore) {
+  const PlaceOptions by_search{.solver = SolverChoice::search, .step_limit = 1 << 20};
+  EXPECT_EQ(differences(97, 40'000, test::Omission::nothing, by_search), 0);
+}
+
+TEST(MaxCoverage, WeighsLabelsInTheMip) {
+  // Solvers sometimes give up on tables that are made to mislead them.
+  EXPECT_LE(
+      differences(93, 300, test::Omission::nothing, {.solver = SolverChoice::mip, .step_limit = 1 << 20}), 1);
 }
 
 // Unit 2 is the greedy choice; 0 and 1 together reach one label more.

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/placement/answer/placement.hpp"
+
+namespace shelfbeam::detail {
+
+// Work of the methods of max coverage, in matrix entries examined, so that results do not depend on the
+// machine. Search and bound: about ten seconds each.
+inline constexpr std::size_t coverage_search_work = 2'000'000'000;
+inline constexpr std::size_t coverage_bound_work = 4'000'000'000;
+inline constexpr std::size_t enumeration_work = 50'000'000'000;
+
+/// The part of `work` that PlaceOptions::step_limit allows: a step looks at all entries once.
+inline std::size_t allowed_work(std::size_t work, const PlaceOptions& options, const SignalTable& table) {
+  const std::size_t step = table.entries.size() + 1;
+  if (!options.step_limit || *options.step_limit > work / step) return work;
+  return *options.step_limit * step;
+}
+
+inline bool uses(const PlaceOptions& options, SolverChoice solver) {
+  return options.solver == SolverChoice::automatic || options.solver == solver;
+}
+
+inline std::vector<std::uint32_t> installed_units(const SignalTable& table) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t j = 0; j < table.columns(); ++j)
+    if (table.transceivers[j].installed) result.push_back(j);
+  return result;
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,55 @@
+#include <algorithm>
+#include <span>
+
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/placement/coverage/label_weights.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/placement/io/placement_json.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using detail::ids_of;
+using detail::Json;
+using detail::number;
+
+constexpr int format_version = 1;
+
+Json first_ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
+  return ids_of(table.labels, std::span(labels).first(std::min(labels.size(), max_listed_labels)));
+}
+
+void add_price(Json& file, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
+  if (has_prices(table)) file["price"] = detail::price_object(price_of(table, selected));
+}
+
+}  // namespace
+
+std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
+  Json file = {{"format", format_version},
+               {"model", to_text(reach.problem.model)},
+               {"survives_failure", reach.problem.redundant},
+               {"at_most", reach.at_most},
+               {"selected", ids_of(table.transceivers, reach.selected)},
+               {"count", reach.selected.size()},
+               {"labels", table.rows()},
+               {"reached", reach.reached},
+               {"reached_upper_bound", reach.upper_bound}};
+  if (reach.weight) {
+    file["reached_weight"] = reach.weight->reached;
+    file["weight_upper_bound"] = reach.weight->upper_bound;
+    file["total_weight"] = reach.weight->total;
+  }
+  file.update({{"gap", number(reach.gap())},
+               {"bound_proof", to_text(reach.bound_proof)},
+               {"status", to_text(reach.status)},
+               {"too_large", reach.too_large},
+               {"solver", reach.solver},
+               {"seconds", number(reach.seconds)},
+               {"missed", first_ids(reach.missed, table)}});
+  add_price(file, table, reach.selected);
+  return detail::file_text(file);
+}
+
+}  // namespace shelfbeam
