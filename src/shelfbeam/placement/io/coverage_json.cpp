@@ -52,4 +52,31 @@ std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
   return detail::file_text(file);
 }
 
+std::string fewest_units_json(const FewestUnits& fewest, const SignalTable& table) {
+  const bool found = fewest.has_selection, is_possible = fewest.status != Status::infeasible;
+  Json file = {{"format", format_version},
+               {"model", to_text(fewest.problem.model)},
+               {"survives_failure", fewest.problem.redundant},
+               {"reach", fewest.share},
+               {"target", fewest.target},
+               {"selected", ids_of(table.transceivers, fewest.selected)},
+               {"count", found ? Json(fewest.selected.size()) : Json(nullptr)},
+               {"count_lower_bound", is_possible ? Json(fewest.count_lower_bound) : Json(nullptr)},
+               {"labels", table.rows()},
+               {"reached", found ? Json(fewest.reached) : Json(nullptr)}};
+  if (has_weights(table)) {
+    file["reached_weight"] = found ? Json(fewest.weight.reached) : Json(nullptr);
+    file["total_weight"] = fewest.weight.total;
+  }
+  file["reachable"] = fewest.weight.upper_bound;
+  file.update({{"bound_proof", to_text(fewest.bound_proof)},
+               {"status", to_text(fewest.status)},
+               {"too_large", fewest.too_large},
+               {"solver", fewest.solver},
+               {"seconds", number(fewest.seconds)},
+               {"missed", first_ids(fewest.missed, table)}});
+  if (found) add_price(file, table, fewest.selected);
+  return detail::file_text(file);
+}
+
 }  // namespace shelfbeam

@@ -7,6 +7,7 @@
 
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/coverage/fewest_units.hpp"
 #include "shelfbeam/placement/coverage/max_coverage.hpp"
 
 namespace shelfbeam {
@@ -18,6 +19,9 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
 
 /// The result of `maximise_coverage`.
 std::string coverage_json(const MaxCoverage& reach, const SignalTable& table);
+
+/// The result of `fewest_units`.
+std::string fewest_units_json(const FewestUnits& fewest, const SignalTable& table);
 
 /// Maximum number of ids in a list of critical or missed labels; the file always states their number.
 inline constexpr std::size_t max_listed_labels = 1000;

@@ -1,0 +1,207 @@
+#include "shelfbeam/placement/coverage/fewest_units.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/coverage/coverage_bound.hpp"
+#include "shelfbeam/placement/coverage/coverage_effort.hpp"
+#include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
+#include "shelfbeam/placement/coverage/coverage_model.hpp"
+#include "shelfbeam/placement/coverage/coverage_search.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+using detail::CoverageModel;
+using detail::uses;
+using Clock = std::chrono::steady_clock;
+
+class Minimisation {
+ public:
+  Minimisation(const SignalTable& table, const PlacementProblem& problem, double share,
+               const PlaceOptions& options, const RunControl& control)
+      : table_(table),
+        problem_(problem),
+        options_(options),
+        control_(control),
+        max_units_(table.mounting_points()),
+        weights_(table),
+        search_(table, problem, weights_),
+        target_(weights_.rounded_up(share * weights_.total())) {
+    result_.problem = problem;
+    result_.problem.combination = Combination::lexicographic;
+    result_.share = share;
+    result_.target = weights_.in_table(target_);
+    result_.solver = "greedy";
+    offer(detail::installed_units(table));
+    result_.count_lower_bound = search_.count();
+    if (target_ > 0 && !result_.has_selection)
+      result_.count_lower_bound = std::max(search_.count() + 1, problem.redundant ? std::size_t{2} : 1);
+  }
+
+  FewestUnits run() {
+    constexpr double endless_s = 1e8;
+    const double limit_s = options_.step_limit ? endless_s : options_.time_limit_s;
+    const bool may_ask = uses(options_, SolverChoice::mip);
+    const bool fits = CoverageModel::fits(table_, problem_);
+    result_.too_large = may_ask && !fits;
+    const bool may_solve = may_ask && fits;
+    const Deadline search_end((may_solve ? 0.3 : 0.5) * limit_s),
+        bound_end((may_solve ? 0.5 : 0.8) * limit_s), enumeration_end((may_solve ? 0.6 : 1) * limit_s),
+        end(limit_s);
+
+    CoverageBound bound(table_, problem_, weights_, max_units_);
+    upper_bound_ = bound.weight(max_units_);
+    is_infeasible_ =
+        !result_.has_selection && (upper_bound_ < target_ || result_.count_lower_bound > max_units_);
+    if (!is_settled()) search(search_end.end());
+    if (!is_settled()) raise_by_multipliers(bound, bound_end.end());
+    if (!is_settled() && uses(options_, SolverChoice::search)) raise_by_enumeration(enumeration_end.end());
+    const bool solves = !is_settled() && may_solve;
+    if (solves) solve(end);
+    finish(solves || control_.cancelled() || end.has_passed());
+    return std::move(result_);
+  }
+
+ private:
+  bool is_settled() const {
+    return is_infeasible_ || (result_.has_selection && result_.count_lower_bound >= result_.selected.size());
+  }
+
+  /// Accepts a selection that reaches the target with fewer units than the incumbent.
+  void offer(const std::vector<std::uint32_t>& selected) {
+    Check check = check_selection(table_, problem_, selected);
+    const double weight = weights_.without(check.unmet);
+    if (!check.allowed() || weight < target_ ||
+        (result_.has_selection && selected.size() >= result_.selected.size()))
+      return;
+    result_.has_selection = true;
+    result_.selected = selected;
+    result_.missed = std::move(check.unmet);
+    reached_ = weight;
+  }
+
+  /// Adds units, with exchanges, until they reach the target, and then looks for fewer.
+  void search(Clock::time_point until) {
+    std::size_t left = detail::allowed_work(detail::coverage_search_work, options_, table_);
+    const std::size_t work = left / 2 / (max_units_ + 1);
+    for (std::size_t k = result_.count_lower_bound; k <= max_units_ && !result_.has_selection; ++k) {
+      search_.improve(k, std::max<std::size_t>(work, 1), control_, until);
+      offer(search_.selected());
+      if (control_.cancelled() || Clock::now() >= until) return;
+    }
+    while (!is_settled() && result_.has_selection) {
+      const std::size_t fewer = result_.selected.size() - 1;
+      search_.start(result_.selected);
+      if (!search_.drop()) return;
+      left /= 2;
+      search_.improve_repeatedly(fewer, left, control_, until);
+      offer(search_.selected());
+      if (result_.selected.size() > fewer) return;
+    }
+  }
+
+  void raise_to(std::size_t count, BoundProof proof) {
+    if (count <= result_.count_lower_bound) return;
+    result_.count_lower_bound = count;
+    result_.bound_proof = proof;
+    is_infeasible_ = !result_.has_selection && count > max_units_;
+  }
+
+  void raise_by_multipliers(CoverageBound& bound, Clock::time_point until) {
+    const std::size_t all_steps = 1 + detail::coverage_bound_work / (2 * bound.entries() + 1);
+    const std::size_t steps = std::min<std::size_t>(1000, all_steps);
+    while (!is_settled()) {
+      const std::size_t count = result_.count_lower_bound;
+      bound.improve(count, target_ - weights_.step(), steps, control_, until);
+      if (bound.weight(count) >= target_) return;
+      raise_to(count + 1, BoundProof::dual);
+    }
+  }
+
+  void raise_by_enumeration(Clock::time_point until) {
+    detail::CoverageTable table(table_, problem_, weights_);
+    detail::EnumerationLimits limits{detail::allowed_work(detail::enumeration_work, options_, table_), until};
+    while (!is_settled()) {
+      const std::size_t count = result_.count_lower_bound;
+      const auto found = enumerate_coverage(table, weights_, count, target_, detail::EnumerationAim::first,
+                                            limits, control_);
+      if (!found.is_complete) return;
+      result_.solver = "search";
+      if (found.selected) {
+        offer(*found.selected);
+        return;
+      }
+      raise_to(count + 1, BoundProof::search);
+    }
+  }
+
+  void solve(const Deadline& end) {
+    for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
+      CoverageModel model(table_, problem_, weights_);
+      const auto outcome =
+          model.minimise(target_, limited(backend.solve, options_.step_limit), end.seconds_left(), control_);
+      result_.solver = fmt::format("{} {}", backend.name, backend.version);
+      if (outcome.selected) offer(*outcome.selected);
+      // A solver that contradicts a checked selection is wrong.
+      const bool contradicts =
+          result_.has_selection &&
+          (outcome.is_infeasible || outcome.bound > static_cast<double>(result_.selected.size()));
+      if (!contradicts && outcome.bound > 0)
+        raise_to(static_cast<std::size_t>(std::min(outcome.bound, static_cast<double>(max_units_ + 1))),
+                 BoundProof::solver);
+      if (!contradicts && outcome.is_infeasible) {
+        is_infeasible_ = true;
+        result_.bound_proof = BoundProof::solver;
+      }
+      if (!outcome.failed && !contradicts) break;
+    }
+  }
+
+  void finish(bool was_cut_short) {
+    result_.status = is_infeasible_                            ? Status::infeasible
+                     : is_settled()                            ? Status::optimal
+                     : was_cut_short || !result_.has_selection ? Status::stopped
+                                                               : Status::feasible;
+    if (is_infeasible_) {
+      upper_bound_ = std::min(upper_bound_, std::max(0.0, target_ - weights_.step()));
+      result_.count_lower_bound = 0;
+    }
+    result_.reached = result_.has_selection ? table_.rows() - result_.missed.size() : 0;
+    result_.weight = {weights_.in_table(reached_), weights_.in_table(weights_.total()),
+                      weights_.in_table(upper_bound_)};
+  }
+
+  const SignalTable& table_;
+  const PlacementProblem& problem_;
+  const PlaceOptions& options_;
+  const RunControl& control_;
+  std::size_t max_units_;
+  detail::LabelWeights weights_;
+  detail::CoverageSearch search_;
+  double target_;
+  FewestUnits result_;
+  double reached_ = 0, upper_bound_ = 0;
+  bool is_infeasible_ = false;
+};
+
+}  // namespace
+
+FewestUnits fewest_units(const SignalTable& table, const PlacementProblem& problem, double share,
+                         const PlaceOptions& options, const RunControl& control) {
+  const auto start = Clock::now();
+  check_problem(table, problem);
+  milp::backends_of(options.backend);  // throws for an unknown name
+  FewestUnits result = Minimisation(table, problem, share, options, control).run();
+  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return result;
+}
+
+}  // namespace shelfbeam
