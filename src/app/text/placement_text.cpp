@@ -17,10 +17,6 @@ namespace shelfbeam::app {
 
 namespace {
 
-std::string model_of(const PlacementProblem& problem) {
-  return fmt::format("{}{}", to_text(problem.model), failure_clause(problem));
-}
-
 std::string outcome(const Placement& placement) {
   std::string text = fmt::format("  {}", to_text(placement.status));
   if (placement.has_selection())
@@ -107,12 +103,11 @@ std::vector<std::string> added_to(const std::vector<std::uint32_t>& before,
   return ids;
 }
 
-/// In percent; 100 without labels.
-double percentage(std::size_t labels, const SignalTable& table) {
-  return table.rows() == 0 ? 100 : 100 * static_cast<double>(labels) / static_cast<double>(table.rows());
-}
-
 }  // namespace
+
+std::string model_of(const PlacementProblem& problem) {
+  return fmt::format("{}{}", to_text(problem.model), failure_clause(problem));
+}
 
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
   std::vector<std::string_view> ids;
@@ -149,45 +144,6 @@ std::string describe(const Placement& placement, const SignalTable& table) {
                             placement.ties_settled
                                 ? "; among equally good placements, this one has the largest minimum margin"
                                 : "");
-}
-
-std::string describe(const MaxCoverage& reach, const SignalTable& table) {
-  const bool reaches_all = reach.reached == table.rows();
-  std::string text = units_reach(reach.selected.size()) + " ";
-  text += labels_reached(reach.reached, table.rows());
-  if (!reaches_all) text += fmt::format(", {:.1f} %", percentage(reach.reached, table));
-  text += fmt::format(" ({})", model_of(reach.problem));
-  if (!reaches_all) {
-    text += "; it is proven that no ";
-    text += reach.at_most == 1 ? "single transceiver reaches more"
-                               : fmt::format("{} reach more", counted(reach.at_most, "transceiver"));
-    if (reach.status != Status::optimal)
-      text +=
-          fmt::format(" than {}, {:.1f} %", grouped(reach.upper_bound), percentage(reach.upper_bound, table));
-  }
-  text += ".\n" + chosen(reach.selected, table);
-  if (has_prices(table)) {
-    const Price price = price_of(table, reach.selected);
-    text += fmt::format("  price: {} of new units, {} in total; prices play no part in this choice\n",
-                        money(price.to_spend, price), money(price.total, price));
-  }
-  text += fmt::format("  {}: reached {}, upper bound {}, gap {:.1f} %; {:.2f} s, solver {}\n",
-                      to_text(reach.status), reach.reached, reach.upper_bound, 100 * reach.gap(),
-                      reach.seconds, reach.solver);
-  text += fmt::format("  bound: {}\n", bound_proof_text(reach.bound_proof));
-  if (reach.too_large && reach.status != Status::optimal)
-    text += "  the matrix is too large for the exact method\n";
-  return text;
-}
-
-std::string describe(const CoverageCurve& curve, const SignalTable& table) {
-  if (curve.points.empty() || table.rows() == 0) return {};
-  std::string text = "  units   labels reached: at least   at most\n";
-  for (const CurvePoint& point : curve.points)
-    text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units,
-                        percentage(point.at_least, table), percentage(point.at_most, table));
-  if (!curve.is_complete) text += "  the curve was stopped early; more time may narrow its bounds\n";
-  return text;
 }
 
 std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table) {

@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/answer/alternatives.hpp"
-#include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
-#include "shelfbeam/placement/coverage/max_coverage.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
 
 namespace shelfbeam::app {
@@ -16,6 +14,8 @@ namespace shelfbeam::app {
 // Results in a few lines for a terminal.
 
 std::string describe(const Placement& placement, const SignalTable& table);
+/// "cooperative, even if any one unit fails"
+std::string model_of(const PlacementProblem& problem);
 /// "  chosen: ids"; empty without any.
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table);
 /// The answer for a shop that changes, one sentence.
@@ -23,13 +23,6 @@ std::string availability_answer(const Availability& availability, const Placemen
                                 const SignalTable& table);
 /// The remarks on it, one per line.
 std::string availability_details(const Availability& availability, const Placement& placement);
-std::string describe(const MaxCoverage& reach, const SignalTable& table);
 /// One line per alternative; empty without any.
 std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table);
-/// Empty without points.
-std::string describe(const CoverageCurve& curve, const SignalTable& table);
-
-/// Printed instead of a curve.
-inline constexpr std::string_view no_curve = "no curve without a placement";
-
 }  // namespace shelfbeam::app

@@ -12,6 +12,8 @@
 
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
+#include "app/options/values.hpp"
+#include "app/text/coverage_text.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -26,8 +28,12 @@ struct Options {
   PlaceOptions solver;
   PlacementInput input;
   std::filesystem::path output;
+  std::filesystem::path weights;
   std::size_t at_most = 0;  ///< 0: not given
+  double reach = 0;         ///< share of the labels; 0: not given
   bool curve = false;
+
+  bool counts_labels() const { return at_most > 0 || reach > 0; }
 };
 
 struct Answer {
@@ -36,6 +42,10 @@ struct Answer {
 };
 
 Answer reach(const Options& options, const SignalTable& table, const RunControl& control) {
+  if (options.reach > 0) {
+    const FewestUnits fewest = fewest_units(table, options.problem, options.reach, options.solver, control);
+    return {fewest_units_json(fewest, table), describe(fewest, table), exit_code(fewest.status)};
+  }
   const MaxCoverage reach =
       maximise_coverage(table, options.problem, options.at_most, options.solver, control);
   return {coverage_json(reach, table), describe(reach, table), exit_code(reach.status)};
@@ -56,20 +66,32 @@ Answer cover(const Options& options, const SignalTable& table, const RunControl&
           curve.is_complete ? exit_code(placement.status) : stopped_early};
 }
 
+void check(const Options& options) {
+  const PlacementProblem& problem = options.problem;
+  if (options.counts_labels() &&
+      (problem.objective != Objective::count || problem.combination == Combination::weighted))
+    throw InputError(options.reach > 0 ? "--reach" : "--at-most",
+                     options.reach > 0
+                         ? "minimises the number of units and does not use objectives or costs"
+                         : "maximises the number of labels and does not use objectives or costs",
+                     "remove --objective and --weighted");
+  if (!options.weights.empty() && !options.counts_labels() && !options.curve)
+    throw InputError("--weights", "applies only if some labels may be missed",
+                     "add --at-most, --reach or --curve");
+}
+
 int run_place(const Options& options) {
   options.input.keep(options.output);
-  const PlacementProblem& problem = options.problem;
-  if (options.at_most > 0 &&
-      (problem.objective != Objective::count || problem.combination == Combination::weighted))
-    throw InputError("--at-most", "maximises the number of labels and does not use objectives or costs",
-                     "remove --objective and --weighted");
-  const SignalTable table = options.input.table(problem);
+  if (!options.weights.empty()) protect_input(options.output, options.weights);
+  check(options);
+  SignalTable table = options.input.table(options.problem);
+  if (!options.weights.empty()) apply_weights(table, options.weights);
   if (!options.output.empty()) expect_writable(options.output);
   Answer answer;
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
-    answer = options.at_most > 0 ? reach(options, table, control) : cover(options, table, control);
+    answer = options.counts_labels() ? reach(options, table, control) : cover(options, table, control);
   }
   if (!options.output.empty()) write_file(options.output, answer.json);
   if (options.common.json)
@@ -92,9 +114,21 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
                        "Reach as many labels as possible with at most K transceivers, instead of all labels")
           ->check(whole_number(1))
           ->option_text("K");
+  auto* reach = verb->add_option("--reach", options->reach,
+                                 "Reach this share of the labels, e.g. 0.95 or 95%, with as few transceivers "
+                                 "as possible, instead of all labels")
+                    ->transform(a_share({0, 1, false, true}))
+                    ->option_text("SHARE")
+                    ->excludes(at_most);
   verb->add_flag("--curve", options->curve,
                  "Also print the number of labels that fewer transceivers can reach")
-      ->excludes(at_most);
+      ->excludes(at_most)
+      ->excludes(reach);
+  verb->add_option(
+          "--weights", options->weights,
+          "CSV with columns id,weight: weights of labels for --at-most, --reach and --curve; default 1")
+      ->check(a_path())
+      ->option_text("FILE");
   add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);
   add_common_options(*verb, options->common);
@@ -104,7 +138,8 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam place signal.h5 --model non-cooperative --objective links\n"
       "  shelfbeam place matrix.csv --threshold 0.02 --weighted --costs costs.csv\n"
       "  shelfbeam place open.h5 shut.h5 --survive-failure --min-spacing 2\n"
-      "  shelfbeam place signal.h5 --at-most 6");
+      "  shelfbeam place signal.h5 --at-most 6\n"
+      "  shelfbeam place signal.h5 --reach 95% --weights weights.csv");
   verb->callback([options, &chosen] {
     options->solver.seed = options->common.seed;
     chosen = [options] { return run_place(*options); };

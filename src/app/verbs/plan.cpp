@@ -30,6 +30,7 @@
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/plan_folder.hpp"
+#include "app/text/coverage_text.hpp"
 #include "app/text/placement_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"

@@ -197,6 +197,7 @@ TEST_F(BadMatrix, OptionsThatDoNotFitTheMatrix) {
   folder.write("plain.csv", "1,2\n3,4\n");
   folder.write("shut.csv", "label,T2,T3\nL1,1,2\n");
   folder.write("pairs.csv", "a,b\nT1,T2\nT1,T9\n");
+  folder.write("weights.csv", "id,weight\nL9,1\n");
   for (const auto& [line, parts] : std::vector<std::pair<std::string, std::vector<std::string>>>{
            {"place @plain.csv -o @new.json", {"--threshold"}},
            {"export @plain.csv -o @new.mps", {"--threshold"}},
@@ -207,6 +208,20 @@ TEST_F(BadMatrix, OptionsThatDoNotFitTheMatrix) {
            {"place @m.csv --threshold 1 --at-most 1 --curve", {"--at-most", "--curve"}},
            {"place @m.csv --threshold 1 --at-most 1 --objective links", {"--at-most", "--objective"}},
            {"place @m.csv --threshold 1 --at-most 1 --weighted", {"--at-most", "--weighted"}},
+           {"place @m.csv --threshold 1 --reach 0", {"--reach"}},
+           {"place @m.csv --threshold 1 --reach 101%", {"--reach"}},
+           {"place @m.csv --threshold 1 --reach 1.5", {"--reach"}},
+           {"place @m.csv --threshold 1 --reach 0.5 --at-most 1", {"--reach", "--at-most"}},
+           {"place @m.csv --threshold 1 --reach 0.5 --curve", {"--reach", "--curve"}},
+           {"place @m.csv --threshold 1 --reach 0.5 --objective links", {"--reach", "--objective"}},
+           {"place @m.csv --threshold 1 --reach 0.5 --weighted", {"--reach", "--weighted"}},
+           {"place @m.csv --threshold 1 --weights @weights.csv",
+            {"--weights", "--at-most, --reach or --curve"}},
+           {"place @m.csv --threshold 1 --at-most 1 --weights @weights.csv -o @new.json",
+            {path("weights.csv"), "line 2", "'L9'"}},
+           {"place @m.csv --threshold 1 --at-most 1 --weights @none.csv", {path("none.csv")}},
+           {"place @m.csv --threshold 1 --reach 0.5 --weights @weights.csv -o @weights.csv",
+            {"error: " + path("weights.csv") + ": "}},
            {"place @m.csv --threshold 1 --forbid @pairs.csv -o @new.json",
             {path("pairs.csv"), "line 3", "'T9'"}},
            {"place @m.csv --threshold 1 --forbid @pairs.csv -o @old.json",
