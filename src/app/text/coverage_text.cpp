@@ -42,12 +42,6 @@ std::string price_line(const std::vector<std::uint32_t>& selected, const SignalT
                      money(price.to_spend, price), money(price.total, price));
 }
 
-// The enumeration writes no log.
-std::string proof_line(BoundProof proof) {
-  return fmt::format("  bound: {}\n", proof == BoundProof::search ? "exhaustive search without a log"
-                                                                  : bound_proof_text(proof));
-}
-
 std::string size_line(bool is_too_large, Status status) {
   const bool matters = is_too_large && status != Status::optimal && status != Status::infeasible;
   return matters ? "  the matrix is too large for the exact method\n" : "";
@@ -108,7 +102,8 @@ std::string describe(const MaxCoverage& reach, const SignalTable& table) {
                    : fmt::format("reached {}, upper bound {}", reach.reached, reach.upper_bound);
   text += fmt::format("  {}: {}, gap {:.1f} %; {:.2f} s, solver {}\n", to_text(reach.status), range,
                       100 * reach.gap(), reach.seconds, reach.solver);
-  return text + proof_line(reach.bound_proof) + size_line(reach.too_large, reach.status);
+  return text + fmt::format("  bound: {}\n", bound_proof_text(reach.bound_proof)) +
+         size_line(reach.too_large, reach.status);
 }
 
 std::string describe(const FewestUnits& fewest, const SignalTable& table) {
@@ -118,7 +113,8 @@ std::string describe(const FewestUnits& fewest, const SignalTable& table) {
   if (fewest.has_selection)
     text += fmt::format(": count {}, lower bound {}", fewest.selected.size(), fewest.count_lower_bound);
   text += fmt::format("; {:.2f} s, solver {}\n", fewest.seconds, fewest.solver);
-  return text + proof_line(fewest.bound_proof) + size_line(fewest.too_large, fewest.status);
+  return text + fmt::format("  bound: {}\n", bound_proof_text(fewest.bound_proof)) +
+         size_line(fewest.too_large, fewest.status);
 }
 
 std::string describe(const CoverageCurve& curve, const SignalTable& table) {

@@ -17,10 +17,10 @@ struct WeightRange {
 /// Bounds on the number of labels that at most `units` units can reach, and on their weight.
 struct CurvePoint {
   std::size_t units = 0;
-  std::size_t at_least = 0;                   ///< labels; some selection reaches this many
-  std::size_t at_most = 0;                    ///< labels; proven upper bound
-  std::optional<WeightRange> weight = {};     ///< if the table has weights
-  BoundProof bound_proof = BoundProof::dual;  ///< of the upper bounds
+  std::size_t at_least = 0;                  ///< labels; some selection reaches this many
+  std::size_t at_most = 0;                   ///< labels; proven upper bound
+  std::optional<WeightRange> weight = {};    ///< if the table has weights
+  BoundProof miss_proof = BoundProof::dual;  ///< of an upper bound below the number of labels
 };
 
 struct CoverageCurve {

@@ -28,7 +28,7 @@ enum class BoundProof {
   dual,      ///< multipliers, summed again from the table, independent of the solver that found them
   log,       ///< log of a tree search, verified step by step from the table
   branches,  ///< branch and bound; the bound of every node was summed again from multipliers
-  search,    ///< tree search whose log was too long to verify
+  search,    ///< exhaustive search without a log, or whose log was too long to verify
   solver     ///< MIP solver, not verified independently
 };
 

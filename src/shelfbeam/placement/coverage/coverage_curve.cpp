@@ -55,7 +55,7 @@ class Curve {
     std::size_t units = 0;
     std::size_t labels = 0;
     double at_least = 0, at_most = 0;
-    BoundProof bound_proof = BoundProof::dual;
+    BoundProof miss_proof = BoundProof::dual;
   };
 
   bool is_over() const { return control_.cancelled() || Clock::now() >= until_; }
@@ -118,8 +118,8 @@ class Curve {
       if (found.selected) offer(*found.selected);
       if (!found.is_complete) return;
       rise();
+      if (point.at_most >= weights_.total()) point.miss_proof = BoundProof::search;
       point.at_most = point.at_least;
-      point.bound_proof = BoundProof::search;
     }
   }
 
@@ -129,7 +129,7 @@ class Curve {
   }
 
   CurvePoint in_table(const Point& point) const {
-    CurvePoint result{.units = point.units, .at_least = point.labels, .bound_proof = point.bound_proof};
+    CurvePoint result{.units = point.units, .at_least = point.labels, .miss_proof = point.miss_proof};
     if (has_weights(table_)) {
       result.at_most =
           table_.rows() - (point.at_most < weights_.total() && point.labels < table_.rows() ? 1 : 0);
@@ -177,7 +177,7 @@ void reconcile_bounds(Placement& placement, CoverageCurve& curve, const SignalTa
     placement.count_lower_bound = needed;
     if (only_counts) placement.lower_bound = needed;
     placement.bound_proof =
-        only_counts ? point.bound_proof : std::max(placement.bound_proof, point.bound_proof);
+        only_counts ? point.miss_proof : std::max(placement.bound_proof, point.miss_proof);
   }
   const bool is_proven = only_counts && placement.lower_bound >= placement.objective_value;
   if (is_proven) placement.status = Status::optimal;

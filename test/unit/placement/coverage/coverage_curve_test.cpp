@@ -99,7 +99,7 @@ TEST(PlacementCurve, EnclosesTheOptimumForEveryCount) {
       // The enumeration decides small tables.
       ASSERT_EQ(curve[p].at_least, curve[p].at_most) << k;
       ++points;
-      by_enumeration += curve[p].bound_proof == BoundProof::search;
+      by_enumeration += curve[p].miss_proof == BoundProof::search;
     }
     if (!curve.empty()) {
       ASSERT_EQ(curve.back().at_least, table.rows());
