@@ -85,10 +85,10 @@ TEST_F(Coverage, IsTheSameWithWeightsOfOne) {
     EXPECT_EQ(answer(options + " --weights @ones.csv"), answer(options)) << options;
 }
 
-// Linear programming bounds leave some eighty labels open.
+// Linear programming bounds leave some thirty labels open.
 TEST_F(Coverage, OfTwoUnitsIsProvenInTheThesisStore) {
   const std::string store = SHELFBEAM_SOURCE_DIR "/examples/thesis/store.json";
-  told("simulate " + store + " -o @signal.h5 --estimator uniform --samples 256 --quiet");
+  told("simulate " + store + " -o @signal.h5 --estimator uniform --samples 64 --quiet");
   const auto ask = [&](const std::string& solver) {
     return Json::parse(told("place @signal.h5 --threshold 0.03 --at-most 2 --json --solver " + solver));
   };

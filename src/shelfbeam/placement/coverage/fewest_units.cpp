@@ -57,12 +57,11 @@ class Minimisation {
         bound_end((may_solve ? 0.5 : 0.8) * limit_s), enumeration_end((may_solve ? 0.6 : 1) * limit_s),
         end(limit_s);
 
-    CoverageBound bound(table_, problem_, weights_, max_units_);
-    upper_bound_ = bound.weight(max_units_);
+    upper_bound_ = CoverageBound(table_, problem_, weights_, max_units_).weight(max_units_);
     is_infeasible_ =
         !result_.has_selection && (upper_bound_ < target_ || result_.count_lower_bound > max_units_);
     if (!is_settled()) search(search_end.end());
-    if (!is_settled()) raise_by_multipliers(bound, bound_end.end());
+    if (!is_settled()) raise_by_multipliers(bound_end.end());
     if (!is_settled() && uses(options_, SolverChoice::search)) raise_by_enumeration(enumeration_end.end());
     const bool solves = !is_settled() && may_solve;
     if (solves) solve(end);
@@ -115,9 +114,14 @@ class Minimisation {
     is_infeasible_ = !result_.has_selection && count > max_units_;
   }
 
-  void raise_by_multipliers(CoverageBound& bound, Clock::time_point until) {
-    const std::size_t all_steps = 1 + detail::coverage_bound_work / (2 * bound.entries() + 1);
-    const std::size_t steps = std::min<std::size_t>(1000, all_steps);
+  void raise_by_multipliers(Clock::time_point until) {
+    // With unit failure, the bound is better for fewer units.
+    const std::size_t most = result_.has_selection ? result_.selected.size() - 1 : max_units_;
+    CoverageBound bound(table_, problem_, weights_, most);
+    // Of all counts together about ten seconds, as the search.
+    const std::size_t all_steps = detail::coverage_bound_work / (2 * bound.entries() + 1);
+    const std::size_t counts = most + 1 - result_.count_lower_bound;
+    const std::size_t steps = std::min<std::size_t>(1000, 1 + all_steps / counts);
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;
       bound.improve(count, target_ - weights_.step(), steps, control_, until);
