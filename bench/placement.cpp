@@ -27,8 +27,8 @@ using namespace shelfbeam;
 using namespace shelfbeam::bench;
 
 constexpr const char* usage =
-    R"(bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--only-count] [--json]
-bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...]
+    R"(bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--noise S] [--only-count] [--json]
+bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...] [--noise S]
 bench_placement --classes [--seeds N] [--limit S]
 bench_placement --wide [--limit S]
 
@@ -39,6 +39,7 @@ SIGNAL        any matrix that 'shelfbeam place' reads; by default the thesis env
 --limit S     time limit per run in seconds (60). If it ends one run, the ratio is a bound, marked > or <;
               if it ends both, the mark is -
 --scale X,Y   repeat with all requirements multiplied by X, Y, ..., which gives placements of more units
+--noise S     multiply every signal by lognormal noise of this relative standard deviation
 --only-count  omit second objectives
 --json        print rows as JSON
 --bounds      print instead the sizes after reductions, and linear programming bounds with and without shares
@@ -47,8 +48,7 @@ SIGNAL        any matrix that 'shelfbeam place' reads; by default the thesis env
 )";
 
 struct Settings {
-  std::vector<std::string> files;
-  std::vector<double> scales = {1};
+  InstanceChoice instances;
   double limit = 60;
   bool only_count = false;
   bool json = false;
@@ -144,7 +144,7 @@ class Table {
 
 void compare(const Settings& settings) {
   Table table(settings.json);
-  for_instances(settings.files, settings.scales, [&](const std::string& name, const SignalTable& signals) {
+  for_instances(settings.instances, [&](const std::string& name, const SignalTable& signals) {
     for (const PlacementProblem& problem : problems(settings.only_count)) {
       bool is_ours = true;
       for (const Entrant& entrant : entrants(settings.limit)) {
@@ -176,7 +176,9 @@ Settings parse(int argc, char** argv) {
       settings.limit = positive(value());
     } else if (word == "--scale") {
       std::istringstream list(value());
-      for (std::string one; std::getline(list, one, ',');) settings.scales.push_back(positive(one));
+      for (std::string one; std::getline(list, one, ',');) settings.instances.scales.push_back(positive(one));
+    } else if (word == "--noise") {
+      settings.instances.noise = positive(value());
     } else if (word == "--only-count") {
       settings.only_count = true;
     } else if (word == "--json") {
@@ -194,7 +196,7 @@ Settings parse(int argc, char** argv) {
     } else if (word.starts_with("--")) {
       throw std::invalid_argument("unknown option " + word);
     } else {
-      settings.files.push_back(word);
+      settings.instances.files.push_back(word);
     }
   }
   if (settings.bounds && (settings.json || settings.only_count))
@@ -214,7 +216,7 @@ int main(int argc, char** argv) {
     else if (settings.wide)
       compare_wide(settings.limit);
     else if (settings.bounds)
-      print_bounds(settings.files, settings.scales, settings.limit);
+      print_bounds(settings.instances, settings.limit);
     else
       compare(settings);
   } catch (const std::exception& error) {

@@ -8,7 +8,6 @@
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
-#include "placement_instances.hpp"
 #include "support.hpp"
 
 namespace shelfbeam::bench {
@@ -49,8 +48,8 @@ void print_bound(const SignalTable& table, const milp::Backend& backend, double 
 
 }  // namespace
 
-void print_bounds(const std::vector<std::string>& files, const std::vector<double>& scales, double limit) {
-  for_instances(files, scales, [&](const std::string& name, const SignalTable& table) {
+void print_bounds(const InstanceChoice& choice, double limit) {
+  for_instances(choice, [&](const std::string& name, const SignalTable& table) {
     fmt::print("{}: {} labels, {} candidates\n", name, table.rows(), table.columns());
     print_reduction(table);
     for (const milp::Backend& backend : milp::backends()) print_bound(table, backend, limit);

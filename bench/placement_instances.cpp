@@ -1,10 +1,13 @@
 #include "placement_instances.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <numbers>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
 #include "support.hpp"
@@ -13,10 +16,27 @@ namespace shelfbeam::bench {
 
 namespace {
 
-void for_scales(const std::string& name, SignalTable table, const std::vector<double>& scales,
+void add_noise(SignalTable& table, double noise) {
+  constexpr std::uint64_t seed = 1;
+  const double s = std::sqrt(std::log1p(noise * noise));
+  for (std::uint32_t i = 0; i < table.rows(); ++i)
+    for (std::size_t k = table.row_begin[i]; k < table.row_begin[i + 1]; ++k) {
+      SignalEntry& entry = table.entries[k];
+      const auto bits = philox({i, entry.transceiver, 0, 0}, seed);
+      const double radius = std::sqrt(-2 * std::log(1 - to_uniform(bits[0])));
+      const double z = radius * std::cos(2 * std::numbers::pi * to_uniform(bits[1]));
+      entry.signal *= std::exp(s * z - s * s / 2);
+    }
+}
+
+void for_scales(std::string name, SignalTable table, const InstanceChoice& choice,
                 const std::function<void(const std::string&, const SignalTable&)>& visit) {
+  if (choice.noise > 0) {
+    add_noise(table, choice.noise);
+    name += fmt::format(" +- {:g} %", 100 * choice.noise);
+  }
   double before = 1;
-  for (const double scale : scales) {
+  for (const double scale : choice.scales) {
     for (SignalTable::Label& label : table.labels) {
       label.requirement *= scale / before;
       label.single_requirement *= scale / before;
@@ -28,15 +48,15 @@ void for_scales(const std::string& name, SignalTable table, const std::vector<do
 
 }  // namespace
 
-void for_instances(const std::vector<std::string>& files, const std::vector<double>& scales,
+void for_instances(const InstanceChoice& choice,
                    const std::function<void(const std::string&, const SignalTable&)>& visit) {
-  for (const std::string& file : files)
-    for_scales(std::filesystem::path(file).stem().string(), read_signal_table(file), scales, visit);
-  if (!files.empty()) return;
+  for (const std::string& file : choice.files)
+    for_scales(std::filesystem::path(file).stem().string(), read_signal_table(file), choice, visit);
+  if (!choice.files.empty()) return;
 
   const Scene scene = open_scene("thesis");
   const auto simulated = [&](const std::string& name, const SimulationOptions& options) {
-    for_scales(name, make_signal_table(simulate(scene, options).matrix), scales, visit);
+    for_scales(name, make_signal_table(simulate(scene, options).matrix), choice, visit);
   };
   for (const std::uint64_t samples : {5000, 10000, 25000, 50000, 100000})
     simulated(fmt::format("uniform {}", samples), {EstimatorKind::uniform, samples});

@@ -73,38 +73,10 @@ void load(const Model& model, double cost_scale, OsiClpSolverInterface& solver) 
     if (model.columns[j].integer) solver.setInteger(static_cast<int>(j));
 }
 
-class Watch final : public CbcEventHandler {
- public:
-  Watch(const RunControl& control, BoundReport& report, double cost_scale)
-      : control_(control), report_(report), cost_scale_(cost_scale) {}
-
-  CbcEventHandler* clone() const override { return new Watch(*this); }
-
-  CbcAction event(CbcEvent) override {
-    // Heuristics run on separate models with other bounds.
-    if (model_ != nullptr && model_->parentModel() == nullptr)
-      report_(model_->getObjValue() / cost_scale_, model_->getBestPossibleObjValue() / cost_scale_);
-    return control_.cancelled() ? stop : noAction;
-  }
-  CbcAction event(CbcEvent which, void*) override { return event(which); }
-
- private:
-  const RunControl& control_;
-  BoundReport& report_;
-  double cost_scale_;
-};
-
-Termination to_termination(const CbcModel& cbc, const RunControl& control) {
-  if (cbc.status() == 0) return cbc.bestSolution() ? Termination::optimal : Termination::infeasible;
-  if (cbc.status() == 1 || cbc.status() == 5)
-    return control.cancelled() ? Termination::interrupted : Termination::limit;
-  return Termination::error;
-}
-
 // Replaces Clp's own limit, which counts the processor time of all threads.
 class TimeLimit final : public ClpEventHandler {
  public:
-  TimeLimit(const RunControl& control, double seconds) : control_(control), deadline_(seconds) {}
+  TimeLimit(const RunControl& control, const Deadline& deadline) : control_(control), deadline_(deadline) {}
 
   ClpEventHandler* clone() const override { return new TimeLimit(*this); }
   int event(Event which) override {
@@ -116,6 +88,52 @@ class TimeLimit final : public ClpEventHandler {
   const RunControl& control_;
   Deadline deadline_;
 };
+
+/// The results of a run before its deadline. Linear programs stop there (TimeLimit), and CBC then takes their
+/// nodes for infeasible, so later bounds and claims are void.
+struct Progress {
+  double bound = -infinity;
+  bool is_over = false;
+};
+
+class Watch final : public CbcEventHandler {
+ public:
+  Watch(const RunControl& control, const Deadline& deadline, BoundReport& report, Progress& progress,
+        double cost_scale)
+      : control_(control),
+        deadline_(deadline),
+        report_(report),
+        progress_(progress),
+        cost_scale_(cost_scale) {}
+
+  CbcEventHandler* clone() const override { return new Watch(*this); }
+
+  CbcAction event(CbcEvent) override {
+    progress_.is_over = progress_.is_over || control_.cancelled() || deadline_.has_passed();
+    // Heuristics run on separate models with other bounds.
+    if (model_ != nullptr && model_->parentModel() == nullptr && !progress_.is_over) {
+      const double dual = model_->getBestPossibleObjValue();
+      if (dual > -1e50) progress_.bound = std::max(progress_.bound, dual / cost_scale_);
+      report_(model_->getObjValue() / cost_scale_, dual / cost_scale_);
+    }
+    return progress_.is_over ? stop : noAction;
+  }
+  CbcAction event(CbcEvent which, void*) override { return event(which); }
+
+ private:
+  const RunControl& control_;
+  const Deadline& deadline_;
+  BoundReport& report_;
+  Progress& progress_;
+  double cost_scale_;
+};
+
+Termination to_termination(const CbcModel& cbc, const RunControl& control) {
+  if (cbc.status() == 0) return cbc.bestSolution() ? Termination::optimal : Termination::infeasible;
+  if (cbc.status() == 1 || cbc.status() == 5)
+    return control.cancelled() ? Termination::interrupted : Termination::limit;
+  return Termination::error;
+}
 
 class ClpSession final : public LpSession {
  public:
@@ -168,7 +186,7 @@ class ClpSession final : public LpSession {
   LpResult solve(double time_limit_s, const RunControl& control) override {
     if (control.cancelled()) return {Termination::interrupted, infinity, {}, {}};
     if (time_limit_s <= 0) return {Termination::limit, infinity, {}, {}};
-    TimeLimit limit(control, time_limit_s);
+    TimeLimit limit(control, Deadline(time_limit_s));
     clp_.passInEventHandler(&limit);
     clp_.dual();
     LpResult result;
@@ -225,6 +243,9 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
   OsiClpSolverInterface solver;
   solver.passInMessageHandler(&silent);
   load(model, scale, solver);
+  const Deadline deadline(options.time_limit_s);
+  TimeLimit limit(control, deadline);
+  solver.getModelPtr()->passInEventHandler(&limit);
 
   CbcModel cbc(solver);
   cbc.passInMessageHandler(&silent);
@@ -238,16 +259,24 @@ Result solve_cbc(const Model& model, const SolveOptions& options, const RunContr
   cbc.setAllowableGap(0);
   cbc.setIntegerTolerance(1e-7);
   BoundReport report(control);
-  const Watch watch(control, report, scale);
+  Progress progress;
+  const Watch watch(control, deadline, report, progress, scale);
   cbc.passInEventHandler(&watch);
   // Cuts at every node. No preprocessing: with it, CBC 2.10.8 sometimes returns fractional values as optimal.
+  // Cut generators do not look at the clock, which matters for large models.
+  constexpr CoinBigIndex max_entries_for_cuts = 1'000'000;
   CbcStrategyDefault strategy(0);
-  cbc.setStrategy(strategy);
+  if (solver.getNumElements() <= max_entries_for_cuts) cbc.setStrategy(strategy);
   cbc.branchAndBound();
 
   Result result;
-  result.termination = to_termination(cbc, control);
   if (const double* x = cbc.bestSolution()) result.solution.assign(x, x + model.columns.size());
+  if (progress.is_over || control.cancelled() || deadline.has_passed()) {
+    result.termination = control.cancelled() ? Termination::interrupted : Termination::limit;
+    result.dual_bound = progress.bound;
+    return result;
+  }
+  result.termination = to_termination(cbc, control);
   if (const double dual = cbc.getBestPossibleObjValue(); dual > -1e50) result.dual_bound = dual / scale;
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include <Highs.h>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/backend.hpp"
 
@@ -186,6 +187,7 @@ std::string_view highs_version() {
 }
 
 Result solve_highs(const Model& model, const SolveOptions& options, const RunControl& control) {
+  const Deadline deadline(options.time_limit_s);  // loading takes time, too
   const SchedulerGuard guard;
   const double scale = objective_scale(model.columns);
   // HiGHS's workers busy-wait, so more of them than cores only slow each other down.
@@ -199,7 +201,14 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   highs.setOptionValue("mip_abs_gap", 0.0);
   // At the default of 1e-6, values such as -2e-7 count as integral, and pruning misses an objective by one.
   highs.setOptionValue("mip_feasibility_tolerance", 1e-7);
-  highs.setOptionValue("time_limit", std::max(options.time_limit_s, 0.0));
+  // Presolve and the search for symmetries hardly look at the clock, which matters for large models.
+  constexpr double preparation_s_per_entry = 2e-5;
+  std::size_t entries = 0;
+  for (const Row& row : model.rows) entries += row.entries.size();
+  if (options.time_limit_s < preparation_s_per_entry * static_cast<double>(entries)) {
+    highs.setOptionValue("presolve", "off");
+    highs.setOptionValue("mip_detect_symmetry", false);
+  }
   if (options.node_limit)
     highs.setOptionValue("mip_max_nodes",
                          static_cast<HighsInt>(std::min<std::uint64_t>(*options.node_limit, kHighsIInf)));
@@ -209,21 +218,28 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   }
   if (highs.passModel(to_highs(model.columns, Rows(model.rows), scale)) == HighsStatus::kError) return {};
 
+  if (options.time_limit_s < infinity) {
+    if (deadline.has_passed()) return {Termination::limit, infinity, -infinity, {}};
+    highs.setOptionValue("time_limit", deadline.seconds_left());
+  }
   BoundReport report(control);
   highs.setCallback(
       [&](int type, const std::string&, const HighsCallbackDataOut* out, HighsCallbackDataIn* in, void*) {
         if (type == kCallbackMipInterrupt) report(out->mip_primal_bound / scale, out->mip_dual_bound / scale);
-        in->user_interrupt = control.cancelled() ? 1 : 0;
+        in->user_interrupt = control.cancelled() || deadline.has_passed() ? 1 : 0;
       },
       nullptr);
   highs.startCallback(kCallbackMipInterrupt);
   highs.startCallback(kCallbackSimplexInterrupt);
+  highs.startCallback(kCallbackIpmInterrupt);
   if (highs.run() == HighsStatus::kError) return {};
 
   const bool is_mip = std::any_of(model.columns.begin(), model.columns.end(),
                                   [](const Column& column) { return column.integer; });
   Result result;
   result.termination = to_termination(highs.getModelStatus(), model.columns);
+  if (result.termination == Termination::interrupted && !control.cancelled())
+    result.termination = Termination::limit;
   // HiGHS returns a MIP solution that fails its own final check with "infeasible"; `verified` receives both.
   if (highs.getSolution().value_valid && (is_mip || result.termination == Termination::optimal))
     result.solution = highs.getSolution().col_value;

@@ -62,23 +62,9 @@ void raise_bound_by_multipliers(SearchState& state, const Effort& effort) {
   }
 }
 
-double count_bound_by_multipliers(SearchState& state, const Effort& effort) {
-  const std::vector<double> ones(state.table.columns(), 1.0);
-  MultiplierBoundOptions options;
-  options.known = static_cast<double>(state.incumbent.selected().size());
-  options.step = 1;
-  options.max_steps = steps_of(effort);
-  options.until = effort.until;
-  const double bound =
-      multiplier_bound(state.table, state.problem, ones, options, {}, state.control).dual.bound;
-  return CostBounds(state.table, ones).rounded(bound);
-}
-
 void bound_second_by_multipliers(SearchState& state, const Effort& effort) {
   MultiplierBoundOptions options;
-  const auto count = static_cast<std::size_t>(state.incumbent.bound());
-  options.selections.min_count = count;
-  if (state.incumbent.is_closed()) options.selections.max_count = count;
+  options.selections.min_count = options.selections.max_count = state.incumbent.selected().size();
   options.known = state.second->value;
   options.step = state.second->bounds.step();
   options.max_steps = steps_of(effort);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -8,11 +9,15 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/bound/multiplier_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
+#include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/mip/mip.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
+#include "shelfbeam/placement/problem/bounds.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
@@ -75,6 +80,53 @@ Placement greedy_placement(const SignalTable& table, const PlacementProblem& pro
   placement.status = selected ? Status::feasible : Status::stopped;
   placement.solver = "greedy";
   return placement;
+}
+
+/// Lower bound on a sum of costs over selections of at least `min_count` units, by a fraction of a second of
+/// multipliers; rounded up.
+double quick_bound(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
+                   double known, std::size_t min_count, const PlaceOptions& options,
+                   const RunControl& control) {
+  constexpr std::uint64_t steps = 150;
+  constexpr double seconds = 1;
+  const CostBounds bounds(table, cost);
+  detail::MultiplierBoundOptions quick;
+  quick.selections.min_count = min_count;
+  quick.known = known;
+  quick.step = bounds.step();
+  quick.max_steps = std::min(steps, options.step_limit.value_or(steps));
+  if (!options.step_limit) quick.until = Deadline(seconds).end();
+  return std::min(
+      known, bounds.rounded(detail::multiplier_bound(table, problem, cost, quick, {}, control).dual.bound));
+}
+
+/// Raises bounds that the search has left low: all of them if it was not ours or had no time, and otherwise
+/// that of the count if a sum is minimised.
+void raise_neglected_bounds(Placement& placement, const SignalTable& table, const PlaceOptions& options,
+                            const RunControl& control) {
+  const PlacementProblem& problem = placement.problem;
+  const bool is_sum = problem.combination == Combination::weighted, is_open = placement.gap() > 0;
+  const bool is_count = !is_sum && problem.objective == Objective::count;
+  const bool is_low = placement.bound_proof == BoundProof::trivial || options.solver == SolverChoice::mip;
+  const auto raise = [&](double& bound, double found) {
+    if (!(found > bound)) return;
+    bound = found;
+    placement.bound_proof = is_count ? BoundProof::dual : std::max(placement.bound_proof, BoundProof::dual);
+  };
+  const std::vector<double> ones(table.columns(), 1.0);
+  const auto count = static_cast<double>(placement.count());
+  if (is_sum || (is_open && is_low))
+    raise(placement.count_lower_bound, quick_bound(table, problem, ones, count, 0, options, control));
+  if (is_count) {
+    placement.lower_bound = placement.count_lower_bound;
+    if (is_open && placement.gap() <= 0) placement.status = Status::optimal;
+  } else if (is_open && (is_low || (!is_sum && placement.count_lower_bound < count))) {
+    const std::vector<double> cost =
+        is_sum ? first_objective(table, problem) : objective_coefficients(table, problem);
+    const auto fewest = static_cast<std::size_t>(placement.count_lower_bound);
+    raise(placement.lower_bound,
+          quick_bound(table, problem, cost, placement.objective_value, fewest, options, control));
+  }
 }
 
 /// Minimises the sum of prices that puts the new spend first and the count second (SpendOrder).
@@ -155,6 +207,7 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
         placement.bound_proof = BoundProof::solver;
     }
   }
+  if (placement.has_selection() && options.proves) raise_neglected_bounds(placement, table, options, control);
   if (placement.has_selection() && has_prices(table)) placement.price = price_of(table, placement.selected);
   placement.min_spacing = table.min_spacing;
   placement.forbidden_pairs = table.conflicts.size();

@@ -120,14 +120,7 @@ Effort opening(State state) {
   return {std::min(moves, state.limits.step_limit.value_or(any_steps)), state.deadline.end()};
 }
 
-// Bounds that a search without time still owes: a fraction of a second, unless steps are limited.
-Effort last_effort(State state) {
-  constexpr double seconds = 1;
-  constexpr std::uint64_t steps = 150;
-  return {std::min(steps, state.limits.step_limit.value_or(steps)), Deadline(seconds).end()};
-}
-
-Placement answer_of(SearchState& state) {
+Placement answer_of(State state) {
   const SignalTable& table = state.table;
   const PlacementProblem& problem = state.problem;
   Placement placement;
@@ -139,13 +132,10 @@ Placement answer_of(SearchState& state) {
                                   : static_cast<double>(placement.selected.size());
   placement.lower_bound =
       std::min(state.second ? state.second->lower_bound : state.incumbent.bound(), placement.objective_value);
-  placement.count_lower_bound = state.incumbent.bound();
-  if (state.is_weighted) {
-    const std::size_t fewest =
-        std::max(trivial_count_bound(table, problem), state.bounds.fewest(placement.lower_bound));
-    placement.count_lower_bound =
-        std::max(static_cast<double>(fewest), count_bound_by_multipliers(state, last_effort(state)));
-  }
+  placement.count_lower_bound =
+      state.is_weighted ? static_cast<double>(std::max(trivial_count_bound(table, problem),
+                                                       state.bounds.fewest(placement.lower_bound)))
+                        : state.incumbent.bound();
   placement.bound_proof = state.incumbent.proof();
   placement.solver = state.last_backend.empty() ? "search" : "search with " + state.last_backend;
   return placement;
@@ -161,10 +151,7 @@ Placement search(SearchState& state) {
     const CostBounds bounds(state.table, cost);
     state.second = {std::move(cost), bounds, state.incumbent.value_of(state.incumbent.selected()),
                     bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound()))};
-    if (state.incumbent.is_closed())
-      run(second_schedule, state);
-    else
-      bound_second_by_multipliers(state, last_effort(state));
+    if (state.incumbent.is_closed()) run(second_schedule, state);
   }
   const bool is_optimal = state.is_closed();
   const bool settled = is_optimal && state.limits.settles_ties && settle_ties(state, of_opening);

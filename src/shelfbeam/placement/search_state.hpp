@@ -180,9 +180,6 @@ void raise_bound_by_tree(SearchState& state, const Effort& effort);
 /// Offers selections chosen by the multipliers, and excludes columns by their reduced costs.
 void raise_bound_by_multipliers(SearchState& state, const Effort& effort);
 
-/// A lower bound on the count of all feasible selections in the same way, for problems that minimise a sum.
-double count_bound_by_multipliers(SearchState& state, const Effort& effort);
-
 /// LP bound on the count or the whole sum, with the next back end if one fails. The LP's rows and dual
 /// solution become the first rows and weights of the tree search.
 void raise_bound_by_lp(SearchState& state, const Effort& effort);
@@ -195,8 +192,7 @@ void branch_on_remainder(SearchState& state, const Effort& effort);
 /// than the incumbent, without useless columns.
 void solve_mip(SearchState& state, const Effort& effort);
 
-// The same methods for the second objective, among selections of at most as many units as the incumbent. The
-// multipliers serve all counts from the bound on, if the minimum count is not proven.
+// The same methods for the second objective, among selections of at most as many units as the incumbent.
 void bound_second_by_multipliers(SearchState& state, const Effort& effort);
 void bound_second_by_lp(SearchState& state, const Effort& effort);
 void search_second_by_tree(SearchState& state, const Effort& effort);

@@ -18,7 +18,7 @@ struct Tally {
   int by_exclusion = 0;  ///< infeasible although every label alone can be reached
   int stopped = 0, optimal = 0, settled = 0;
   int more_than_one = 0;  ///< problems with several optimal selections
-  int by[5] = {};         ///< results by proof of the bound, by BoundProof
+  int by[6] = {};         ///< results by proof of the bound, by BoundProof
 
   int count(BoundProof proof) const { return by[static_cast<int>(proof)]; }
 };

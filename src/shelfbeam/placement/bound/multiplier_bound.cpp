@@ -10,9 +10,9 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// Where linear programs take milliseconds, few steps are enough: they do the rest.
-constexpr std::size_t max_steps = 600, few_steps = 150, small = 100'000;
-constexpr int max_rounds = 8;
+// Where linear programs take milliseconds, or rows are still to be added, few steps are enough.
+constexpr std::size_t max_steps = 600, few_steps = 150, small = 50'000;
+constexpr int max_rounds = 5;
 
 class Bounding {
  public:
@@ -29,13 +29,13 @@ class Bounding {
 
   MultiplierBound run() {
     if (!rows_.empty()) {
-      improve();
+      improve(max_steps);
       return std::move(best_);
     }
     const RowPricing pricing(table_, problem_, options_.selections.max_count);
     for (const std::uint32_t label : pricing.hardest()) add(label);
     for (int round = 0; round < max_rounds; ++round) {
-      const std::vector<double> x = improve();
+      const std::vector<double> x = improve(few_steps);
       constexpr double missed = 0.02;  // averages of few steps are no better
       const auto batch = pricing.violated(x, missed, 50 + table_.columns() / 4, is_row_);
       if (batch.empty() || control_.cancelled() || std::chrono::steady_clock::now() >= options_.until) break;
@@ -51,7 +51,7 @@ class Bounding {
   }
 
   // Improves the multipliers of the present rows; returns the average solution, one per column of the table.
-  std::vector<double> improve() {
+  std::vector<double> improve(std::size_t enough) {
     const SparseRows rows(table_, problem_, cost_, options_.selections, rows_);
     if (y_.empty())
       y_ = ascended(rows);
@@ -63,7 +63,7 @@ class Bounding {
     steps.max_count = options_.selections.max_count - std::min(options_.selections.max_count, chosen);
     steps.known = options_.known;
     steps.step = options_.step;
-    steps.max_steps = std::min(options_.max_steps, rows.entries() < small ? few_steps : max_steps);
+    steps.max_steps = std::min(options_.max_steps, rows.entries() < small ? few_steps : enough);
     steps.until = options_.until;
     PrimalHeuristic heuristic;
     if (heuristic_)
