@@ -71,7 +71,6 @@ class Tree {
     for (const Column& column : model.columns) {
       lower_.push_back(column.lower);
       upper_.push_back(column.upper);
-      is_whole_ = is_whole_ && column.cost == std::round(column.cost);
     }
     lp_->add_rows(model.rows);
     weight_.assign(model.columns.size(), 0.0);
@@ -90,10 +89,10 @@ class Tree {
     result.primal_bound = best_.empty() ? infinity : objective(model_, best_);
     if (was_cut_) {
       result.termination = control_.cancelled() ? Termination::interrupted : Termination::limit;
-      result.dual_bound = std::min({open_bound_, result.primal_bound, options_.cutoff});
+      result.dual_bound = std::min({open_bound_, options_.cutoff, found_bound()});
     } else {
       result.termination = best_.empty() ? Termination::infeasible : Termination::optimal;
-      result.dual_bound = result.primal_bound;
+      result.dual_bound = found_bound();
     }
     return result;
   }
@@ -103,6 +102,12 @@ class Tree {
     std::uint32_t column = 0;
     double lower = 0, upper = 1;
   };
+
+  // Without a step, solutions just below the best one have been pruned.
+  double found_bound() const {
+    if (best_.empty()) return infinity;
+    return options_.step > 0 ? best_value_ : std::min(best_value_, cutoff_);
+  }
 
   bool is_over() {
     return failed_ || was_cut_ || control_.cancelled() || deadline_.has_passed() ||
@@ -165,15 +170,19 @@ class Tree {
         return leave_open(above);
       if (found.termination == Termination::infeasible && is_empty(found)) return;
       if (found.termination != Termination::optimal) return branch_blindly(above);
-      bound = std::max(bound, safe_bound(model_, lower_, upper_, found.y));
+      const SafeBound safe = safe_bound(model_, lower_, upper_, found.y);
+      bound = std::max(bound, safe.value);
       if (bound > cutoff_) return;
       report_(best_.empty() ? infinity : best_value_, open_bound_ < infinity ? open_bound_ : bound);
       if (is_integral(found.x)) return accept(std::move(found.x), bound);
-      fix_by_reduced_costs(found, bound);
-      again = false;
+      const std::size_t changed = changes_.size();
+      fix_by_reduced_costs(safe);
       const std::optional<std::uint32_t> column = choose(found, bound);
-      again = !column;  // columns have been fixed
-      if (column) branch(*column, bound);
+      again = !column && changes_.size() > changed;  // columns have been fixed
+      if (column)
+        branch(*column, bound);
+      else if (!again)
+        branch_blindly(bound);
     }
   }
 
@@ -207,12 +216,12 @@ class Tree {
   // The bounds contain no solution of cost up to the cut-off: proven by the LP's last multipliers or by its
   // ray.
   bool is_empty(const LpResult& found) const {
-    if (!found.y.empty() && safe_bound(model_, lower_, upper_, found.y) > cutoff_) return true;
+    if (!found.y.empty() && safe_bound(model_, lower_, upper_, found.y).value > cutoff_) return true;
     if (found.ray.empty()) return false;
     std::vector<double> opposite;
     for (const double y : found.ray) opposite.push_back(-y);
-    return safe_bound(model_, lower_, upper_, found.ray, false) > 0 ||
-           safe_bound(model_, lower_, upper_, opposite, false) > 0;
+    return safe_bound(model_, lower_, upper_, found.ray, false).value > 0 ||
+           safe_bound(model_, lower_, upper_, opposite, false).value > 0;
   }
 
   bool is_integral(const std::vector<double>& x) const {
@@ -232,24 +241,19 @@ class Tree {
     if (value <= cutoff_) {
       best_value_ = value;
       best_ = std::move(x);
-      constexpr double equal_values = 1e-9;
-      cutoff_ = is_whole_ ? value - 1 + integral : value * (1 - equal_values);
+      constexpr double equal_values = 1e-9, rounding = 1e-7;
+      cutoff_ = options_.step > 0 ? value - options_.step * (1 - rounding) : value * (1 - equal_values);
       lp_->set_cutoff(cutoff_);
     }
     if (bound <= cutoff_ && !is_leaf) branch_blindly(bound);  // another solution may cost less
   }
 
-  // With the other value of column j, the objective is at least bound + |r_j|.
-  void fix_by_reduced_costs(const LpResult& found, double bound) {
-    std::vector<double> reduced;
-    for (const Column& column : model_.columns) reduced.push_back(column.cost);
-    for (std::size_t i = 0; i < model_.rows.size(); ++i)
-      if (found.y[i] != 0)
-        for (const Entry& entry : model_.rows[i].entries) reduced[entry.column] -= found.y[i] * entry.value;
-    const double safe = objective_slack(model_, bound);
-    for (std::uint32_t j = 0; j < reduced.size(); ++j) {
-      if (lower_[j] == upper_[j] || bound + std::abs(reduced[j]) - safe <= cutoff_) continue;
-      const double value = reduced[j] > 0 ? 0 : 1;
+  // With the other value of column j, the objective is at least the bound of these multipliers plus |r_j|.
+  void fix_by_reduced_costs(const SafeBound& safe) {
+    for (std::uint32_t j = 0; j < lower_.size(); ++j) {
+      if (lower_[j] == upper_[j]) continue;
+      if (!(safe.value + std::abs(safe.reduced[j]) - safe.rounding > cutoff_)) continue;
+      const double value = safe.reduced[j] > 0 ? 0 : 1;
       set(j, value, value);
     }
   }
@@ -260,9 +264,9 @@ class Tree {
     set(j, value, value);
     ++nodes_;
     const LpResult found = solve();
-    const bool is_closed =
-        (found.termination == Termination::infeasible && is_empty(found)) ||
-        (found.termination == Termination::optimal && safe_bound(model_, lower_, upper_, found.y) > cutoff_);
+    const bool is_closed = (found.termination == Termination::infeasible && is_empty(found)) ||
+                           (found.termination == Termination::optimal &&
+                            safe_bound(model_, lower_, upper_, found.y).value > cutoff_);
     undo(depth);
     return is_closed;
   }
@@ -328,7 +332,6 @@ class Tree {
   std::unique_ptr<LpSession> lp_;
   PseudoCosts costs_;
   double cutoff_;
-  bool is_whole_ = true;
   std::vector<double> lower_, upper_;
   std::vector<double> weight_;   ///< cost times entries: ranks columns that have not been tried
   std::vector<Bounds> changes_;  ///< the bounds before each change on the path from the root
@@ -348,13 +351,13 @@ bool is_binary(const Column& column) {
 
 }  // namespace
 
-double safe_bound(const Model& model, std::span<const double> lower, std::span<const double> upper,
-                  std::span<const double> y, bool with_costs) {
+SafeBound safe_bound(const Model& model, std::span<const double> lower, std::span<const double> upper,
+                     std::span<const double> y, bool with_costs) {
   double sum = 0, added = 0;
-  std::vector<double> reduced(model.columns.size(), 0.0), size(model.columns.size(), 0.0);
-  if (with_costs)
-    for (std::size_t j = 0; j < reduced.size(); ++j) reduced[j] = model.columns[j].cost;
-  for (std::size_t j = 0; j < reduced.size(); ++j) size[j] = std::abs(reduced[j]);
+  SafeBound safe;
+  std::vector<double> size(model.columns.size(), 0.0);
+  for (const Column& column : model.columns) safe.reduced.push_back(with_costs ? column.cost : 0);
+  for (std::size_t j = 0; j < size.size(); ++j) size[j] = std::abs(safe.reduced[j]);
   for (std::size_t i = 0; i < model.rows.size(); ++i) {
     const Row& row = model.rows[i];
     const double rhs = y[i] > 0 ? row.lower : row.upper;
@@ -362,16 +365,18 @@ double safe_bound(const Model& model, std::span<const double> lower, std::span<c
     sum += y[i] * rhs;
     added += std::abs(y[i] * rhs);
     for (const Entry& entry : row.entries) {
-      reduced[entry.column] -= y[i] * entry.value;
+      safe.reduced[entry.column] -= y[i] * entry.value;
       size[entry.column] += std::abs(y[i] * entry.value);
     }
   }
-  for (std::size_t j = 0; j < reduced.size(); ++j) {
-    sum += std::min(reduced[j] * lower[j], reduced[j] * upper[j]);
+  for (std::size_t j = 0; j < size.size(); ++j) {
+    sum += std::min(safe.reduced[j] * lower[j], safe.reduced[j] * upper[j]);
     added += size[j] * std::max(std::abs(lower[j]), std::abs(upper[j]));
   }
   const auto terms = static_cast<double>(model.rows.size() + model.columns.size() + 8);
-  return sum - terms * std::numeric_limits<double>::epsilon() * added;
+  safe.rounding = terms * std::numeric_limits<double>::epsilon() * added;
+  safe.value = sum - safe.rounding;
+  return safe;
 }
 
 Result branch_and_bound(const Model& model, const Backend& backend, const SolveOptions& options,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "shelfbeam/milp/solver.hpp"
 
 namespace shelfbeam::milp {
@@ -19,9 +22,16 @@ namespace shelfbeam::milp {
 Result branch_and_bound(const Model& model, const Backend& backend, const SolveOptions& options,
                         const RunControl& control);
 
-/// The Lagrangian bound of the multipliers y, one per row: no x within the columns' bounds that satisfies the
-/// rows has a lower objective. Less the rounding errors of its sums. Wrong signs count as 0.
-double safe_bound(const Model& model, std::span<const double> lower, std::span<const double> upper,
-                  std::span<const double> y, bool with_costs = true);
+/// A lower bound on the objective of every x within the columns' bounds that satisfies the rows.
+struct SafeBound {
+  double value = 0;             ///< less `rounding`
+  double rounding = 0;          ///< bound on the rounding errors of the sums
+  std::vector<double> reduced;  ///< per column: c_j - sum_i y_i a_ij
+};
+
+/// The Lagrangian bound of the multipliers y, one per row. Multipliers whose side of the row is infinite, and
+/// those that are not finite, count as 0.
+SafeBound safe_bound(const Model& model, std::span<const double> lower, std::span<const double> upper,
+                     std::span<const double> y, bool with_costs = true);
 
 }  // namespace shelfbeam::milp

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <vector>
 
 #include <CbcConfig.h>
@@ -108,12 +109,12 @@ class Watch final : public CbcEventHandler {
 
   CbcEventHandler* clone() const override { return new Watch(*this); }
 
-  CbcAction event(CbcEvent) override {
+  CbcAction event(CbcEvent which) override {
     progress_.is_over = progress_.is_over || control_.cancelled() || deadline_.has_passed();
     // Heuristics run on separate models with other bounds.
     if (model_ != nullptr && model_->parentModel() == nullptr && !progress_.is_over) {
       const double dual = model_->getBestPossibleObjValue();
-      if (dual > -1e50) progress_.bound = std::max(progress_.bound, dual / cost_scale_);
+      if (which == node && std::abs(dual) < 1e50) progress_.bound = dual / cost_scale_;
       report_(model_->getObjValue() / cost_scale_, dual / cost_scale_);
     }
     return progress_.is_over ? stop : noAction;

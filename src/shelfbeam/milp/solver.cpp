@@ -88,7 +88,7 @@ Result verified(const Model& model, const SolveOptions& options, Result result) 
   result = within_cutoff(model, options, std::move(result));
   if (result.termination == Termination::infeasible) {
     if (!result.solution.empty()) return wrong;
-    return {Termination::infeasible, infinity, infinity, {}};
+    return {Termination::infeasible, infinity, infinity, {}, result.is_safe};
   }
   if (std::isnan(result.dual_bound)) result.dual_bound = -infinity;
 

@@ -29,6 +29,8 @@ struct SolveOptions {
   /// Only solutions of at most this objective are sought. If there is none, the model counts as infeasible; a
   /// dual bound is at most the cut-off.
   double cutoff = infinity;
+  /// Objectives of solutions are multiples of this; 0 if unknown. Only branch_and_bound uses it.
+  double step = 0;
 };
 
 struct Result {

@@ -82,20 +82,19 @@ Placement greedy_placement(const SignalTable& table, const PlacementProblem& pro
   return placement;
 }
 
-/// Lower bound on a sum of costs over selections of at least `min_count` units, by a fraction of a second of
-/// multipliers; rounded up.
+/// Lower bound on a sum of costs over selections of at least `min_count` units, by some multipliers; rounded
+/// up.
 double quick_bound(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-                   double known, std::size_t min_count, const PlaceOptions& options,
+                   double known, std::size_t min_count, const PlaceOptions& options, const Deadline& deadline,
                    const RunControl& control) {
   constexpr std::uint64_t steps = 150;
-  constexpr double seconds = 1;
   const CostBounds bounds(table, cost);
   detail::MultiplierBoundOptions quick;
   quick.selections.min_count = min_count;
   quick.known = known;
   quick.step = bounds.step();
   quick.max_steps = std::min(steps, options.step_limit.value_or(steps));
-  if (!options.step_limit) quick.until = Deadline(seconds).end();
+  if (!options.step_limit) quick.until = deadline.end();
   return std::min(
       known, bounds.rounded(detail::multiplier_bound(table, problem, cost, quick, {}, control).dual.bound));
 }
@@ -113,20 +112,24 @@ void raise_neglected_bounds(Placement& placement, const SignalTable& table, cons
     bound = found;
     placement.bound_proof = is_count ? BoundProof::dual : std::max(placement.bound_proof, BoundProof::dual);
   };
+  constexpr double seconds = 0.5;
+  const Deadline deadline(seconds);
   const std::vector<double> ones(table.columns(), 1.0);
   const auto count = static_cast<double>(placement.count());
   if (is_sum || (is_open && is_low))
-    raise(placement.count_lower_bound, quick_bound(table, problem, ones, count, 0, options, control));
+    raise(placement.count_lower_bound,
+          quick_bound(table, problem, ones, count, 0, options, deadline, control));
   if (is_count) {
     placement.lower_bound = placement.count_lower_bound;
-    if (is_open && placement.gap() <= 0) placement.status = Status::optimal;
   } else if (is_open && (is_low || (!is_sum && placement.count_lower_bound < count))) {
     const std::vector<double> cost =
         is_sum ? first_objective(table, problem) : objective_coefficients(table, problem);
     const auto fewest = static_cast<std::size_t>(placement.count_lower_bound);
     raise(placement.lower_bound,
-          quick_bound(table, problem, cost, placement.objective_value, fewest, options, control));
+          quick_bound(table, problem, cost, placement.objective_value, fewest, options, deadline, control));
   }
+  const bool is_proven = is_sum || placement.count_lower_bound >= count;
+  if (is_open && is_proven && placement.gap() <= 0) placement.status = Status::optimal;
 }
 
 /// Minimises the sum of prices that puts the new spend first and the count second (SpendOrder).

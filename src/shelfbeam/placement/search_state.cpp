@@ -52,6 +52,11 @@ bool Incumbent::offer(const std::optional<Selection>& found) {
 
 bool Incumbent::raise(double bound, BoundProof proof, std::string_view step) {
   bound = bounds_.rounded(bound);
+  constexpr double gap = 1e-6;
+  if (proof == BoundProof::solver && bounds_.step() == 0 && !is_closed() && value_ - bound <= gap * value_) {
+    solver_closed_ = true;
+    proof_ = proof;
+  }
   if (!(bound > bound_)) return false;
   if (bound > value_ * (1 + 1e-6)) {
     if (proof == BoundProof::solver) return false;
@@ -60,9 +65,6 @@ bool Incumbent::raise(double bound, BoundProof proof, std::string_view step) {
   }
   bound_ = std::min(bound, value_);
   proof_ = proof;
-  constexpr double gap = 1e-6;
-  if (proof == BoundProof::solver && bounds_.step() == 0 && value_ - bound_ <= gap * value_)
-    solver_closed_ = true;
   return true;
 }
 

@@ -102,8 +102,8 @@ struct SearchState final : ProgressSink {
   std::optional<TreeSearch> tree;      ///< starts with the rows and weights of the last LP
   Incumbent incumbent;
   std::optional<SecondObjective> second;  ///< once the first objective is done
-  /// Reduced-cost fixing: columns that no selection of cost CostBounds::below(value) contains, ascending. If
-  /// a better selection exists, an optimal one is among those of `open_selections`.
+  /// Reduced-cost fixing, ascending: if a selection of cost CostBounds::below(value) exists, an optimal one
+  /// contains none of these columns and is among those of `open_selections`.
   std::vector<std::uint32_t> useless;
   std::optional<DualBound> relaxation;  ///< the last LP of the first objective, for `open_selections`
   /// Label rows and multipliers of the last relaxation of the first objective, for the next one.
@@ -142,10 +142,11 @@ struct SearchState final : ProgressSink {
   void raise(double bound, BoundProof proof) {
     if (incumbent.raise(bound, proof, step)) report_state();
   }
-  /// A bound that holds for `open_selections`: the others are no better than the incumbent.
+  /// A bound that holds for `open_selections`.
   void raise_open(double bound, BoundProof proof) {
     const double value = incumbent.value(), below = bounds.below(value);
-    raise(bound > below ? (bounds.step() > 0 ? value : std::max(below, incumbent.bound())) : bound, proof);
+    raise(bound > below ? (bounds.sees_steps(value) ? value : std::max(below, incumbent.bound())) : bound,
+          proof);
   }
   /// Excludes the columns that this bound rules out; true if there are enough new ones for a reduction.
   bool exclude(const DualBound& dual);

@@ -118,10 +118,8 @@ Answer place_reduced(const SignalTable& table, const PlacementProblem& problem, 
 }
 
 // Between the values of the incumbent and of any better selection.
-double cutoff_of(const SearchState& state) {
-  const double value = state.incumbent.value(), step = state.bounds.step();
-  return step > 0 ? std::min(value - 0.5 * step, state.bounds.below(value) + 0.5 * step)
-                  : state.bounds.below(value);
+double cutoff_of(const CostBounds& bounds, double value) {
+  return bounds.below(value) + (bounds.sees_steps(value) ? 0.5 * bounds.step() : 0);
 }
 
 // Branch and bound on the remainder of a cover, by the first back end's linear programs.
@@ -140,26 +138,32 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
                        limited(branch, state.limits.step_limit), effort.seconds_left(), state.control);
 }
 
-// Whether a selection costs no more than the bound, or a little more: its tree is small, because reduced
-// costs exclude most columns.
+// Whether a selection costs little more than the bound: its tree is small, because reduced costs exclude most
+// columns.
 void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
-  while (!state.is_closed() && !effort.is_over(state.control)) {
-    constexpr double part = 0.1;
-    const double bound = state.incumbent.bound(), value = state.incumbent.value();
-    const double step = state.bounds.step() > 0 ? 0.5 * state.bounds.step() : part * (value - bound);
-    const Reduction reduction = state.reduction_below(bound + step);
-    const Answer answer = branch_reduced(state, reduction, bound + step, effort);
+  constexpr double least_part = 0.002, most_part = 0.02;
+  double part = most_part;
+  for (std::uint64_t tries = 0; tries < effort.steps && !state.is_closed(); ++tries) {
+    const double bound = state.incumbent.bound(), gap = state.incumbent.value() - bound;
+    const double least = state.bounds.step() > 0 ? 0.5 * state.bounds.step() : least_part * gap;
+    const double increment = std::max(least, part * gap), cutoff = bound + increment;
+    if (!(cutoff > bound) || effort.is_over(state.control)) return;
+    const Answer answer = branch_reduced(state, state.reduction_below(cutoff), cutoff, effort);
     state.offer(answer.selected);
-    const bool is_empty = answer.bound > bound + step;
-    if (!is_empty) return;
-    state.raise_open(bound + step, BoundProof::branches);
+    if (answer.bound > cutoff)
+      state.raise_open(cutoff, BoundProof::branches);
+    else if (increment > least)
+      part /= 2;
+    else
+      return;
   }
 }
 
 Answer solve_reduced(SearchState& state, const Effort& effort) {
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    return place_reduced(state.table, state.problem, state.first_cost, state.reduction(), cutoff_of(state),
-                         solve, effort.seconds_left(), state.control);
+    return place_reduced(state.table, state.problem, state.first_cost, state.reduction(),
+                         cutoff_of(state.bounds, state.incumbent.value()), solve, effort.seconds_left(),
+                         state.control);
   });
 }
 
@@ -171,7 +175,10 @@ std::vector<milp::Row> cuts_of(const SearchState& state) {
     if (row.is_plain()) continue;
     milp::Row& cut = cuts.emplace_back();
     cut.lower = reader.read(row, [&](std::uint32_t j, double a) { cut.entries.push_back({j, a}); });
-    cut = relaxed(std::move(cut));
+    if (cut.lower > 0)
+      cut = relaxed(std::move(cut));
+    else
+      cuts.pop_back();  // the row says nothing
   }
   return cuts;
 }
@@ -180,8 +187,9 @@ Answer solve_whole(SearchState& state, const Effort& effort) {
   PlacementProblem first = state.problem;
   if (!state.is_weighted) first.objective = Objective::count;
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    const MipResult mip = place_by_mip(state.table, first, std::nullopt, solve, effort.seconds_left(),
-                                       state.control, {cutoff_of(state), state.useless, cuts_of(state)});
+    const MipResult mip =
+        place_by_mip(state.table, first, std::nullopt, solve, effort.seconds_left(), state.control,
+                     {cutoff_of(state.bounds, state.incumbent.value()), state.useless, cuts_of(state)});
     const bool is_empty = mip.placement.status == Status::infeasible;
     return Answer{.selected = mip.placement.selected,
                   .bound = is_empty ? milp::infinity : mip.placement.lower_bound,
@@ -196,6 +204,8 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
     bool failed = false;
   };
   const SelectionSet open = state.open_selections();
+  if (state.is_cover() && state.reduction().infeasible)
+    return state.raise_open(milp::infinity, BoundProof::dual);
   const bool is_large = state.table.entries.size() > state.limits.max_small_lp_entries;
   std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
   if (is_large)  // Clp is faster than HiGHS on large linear programs
@@ -251,7 +261,9 @@ void bound_second_by_lp(SearchState& state, const Effort& effort) {
 void solve_mip_for_second(SearchState& state, const Effort& effort) {
   const Selection& best = state.incumbent.selected();
   const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    CoverModel model(state.table, state.problem, solve, effort.seconds_left(), state.control);
+    const SecondObjective& second = *state.second;
+    CoverModel model(state.table, state.problem, solve, effort.seconds_left(), state.control,
+                     {.cutoff = cutoff_of(second.bounds, second.value)});
     const double known = check_selection(state.table, state.problem, best).objective;
     return model.minimise(state.second->cost, known, best.size());
   });

@@ -41,17 +41,20 @@ struct Cheapest {
   double lower_bound = 0;                ///< on the cost
   std::optional<BoundProof> proof = {};  ///< of that bound; none without a bound
 };
-Cheapest cheapest(const SearchState& state, std::size_t max_units, const Effort& effort, TreeSearch& tree) {
+// Without a better selection, the bound exceeds `between`, which is between the incumbent's cost and any
+// lower one.
+Cheapest cheapest(const SearchState& state, std::size_t max_units, double between, const Effort& effort,
+                  TreeSearch& tree) {
+  // Every column is rounded by up to a half of cost_unit.
+  const double rounding = static_cast<double>(max_units + 1) / 2;
   const std::int64_t known = state.instance.cost_of(state.incumbent.selected());
   TreeGoal goal;
   goal.kind = TreeGoal::Kind::cheapest;
   goal.max_units = max_units;
-  goal.max_cost = known - std::max<std::int64_t>(1, known >> 33);  // less would be rounding
+  const double limit = std::ceil(between / state.instance.cost_unit + rounding);
+  goal.max_cost = std::min<std::int64_t>(known - 1, std::llround(limit));
   const TreeResult answer = tree.run(goal, {effort, true}, state.control);
   if (!answer.is_complete) return {answer.selected};
-  // Every other selection costs more than `max_cost` multiples of cost_unit, each column rounded by up to a
-  // half.
-  const double rounding = static_cast<double>(max_units + 1) / 2;
   const double bound = static_cast<double>(answer.proof.max_cost) + 1 - rounding;
   return {answer.selected, std::max(0.0, bound * state.instance.cost_unit), strength_of(answer.proof, state)};
 }
@@ -63,13 +66,16 @@ void raise_bound_by_tree(SearchState& state, const Effort& effort) {
   if (!state.is_weighted) return raise_count_bound(state, effort);
   const std::size_t max_units = state.bounds.affordable(state.incumbent.value());
   if (!state.has_tree(max_units)) return;
-  const Cheapest found = cheapest(state, max_units, effort, *state.tree);
+  const double value = state.incumbent.value();
+  const double between = 0.5 * (value + state.bounds.below(value));
+  const Cheapest found = cheapest(state, max_units, between, effort, *state.tree);
   state.offer(found.selected);
-  if (found.proof) state.raise(found.lower_bound, *found.proof);
+  if (found.proof) state.raise_open(found.lower_bound, *found.proof);
 }
 
 void search_second_by_tree(SearchState& state, const Effort& effort) {
-  const Cheapest found = cheapest(state, state.incumbent.selected().size(), effort, *state.tree);
+  const double value = state.second->value, between = 0.5 * (value + state.second->bounds.below(value));
+  const Cheapest found = cheapest(state, state.incumbent.selected().size(), between, effort, *state.tree);
   state.offer_second(found.selected);
   if (found.proof) state.raise_second(found.lower_bound, *found.proof);
 }

@@ -97,6 +97,19 @@ TEST_P(MilpBranching, EqualsEnumeration) {
   EXPECT_EQ(cut_off, kept);
 }
 
+// Prices in hundredths, of which the larger are a thousand million steps: no better solution is pruned.
+TEST_P(MilpBranching, SeesAStepOfLargePrices) {
+  Model model;
+  for (const double cost : {2e7 + 0.01, 2e7, 1e7, 1e7 + 0.02})
+    model.columns.push_back({cost, 0, 1, true, {}});
+  model.rows = {{1, infinity, {{0, 1}, {1, 1}}, {}}, {1, infinity, {{2, 1}, {3, 1}}, {}}};
+  const Result found = branch_and_bound(model, GetParam(), {.step = 0.01}, {});
+  EXPECT_EQ(found.primal_bound, 3e7);
+  EXPECT_EQ(found.dual_bound, 3e7);
+  const Result without = branch_and_bound(model, GetParam(), {}, {});
+  EXPECT_LE(without.dual_bound, 3e7) << "nothing is claimed without the step";
+}
+
 // Three rows, any two of which share a column: the relaxation is 1.5, the minimum 2.
 Model triangle() {
   Model model;
@@ -140,11 +153,11 @@ TEST(MilpSafeBound, HoldsForAnyMultipliers) {
       upper.push_back(column.upper);
     }
     for (std::size_t i = 0; i < model.rows.size(); ++i) y.push_back(size(random));
-    const double bound = safe_bound(model, lower, upper, y);
+    const double bound = safe_bound(model, lower, upper, y).value;
     ASSERT_LE(bound, truth.best);
     tight += bound > 0.5 * truth.best && truth.best < infinity && truth.best > 0;
     // Without the costs: positive only if there is no solution.
-    if (safe_bound(model, lower, upper, y, false) > 0) {
+    if (safe_bound(model, lower, upper, y, false).value > 0) {
       ASSERT_EQ(truth.best, infinity);
     }
     Model wrong = model;
@@ -153,7 +166,7 @@ TEST(MilpSafeBound, HoldsForAnyMultipliers) {
       if (row.lower == infinity) row.lower = 1;
       if (row.upper == -infinity) row.upper = 1;
     }
-    too_much += truth.best < infinity && safe_bound(wrong, lower, upper, y) > truth.best + 1e-6;
+    too_much += truth.best < infinity && safe_bound(wrong, lower, upper, y).value > truth.best + 1e-6;
   }
   EXPECT_GT(tight, 30);
   EXPECT_GT(too_much, 30);

@@ -119,7 +119,7 @@ class Curve {
       if (!found.is_complete) return;
       rise();
       if (point.at_most >= weights_.total()) point.miss_proof = BoundProof::search;
-      point.at_most = point.at_least;
+      point.at_most = std::min(point.at_most, point.at_least + (weights_.are_whole() ? 0 : weights_.step()));
     }
   }
 

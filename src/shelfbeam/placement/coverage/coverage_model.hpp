@@ -146,7 +146,7 @@ class CoverageModel {
         outcome.failed = true;
         break;
       }
-      learn(result.dual_bound);
+      learn(result.dual_bound - milp::objective_slack(model_, result.dual_bound));
       if (empty_handed) break;
       std::vector<std::uint32_t> selected;
       for (std::uint32_t j = 0; j < table_.columns(); ++j)

@@ -76,13 +76,13 @@ class Maximisation {
     }
     reach_.upper_bound = reachable_labels();
     reach_.weight = CoverageWeight{weights_.in_table(value_), weights_.in_table(weights_.total()),
-                                   weights_.in_table(is_proven() ? value_ : bound_)};
+                                   weights_.in_table(std::max(bound_, value_))};
     return std::move(reach_);
   }
 
  private:
   bool is_proven() const {
-    return bound_ <= value_ + (weights_.are_whole() ? 0 : solver_gap * weights_.total());
+    return bound_ <= value_ + (weights_.are_whole() ? 0 : weights_.step()) || is_closed_by_solver_;
   }
 
   /// Accepts a selection that is better than the incumbent.
@@ -143,9 +143,14 @@ class Maximisation {
       const auto outcome =
           model.maximise(units_, limited(backend.solve, options_.step_limit), end.seconds_left(), control_);
       reach_.solver = fmt::format("{} {}", backend.name, backend.version);
-      lower_to(outcome.bound, BoundProof::solver);
       if (outcome.selected) offer(*outcome.selected);
-      if (!outcome.failed) break;
+      const bool contradicts = outcome.bound < value_ - solver_gap * weights_.total();
+      if (!contradicts) lower_to(std::max(outcome.bound, value_), BoundProof::solver);
+      if (!weights_.are_whole() && !contradicts && outcome.bound <= value_ + solver_gap * weights_.total()) {
+        is_closed_by_solver_ = true;
+        reach_.bound_proof = BoundProof::solver;
+      }
+      if (!outcome.failed && !contradicts) break;
     }
   }
 

@@ -118,7 +118,7 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     column.upper = too_dear ? 0 : 1;
   }
   for (const std::uint32_t j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
-  bound_label_rows(count ? *count : CostBounds(table_, cost).affordable(known));
+  bound_label_rows(count ? *count : CostBounds(table_, cost).affordable(std::min(known, knowledge_.cutoff)));
   milp::Row count_row;
   if (count) {
     count_row.lower = count_row.upper = static_cast<double>(*count);
@@ -127,10 +127,12 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
 
   while (!deadline_.has_passed() && !control_.cancelled()) {
     if (count) model_.rows.push_back(count_row);
+    const double step = CostBounds(table_, cost).step();
     const milp::Result result = solve_(model_,
                                        {.time_limit_s = deadline_.seconds_left(),
-                                        .relative_gap = CostBounds(table_, cost).step() > 0 ? 1e-9 : 1e-6,
-                                        .cutoff = knowledge_.cutoff},
+                                        .relative_gap = step > 0 ? 1e-9 : 1e-6,
+                                        .cutoff = knowledge_.cutoff,
+                                        .step = step},
                                        control_);
     const bool empty_handed = result.solution.empty() && !model_.columns.empty();
     const bool wrong =
@@ -139,9 +141,12 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
 
     // Rows relax the rule and cuts keep every feasible selection, so this is a proof unless a selection is
     // known.
-    const bool may_be_empty = known == milp::infinity || knowledge_.cutoff < milp::infinity;
-    if (result.termination == milp::Termination::infeasible && may_be_empty) {
-      outcome.infeasible = true;
+    const bool has_cutoff = knowledge_.cutoff < milp::infinity;
+    if (result.termination == milp::Termination::infeasible && (known == milp::infinity || has_cutoff)) {
+      // A solver does not see costs within its tolerance of the cut-off.
+      outcome.infeasible = !has_cutoff || result.is_safe;
+      if (!outcome.infeasible)
+        outcome.bound = knowledge_.cutoff - milp::objective_slack(model_, knowledge_.cutoff);
       break;
     }
     if (wrong || result.termination == milp::Termination::error ||

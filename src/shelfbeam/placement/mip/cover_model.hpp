@@ -27,8 +27,8 @@ class CoverModel {
     std::optional<std::vector<std::uint32_t>> selected;  ///< ascending, accepted by the checker
     double bound = -milp::infinity;  ///< no selection costs less, as far as the solver's tolerances tell
     bool proven = false;             ///< the bound supports that `selected` is optimal
-    bool infeasible = false;         ///< no feasible selection exists, or none of cost up to the cut-off
-    bool failed = false;             ///< the solver failed or contradicted what is known
+    bool infeasible = false;  ///< no feasible selection exists, or safely none of cost up to the cut-off
+    bool failed = false;      ///< the solver failed or contradicted what is known
   };
 
   /// The feasible selection of minimum cost; of exactly `count` units if given. Precondition: a feasible

@@ -23,7 +23,7 @@ struct MipResult {
   bool solver_failed = false;  ///< the solver's results were inconsistent; bounds and selection still hold
 };
 
-/// What earlier methods know of a problem. All of it is valid for selections of cost up to the cut-off.
+/// Results of earlier methods, valid for selections of cost up to the cut-off.
 struct MipKnowledge {
   double cutoff = milp::infinity;           ///< only selections of at most this cost are sought
   std::vector<std::uint32_t> without = {};  ///< columns that are not chosen
@@ -37,8 +37,8 @@ struct MipKnowledge {
 /// Rows are those of placement_model with a_ij = min(1, M_ij / (gamma_i tau_i)), rounded up to multiples of
 /// 2^-20 if cooperative. A selection that the checker rejects is cut off, and the model is solved again. The
 /// time limit covers everything. Without time `solve` may be empty, and the result is `start` with the bounds
-/// that need no search. With a cut-off in `knowledge` and without a start, `infeasible` means that no
-/// selection costs at most the cut-off.
+/// that need no search. With a cut-off in `knowledge` and without a start, `infeasible` means a safe proof
+/// that no selection costs at most the cut-off.
 MipResult place_by_mip(const SignalTable& table, const PlacementProblem& problem,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control, const MipKnowledge& knowledge = {});

@@ -76,16 +76,19 @@ double CostBounds::rounded(double bound) const {
   return std::ceil((bound - slack) / step_) * step_;
 }
 
+bool CostBounds::sees_steps(double value) const {
+  constexpr double exact = 1e13;  // sums of so many steps still differ by more than their rounding errors
+  return step_ > 0 && value < exact * step_;
+}
+
 double CostBounds::tolerance(double value) const {
-  constexpr double equal_values = 1e-9, exact = 1e12;
-  const bool sees_steps = step_ > 0 && value < exact * step_;
-  return sees_steps ? std::min(equal_values * value, 0.5 * step_) : equal_values * value;
+  constexpr double equal_values = 1e-9;
+  return sees_steps(value) ? std::min(equal_values * value, 0.5 * step_) : equal_values * value;
 }
 
 double CostBounds::below(double known) const {
-  const bool sees_steps = step_ > 0 && tolerance(known) <= 0.5 * step_;
   constexpr double within = 0.99;  // the difference is rounded
-  return known - (sees_steps ? step_ * (1 - rounding) : within * tolerance(known));
+  return known - (sees_steps(known) ? step_ * (1 - rounding) : within * tolerance(known));
 }
 
 }  // namespace shelfbeam

@@ -39,6 +39,9 @@ class CostBounds {
   /// round differently, and less than a step.
   double tolerance(double value) const;
 
+  /// Whether `below` is a step, and not a rounding error, below a value.
+  bool sees_steps(double value) const;
+
   /// The largest cost of selections that are better than one of cost `known`.
   double below(double known) const;
 

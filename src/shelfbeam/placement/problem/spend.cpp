@@ -13,6 +13,8 @@ namespace {
 // Prices that are whole numbers of hundredths share a step; larger ones would not be exact.
 constexpr double hundredths = 100, max_price = 1e12;
 constexpr double relative_rounding = 1e-9;
+// Of a price in hundredths: the nearest double, multiplied.
+constexpr double representation = 1e-15;
 // Of the known spend, for prices without a common step.
 constexpr double share_of_tie = 1e-6;
 
@@ -51,7 +53,7 @@ double price_step(std::span<const double> prices) {
   std::int64_t step = 0;
   for (const double price : prices) {
     const double scaled = price * hundredths;
-    if (!(scaled < max_price) || std::abs(scaled - std::round(scaled)) > relative_rounding * scaled) return 0;
+    if (!(scaled < max_price) || std::abs(scaled - std::round(scaled)) > representation * scaled) return 0;
     step = std::gcd(step, static_cast<std::int64_t>(std::round(scaled)));
   }
   return static_cast<double>(step) / hundredths;
