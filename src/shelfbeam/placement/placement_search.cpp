@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
@@ -112,17 +109,6 @@ void run(std::span<const Step> steps, SearchState& state) {
     if (!step.applies(state)) continue;
     state.step = step.name;
     step.run(state, step.effort(state));
-    if (getenv("TRACE")) {
-      std::size_t r = 0, c = 0;
-      if (state.is_cover())
-        for (auto& p : state.reduction().parts) {
-          r += p.labels.size();
-          c += p.columns.size();
-        }
-      fprintf(stderr, "TRACE %-26s %.3f s %s useless %zu left %zu x %zu\n", std::string(step.name).c_str(),
-              atof(getenv("TRACE")) - state.deadline.seconds_left(), state.incumbent.text().c_str(),
-              state.useless.size(), r, c);
-    }
   }
 }
 

@@ -171,7 +171,8 @@ class Maximisation {
   detail::LabelWeights weights_;
   detail::CoverageSearch search_;
   MaxCoverage reach_;
-  double value_ = 0, bound_ = 0;  ///< weights of the selection and of its upper bound
+  double value_ = 0, bound_ = 0;      ///< weights of the selection and of its upper bound
+  bool is_closed_by_solver_ = false;  ///< within its gap, for weights that are not whole
 };
 
 }  // namespace
