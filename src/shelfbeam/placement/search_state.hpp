@@ -189,6 +189,10 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort);
 /// incumbent.
 void branch_on_remainder(SearchState& state, const Effort& effort);
 
+/// Bound from windows of neighbouring labels, each searched exactly, on the remainder of the reductions.
+/// Offers the selections that the windows make together.
+void raise_bound_by_windows(SearchState& state, const Effort& effort);
+
 /// MIP on the remainder of the reductions, or on the whole model if they do not apply, for a selection better
 /// than the incumbent, without useless columns.
 void solve_mip(SearchState& state, const Effort& effort);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/placement/reduce/reductions.hpp"
+
+namespace shelfbeam::detail {
+
+/// The remainder of a cover as a 0/1 matrix; rows and columns are numbered from 0.
+struct CoverMatrix {
+  std::vector<std::vector<std::uint32_t>> rows;     ///< columns of every row, ascending
+  std::vector<std::vector<std::uint32_t>> columns;  ///< rows of every column, ascending
+  std::vector<double> cost;                         ///< of every column, not negative
+  std::vector<std::uint32_t> column_of;             ///< the table's column of every column
+
+  /// All parts of the reduction together. Mounting points and pairs of columns are ignored.
+  CoverMatrix(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
+              const Reduction& reduction);
+};
+
+/// Divides the rows into connected parts of similar size, which share few columns: halves by the second
+/// eigenvector of the rows' overlap (Fiedler 1973), and so on. Deterministic. Each part is ascending.
+std::vector<std::vector<std::uint32_t>> divided_rows(const CoverMatrix& cover, std::size_t parts);
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,227 @@
+#include "shelfbeam/placement/windows/cover_tree.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace shelfbeam::detail {
+
+namespace {
+
+/// A set of small numbers, one bit each.
+class BitSet {
+ public:
+  explicit BitSet(std::size_t size = 0, bool full = false) : words_((size + 63) / 64, 0) {
+    for (std::size_t k = 0; full && k < size; ++k) insert(k);
+  }
+  void insert(std::size_t k) { words_[k / 64] |= std::uint64_t{1} << k % 64; }
+  void erase(std::size_t k) { words_[k / 64] &= ~(std::uint64_t{1} << k % 64); }
+  bool contains(std::size_t k) const { return (words_[k / 64] >> k % 64 & 1) != 0; }
+  bool empty() const {
+    return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
+  }
+  int count_common(const BitSet& other) const {
+    int count = 0;
+    for (std::size_t w = 0; w < words_.size(); ++w) count += std::popcount(words_[w] & other.words_[w]);
+    return count;
+  }
+  /// Calls visit(k) for the common members, ascending, until it returns false.
+  template <class Visit>
+  void for_common(const BitSet& other, Visit visit) const {
+    for (std::size_t w = 0; w < words_.size(); ++w)
+      for (std::uint64_t rest = words_[w] & other.words_[w]; rest != 0; rest &= rest - 1)
+        if (!visit(static_cast<std::uint32_t>(64 * w + static_cast<std::size_t>(std::countr_zero(rest)))))
+          return;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+class CoverTree {
+ public:
+  CoverTree(const SmallCover& cover, const CoverTreeOptions& options)
+      : cover_(cover),
+        options_(options),
+        best_(options.known),
+        rounding_(1e-9 * options.known),
+        rows_of_(cover.cost.size()) {
+    for (std::size_t i = 0; i < cover.rows.size(); ++i) {
+      row_bits_.emplace_back(cover.cost.size());
+      for (const std::uint32_t j : cover.rows[i]) {
+        row_bits_[i].insert(j);
+        rows_of_[j].push_back(static_cast<std::uint32_t>(i));
+      }
+    }
+    for (const auto& rows : rows_of_) {
+      column_bits_.emplace_back(cover.rows.size());
+      for (const std::uint32_t i : rows) column_bits_.back().insert(i);
+    }
+  }
+
+  CheapestCover run(std::span<const double> y) {
+    nodes_.resize(cover_.rows.size() + 1);
+    nodes_[0] = root(y);
+    visit(0);
+    found_.complete = !was_cut_;
+    found_.bound = std::max(0.0, std::min(best_, open_bound_) - 2 * rounding_);
+    return std::move(found_);
+  }
+
+ private:
+  struct Node {
+    std::vector<double> y, slack;
+    BitSet rows, columns;  ///< open
+    double bound = 0;
+  };
+
+  Node root(std::span<const double> y) const {
+    Node node;
+    node.y.assign(cover_.rows.size(), 0.0);
+    node.slack = cover_.cost;
+    node.rows = BitSet(cover_.rows.size(), true);
+    node.columns = BitSet(cover_.cost.size(), true);
+    for (std::size_t i = 0; i < y.size(); ++i)
+      if (y[i] > 0 && std::isfinite(y[i])) raise(node, i, y[i]);
+    // The LP's tolerances leave negative slacks.
+    for (std::size_t j = 0; j < node.slack.size(); ++j)
+      for (const std::uint32_t i : rows_of_[j])
+        if (node.slack[j] < 0) raise(node, i, -std::min(node.y[i], -node.slack[j]));
+    return node;
+  }
+
+  void raise(Node& node, std::size_t i, double by) const {
+    node.y[i] += by;
+    node.bound += by;
+    for (const std::uint32_t j : cover_.rows[i]) node.slack[j] -= by;
+  }
+
+  bool is_closed(const Node& node) const { return node.bound >= best_ - rounding_; }
+
+  bool is_over() {
+    constexpr std::uint64_t often = 256;
+    was_cut_ = was_cut_ || found_.nodes >= options_.max_nodes ||
+               (found_.nodes % often == 0 && options_.stop && options_.stop());
+    return was_cut_;
+  }
+
+  void forbid_expensive_columns(Node& node) const {
+    const BitSet before = node.columns;
+    before.for_common(before, [&](std::uint32_t j) {
+      if (node.bound + node.slack[j] >= best_ - rounding_) node.columns.erase(j);
+      return true;
+    });
+  }
+
+  double smallest_slack(const Node& node, std::uint32_t i) const {
+    double smallest = std::numeric_limits<double>::infinity();
+    row_bits_[i].for_common(node.columns, [&](std::uint32_t j) {
+      smallest = std::min(smallest, node.slack[j]);
+      return smallest > 0;
+    });
+    return smallest;
+  }
+
+  // Dual ascent, the rows with the fewest columns first; false if the node is closed.
+  bool ascend(Node& node) {
+    order_.clear();
+    node.rows.for_common(node.rows, [&](std::uint32_t i) {
+      order_.emplace_back(row_bits_[i].count_common(node.columns), i);
+      return true;
+    });
+    std::sort(order_.begin(), order_.end());
+    for (const auto& [count, i] : order_) {
+      if (count == 0) return false;
+      const double by = smallest_slack(node, i);
+      if (by > 0) raise(node, i, by);
+      if (is_closed(node)) return false;
+    }
+    return true;
+  }
+
+  // The open row with the fewest columns.
+  std::uint32_t branching_row(const Node& node) const {
+    std::uint32_t best = 0;
+    int fewest = std::numeric_limits<int>::max();
+    for (const auto& [before, i] : order_) {
+      const int count = row_bits_[i].count_common(node.columns);
+      if (count >= fewest) continue;
+      fewest = count;
+      best = i;
+      if (count <= 1) break;
+    }
+    return best;
+  }
+
+  // nodes_[depth] explored; its subtree stays open if the search ends.
+  void visit(std::size_t depth) {
+    Node& node = nodes_[depth];
+    if (is_closed(node)) return;
+    if (is_over()) {
+      open_bound_ = std::min(open_bound_, node.bound);
+      return;
+    }
+    ++found_.nodes;
+    if (node.rows.empty()) {
+      best_ = node.bound;
+      found_.selected = chosen_;
+      return;
+    }
+    forbid_expensive_columns(node);
+    if (!ascend(node)) return;
+    forbid_expensive_columns(node);
+    const std::uint32_t row = branching_row(node);
+    std::vector<std::pair<double, std::uint32_t>> children;
+    row_bits_[row].for_common(node.columns, [&](std::uint32_t j) {
+      children.emplace_back(node.slack[j], j);
+      return true;
+    });
+    std::sort(children.begin(), children.end());
+    for (const auto& [slack, j] : children) {
+      if (node.bound + slack >= best_ - rounding_) return;
+      node.columns.erase(j);
+      choose(j, node, nodes_[depth + 1]);
+      chosen_.push_back(j);
+      visit(depth + 1);
+      chosen_.pop_back();
+    }
+  }
+
+  // Rows that j reaches are no longer open, and their multipliers return to the other columns.
+  void choose(std::uint32_t j, const Node& node, Node& child) const {
+    child = node;
+    child.bound += node.slack[j];
+    column_bits_[j].for_common(node.rows, [&](std::uint32_t i) {
+      child.rows.erase(i);
+      if (child.y[i] > 0)
+        for (const std::uint32_t k : cover_.rows[i]) child.slack[k] += child.y[i];
+      child.y[i] = 0;
+      return true;
+    });
+  }
+
+  const SmallCover& cover_;
+  const CoverTreeOptions& options_;
+  double best_;
+  double rounding_;  ///< exceeds the rounding errors of all sums, which have less than a million terms
+  std::vector<std::vector<std::uint32_t>> rows_of_;
+  std::vector<BitSet> row_bits_, column_bits_;
+  std::vector<Node> nodes_;  ///< the path from the root, by depth
+  std::vector<std::uint32_t> chosen_;
+  std::vector<std::pair<int, std::uint32_t>> order_;             ///< of the rows in the present node
+  double open_bound_ = std::numeric_limits<double>::infinity();  ///< of the subtrees left open
+  bool was_cut_ = false;
+  CheapestCover found_;
+};
+
+}  // namespace
+
+CheapestCover cheapest_cover(const SmallCover& cover, std::span<const double> y,
+                             const CoverTreeOptions& options) {
+  return CoverTree(cover, options).run(y);
+}
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,288 @@
+#include "shelfbeam/placement/windows/window_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/windows/window.hpp"
+
+namespace shelfbeam::detail {
+
+namespace {
+
+using Windows = std::vector<Window>;
+
+class WindowSearch {
+ public:
+  WindowSearch(CoverMatrix cover, double forced_cost, const WindowBoundOptions& options,
+               const milp::Backend& backend, const WindowHeuristic& heuristic, const RunControl& control)
+      : cover_(std::move(cover)),
+        forced_cost_(forced_cost),
+        options_(options),
+        backend_(backend),
+        heuristic_(heuristic),
+        control_(control),
+        target_(options.known) {}
+
+  WindowBound run(std::size_t parts) {
+    for (std::vector<std::uint32_t>& rows : divided_rows(cover_, parts))
+      now_.push_back(make_window(cover_, std::move(rows)));
+    share_costs();
+    with_threads(control_.threads, [&] {
+      search(now_);
+      offer();
+      keep();
+      length_ = first_length * std::max(0.0, target_ - best_value_);
+      do step_until_stuck();
+      while (!is_over() && merge());
+    });
+    return {.bound = best_value_, .windows = best_.size(), .steps = steps_};
+  }
+
+ private:
+  static constexpr double first_length = 0.2;
+
+  bool is_over() const {
+    return control_.cancelled() || std::chrono::steady_clock::now() >= options_.until ||
+           steps_ >= options_.max_steps || best_value_ > options_.enough;
+  }
+
+  // At first every row pays the same share of its columns.
+  void share_costs() {
+    for (Window& window : now_) {
+      std::vector<int> count(cover_.columns.size(), 0);
+      for (const std::uint32_t i : window.rows)
+        for (const std::uint32_t j : cover_.rows[i]) ++count[j];
+      for (std::size_t k = 0; k < window.columns.size(); ++k) {
+        const std::uint32_t j = window.columns[k];
+        window.weight[k] = cover_.cost[j] * count[j] / static_cast<double>(cover_.columns[j].size());
+      }
+    }
+  }
+
+  void search(Windows& windows) {
+    const auto stop = [&] {
+      return control_.cancelled() || std::chrono::steady_clock::now() >= options_.until;
+    };
+    for_each_task(windows.size(),
+                  [&](std::size_t k) { search_window(cover_, windows[k], max_nodes_, backend_, stop); });
+    ++steps_;
+  }
+
+  // The sum of the windows, less anything that they are allotted beyond the costs.
+  double value_of(const Windows& windows) const {
+    constexpr double rounding = 1e-9;
+    double sum = forced_cost_, beyond = 0;
+    std::vector<double> allotted(cover_.columns.size(), 0.0);
+    for (const Window& window : windows) {
+      sum += window.value;
+      for (std::size_t k = 0; k < window.columns.size(); ++k) allotted[window.columns[k]] += window.weight[k];
+    }
+    for (std::size_t j = 0; j < allotted.size(); ++j) beyond += std::max(0.0, allotted[j] - cover_.cost[j]);
+    return (1 - rounding) * sum - (1 + rounding) * beyond;
+  }
+
+  bool keep() {
+    const double value = value_of(now_);
+    if (!best_.empty() && !(value > best_value_)) return false;
+    best_value_ = value;
+    best_ = now_;
+    return true;
+  }
+
+  void offer() {
+    if (!heuristic_) return;
+    std::vector<int> times(cover_.rows.size(), 0);
+    std::set<std::uint32_t> all;
+    for (const Window& window : now_) all.insert(window.selected.begin(), window.selected.end());
+    for (const std::uint32_t j : all)
+      for (const std::uint32_t i : cover_.columns[j]) ++times[i];
+    std::vector<std::uint32_t> order(all.begin(), all.end()), selected;
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return cover_.cost[a] * static_cast<double>(cover_.columns[b].size()) >
+             cover_.cost[b] * static_cast<double>(cover_.columns[a].size());
+    });
+    for (const std::uint32_t j : order) {
+      const auto& rows = cover_.columns[j];
+      if (std::all_of(rows.begin(), rows.end(), [&](std::uint32_t i) { return times[i] > 1; }))
+        for (const std::uint32_t i : rows) --times[i];
+      else
+        selected.push_back(cover_.column_of[j]);
+    }
+    std::sort(selected.begin(), selected.end());
+    target_ = heuristic_(selected);
+  }
+
+  // Steps gain nothing while trees are cut short.
+  void allow_larger_trees() {
+    constexpr std::uint64_t growth = 2;
+    if (std::any_of(now_.begin(), now_.end(), [](const Window& window) { return !window.complete; }))
+      max_nodes_ *= growth;
+  }
+
+  // Steps of length_ / |direction|^2, halved if they gain nothing, from the best weights.
+  void step_until_stuck() {
+    constexpr int patience = 12, often = 4;
+    constexpr double gain = 1e-4;
+    directions_.clear();
+    double reached = best_value_;
+    for (int idle = 0; idle < patience && !is_over();) {
+      if (!step()) return;
+      search(now_);
+      if (is_over() && value_of(now_) <= best_value_) return;
+      offer();
+      keep();
+      allow_larger_trees();
+      control_.report("windows", -1, fmt::format("{}, bound {:.3f}", best_.size(), best_value_));
+      const bool is_better = best_value_ > reached + gain * std::max(0.0, target_ - reached);
+      idle = is_better ? 0 : idle + 1;
+      if (is_better) reached = best_value_;
+      if (idle == 0 || idle % often != 0) continue;
+      length_ *= 0.5;
+      now_ = best_;
+    }
+  }
+
+  // Moves costs from windows that do without a column to those that use it; false if they agree on all
+  // columns, so that no weights are better.
+  bool step() {
+    constexpr double memory = 0.5;
+    std::vector<double> uses(cover_.columns.size(), 0.0), count(cover_.columns.size(), 0.0);
+    for (const Window& window : now_) {
+      for (const std::uint32_t j : window.selected) ++uses[j];
+      for (const std::uint32_t j : window.columns) ++count[j];
+    }
+    directions_.resize(now_.size());
+    double square = 0;
+    for (std::size_t w = 0; w < now_.size(); ++w) {
+      std::vector<bool> is_used(cover_.columns.size(), false);
+      for (const std::uint32_t j : now_[w].selected) is_used[j] = true;
+      directions_[w].resize(now_[w].columns.size(), 0.0);
+      for (std::size_t k = 0; k < now_[w].columns.size(); ++k) {
+        const std::uint32_t j = now_[w].columns[k];
+        double& direction = directions_[w][k];
+        direction = memory * direction + (is_used[j] ? 1 : 0) - uses[j] / count[j];
+        square += direction * direction;
+      }
+    }
+    if (!(square > 0)) return false;
+    for (std::size_t w = 0; w < now_.size(); ++w)
+      for (std::size_t k = 0; k < directions_[w].size(); ++k)
+        now_[w].weight[k] += length_ / square * directions_[w][k];
+    project();
+    return true;
+  }
+
+  // To the nearest weights that are not negative and add up to the costs.
+  void project() {
+    std::vector<std::vector<double*>> of_column(cover_.columns.size());
+    for (Window& window : now_)
+      for (std::size_t k = 0; k < window.columns.size(); ++k)
+        of_column[window.columns[k]].push_back(&window.weight[k]);
+    for (std::size_t j = 0; j < of_column.size(); ++j) {
+      std::vector<double*>& weights = of_column[j];
+      std::sort(weights.begin(), weights.end(), [](const double* a, const double* b) { return *a > *b; });
+      double sum = 0, excess = 0;
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        sum += *weights[k];
+        const double share = (sum - cover_.cost[j]) / static_cast<double>(k + 1);
+        if (*weights[k] > share) excess = share;
+      }
+      for (double* const weight : weights) *weight = std::max(0.0, *weight - excess);
+    }
+  }
+
+  // The weight of columns that two windows share, relative to their values: merging gains most there.
+  std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> neighbours() const {
+    std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> pairs;
+    for (std::size_t a = 0; a < now_.size(); ++a) {
+      std::vector<double> weight(cover_.columns.size(), 0.0);
+      for (std::size_t k = 0; k < now_[a].columns.size(); ++k) weight[now_[a].columns[k]] = now_[a].weight[k];
+      for (std::size_t b = a + 1; b < now_.size(); ++b) {
+        double shared = 0;
+        for (std::size_t k = 0; k < now_[b].columns.size(); ++k)
+          shared += std::min(now_[b].weight[k], weight[now_[b].columns[k]]);
+        if (shared > 0) pairs.push_back({-shared / (now_[a].value + now_[b].value), {a, b}});
+      }
+    }
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+
+  // Merges disjoint pairs of neighbours as far as their trees are small enough; larger trees are allowed once
+  // no pair is left. False if a single window is left.
+  bool merge() {
+    constexpr std::uint64_t growth = 4;
+    now_ = best_;
+    while (now_.size() > 1 && !is_over()) {
+      std::vector<bool> is_taken(now_.size(), false);
+      Windows pairs;
+      std::vector<std::pair<std::size_t, std::size_t>> sources;
+      for (const auto& [shared, pair] : neighbours()) {
+        const auto& [a, b] = pair;
+        if (is_taken[a] || is_taken[b]) continue;
+        is_taken[a] = is_taken[b] = true;
+        sources.push_back(pair);
+        pairs.push_back(merged(cover_, now_[a], now_[b]));
+      }
+      search(pairs);
+      Windows next;
+      std::vector<bool> is_merged(now_.size(), false);
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        if (!pairs[k].complete) continue;
+        is_merged[sources[k].first] = is_merged[sources[k].second] = true;
+        next.push_back(std::move(pairs[k]));
+      }
+      const bool has_merged = !next.empty();
+      for (std::size_t w = 0; w < now_.size(); ++w)
+        if (!is_merged[w]) next.push_back(std::move(now_[w]));
+      now_ = std::move(next);
+      if (has_merged) {
+        keep();
+        now_ = best_;
+        length_ *= 4;
+        return true;
+      }
+      max_nodes_ *= growth;
+      if (pairs.empty()) return false;
+    }
+    return false;
+  }
+
+  CoverMatrix cover_;
+  double forced_cost_;
+  const WindowBoundOptions& options_;
+  const milp::Backend& backend_;
+  const WindowHeuristic& heuristic_;
+  const RunControl& control_;
+  double target_;  ///< cost of the best selection known
+  Windows now_, best_;
+  double best_value_ = 0, length_ = 0;
+  std::vector<std::vector<double>> directions_;  ///< per window and column, mean of recent steps
+  std::uint64_t max_nodes_ = 50'000, steps_ = 0;
+};
+
+}  // namespace
+
+WindowBound window_bound(const SignalTable& table, const PlacementProblem& problem,
+                         std::span<const double> cost, const Reduction& reduction,
+                         const WindowBoundOptions& options, const milp::Backend& backend,
+                         const WindowHeuristic& heuristic, const RunControl& control) {
+  double forced_cost = 0;
+  for (const std::uint32_t j : reduction.forced) forced_cost += cost[j];
+  const WindowHeuristic whole = [&](std::vector<std::uint32_t> selected) {
+    selected.insert(selected.end(), reduction.forced.begin(), reduction.forced.end());
+    std::sort(selected.begin(), selected.end());
+    return heuristic(selected);
+  };
+  CoverMatrix cover(table, problem, cost, reduction);
+  if (cover.rows.empty()) return {.bound = forced_cost};
+  return WindowSearch(std::move(cover), forced_cost, options, backend, heuristic ? whole : heuristic, control)
+      .run(options.windows);
+}
+
+}  // namespace shelfbeam::detail

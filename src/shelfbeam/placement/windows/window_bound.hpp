@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/reduce/reductions.hpp"
+
+namespace shelfbeam::detail {
+
+struct WindowBoundOptions {
+  double known = 0;  ///< cost of a selection, which the steps aim at; any positive number is valid
+  double enough = std::numeric_limits<double>::infinity();  ///< a bound above this ends the search
+  std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  std::size_t windows = 8;  ///< at first
+};
+
+struct WindowBound {
+  double bound = 0;         ///< no selection of the remainder, forced columns included, costs less
+  std::size_t windows = 0;  ///< at last
+  std::uint64_t steps = 0;
+};
+
+/// Receives selections of the remainder that reach all labels, forced columns included, ascending;
+/// constraints between columns are ignored. Returns the cost of the best selection known.
+using WindowHeuristic = std::function<double(const std::vector<std::uint32_t>&)>;
+
+/// A lower bound on the remainder of a cover by Lagrangian decomposition into windows, that is, sets W_k of
+/// neighbouring labels to which the cost of every column is allotted:
+///
+///   c T >= sum_k w_k T >= sum_k v_k,   v_k = min {w_k T: T reaches W_k},   w_k >= 0,   sum_k w_kj <= c_j.
+///
+/// A tree search finds every v_k (cheapest_cover). Subgradient steps move costs towards the windows that use
+/// a column. If they gain nothing, neighbouring windows are merged, which never lowers the bound: w_k T + w_l
+/// T of the same T replaces two minima. The bound exceeds that of the LP if windows are large enough to show
+/// that fractions of units are useless; as a single window it would be exact.
+///
+/// The work is counted, so that the result is the same for any number of threads unless `until` comes first.
+/// Without an LP from the back end, bounds hold but take longer.
+WindowBound window_bound(const SignalTable& table, const PlacementProblem& problem,
+                         std::span<const double> cost, const Reduction& reduction,
+                         const WindowBoundOptions& options, const milp::Backend& backend,
+                         const WindowHeuristic& heuristic, const RunControl& control);
+
+}  // namespace shelfbeam::detail
