@@ -16,7 +16,7 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
                                 [](const milp::Backend& backend) { return backend.name == "cbc"; });
   WindowBoundOptions options;
   options.known = state.incumbent.value();
-  options.enough = state.bounds.below(state.incumbent.value());
+  options.step = state.bounds.step();
   options.max_steps = effort.steps;
   options.until = effort.until;
   options.windows = 1 + state.incumbent.selected().size() / units_per_window;

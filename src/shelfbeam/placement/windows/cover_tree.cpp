@@ -23,6 +23,11 @@ class BitSet {
   bool empty() const {
     return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
   }
+  bool is_subset(const BitSet& other) const {
+    for (std::size_t w = 0; w < words_.size(); ++w)
+      if ((words_[w] & ~other.words_[w]) != 0) return false;
+    return true;
+  }
   int count_common(const BitSet& other) const {
     int count = 0;
     for (std::size_t w = 0; w < words_.size(); ++w) count += std::popcount(words_[w] & other.words_[w]);
@@ -62,13 +67,22 @@ class CoverTree {
     }
   }
 
-  CheapestCover run(std::span<const double> y) {
-    nodes_.resize(cover_.rows.size() + 1);
-    nodes_[0] = root(y);
-    visit(0);
+  CheapestCover cheapest(std::span<const double> y) {
+    run(y);
     found_.complete = !was_cut_;
     found_.bound = std::max(0.0, std::min(best_, open_bound_) - 2 * rounding_);
     return std::move(found_);
+  }
+
+  ColumnsOfCovers columns(std::span<const double> y) {
+    is_found_ = BitSet(cover_.cost.size());
+    best_ = options_.known + 2 * rounding_;
+    finds_columns_ = true;
+    run(y);
+    ColumnsOfCovers all{std::vector<bool>(cover_.cost.size(), true), !was_cut_};
+    for (std::size_t j = 0; all.complete && j < cover_.cost.size(); ++j)
+      all.contains[j] = is_found_.contains(j);
+    return all;
   }
 
  private:
@@ -77,6 +91,12 @@ class CoverTree {
     BitSet rows, columns;  ///< open
     double bound = 0;
   };
+
+  void run(std::span<const double> y) {
+    nodes_.resize(cover_.rows.size() + 1);
+    nodes_[0] = root(y);
+    visit(0);
+  }
 
   Node root(std::span<const double> y) const {
     Node node;
@@ -156,6 +176,27 @@ class CoverTree {
     return best;
   }
 
+  // Without open rows, the slack of a column is its cost.
+  void accept(Node& node) {
+    if (!finds_columns_) {
+      best_ = node.bound;
+      found_.selected = chosen_;
+      return;
+    }
+    forbid_expensive_columns(node);
+    for (const std::uint32_t j : chosen_) is_found_.insert(j);
+    node.columns.for_common(node.columns, [&](std::uint32_t j) {
+      is_found_.insert(j);
+      return true;
+    });
+  }
+
+  bool has_no_new_column(const Node& node) const {
+    return node.columns.is_subset(is_found_) &&
+           std::all_of(chosen_.begin(), chosen_.end(),
+                       [&](std::uint32_t j) { return is_found_.contains(j); });
+  }
+
   // nodes_[depth] explored; its subtree stays open if the search ends.
   void visit(std::size_t depth) {
     Node& node = nodes_[depth];
@@ -165,14 +206,11 @@ class CoverTree {
       return;
     }
     ++found_.nodes;
-    if (node.rows.empty()) {
-      best_ = node.bound;
-      found_.selected = chosen_;
-      return;
-    }
+    if (node.rows.empty()) return accept(node);
     forbid_expensive_columns(node);
     if (!ascend(node)) return;
     forbid_expensive_columns(node);
+    if (finds_columns_ && has_no_new_column(node)) return;
     const std::uint32_t row = branching_row(node);
     std::vector<std::pair<double, std::uint32_t>> children;
     row_bits_[row].for_common(node.columns, [&](std::uint32_t j) {
@@ -213,7 +251,8 @@ class CoverTree {
   std::vector<std::uint32_t> chosen_;
   std::vector<std::pair<int, std::uint32_t>> order_;             ///< of the rows in the present node
   double open_bound_ = std::numeric_limits<double>::infinity();  ///< of the subtrees left open
-  bool was_cut_ = false;
+  bool was_cut_ = false, finds_columns_ = false;
+  BitSet is_found_;  ///< columns of covers
   CheapestCover found_;
 };
 
@@ -221,7 +260,12 @@ class CoverTree {
 
 CheapestCover cheapest_cover(const SmallCover& cover, std::span<const double> y,
                              const CoverTreeOptions& options) {
-  return CoverTree(cover, options).run(y);
+  return CoverTree(cover, options).cheapest(y);
+}
+
+ColumnsOfCovers columns_of_covers(const SmallCover& cover, std::span<const double> y,
+                                  const CoverTreeOptions& options) {
+  return CoverTree(cover, options).columns(y);
 }
 
 }  // namespace shelfbeam::detail

@@ -44,4 +44,14 @@ struct CheapestCover {
 CheapestCover cheapest_cover(const SmallCover& cover, std::span<const double> y,
                              const CoverTreeOptions& options);
 
+struct ColumnsOfCovers {
+  std::vector<bool> contains;  ///< per column: some cover that costs at most `known` may contain it
+  bool complete = false;       ///< no limit came first; otherwise every column counts
+};
+
+/// The columns of all covers that cost at most `known`, by the same tree. Subtrees that have only columns
+/// that have been found already are omitted.
+ColumnsOfCovers columns_of_covers(const SmallCover& cover, std::span<const double> y,
+                                  const CoverTreeOptions& options);
+
 }  // namespace shelfbeam::detail

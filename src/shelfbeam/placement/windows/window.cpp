@@ -12,8 +12,38 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
+// A window without its free columns, which weigh next to nothing, and without the rows that they reach.
+struct SmallWindow {
+  SmallCover cover;
+  std::vector<std::uint32_t> columns;  ///< of the whole cover
+  std::vector<bool> is_free;
+
+  SmallWindow(const CoverMatrix& whole, const Window& window) : is_free(whole.columns.size(), false) {
+    constexpr double next_to_nothing = 1e-6;
+    std::vector<bool> is_reached(whole.rows.size(), false);
+    std::vector<std::uint32_t> place(whole.columns.size(), none);
+    for (std::size_t k = 0; k < window.columns.size(); ++k) {
+      const std::uint32_t j = window.columns[k];
+      is_free[j] = window.weight[k] <= next_to_nothing * whole.cost[j];
+      if (is_free[j]) {
+        for (const std::uint32_t i : whole.columns[j]) is_reached[i] = true;
+        continue;
+      }
+      place[j] = static_cast<std::uint32_t>(columns.size());
+      columns.push_back(j);
+      cover.cost.push_back(window.weight[k]);
+    }
+    for (const std::uint32_t i : window.rows) {
+      if (is_reached[i]) continue;
+      std::vector<std::uint32_t>& row = cover.rows.emplace_back();
+      for (const std::uint32_t j : whole.rows[i]) row.push_back(place[j]);
+    }
+  }
+};
+
 // Multipliers of the rows: the LP's, or none if it fails.
 std::vector<double> lp_multipliers(const SmallCover& cover, const milp::Backend& backend) {
+  if (cover.rows.empty()) return {};
   std::vector<milp::Column> columns;
   for (const double cost : cover.cost) columns.push_back({cost, 0, 1, false, {}});
   std::vector<milp::Row> rows;
@@ -81,44 +111,58 @@ Window merged(const CoverMatrix& cover, const Window& a, const Window& b) {
 
 void search_window(const CoverMatrix& cover, Window& window, std::uint64_t max_nodes,
                    const milp::Backend& backend, const std::function<bool()>& stop) {
-  // Columns that weigh next to nothing count as free.
-  constexpr double next_to_nothing = 1e-6;
-  std::vector<bool> is_free(cover.columns.size(), false), is_reached(cover.rows.size(), false);
-  std::vector<std::uint32_t> place(cover.columns.size(), none), columns;
-  SmallCover small;
+  const SmallWindow small(cover, window);
+  double known = 0;
   std::vector<bool> was_selected(cover.columns.size(), false);
   for (const std::uint32_t j : window.selected) was_selected[j] = true;
-  double known = 0;
-  for (std::size_t k = 0; k < window.columns.size(); ++k) {
-    const std::uint32_t j = window.columns[k];
-    is_free[j] = window.weight[k] <= next_to_nothing * cover.cost[j];
-    if (is_free[j]) {
-      for (const std::uint32_t i : cover.columns[j]) is_reached[i] = true;
-    } else {
-      place[j] = static_cast<std::uint32_t>(columns.size());
-      columns.push_back(j);
-      small.cost.push_back(window.weight[k]);
-      if (window.selected.empty() || was_selected[j]) known += window.weight[k];
-    }
-  }
-  for (const std::uint32_t i : window.rows) {
-    if (is_reached[i]) continue;
-    std::vector<std::uint32_t>& row = small.rows.emplace_back();
-    for (const std::uint32_t j : cover.rows[i]) row.push_back(place[j]);
-  }
+  for (std::size_t k = 0; k < small.columns.size(); ++k)
+    if (window.selected.empty() || was_selected[small.columns[k]]) known += small.cover.cost[k];
   // The old selection is still one, and is found again if it is the cheapest.
   constexpr double slightly_more = 1 + 1e-6;
-  const std::vector<double> y = small.rows.empty() ? std::vector<double>{} : lp_multipliers(small, backend);
   const CheapestCover found =
-      cheapest_cover(small, y, {.known = known * slightly_more, .max_nodes = max_nodes, .stop = stop});
+      cheapest_cover(small.cover, lp_multipliers(small.cover, backend),
+                     {.known = known * slightly_more, .max_nodes = max_nodes, .stop = stop});
   window.value = found.bound;
   window.complete = found.complete;
   window.nodes = found.nodes;
-  if (!found.selected && !small.rows.empty()) return;
+  if (!found.selected && !small.cover.rows.empty()) return;
   window.selected.clear();
   if (found.selected)
-    for (const std::uint32_t k : *found.selected) window.selected.push_back(columns[k]);
-  add_free_columns(cover, is_free, window);
+    for (const std::uint32_t k : *found.selected) window.selected.push_back(small.columns[k]);
+  add_free_columns(cover, small.is_free, window);
+}
+
+std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
+                                           std::uint64_t max_nodes, const milp::Backend& backend,
+                                           const std::function<bool()>& stop) {
+  const SmallWindow small(cover, window);
+  const ColumnsOfCovers found =
+      columns_of_covers(small.cover, lp_multipliers(small.cover, backend),
+                        {.known = window.value + allowance, .max_nodes = max_nodes, .stop = stop});
+  std::vector<std::uint32_t> useless;
+  for (std::size_t k = 0; k < small.columns.size(); ++k)
+    if (!found.contains[k]) useless.push_back(small.columns[k]);
+  return useless;
+}
+
+void remove_columns(CoverMatrix& cover, const std::vector<bool>& is_removed) {
+  for (auto& row : cover.rows) std::erase_if(row, [&](std::uint32_t j) { return is_removed[j]; });
+  for (std::size_t j = 0; j < is_removed.size(); ++j)
+    if (is_removed[j]) cover.columns[j].clear();
+}
+
+void remove_columns(Window& window, const std::vector<bool>& is_removed) {
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < window.columns.size(); ++k) {
+    if (is_removed[window.columns[k]]) continue;
+    window.columns[left] = window.columns[k];
+    window.weight[left++] = window.weight[k];
+  }
+  window.columns.resize(left);
+  window.weight.resize(left);
+  if (std::any_of(window.selected.begin(), window.selected.end(),
+                  [&](std::uint32_t j) { return is_removed[j]; }))
+    window.selected.clear();
 }
 
 }  // namespace shelfbeam::detail

@@ -29,4 +29,13 @@ Window merged(const CoverMatrix& cover, const Window& a, const Window& b);
 void search_window(const CoverMatrix& cover, Window& window, std::uint64_t max_nodes,
                    const milp::Backend& backend, const std::function<bool()>& stop);
 
+/// The window's columns that no selection of weight up to value + `allowance` contains.
+std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
+                                           std::uint64_t max_nodes, const milp::Backend& backend,
+                                           const std::function<bool()>& stop);
+
+/// Omits columns.
+void remove_columns(CoverMatrix& cover, const std::vector<bool>& is_removed);
+void remove_columns(Window& window, const std::vector<bool>& is_removed);
+
 }  // namespace shelfbeam::detail

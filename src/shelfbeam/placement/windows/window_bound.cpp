@@ -37,8 +37,10 @@ class WindowSearch {
       offer();
       keep();
       length_ = first_length * std::max(0.0, target_ - best_value_);
-      do step_until_stuck();
-      while (!is_over() && merge());
+      do {
+        step_until_stuck();
+        while (!is_over() && exclude()) step_until_stuck();
+      } while (!is_over() && merge());
     });
     return {.bound = best_value_, .windows = best_.size(), .steps = steps_};
   }
@@ -48,7 +50,13 @@ class WindowSearch {
 
   bool is_over() const {
     return control_.cancelled() || std::chrono::steady_clock::now() >= options_.until ||
-           steps_ >= options_.max_steps || best_value_ > options_.enough;
+           steps_ >= options_.max_steps || best_value_ > worth();
+  }
+
+  // The largest cost of selections that are better than the known ones.
+  double worth() const {
+    constexpr double rounding = 1e-9, part = 1e-6;
+    return options_.step > 0 ? target_ - (1 - part) * options_.step : target_ * (1 - rounding);
   }
 
   // At first every row pays the same share of its columns.
@@ -65,11 +73,8 @@ class WindowSearch {
   }
 
   void search(Windows& windows) {
-    const auto stop = [&] {
-      return control_.cancelled() || std::chrono::steady_clock::now() >= options_.until;
-    };
     for_each_task(windows.size(),
-                  [&](std::size_t k) { search_window(cover_, windows[k], max_nodes_, backend_, stop); });
+                  [&](std::size_t k) { search_window(cover_, windows[k], max_nodes_, backend_, stop_); });
     ++steps_;
   }
 
@@ -127,7 +132,7 @@ class WindowSearch {
   // Steps of length_ / |direction|^2, halved if they gain nothing, from the best weights.
   void step_until_stuck() {
     constexpr int patience = 12, often = 4;
-    constexpr double gain = 1e-4;
+    constexpr double gain = 4e-3;
     directions_.clear();
     double reached = best_value_;
     for (int idle = 0; idle < patience && !is_over();) {
@@ -213,6 +218,29 @@ class WindowSearch {
     return pairs;
   }
 
+  // Excludes columns that no better selection contains; true if there are any.
+  bool exclude() {
+    constexpr double hopeful = 0.5;  // of the difference that makes a selection better
+    const double allowance = worth() - best_value_;
+    if (!(options_.step > 0) || allowance > hopeful * options_.step) return false;
+    std::vector<std::vector<std::uint32_t>> useless(best_.size());
+    for_each_task(best_.size(), [&](std::size_t k) {
+      useless[k] = useless_columns(cover_, best_[k], allowance, max_nodes_, backend_, stop_);
+    });
+    std::vector<bool> is_removed(cover_.columns.size(), false);
+    for (const auto& columns : useless)
+      for (const std::uint32_t j : columns) is_removed[j] = true;
+    if (std::none_of(is_removed.begin(), is_removed.end(), [](bool removed) { return removed; }))
+      return false;
+    remove_columns(cover_, is_removed);
+    for (Window& window : best_) remove_columns(window, is_removed);
+    now_ = best_;
+    if (std::any_of(cover_.rows.begin(), cover_.rows.end(), [](const auto& row) { return row.empty(); }))
+      best_value_ = std::numeric_limits<double>::infinity();
+    length_ *= 4;
+    return true;
+  }
+
   // Merges disjoint pairs of neighbours as far as their trees are small enough; larger trees are allowed once
   // no pair is left. False if a single window is left.
   bool merge() {
@@ -259,6 +287,9 @@ class WindowSearch {
   const milp::Backend& backend_;
   const WindowHeuristic& heuristic_;
   const RunControl& control_;
+  const std::function<bool()> stop_ = [this] {
+    return control_.cancelled() || std::chrono::steady_clock::now() >= options_.until;
+  };
   double target_;  ///< cost of the best selection known
   Windows now_, best_;
   double best_value_ = 0, length_ = 0;

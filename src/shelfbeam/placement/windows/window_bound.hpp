@@ -16,14 +16,16 @@ namespace shelfbeam::detail {
 
 struct WindowBoundOptions {
   double known = 0;  ///< cost of a selection, which the steps aim at; any positive number is valid
-  double enough = std::numeric_limits<double>::infinity();  ///< a bound above this ends the search
+  double step = 0;   ///< costs are multiples of this (0: any): a bound above known - step ends the search
   std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
   std::size_t windows = 8;  ///< at first
 };
 
 struct WindowBound {
-  double bound = 0;         ///< no selection of the remainder, forced columns included, costs less
+  /// No selection of the remainder, forced columns included, that is better than the known ones costs less;
+  /// above known - step if there is no better one.
+  double bound = 0;
   std::size_t windows = 0;  ///< at last
   std::uint64_t steps = 0;
 };
@@ -41,6 +43,9 @@ using WindowHeuristic = std::function<double(const std::vector<std::uint32_t>&)>
 /// a column. If they gain nothing, neighbouring windows are merged, which never lowers the bound: w_k T + w_l
 /// T of the same T replaces two minima. The bound exceeds that of the LP if windows are large enough to show
 /// that fractions of units are useless; as a single window it would be exact.
+///
+/// If windows search no longer gains, columns are excluded: a selection of cost C has w_k T <= v_k + (C - sum
+/// of all v) in every window, so a column that no such selection of the window contains is in none of cost C.
 ///
 /// The work is counted, so that the result is the same for any number of threads unless `until` comes first.
 /// Without an LP from the back end, bounds hold but take longer.

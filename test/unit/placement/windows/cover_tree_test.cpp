@@ -12,6 +12,7 @@ namespace {
 
 using detail::cheapest_cover;
 using detail::CheapestCover;
+using detail::columns_of_covers;
 using detail::SmallCover;
 
 constexpr std::uint64_t any_nodes = std::numeric_limits<std::uint64_t>::max();
@@ -87,6 +88,29 @@ TEST(CoverTree, BoundOfAnUnfinishedTreeHolds) {
     unfinished += found.complete ? 0 : 1;
   }
   EXPECT_GT(unfinished, 100);
+}
+
+TEST(CoverTree, FindsTheColumnsOfAllCheapCovers) {
+  test::RandomTables random(77);
+  int excluded = 0;
+  for (int repeat = 0; repeat < 500; ++repeat) {
+    const SmallCover cover = random_cover(random);
+    const double limit = min_cost(cover) + random.real(0, 1);
+    const auto found = columns_of_covers(cover, random_multipliers(random, cover), {limit, any_nodes, {}});
+    ASSERT_TRUE(found.complete);
+    for (std::uint32_t j = 0; j < cover.cost.size(); ++j) {
+      bool is_in = false, is_nearly_in = false;
+      for (std::uint32_t set = 0; set < (std::uint32_t{1} << cover.cost.size()); ++set) {
+        if ((set >> j & 1U) == 0 || !reaches_all(cover, set)) continue;
+        is_in = is_in || cost_of(cover, set) <= limit;
+        is_nearly_in = is_nearly_in || cost_of(cover, set) <= limit + 1e-6;
+      }
+      ASSERT_TRUE(found.contains[j] || !is_in);
+      ASSERT_TRUE(!found.contains[j] || is_nearly_in);
+      excluded += is_in ? 0 : 1;
+    }
+  }
+  EXPECT_GT(excluded, 500);
 }
 
 // Negative control: one row too many proves too much.
