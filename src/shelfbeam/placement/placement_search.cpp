@@ -84,8 +84,10 @@ constexpr Step schedule[] = {
     {"linear programs only", has_bounds_alone, 0.7, no_limit_s, any_steps, raise_bound_by_lp},
     {"longer tree search", is_small_whole, 0.3, no_limit_s, 5'000'000, raise_bound_by_tree},
     {"more local search", has_many_left, 0.2, 20, 200'000, improve},
+    // Branch and bound gives up at once if it cannot end in time; windows do not know when they will end.
+    {"short branch and bound", is_large_cover, 0.15, no_limit_s, any_steps, branch_on_remainder},
+    {"windows", is_large_cover, 0.75, no_limit_s, any_steps, raise_bound_by_windows},
     {"branch and bound", is_covering, 0.8, no_limit_s, any_steps, branch_on_remainder},
-    {"windows", is_large_cover, 0.9, no_limit_s, any_steps, raise_bound_by_windows},
     {"more local search", has_few_left, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},

@@ -19,7 +19,7 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   options.step = state.bounds.step();
   options.max_steps = effort.steps;
   options.until = effort.until;
-  options.windows = 1 + state.incumbent.selected().size() / units_per_window;
+  options.windows = state.incumbent.selected().size() / units_per_window;
   const auto heuristic = [&](const Selection& selected) {
     state.offer(selected);
     return state.incumbent.value();
