@@ -1,6 +1,7 @@
 #include "placement_classes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -69,29 +70,29 @@ void compare_classes(std::size_t seeds, double limit) {
         seconds.push_back(is_proven ? of_seed.seconds : std::numeric_limits<double>::infinity());
         proven += is_proven ? 1 : 0;
         if (medians.empty())
-          values[seed] = of_seed.found.objective_value;
-        else if (is_proven && of_seed.found.objective_value != values[seed])
+          values[seed] = is_proven ? of_seed.found.objective_value : 0;
+        else if (is_proven && values[seed] > 0 && of_seed.found.objective_value != values[seed])
           fmt::print(" [seed {}: {} and {}]", seed + 1, values[seed], of_seed.found.objective_value);
       }
       medians.push_back(median(seconds));
       fmt::print(" {:>8.3f} s {:>2} of {:>2}", medians.back(), proven, seeds);
       std::fflush(stdout);
     }
-    fmt::print(" {:>13.2f}\n", medians[0] / *std::min_element(medians.begin() + 1, medians.end()));
+    const double better = *std::min_element(medians.begin() + 1, medians.end());
+    fmt::print(" {:>13}\n", std::isfinite(better) ? fmt::format("{:.2f}", medians[0] / better) : "-");
     std::fflush(stdout);
   }
 }
 
 void compare_wide(double limit) {
-  for (const CoverClass& one : wide_classes()) {
-    const SignalTable table = random_cover(one, 1);
-    for (const PlaceOptions& options : entrants(limit)) {
-      const Run of_one = run(table, options);
-      fmt::print("{:<30} {:<10} value {:>6} bound {:>9.6g} {:>10.1f} s CPU {:>8.1f} s\n", one.name,
-                 name_of(options), of_one.found.objective_value, of_one.found.lower_bound, of_one.seconds,
-                 of_one.found.seconds);
-      std::fflush(stdout);
-    }
+  const CoverClass wide = wide_class();
+  const SignalTable table = random_cover(wide, 1);
+  for (const PlaceOptions& options : entrants(limit)) {
+    const Run one = run(table, options);
+    fmt::print("{:<14} {:<10} value {:>6} bound {:>9.6g} {:>10.1f} s CPU {:>8.1f} s\n", wide.name,
+               name_of(options), one.found.objective_value, one.found.lower_bound, one.seconds,
+               one.found.seconds);
+    std::fflush(stdout);
   }
 }
 

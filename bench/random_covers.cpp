@@ -48,12 +48,8 @@ std::vector<CoverClass> dense_classes() {
   return all;
 }
 
-std::vector<CoverClass> wide_classes() {
-  CoverClass wide{"500 x 60000", 500, 60'000};
-  CoverClass crew = wide;
-  crew.name += ", prices 1 and 2";
-  crew.max_price = 2;
-  return {wide, crew};
+CoverClass wide_class() {
+  return {"500 x 60000", 500, 60'000};
 }
 
 SignalTable random_cover(const CoverClass& of, std::uint64_t seed) {

@@ -23,8 +23,8 @@ struct CoverClass {
 /// The classes of the comparison with MIP solvers, by name ("200 x 1000, 2 %").
 std::vector<CoverClass> dense_classes();
 
-/// Covers of 500 rows by 60,000 columns: with prices up to 100, and up to 2 as in crew scheduling.
-std::vector<CoverClass> wide_classes();
+/// Covers of 500 rows by 60,000 columns of 2 to 12 rows.
+CoverClass wide_class();
 
 /// A cover of the class, to be solved as a non-cooperative weighted problem. Every column reaches a row, and
 /// every row is reached by two columns.

@@ -11,13 +11,15 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   const Reduction& reduction = state.reduction();
   if (reduction.infeasible || state.solvers.preferred.empty()) return;
   constexpr std::size_t units_per_window = 5;
+  constexpr std::uint64_t work_per_step = 1000;  // a step searches all windows
+  if (effort.steps < work_per_step) return;
   const auto& backends = state.solvers.preferred;
   const auto clp = std::find_if(backends.begin(), backends.end(),
                                 [](const milp::Backend& backend) { return backend.name == "cbc"; });
   WindowBoundOptions options;
   options.known = state.incumbent.value();
   options.step = state.bounds.step();
-  options.max_steps = effort.steps;
+  options.max_steps = effort.steps / work_per_step;
   options.until = effort.until;
   options.windows = state.incumbent.selected().size() / units_per_window;
   const auto heuristic = [&](const Selection& selected) {
