@@ -60,13 +60,18 @@ constexpr auto is_small = [](State state) { return state.is_small(); };
 constexpr auto is_large = [](State state) { return !state.is_small(); };
 constexpr auto is_small_whole = [](State state) { return state.is_small() && !state.is_cover(); };
 constexpr auto is_large_whole = [](State state) { return !state.is_small() && !state.is_cover(); };
-constexpr auto is_large_cover = [](State state) { return !state.is_small() && state.is_cover(); };
 constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.is_cover(); };
 constexpr auto is_covering = [](State state) { return state.is_cover(); };
 // Better selections exclude more columns, which pays if many are left.
 constexpr auto has_many_left = [](State state) {
   constexpr std::size_t many = 1000;
   return state.is_cover() && state.table.columns() - state.useless.size() > many;
+};
+// Covers of many units that are counted, as in a hall: neighbouring units overlap, distant ones do not.
+constexpr auto may_have_windows = [](State state) {
+  constexpr std::size_t enough = 200;
+  return state.is_cover() && !state.is_weighted && !state.is_small() &&
+         state.table.columns() - state.useless.size() >= enough;
 };
 constexpr auto has_few_left = [](State state) { return !has_many_left(state); };
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
@@ -85,8 +90,8 @@ constexpr Step schedule[] = {
     {"longer tree search", is_small_whole, 0.3, no_limit_s, 5'000'000, raise_bound_by_tree},
     {"more local search", has_many_left, 0.2, 20, 200'000, improve},
     // Branch and bound gives up at once if it cannot end in time; windows do not know when they will end.
-    {"short branch and bound", is_large_cover, 0.15, no_limit_s, any_steps, branch_on_remainder},
-    {"windows", is_large_cover, 0.75, no_limit_s, any_steps, raise_bound_by_windows},
+    {"short branch and bound", may_have_windows, 0.15, no_limit_s, any_steps, branch_on_remainder},
+    {"windows", may_have_windows, 0.75, no_limit_s, any_steps, raise_bound_by_windows},
     {"branch and bound", is_covering, 0.8, no_limit_s, any_steps, branch_on_remainder},
     {"more local search", has_few_left, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.

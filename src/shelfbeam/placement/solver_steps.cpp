@@ -134,8 +134,11 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
   Answer nothing;
   nothing.bound = milp::infinity;
   if (reduction.infeasible) return nothing;
+  constexpr std::uint64_t steps_per_node = 20;  // strong branching takes much longer than other steps
+  std::optional<std::uint64_t> nodes = state.limits.step_limit;
+  if (nodes) nodes = 1 + *nodes / steps_per_node;
   return place_reduced(state.table, state.problem, state.first_cost, reduction, cutoff,
-                       limited(branch, state.limits.step_limit), effort.seconds_left(), state.control);
+                       limited(branch, nodes), effort.seconds_left(), state.control);
 }
 
 // Whether a selection costs little more than the bound: its tree is small, because reduced costs exclude most
