@@ -108,7 +108,7 @@ TEST(PlacementSearchSlow, EqualsEnumerationWithoutTrees) {
                  without_trees);
     EXPECT_GT(tally.optimal, 60);
     EXPECT_LT(tally.stopped, tally.optimal / 5);
-    EXPECT_GT(tally.count(BoundProof::solver), 20);
+    EXPECT_GT(tally.count(BoundProof::solver), 5);
     EXPECT_GT(tally.count(BoundProof::dual), 20);
     EXPECT_EQ(tally.count(BoundProof::log), 0);
   }
