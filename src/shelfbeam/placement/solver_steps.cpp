@@ -17,6 +17,18 @@ namespace {
 
 using Answer = CoverModel::Outcome;
 
+std::vector<milp::Backend> preferred(const SearchState& state) {
+  return {state.solvers.preferred.begin(), state.solvers.preferred.end()};
+}
+
+// The back ends with CBC, whose linear programs Clp solves, in front.
+std::vector<milp::Backend> clp_first(const SearchState& state) {
+  std::vector<milp::Backend> backends = preferred(state);
+  std::stable_partition(backends.begin(), backends.end(),
+                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  return backends;
+}
+
 // Runs the back ends in order until one does not fail.
 template <class Ask>
 auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, const Ask& ask) {
@@ -124,9 +136,7 @@ double cutoff_of(const CostBounds& bounds, double value) {
 
 // Branch and bound on the remainder of a cover, by the first back end's linear programs.
 Answer branch_reduced(SearchState& state, const Reduction& reduction, double cutoff, const Effort& effort) {
-  std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
-  std::stable_partition(backends.begin(), backends.end(),
-                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  const std::vector<milp::Backend> backends = clp_first(state);
   const SolveFunction branch = [&](const milp::Model& model, const milp::SolveOptions& options,
                                    const RunControl& control) {
     return milp::branch_and_bound(model, backends.front(), options, control);
@@ -210,10 +220,8 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   if (state.is_cover() && state.reduction().infeasible)
     return state.raise_open(milp::infinity, BoundProof::dual);
   const bool is_large = state.table.entries.size() > state.limits.max_small_lp_entries;
-  std::vector<milp::Backend> backends(state.solvers.preferred.begin(), state.solvers.preferred.end());
-  if (is_large)  // Clp is faster than HiGHS on large linear programs
-    std::stable_partition(backends.begin(), backends.end(),
-                          [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  // Clp is faster than HiGHS on large linear programs.
+  const std::vector<milp::Backend> backends = is_large ? clp_first(state) : preferred(state);
   const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
     Relaxation relaxation;
     const LpBoundOptions options{
