@@ -186,7 +186,11 @@ TEST_F(Workflow, EveryProblemHasAPlacement) {
           EXPECT_EQ(placement["model"], model);
           EXPECT_EQ(placement["objective"], objective);
           EXPECT_EQ(placement["combination"], combination);
-          EXPECT_EQ(placement["status"], solver == "mip" ? "optimal" : "feasible");
+          // Multipliers may prove that the greedy placement is optimal.
+          if (solver == "mip")
+            EXPECT_EQ(placement["status"], "optimal");
+          else
+            EXPECT_NE(placement["status"], "infeasible");
         }
 }
 
@@ -268,8 +272,8 @@ TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
                     "\n  chosen: A, B\n", ": A 3, B 3\n", "\n  optimal: value 2, lower bound 2, gap 0.0 %; ",
                     ", solver search\n", "\n  bound: exhaustive search, log checked; among equally good"});
   expect("@m.csv --solver search", {"optimal", "solver search\n"});
-  expect("@m.csv --solver greedy", {"labels (cooperative); at least 1 transceiver is needed.\n",
-                                    "\n  feasible: value 3, lower bound 1, gap 66.7 %; ", "solver greedy\n"});
+  expect("@m.csv --solver greedy", {"labels (cooperative); at least 2 transceivers are needed.\n",
+                                    "\n  feasible: value 3, lower bound 2, gap 33.3 %; ", "solver greedy\n"});
   // The curve contains a better placement than the greedy one, and proves that none is better.
   expect("@m.csv --solver greedy --curve",
          {"2 transceivers reach all 6 labels (cooperative); it is proven that 1 is not enough.\n",
