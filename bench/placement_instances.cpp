@@ -1,9 +1,11 @@
 #include "placement_instances.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <numbers>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -16,17 +18,25 @@ namespace shelfbeam::bench {
 
 namespace {
 
+// A label that a single unit reached keeps a unit that reaches it, so that no problem becomes infeasible.
 void add_noise(SignalTable& table, double noise) {
   constexpr std::uint64_t seed = 1;
   const double s = std::sqrt(std::log1p(noise * noise));
-  for (std::uint32_t i = 0; i < table.rows(); ++i)
-    for (std::size_t k = table.row_begin[i]; k < table.row_begin[i + 1]; ++k) {
-      SignalEntry& entry = table.entries[k];
+  const auto weaker = [](const SignalEntry& a, const SignalEntry& b) { return a.signal < b.signal; };
+  for (std::uint32_t i = 0; i < table.rows(); ++i) {
+    const std::span row(table.entries.data() + table.row_begin[i],
+                        table.row_begin[i + 1] - table.row_begin[i]);
+    if (row.empty()) continue;
+    const double strongest = std::max_element(row.begin(), row.end(), weaker)->signal;
+    for (SignalEntry& entry : row) {
       const auto bits = philox({i, entry.transceiver, 0, 0}, seed);
       const double radius = std::sqrt(-2 * std::log(1 - to_uniform(bits[0])));
       const double z = radius * std::cos(2 * std::numbers::pi * to_uniform(bits[1]));
       entry.signal *= std::exp(s * z - s * s / 2);
     }
+    double& kept = std::max_element(row.begin(), row.end(), weaker)->signal;
+    kept = std::max(kept, std::min(strongest, table.labels[i].single_requirement));
+  }
 }
 
 void for_scales(std::string name, SignalTable table, const InstanceChoice& choice,

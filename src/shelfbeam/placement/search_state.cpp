@@ -115,7 +115,11 @@ const Reduction& SearchState::reduction() {
 }
 
 Reduction SearchState::reduction_below(double cost) const {
-  return reduction_without(relaxation ? useless_columns(*relaxation, cost) : useless);
+  if (!relaxation) return reduction_without(useless);
+  std::vector<std::uint32_t> all;
+  const std::vector<std::uint32_t> found = useless_columns(*relaxation, cost);
+  std::set_union(useless.begin(), useless.end(), found.begin(), found.end(), std::back_inserter(all));
+  return reduction_without(all);
 }
 
 Reduction SearchState::reduction_without(std::span<const std::uint32_t> columns) const {
@@ -126,9 +130,12 @@ Reduction SearchState::reduction_without(std::span<const std::uint32_t> columns)
 }
 
 bool SearchState::exclude(const DualBound& dual) {
+  return exclude(useless_columns(dual, bounds.below(incumbent.value())));
+}
+
+bool SearchState::exclude(std::span<const std::uint32_t> columns) {
   std::vector<std::uint32_t> all;
-  const std::vector<std::uint32_t> found = useless_columns(dual, bounds.below(incumbent.value()));
-  std::set_union(useless.begin(), useless.end(), found.begin(), found.end(), std::back_inserter(all));
+  std::set_union(useless.begin(), useless.end(), columns.begin(), columns.end(), std::back_inserter(all));
   if (all.size() == useless.size()) return false;
   useless = std::move(all);
   // Few further columns are not worth another reduction.

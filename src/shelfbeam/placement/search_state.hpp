@@ -148,8 +148,10 @@ struct SearchState final : ProgressSink {
     raise(bound > below ? (bounds.sees_steps(value) ? value : std::max(below, incumbent.bound())) : bound,
           proof);
   }
-  /// Excludes the columns that this bound rules out; true if there are enough new ones for a reduction.
+  /// Excludes the columns that this bound rules out, or these; true if enough of them are new for a
+  /// reduction.
   bool exclude(const DualBound& dual);
+  bool exclude(std::span<const std::uint32_t> columns);
   /// The selections that remain after reductions and exclusions.
   SelectionSet open_selections();
   /// The same for the second objective.

@@ -29,6 +29,7 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   const WindowBound found =
       window_bound(state.table, state.problem, state.first_cost, reduction, options,
                    clp != backends.end() ? *clp : backends.front(), heuristic, state.control);
+  state.exclude(found.useless);
   state.raise_open(found.bound, BoundProof::branches);
 }
 

@@ -42,7 +42,8 @@ class WindowSearch {
         while (!is_over() && exclude()) step_until_stuck();
       } while (!is_over() && merge());
     });
-    return {.bound = best_value_, .windows = best_.size(), .steps = steps_};
+    std::sort(useless_.begin(), useless_.end());
+    return {.bound = best_value_, .useless = useless_, .windows = best_.size(), .steps = steps_};
   }
 
  private:
@@ -232,6 +233,8 @@ class WindowSearch {
       for (const std::uint32_t j : columns) is_removed[j] = true;
     if (std::none_of(is_removed.begin(), is_removed.end(), [](bool removed) { return removed; }))
       return false;
+    for (std::size_t j = 0; j < is_removed.size(); ++j)
+      if (is_removed[j]) useless_.push_back(cover_.column_of[j]);
     remove_columns(cover_, is_removed);
     for (Window& window : best_) remove_columns(window, is_removed);
     now_ = best_;
@@ -292,6 +295,7 @@ class WindowSearch {
   };
   double target_;  ///< cost of the best selection known
   Windows now_, best_;
+  std::vector<std::uint32_t> useless_;
   double best_value_ = 0, length_ = 0;
   std::vector<std::vector<double>> directions_;  ///< per window and column, mean of recent steps
   std::uint64_t max_nodes_ = 50'000, steps_ = 0;
@@ -311,7 +315,7 @@ WindowBound window_bound(const SignalTable& table, const PlacementProblem& probl
     return heuristic(selected);
   };
   CoverMatrix cover(table, problem, cost, reduction);
-  if (cover.rows.empty()) return {.bound = forced_cost};
+  if (cover.rows.empty()) return {.bound = forced_cost, .useless = {}};
   return WindowSearch(std::move(cover), forced_cost, options, backend, heuristic ? whole : heuristic, control)
       .run(options.windows);
 }

@@ -23,10 +23,11 @@ struct WindowBoundOptions {
 };
 
 struct WindowBound {
-  /// No selection of the remainder, forced columns included, that is better than the known ones costs less;
-  /// above known - step if there is no better one.
+  /// Every selection of the remainder, forced columns included, that is better than the known ones costs at
+  /// least this; above known - step if there is none.
   double bound = 0;
-  std::size_t windows = 0;  ///< at last
+  std::vector<std::uint32_t> useless;  ///< the table's columns that no such selection contains, ascending
+  std::size_t windows = 0;             ///< when the search ended
   std::uint64_t steps = 0;
 };
 
