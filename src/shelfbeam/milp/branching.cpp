@@ -36,8 +36,8 @@ class PseudoCosts {
     return product(value(down_[j], all_down_) * x, value(up_[j], all_up_) * (1 - x));
   }
   static double product(double down, double up) {
-    constexpr double least = 1e-6, largest = 1e20;
-    return std::clamp(down, least, largest) * std::clamp(up, least, largest);
+    constexpr double min_gain = 1e-6, max_gain = 1e20;
+    return std::clamp(down, min_gain, max_gain) * std::clamp(up, min_gain, max_gain);
   }
 
  private:

@@ -29,8 +29,8 @@ struct SafeBound {
   std::vector<double> reduced;  ///< per column: c_j - sum_i y_i a_ij
 };
 
-/// The Lagrangian bound of the multipliers y, one per row. Multipliers whose side of the row is infinite, and
-/// those that are not finite, count as 0.
+/// The Lagrangian bound of the multipliers y, one per row. Infinite multipliers, and multipliers whose
+/// side of the row is infinite, count as 0.
 SafeBound safe_bound(const Model& model, std::span<const double> lower, std::span<const double> upper,
                      std::span<const double> y, bool with_costs = true);
 

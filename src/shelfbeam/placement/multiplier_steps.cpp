@@ -20,17 +20,12 @@ std::vector<BoundRow> rows_of(SearchState& state) {
   return rows;
 }
 
-std::size_t steps_of(const Effort& effort) {
-  return static_cast<std::size_t>(
-      std::min<std::uint64_t>(effort.steps, std::numeric_limits<std::size_t>::max()));
-}
-
 MultiplierBound bound_of_open(SearchState& state, const Effort& effort, const SelectionSet& open) {
   MultiplierBoundOptions options;
   options.selections = open;
   options.known = state.incumbent.value();
   options.step = state.bounds.step();
-  options.max_steps = steps_of(effort);
+  options.max_steps = effort.steps;
   options.until = effort.until;
   options.rows = rows_of(state);
   const auto heuristic = [&](const SparseRows& rows, const Multipliers& now,
@@ -67,7 +62,7 @@ void bound_second_by_multipliers(SearchState& state, const Effort& effort) {
   options.selections.min_count = options.selections.max_count = state.incumbent.selected().size();
   options.known = state.second->value;
   options.step = state.second->bounds.step();
-  options.max_steps = steps_of(effort);
+  options.max_steps = effort.steps;
   options.until = effort.until;
   state.raise_second(
       multiplier_bound(state.table, state.problem, state.second->cost, options, {}, state.control).dual.bound,

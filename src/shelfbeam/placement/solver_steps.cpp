@@ -154,18 +154,18 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
 // Whether a selection costs little more than the bound: its tree is small, because reduced costs exclude most
 // columns.
 void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
-  constexpr double least_part = 0.002, most_part = 0.02;
-  double part = most_part;
+  constexpr double min_part = 0.002, max_part = 0.02;
+  double part = max_part;
   for (std::uint64_t tries = 0; tries < effort.steps && !state.is_closed(); ++tries) {
     const double bound = state.incumbent.bound(), gap = state.incumbent.value() - bound;
-    const double least = state.bounds.step() > 0 ? 0.5 * state.bounds.step() : least_part * gap;
-    const double increment = std::max(least, part * gap), cutoff = bound + increment;
+    const double min_increment = state.bounds.step() > 0 ? 0.5 * state.bounds.step() : min_part * gap;
+    const double increment = std::max(min_increment, part * gap), cutoff = bound + increment;
     if (!(cutoff > bound) || effort.is_over(state.control)) return;
     const Answer answer = branch_reduced(state, state.reduction_below(cutoff), cutoff, effort);
     state.offer(answer.selected);
     if (answer.bound > cutoff)
       state.raise_open(cutoff, BoundProof::branches);
-    else if (increment > least)
+    else if (increment > min_increment)
       part /= 2;
     else
       return;

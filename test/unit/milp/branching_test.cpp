@@ -156,7 +156,7 @@ TEST(MilpSafeBound, HoldsForAnyMultipliers) {
     const double bound = safe_bound(model, lower, upper, y).value;
     ASSERT_LE(bound, truth.best);
     tight += bound > 0.5 * truth.best && truth.best < infinity && truth.best > 0;
-    // Without the costs: positive only if there is no solution.
+    // Without the costs, only a model without a solution has a positive bound.
     if (safe_bound(model, lower, upper, y, false).value > 0) {
       ASSERT_EQ(truth.best, infinity);
     }

@@ -11,7 +11,8 @@ namespace shelfbeam::detail {
 namespace {
 
 // Where linear programs take milliseconds, or rows are still to be added, few steps are enough.
-constexpr std::size_t max_steps = 600, few_steps = 150, small = 50'000;
+constexpr std::uint64_t max_steps = 600, few_steps = 150;
+constexpr std::size_t small = 50'000;  // entries
 constexpr int max_rounds = 5;
 
 class Bounding {
@@ -51,7 +52,7 @@ class Bounding {
   }
 
   // Improves the multipliers of the present rows; returns the average solution, one per column of the table.
-  std::vector<double> improve(std::size_t enough) {
+  std::vector<double> improve(std::uint64_t enough) {
     const SparseRows rows(table_, problem_, cost_, options_.selections, rows_);
     if (y_.empty())
       y_ = ascended(rows);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <span>
@@ -21,7 +21,7 @@ struct MultiplierBoundOptions {
   SelectionSet selections = {};  ///< the bound holds for these selections
   double known = 0;  ///< cost of a selection, which the steps aim at; any positive number is valid
   double step = 0;   ///< SubgradientOptions::step
-  std::size_t max_steps = std::numeric_limits<std::size_t>::max();  ///< per set of rows
+  std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();  ///< per set of rows
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
   /// The labels whose rows are used. Empty: the labels of smallest total sum_j a_ij per strongest unit, to
   /// which labels are added that the relaxation misses.

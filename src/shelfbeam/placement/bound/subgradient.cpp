@@ -32,7 +32,7 @@ class Dual {
 
   Multipliers run() {
     price_all();
-    for (std::size_t step = 1; step <= options_.max_steps && rows_.rows() > 0; ++step) {
+    for (std::uint64_t step = 1; step <= options_.max_steps && rows_.rows() > 0; ++step) {
       if (is_over(step)) break;
       if (!move()) {
         price_all();

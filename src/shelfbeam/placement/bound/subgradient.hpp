@@ -34,7 +34,7 @@ struct SubgradientOptions {
   std::size_t max_count = std::numeric_limits<std::size_t>::max();
   double known = 0;  ///< cost of the best selection known
   double step = 1;   ///< costs are multiples of this: a bound above known - step ends the search
-  std::size_t max_steps = 600;
+  std::uint64_t max_steps = 600;
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
