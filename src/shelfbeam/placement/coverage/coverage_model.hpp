@@ -40,8 +40,7 @@ class CoverageModel {
     problem_.objective = Objective::count;
     problem_.combination = Combination::lexicographic;
     model_ = model_without_failures(table, problem_);
-    // Without unit failure, u_i is binary by itself in non-cooperative rows; otherwise it is declared
-    // integer.
+    // In non-cooperative rows without unit failure, u_i need not be declared integer.
     const bool whole = problem.redundant || problem.model == CommunicationModel::cooperative;
     for (std::size_t i = 0; i < table.rows(); ++i)
       model_.columns.push_back({0, 0, 1, whole, "missed_" + table.labels[i].id});
@@ -62,13 +61,14 @@ class CoverageModel {
     std::optional<std::vector<std::uint32_t>> selected = {};  ///< without conflicts, within that row
     /// maximise: no selection reaches more weight. minimise: every selection has at least as many units.
     double bound = 0;
-    bool is_infeasible = false;  ///< according to the solver, no selection satisfies that row
+    bool is_infeasible = false;  ///< according to the solver, no selection satisfies that row; never if known
     bool failed = false;         ///< the solver failed or contradicted itself; `bound` still holds
   };
 
-  /// The largest weight that at most `units` units reach.
-  Outcome maximise(std::size_t units, const SolveFunction& solve, double time_limit_s,
-                   const RunControl& control) {
+  /// The maximum weight that at most `units` units reach. Only selections better than a known one are sought,
+  /// of more than `known_weight`, or with fewer than `known_units` units.
+  Outcome maximise(std::size_t units, double known_weight, std::size_t known_units,
+                   const SolveFunction& solve, double time_limit_s, const RunControl& control) {
     const double unit_price = weights_.are_whole() ? 1 : 0;
     const double price = weights_.are_whole() ? static_cast<double>(table_.columns() + 1) : 1;
     milp::Row count{-milp::infinity, static_cast<double>(units), {}, "units"};
@@ -84,26 +84,26 @@ class CoverageModel {
     const auto learn = [&](double dual_bound) {
       // The dual bound d of count + price missed, with count <= units < price, proves missed >= (d - units) /
       // price.
-      const double least = (dual_bound - unit_price * static_cast<double>(units)) / price;
-      const double missed = weights_.are_whole() ? std::ceil(least - 1e-6) : least * (1 - 1e-9);
+      const double bound = (dual_bound - unit_price * static_cast<double>(units)) / price;
+      const double missed = weights_.are_whole() ? std::ceil(bound - 1e-6) : bound * (1 - 1e-9);
       if (missed > 0)
         outcome.bound = std::min(outcome.bound, weights_.total() - std::min(weights_.total(), missed));
     };
     const auto fits = [&](const std::vector<std::uint32_t>& selected, const Check&) {
       return selected.size() <= units;
     };
-    outcome = run(outcome, learn, fits, solve, time_limit_s, control);
-    // The installed units alone are a selection.
-    outcome.failed = outcome.failed || outcome.is_infeasible;
-    return outcome;
+    const double known =
+        unit_price * static_cast<double>(known_units) + price * (weights_.total() - known_weight);
+    return run(outcome, known - unit_price / 2, learn, fits, solve, time_limit_s, control);
   }
 
-  /// The fewest units that reach the weight `target`.
-  Outcome minimise(double target, const SolveFunction& solve, double time_limit_s,
-                   const RunControl& control) {
-    double largest = 0;
-    for (std::size_t i = 0; i < table_.rows(); ++i) largest = std::max(largest, weights_[i]);
-    const double scale = largest > 0 ? 1 / largest : 1;
+  /// The minimum number of units that reach the weight `target`. If that of a selection is known, only
+  /// smaller ones are sought.
+  Outcome minimise(double target, std::optional<std::size_t> known_units, const SolveFunction& solve,
+                   double time_limit_s, const RunControl& control) {
+    double max_weight = 0;
+    for (std::size_t i = 0; i < table_.rows(); ++i) max_weight = std::max(max_weight, weights_[i]);
+    const double scale = max_weight > 0 ? 1 / max_weight : 1;
     // Half a step keeps the row valid in spite of the solver's tolerance.
     milp::Row missed{
         -milp::infinity, scale * (weights_.total() - target + weights_.step() / 2), {}, "missed"};
@@ -122,7 +122,8 @@ class CoverageModel {
     const auto fits = [&](const std::vector<std::uint32_t>&, const Check& check) {
       return weights_.without(check.unmet) >= target;
     };
-    return run(outcome, learn, fits, solve, time_limit_s, control);
+    const double cutoff = known_units ? static_cast<double>(*known_units) - 0.5 : milp::infinity;
+    return run(outcome, cutoff, learn, fits, solve, time_limit_s, control);
   }
 
  private:
@@ -130,13 +131,15 @@ class CoverageModel {
 
   // Solves the model until the checker agrees with the solver about the labels that a solution reaches.
   template <class Learn, class Fits>
-  Outcome run(Outcome& outcome, const Learn& learn, const Fits& fits, const SolveFunction& solve,
-              double time_limit_s, const RunControl& control) {
+  Outcome run(Outcome& outcome, double cutoff, const Learn& learn, const Fits& fits,
+              const SolveFunction& solve, double time_limit_s, const RunControl& control) {
     const Deadline deadline(time_limit_s);
     while (!deadline.has_passed() && !control.cancelled()) {
-      const milp::Result result = solve(model_, {.time_limit_s = deadline.seconds_left()}, control);
+      const milp::Result result =
+          solve(model_, {.time_limit_s = deadline.seconds_left(), .cutoff = cutoff}, control);
       if (result.termination == milp::Termination::infeasible) {
-        outcome.is_infeasible = true;
+        outcome.is_infeasible = cutoff == milp::infinity;
+        if (!outcome.is_infeasible) learn(cutoff - milp::objective_slack(model_, cutoff));
         break;
       }
       const bool empty_handed = result.solution.empty() && !model_.columns.empty();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -150,8 +151,9 @@ class Minimisation {
   void solve(const Deadline& end) {
     for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
       CoverageModel model(table_, problem_, weights_);
-      const auto outcome =
-          model.minimise(target_, limited(backend.solve, options_.step_limit), end.seconds_left(), control_);
+      const auto known = result_.has_selection ? std::optional(result_.selected.size()) : std::nullopt;
+      const auto outcome = model.minimise(target_, known, limited(backend.solve, options_.step_limit),
+                                          end.seconds_left(), control_);
       result_.solver = fmt::format("{} {}", backend.name, backend.version);
       if (outcome.selected) offer(*outcome.selected);
       // A solver that contradicts a checked selection is wrong.

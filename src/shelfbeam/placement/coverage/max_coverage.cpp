@@ -141,7 +141,8 @@ class Maximisation {
     for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
       CoverageModel model(table_, problem_, weights_);
       const auto outcome =
-          model.maximise(units_, limited(backend.solve, options_.step_limit), end.seconds_left(), control_);
+          model.maximise(units_, value_, reach_.selected.size(), limited(backend.solve, options_.step_limit),
+                         end.seconds_left(), control_);
       reach_.solver = fmt::format("{} {}", backend.name, backend.version);
       if (outcome.selected) offer(*outcome.selected);
       const bool contradicts = outcome.bound < value_ - solver_gap * weights_.total();

@@ -162,7 +162,7 @@ TEST(MaxCoverage, EqualsBruteForce) {
 TEST(MaxCoverageSlow, EqualsBruteForceOnManyMore) {
   const PlaceOptions by_search{.solver = SolverChoice::search, .step_limit = 1 << 20};
   // No claim is wrong (above); weights of many decimals may leave a bound a little above the value.
-  EXPECT_LE(differences(97, 40'000, test::Omission::nothing, by_search), 4);
+  EXPECT_LE(differences(97, 20'000, test::Omission::nothing, by_search), 2);
 }
 
 TEST(MaxCoverage, WeighsLabelsInTheMip) {
