@@ -56,7 +56,7 @@ double median(std::vector<double> values) {
 void compare_classes(std::size_t seeds, double limit) {
   fmt::print("{:<18}", "class");
   for (const PlaceOptions& options : entrants(limit)) fmt::print(" {:>10} {:>7}", name_of(options), "proven");
-  fmt::print(" {:>12}\n", "to the better");
+  fmt::print(" {:>12}\n", "to the faster");
   for (const CoverClass& one : dense_classes()) {
     fmt::print("{:<18}", one.name);
     std::vector<double> medians;
@@ -78,8 +78,8 @@ void compare_classes(std::size_t seeds, double limit) {
       fmt::print(" {:>8.3f} s {:>2} of {:>2}", medians.back(), proven, seeds);
       std::fflush(stdout);
     }
-    const double better = *std::min_element(medians.begin() + 1, medians.end());
-    fmt::print(" {:>13}\n", std::isfinite(better) ? fmt::format("{:.2f}", medians[0] / better) : "-");
+    const double faster = *std::min_element(medians.begin() + 1, medians.end());
+    fmt::print(" {:>13}\n", std::isfinite(faster) ? fmt::format("{:.2f}", medians[0] / faster) : "-");
     std::fflush(stdout);
   }
 }

@@ -9,7 +9,8 @@ namespace shelfbeam::bench {
 /// run.
 void compare_classes(std::size_t seeds, double limit);
 
-/// Prints value and bound of our search and of every MIP solver on covers of 500 rows by 60,000 columns.
+/// Prints value and bound of our search and of every MIP solver on a cover of 500 rows by 60,000
+/// columns, `limit` in seconds each.
 void compare_wide(double limit);
 
 }  // namespace shelfbeam::bench

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/math/steps.hpp"
 #include "shelfbeam/milp/backend.hpp"
 
 namespace shelfbeam::milp {
@@ -46,7 +47,10 @@ class PseudoCosts {
     int count = 0;
   };
   static void add(Mean& own, Mean& all, double gain) {
-    for (Mean* mean : {&own, &all}) mean->sum += std::max(gain, 0.0), ++mean->count;
+    for (Mean* mean : {&own, &all}) {
+      mean->sum += std::max(gain, 0.0);
+      ++mean->count;
+    }
   }
   static double value(const Mean& own, const Mean& all) {
     const Mean& mean = own.count > 0 ? own : all;
@@ -241,8 +245,8 @@ class Tree {
     if (value <= cutoff_) {
       best_value_ = value;
       best_ = std::move(x);
-      constexpr double equal_values = 1e-9, rounding = 1e-7;
-      cutoff_ = options_.step > 0 ? value - options_.step * (1 - rounding) : value * (1 - equal_values);
+      constexpr double equal_values = 1e-9;
+      cutoff_ = options_.step > 0 ? next_better(value, options_.step) : value * (1 - equal_values);
       lp_->set_cutoff(cutoff_);
     }
     if (bound <= cutoff_ && !is_leaf) branch_blindly(bound);  // another solution may cost less

@@ -173,6 +173,9 @@ struct SearchState final : ProgressSink {
   std::size_t reduced_without_ = 0;  ///< number of useless columns at the time
 };
 
+/// The back ends of a search with CBC, whose linear programs Clp solves, in front.
+std::vector<milp::Backend> clp_first(const SearchState& state);
+
 // The steps of a search. Each raises a bound or offers a selection, or both.
 
 /// Tree search. Weighted: for a cheaper selection. Otherwise from the bound upwards: a selection whose count

@@ -21,14 +21,6 @@ std::vector<milp::Backend> preferred(const SearchState& state) {
   return {state.solvers.preferred.begin(), state.solvers.preferred.end()};
 }
 
-// The back ends with CBC, whose linear programs Clp solves, in front.
-std::vector<milp::Backend> clp_first(const SearchState& state) {
-  std::vector<milp::Backend> backends = preferred(state);
-  std::stable_partition(backends.begin(), backends.end(),
-                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
-  return backends;
-}
-
 // Runs the back ends in order until one does not fail.
 template <class Ask>
 auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, const Ask& ask) {
@@ -134,7 +126,7 @@ double cutoff_of(const CostBounds& bounds, double value) {
   return bounds.below(value) + (bounds.sees_steps(value) ? 0.5 * bounds.step() : 0);
 }
 
-// Branch and bound on the remainder of a cover, by the first back end's linear programs.
+// Branch and bound on the remainder of a cover, by the linear programs of Clp if it is built in.
 Answer branch_reduced(SearchState& state, const Reduction& reduction, double cutoff, const Effort& effort) {
   const std::vector<milp::Backend> backends = clp_first(state);
   const SolveFunction branch = [&](const milp::Model& model, const milp::SolveOptions& options,
@@ -151,8 +143,8 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
                        limited(branch, nodes), effort.seconds_left(), state.control);
 }
 
-// Whether a selection costs little more than the bound: its tree is small, because reduced costs exclude most
-// columns.
+// Raises the bound by proofs that no selection costs little more: their trees are small, because reduced
+// costs exclude most columns.
 void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
   constexpr double min_part = 0.002, max_part = 0.02;
   double part = max_part;
@@ -191,7 +183,7 @@ std::vector<milp::Row> cuts_of(const SearchState& state) {
     if (cut.lower > 0)
       cut = relaxed(std::move(cut));
     else
-      cuts.pop_back();  // the row says nothing
+      cuts.pop_back();  // every selection satisfies it
   }
   return cuts;
 }
@@ -211,6 +203,13 @@ Answer solve_whole(SearchState& state, const Effort& effort) {
 }
 
 }  // namespace
+
+std::vector<milp::Backend> clp_first(const SearchState& state) {
+  std::vector<milp::Backend> backends = preferred(state);
+  std::stable_partition(backends.begin(), backends.end(),
+                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  return backends;
+}
 
 void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   struct Relaxation : LpBound {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <vector>
 
 #include "shelfbeam/placement/search_state.hpp"
@@ -11,24 +10,18 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   const Reduction& reduction = state.reduction();
   if (reduction.infeasible || state.solvers.preferred.empty()) return;
   constexpr std::size_t units_per_window = 5;
-  constexpr std::uint64_t work_per_step = 1000;  // a step searches all windows
-  if (effort.steps < work_per_step) return;
-  const auto& backends = state.solvers.preferred;
-  const auto clp = std::find_if(backends.begin(), backends.end(),
-                                [](const milp::Backend& backend) { return backend.name == "cbc"; });
   WindowBoundOptions options;
   options.known = state.incumbent.value();
   options.step = state.bounds.step();
-  options.max_steps = effort.steps / work_per_step;
+  options.max_work = effort.steps;
   options.until = effort.until;
   options.windows = state.incumbent.selected().size() / units_per_window;
   const auto heuristic = [&](const Selection& selected) {
     state.offer(selected);
     return state.incumbent.value();
   };
-  const WindowBound found =
-      window_bound(state.table, state.problem, state.first_cost, reduction, options,
-                   clp != backends.end() ? *clp : backends.front(), heuristic, state.control);
+  const WindowBound found = window_bound(state.table, state.problem, state.first_cost, reduction, options,
+                                         clp_first(state).front(), heuristic, state.control);
   state.exclude(found.useless);
   state.raise_open(found.bound, BoundProof::branches);
 }

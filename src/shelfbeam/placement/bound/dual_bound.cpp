@@ -14,13 +14,13 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// A mounting point without a chosen unit, or a column with a mounting point of its own.
 struct Point {
   std::vector<std::uint32_t> options;
-  double least = infinite;  ///< smallest r_j of its options
+  double min_cost = infinite;  ///< of its options, reduced
 };
 
 Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& reduced_cost) {
-  double least = infinite;
-  for (const std::uint32_t j : options) least = std::min(least, reduced_cost[j]);
-  return {std::move(options), least};
+  double min_cost = infinite;
+  for (const std::uint32_t j : options) min_cost = std::min(min_cost, reduced_cost[j]);
+  return {std::move(options), min_cost};
 }
 
 /// The columns that are chosen in all selections.
@@ -64,25 +64,25 @@ std::vector<Point> free_points(const SignalTable& table, const std::vector<bool>
 }
 
 /// Adds the taken points to the bound and sets `if_chosen` to the increase that each column causes.
-void take_points(std::vector<Point> points, std::size_t least, std::size_t max_count, DualBound& dual) {
+void take_points(std::vector<Point> points, std::size_t min_count, std::size_t max_count, DualBound& dual) {
   std::stable_sort(points.begin(), points.end(),
-                   [](const Point& a, const Point& b) { return a.least < b.least; });
+                   [](const Point& a, const Point& b) { return a.min_cost < b.min_cost; });
   const auto negative = static_cast<std::size_t>(
-      std::count_if(points.begin(), points.end(), [](const Point& point) { return point.least < 0; }));
+      std::count_if(points.begin(), points.end(), [](const Point& point) { return point.min_cost < 0; }));
   max_count = std::min(max_count, points.size());
-  least = std::min(least, max_count);
-  const std::size_t taken = std::clamp(negative, least, max_count);
-  const double last = taken > 0 ? points[taken - 1].least : 0;
+  min_count = std::min(min_count, max_count);
+  const std::size_t taken = std::clamp(negative, min_count, max_count);
+  const double last = taken > 0 ? points[taken - 1].min_cost : 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point& point = points[k];
     const bool is_taken = k < taken;
-    if (is_taken) dual.bound += point.least;
+    if (is_taken) dual.bound += point.min_cost;
     // If the count is at its maximum, or at a minimum that forces units, a further unit replaces the last.
-    const bool replaces = taken == max_count || (taken == least && negative < least);
+    const bool replaces = taken == max_count || (taken == min_count && negative < min_count);
     for (const std::uint32_t j : point.options) {
       const double r = dual.reduced_cost[j];
       if (is_taken)
-        dual.if_chosen[j] = r - point.least;
+        dual.if_chosen[j] = r - point.min_cost;
       else
         dual.if_chosen[j] = max_count == 0 ? infinite : r - (replaces ? last : 0);
     }

@@ -71,8 +71,8 @@ DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
                      const SelectionSet& selections = {});
 
 /// Reduced-cost fixing: the columns, ascending, that no selection of cost at most `worth` contains, because
-/// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is v - 1 if all costs are integers,
-/// otherwise v less the smallest improvement that counts.
+/// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is
+/// CostBounds::below(v).
 std::vector<std::uint32_t> useless_columns(const DualBound& dual, double worth);
 
 /// Expands the inequalities of one table, slightly relaxed, by more than rounding errors.
@@ -122,13 +122,13 @@ class BoundRowReader {
     for (const std::uint32_t j : row.taken) taken_[j] = true;
     double lacking = cover_.bound() - rounding;
     cover_.for_entries(row.label, [&](std::uint32_t j, double a) { lacking -= taken_[j] ? a : 0; });
-    const bool says_something = lacking >= min_lack;
-    if (says_something)
+    const bool excludes_any = lacking >= min_lack;
+    if (excludes_any)
       cover_.for_entries(row.label, [&](std::uint32_t j, double a) {
         if (!taken_[j]) visit(j, std::min(1.0, a / lacking));
       });
     for (const std::uint32_t j : row.taken) taken_[j] = false;
-    return says_something ? 1 : 0;
+    return excludes_any ? 1 : 0;
   }
 
   CoverRows cover_;

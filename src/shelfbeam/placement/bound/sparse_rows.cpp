@@ -8,8 +8,7 @@ namespace shelfbeam::detail {
 
 SparseRows::SparseRows(const SignalTable& table, const PlacementProblem& problem,
                        std::span<const double> cost, const SelectionSet& selections,
-                       std::vector<BoundRow> rows)
-    : bound_rows_(std::move(rows)) {
+                       std::span<const BoundRow> rows) {
   constexpr std::uint32_t closed = ~std::uint32_t{0}, is_chosen = closed - 1;
   const Mounts mounts(table);
   std::vector<std::uint32_t> place(table.columns(), 0);
@@ -45,7 +44,7 @@ SparseRows::SparseRows(const SignalTable& table, const PlacementProblem& problem
 
   BoundRowReader reader(table, problem, selections.max_count);
   column_begin_.assign(column_.size() + 1, 0);
-  for (const BoundRow& row : bound_rows_) {
+  for (const BoundRow& row : rows) {
     double met = 0;
     const double rhs = reader.read(row, [&](std::uint32_t j, double a) {
       if (place[j] == is_chosen) met += a;

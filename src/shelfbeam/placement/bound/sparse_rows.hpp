@@ -20,7 +20,7 @@ class SparseRows {
   };
 
   SparseRows(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-             const SelectionSet& selections, std::vector<BoundRow> rows);
+             const SelectionSet& selections, std::span<const BoundRow> rows);
 
   std::size_t rows() const { return rhs_.size(); }
   std::size_t columns() const { return column_.size(); }
@@ -30,7 +30,6 @@ class SparseRows {
   double rhs(std::size_t i) const { return rhs_[i]; }
   std::span<const Term> row(std::size_t i) const { return part(of_row_, row_begin_, i); }
   std::span<const Term> of_column(std::size_t j) const { return part(of_column_, column_begin_, j); }
-  const std::vector<BoundRow>& bound_rows() const { return bound_rows_; }
   /// The group of the options of one mounting point; `no_group` for a column with a point of its own.
   std::uint32_t group(std::size_t j) const { return group_[j]; }
   std::size_t groups() const { return groups_; }
@@ -45,7 +44,6 @@ class SparseRows {
     return std::span(all).subspan(begin[k], begin[k + 1] - begin[k]);
   }
 
-  std::vector<BoundRow> bound_rows_;
   std::vector<std::uint32_t> column_, group_, chosen_;
   std::vector<double> cost_, rhs_;
   std::vector<std::size_t> row_begin_ = {0}, column_begin_;

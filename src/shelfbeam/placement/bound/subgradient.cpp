@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/steps.hpp"
+
 namespace shelfbeam::detail {
 
 namespace {
@@ -33,11 +35,7 @@ class Dual {
   Multipliers run() {
     price_all();
     for (std::uint64_t step = 1; step <= options_.max_steps && rows_.rows() > 0; ++step) {
-      if (is_over(step)) break;
-      if (!move()) {
-        price_all();
-        break;
-      }
+      if (is_over(step) || !move()) break;
       if (step % pricing_period_ == 0)
         price_all();
       else
@@ -56,7 +54,7 @@ class Dual {
     return is_closed() ||
            (step % 16 == 0 && (control_.cancelled() || std::chrono::steady_clock::now() >= options_.until));
   }
-  bool is_closed() const { return best_.bound > known_ - options_.step * (1 - 1e-6); }
+  bool is_closed() const { return best_.bound > next_better(known_, options_.step); }
 
   double reduced_cost(std::uint32_t j) const {
     double r = rows_.cost(j);

@@ -117,11 +117,11 @@ class Minimisation {
 
   void raise_by_multipliers(Clock::time_point until) {
     // With unit failure, the bound is better for fewer units.
-    const std::size_t most = result_.has_selection ? result_.selected.size() - 1 : max_units_;
-    CoverageBound bound(table_, problem_, weights_, most);
+    const std::size_t max_count = result_.has_selection ? result_.selected.size() - 1 : max_units_;
+    CoverageBound bound(table_, problem_, weights_, max_count);
     // Of all counts together about ten seconds, as the search.
     const std::size_t all_steps = detail::coverage_bound_work / (2 * bound.entries() + 1);
-    const std::size_t counts = most + 1 - result_.count_lower_bound;
+    const std::size_t counts = max_count + 1 - result_.count_lower_bound;
     const std::size_t steps = std::min<std::size_t>(1000, 1 + all_steps / counts);
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;

@@ -145,9 +145,10 @@ class Maximisation {
                          end.seconds_left(), control_);
       reach_.solver = fmt::format("{} {}", backend.name, backend.version);
       if (outcome.selected) offer(*outcome.selected);
-      const bool contradicts = outcome.bound < value_ - solver_gap * weights_.total();
+      const double allowed = weights_.are_whole() ? 0 : solver_gap * weights_.total();
+      const bool contradicts = outcome.bound < value_ - allowed;
       if (!contradicts) lower_to(std::max(outcome.bound, value_), BoundProof::solver);
-      if (!weights_.are_whole() && !contradicts && outcome.bound <= value_ + solver_gap * weights_.total()) {
+      if (!contradicts && !weights_.are_whole() && outcome.bound <= value_ + allowed) {
         is_closed_by_solver_ = true;
         reach_.bound_proof = BoundProof::solver;
       }

@@ -13,9 +13,11 @@ namespace shelfbeam {
 
 /// The weight of labels, in the unit of SignalTable::Label::weight.
 struct CoverageWeight {
-  double reached = 0;      ///< by the selection
-  double total = 0;        ///< of all labels
-  double upper_bound = 0;  ///< proven: no selection reaches more, apart from 1e-9 of the total
+  double reached = 0;  ///< by the selection
+  double total = 0;    ///< of all labels
+  /// Proven: no selection reaches more, apart from 1e-9 of the total. If a MIP solver proves it and weights
+  /// have more than six decimals, apart from 2e-6.
+  double upper_bound = 0;
 };
 
 /// The result of `maximise_coverage`.
@@ -42,7 +44,7 @@ struct MaxCoverage {
   double gap() const {
     const double bound = weight ? weight->upper_bound : static_cast<double>(upper_bound);
     const double value = weight ? weight->reached : static_cast<double>(reached);
-    return bound <= value ? 0 : (bound - value) / bound;
+    return status == Status::optimal || bound <= value ? 0 : (bound - value) / bound;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "shelfbeam/math/steps.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
@@ -88,7 +89,7 @@ double CostBounds::tolerance(double value) const {
 
 double CostBounds::below(double known) const {
   constexpr double within = 0.99;  // the difference is rounded
-  return known - (sees_steps(known) ? step_ * (1 - rounding) : within * tolerance(known));
+  return sees_steps(known) ? next_better(known, step_) : known - within * tolerance(known);
 }
 
 }  // namespace shelfbeam

@@ -42,7 +42,8 @@ class CostBounds {
   /// Whether `below` is a step, and not a rounding error, below a value.
   bool sees_steps(double value) const;
 
-  /// The largest cost of selections that are better than one of cost `known`.
+  /// Max cost of selections that are better than one of cost `known`: a step less, or more than rounding
+  /// errors less, with a margin for rounding.
   double below(double known) const;
 
  private:

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 #include "shelfbeam/placement/problem/cover_rows.hpp"
 
@@ -40,10 +42,10 @@ class RowDivider {
  private:
   // Of the cost of a cover: every row pays the smallest share of its columns.
   double share(std::uint32_t i) const {
-    double least = std::numeric_limits<double>::infinity();
+    double min_share = std::numeric_limits<double>::infinity();
     for (const std::uint32_t j : cover_.rows[i])
-      least = std::min(least, cover_.cost[j] / static_cast<double>(cover_.columns[j].size()));
-    return least;
+      min_share = std::min(min_share, cover_.cost[j] / static_cast<double>(cover_.columns[j].size()));
+    return min_share;
   }
 
   // Power iteration: a row's value becomes the mean of its columns, a column's the mean of its rows; the

@@ -79,7 +79,7 @@ class CoverTree {
     best_ = options_.known + 2 * rounding_;
     finds_columns_ = true;
     run(y);
-    ColumnsOfCovers all{std::vector<bool>(cover_.cost.size(), true), !was_cut_};
+    ColumnsOfCovers all{std::vector<bool>(cover_.cost.size(), true), !was_cut_, found_.nodes};
     for (std::size_t j = 0; all.complete && j < cover_.cost.size(); ++j)
       all.contains[j] = is_found_.contains(j);
     return all;

@@ -47,6 +47,7 @@ CheapestCover cheapest_cover(const SmallCover& cover, std::span<const double> y,
 struct ColumnsOfCovers {
   std::vector<bool> contains;  ///< per column: some cover that costs at most `known` may contain it
   bool complete = false;       ///< no limit came first; otherwise every column counts
+  std::uint64_t nodes = 0;
 };
 
 /// The columns of all covers that cost at most `known`, by the same tree. Subtrees that have only columns

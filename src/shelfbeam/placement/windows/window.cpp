@@ -11,6 +11,7 @@ namespace shelfbeam::detail {
 namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint64_t work_of_lp = 1000;
 
 // A window without its free columns, which weigh next to nothing, and without the rows that they reach.
 struct SmallWindow {
@@ -42,7 +43,8 @@ struct SmallWindow {
 };
 
 // Multipliers of the rows: the LP's, or none if it fails.
-std::vector<double> lp_multipliers(const SmallCover& cover, const milp::Backend& backend) {
+std::vector<double> lp_multipliers(const SmallCover& cover, const WindowLimits& limits,
+                                   const milp::Backend& backend) {
   if (cover.rows.empty()) return {};
   std::vector<milp::Column> columns;
   for (const double cost : cover.cost) columns.push_back({cost, 0, 1, false, {}});
@@ -54,7 +56,8 @@ std::vector<double> lp_multipliers(const SmallCover& cover, const milp::Backend&
   }
   const auto lp = backend.lp(columns);
   lp->add_rows(rows);
-  return lp->solve(milp::infinity, {}).y;
+  const std::chrono::duration<double> left = limits.until - std::chrono::steady_clock::now();
+  return lp->solve(left.count(), {1, limits.control.cancel, nullptr}).y;
 }
 
 // Rows that the selection does not reach yet are reached by columns without weight.
@@ -67,14 +70,16 @@ void add_free_columns(const CoverMatrix& cover, const std::vector<bool>& is_free
   for (const std::uint32_t j : window.selected) reach(j);
   for (const std::uint32_t i : window.rows) {
     if (!is_open[i]) continue;
-    std::size_t most = 0;
+    std::size_t max_gain = 0;
     std::uint32_t best = none;
     for (const std::uint32_t j : cover.rows[i]) {
       if (!is_free[j]) continue;
       const auto& rows = cover.columns[j];
       const auto gain = static_cast<std::size_t>(
           std::count_if(rows.begin(), rows.end(), [&](std::uint32_t k) { return is_open[k]; }));
-      if (gain > most) most = gain, best = j;
+      if (gain <= max_gain) continue;
+      max_gain = gain;
+      best = j;
     }
     reach(best);
     window.selected.push_back(best);
@@ -104,13 +109,14 @@ Window merged(const CoverMatrix& cover, const Window& a, const Window& b) {
   for (const Window* part : {&a, &b})
     for (std::size_t k = 0; k < part->columns.size(); ++k) sum[part->columns[k]] += part->weight[k];
   for (std::size_t k = 0; k < window.columns.size(); ++k) window.weight[k] = sum[window.columns[k]];
-  std::set_union(a.selected.begin(), a.selected.end(), b.selected.begin(), b.selected.end(),
-                 std::back_inserter(window.selected));
+  if (!a.selected.empty() && !b.selected.empty())
+    std::set_union(a.selected.begin(), a.selected.end(), b.selected.begin(), b.selected.end(),
+                   std::back_inserter(window.selected));
   return window;
 }
 
-void search_window(const CoverMatrix& cover, Window& window, std::uint64_t max_nodes,
-                   const milp::Backend& backend, const std::function<bool()>& stop) {
+void search_window(const CoverMatrix& cover, Window& window, const WindowLimits& limits,
+                   const milp::Backend& backend) {
   const SmallWindow small(cover, window);
   double known = 0;
   std::vector<bool> was_selected(cover.columns.size(), false);
@@ -120,11 +126,13 @@ void search_window(const CoverMatrix& cover, Window& window, std::uint64_t max_n
   // The old selection is still one, and is found again if it is the cheapest.
   constexpr double slightly_more = 1 + 1e-6;
   const CheapestCover found =
-      cheapest_cover(small.cover, lp_multipliers(small.cover, backend),
-                     {.known = known * slightly_more, .max_nodes = max_nodes, .stop = stop});
+      cheapest_cover(small.cover, lp_multipliers(small.cover, limits, backend),
+                     {.known = known * slightly_more, .max_nodes = limits.max_nodes, .stop = [&] {
+                        return limits.is_over();
+                      }});
   window.value = found.bound;
   window.complete = found.complete;
-  window.nodes = found.nodes;
+  window.work = work_of_lp + found.nodes;
   if (!found.selected && !small.cover.rows.empty()) return;
   window.selected.clear();
   if (found.selected)
@@ -132,16 +140,17 @@ void search_window(const CoverMatrix& cover, Window& window, std::uint64_t max_n
   add_free_columns(cover, small.is_free, window);
 }
 
-std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
-                                           std::uint64_t max_nodes, const milp::Backend& backend,
-                                           const std::function<bool()>& stop) {
+UselessColumns useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
+                               const WindowLimits& limits, const milp::Backend& backend) {
   const SmallWindow small(cover, window);
   const ColumnsOfCovers found =
-      columns_of_covers(small.cover, lp_multipliers(small.cover, backend),
-                        {.known = window.value + allowance, .max_nodes = max_nodes, .stop = stop});
-  std::vector<std::uint32_t> useless;
+      columns_of_covers(small.cover, lp_multipliers(small.cover, limits, backend),
+                        {.known = window.value + allowance, .max_nodes = limits.max_nodes, .stop = [&] {
+                           return limits.is_over();
+                         }});
+  UselessColumns useless{.columns = {}, .work = work_of_lp + found.nodes};
   for (std::size_t k = 0; k < small.columns.size(); ++k)
-    if (!found.contains[k]) useless.push_back(small.columns[k]);
+    if (!found.contains[k]) useless.columns.push_back(small.columns[k]);
   return useless;
 }
 
@@ -161,8 +170,10 @@ void remove_columns(Window& window, const std::vector<bool>& is_removed) {
   window.columns.resize(left);
   window.weight.resize(left);
   if (std::any_of(window.selected.begin(), window.selected.end(),
-                  [&](std::uint32_t j) { return is_removed[j]; }))
+                  [&](std::uint32_t j) { return is_removed[j]; })) {
     window.selected.clear();
+    window.complete = false;
+  }
 }
 
 }  // namespace shelfbeam::detail

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -15,10 +15,20 @@ namespace shelfbeam::detail {
 struct Window {
   std::vector<std::uint32_t> rows, columns;  ///< ascending
   std::vector<double> weight;                ///< of every column, not negative
-  std::vector<std::uint32_t> selected;       ///< ascending; reaches all rows; empty before the first search
-  double value = 0;                          ///< no selection that reaches all rows has a smaller weight
-  bool complete = false;                     ///< `selected` has this weight
-  std::uint64_t nodes = 0;                   ///< of the last search
+  /// Ascending; reaches all rows. Empty before the first search and after the removal of one of them.
+  std::vector<std::uint32_t> selected;
+  double value = 0;        ///< no selection that reaches all rows has a smaller weight
+  bool complete = false;   ///< `selected` has this weight
+  std::uint64_t work = 0;  ///< of the last search, in nodes of trees
+};
+
+/// The same for all windows of a step.
+struct WindowLimits {
+  std::uint64_t max_nodes = 0;  ///< of each tree
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  RunControl control = {};
+
+  bool is_over() const { return control.cancelled() || std::chrono::steady_clock::now() >= until; }
 };
 
 Window make_window(const CoverMatrix& cover, std::vector<std::uint32_t> rows);
@@ -26,13 +36,17 @@ Window make_window(const CoverMatrix& cover, std::vector<std::uint32_t> rows);
 Window merged(const CoverMatrix& cover, const Window& a, const Window& b);
 
 /// Finds `selected` and `value`. Rows may have no column only if the problem is infeasible.
-void search_window(const CoverMatrix& cover, Window& window, std::uint64_t max_nodes,
-                   const milp::Backend& backend, const std::function<bool()>& stop);
+void search_window(const CoverMatrix& cover, Window& window, const WindowLimits& limits,
+                   const milp::Backend& backend);
+
+struct UselessColumns {
+  std::vector<std::uint32_t> columns;
+  std::uint64_t work = 0;  ///< in nodes of trees
+};
 
 /// The window's columns that no selection of weight up to value + `allowance` contains.
-std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
-                                           std::uint64_t max_nodes, const milp::Backend& backend,
-                                           const std::function<bool()>& stop);
+UselessColumns useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
+                               const WindowLimits& limits, const milp::Backend& backend);
 
 /// Omits columns.
 void remove_columns(CoverMatrix& cover, const std::vector<bool>& is_removed);

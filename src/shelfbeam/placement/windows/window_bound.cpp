@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/steps.hpp"
 #include "shelfbeam/placement/windows/window.hpp"
 
 namespace shelfbeam::detail {
@@ -26,7 +27,10 @@ class WindowSearch {
         backend_(backend),
         heuristic_(heuristic),
         control_(control),
-        target_(options.known) {}
+        target_(options.known) {
+    limits_.until = options.until;
+    limits_.control = control;
+  }
 
   WindowBound run(std::size_t parts) {
     for (std::vector<std::uint32_t>& rows : divided_rows(cover_, parts))
@@ -43,21 +47,18 @@ class WindowSearch {
       } while (!is_over() && merge());
     });
     std::sort(useless_.begin(), useless_.end());
-    return {.bound = best_value_, .useless = useless_, .windows = best_.size(), .steps = steps_};
+    return {.bound = best_value_, .useless = useless_};
   }
 
  private:
   static constexpr double first_length = 0.2;
 
-  bool is_over() const {
-    return control_.cancelled() || std::chrono::steady_clock::now() >= options_.until ||
-           steps_ >= options_.max_steps || best_value_ > worth();
-  }
+  bool is_over() const { return limits_.is_over() || work_ >= options_.max_work || best_value_ > worth(); }
 
-  // The largest cost of selections that are better than the known ones.
+  // Max cost of selections that are better than the known ones.
   double worth() const {
-    constexpr double rounding = 1e-9, part = 1e-6;
-    return options_.step > 0 ? target_ - (1 - part) * options_.step : target_ * (1 - rounding);
+    constexpr double rounding = 1e-9;
+    return options_.step > 0 ? next_better(target_, options_.step) : target_ * (1 - rounding);
   }
 
   // At first every row pays the same share of its columns.
@@ -74,9 +75,21 @@ class WindowSearch {
   }
 
   void search(Windows& windows) {
+    allow_rest();
     for_each_task(windows.size(),
-                  [&](std::size_t k) { search_window(cover_, windows[k], max_nodes_, backend_, stop_); });
-    ++steps_;
+                  [&](std::size_t k) { search_window(cover_, windows[k], limits_, backend_); });
+    for (const Window& window : windows) work_ += window.work;
+  }
+
+  // No tree exceeds the work that is left.
+  void allow_rest() {
+    limits_.max_nodes = std::min(max_nodes_, options_.max_work - std::min(work_, options_.max_work));
+  }
+
+  // Trees are cut short: larger ones are allowed, up to a size that no time suffices for.
+  void allow_larger_trees(std::uint64_t growth) {
+    constexpr std::uint64_t endless = std::uint64_t{1} << 50;
+    max_nodes_ = std::min(endless, max_nodes_ * growth);
   }
 
   // The sum of the windows, less anything that they are allotted beyond the costs.
@@ -123,13 +136,6 @@ class WindowSearch {
     target_ = heuristic_(selected);
   }
 
-  // Steps gain nothing while trees are cut short.
-  void allow_larger_trees() {
-    constexpr std::uint64_t growth = 2;
-    if (std::any_of(now_.begin(), now_.end(), [](const Window& window) { return !window.complete; }))
-      max_nodes_ *= growth;
-  }
-
   // Steps of length_ / |direction|^2, halved if they gain nothing, from the best weights.
   void step_until_stuck() {
     constexpr int patience = 12, often = 4;
@@ -142,7 +148,9 @@ class WindowSearch {
       if (is_over() && value_of(now_) <= best_value_) return;
       offer();
       keep();
-      allow_larger_trees();
+      // Steps gain nothing while trees are cut short.
+      if (std::any_of(now_.begin(), now_.end(), [](const Window& window) { return !window.complete; }))
+        allow_larger_trees(2);
       control_.report("windows", -1, fmt::format("{}, bound {:.3f}", best_.size(), best_value_));
       const bool is_better = best_value_ > reached + gain * std::max(0.0, target_ - reached);
       idle = is_better ? 0 : idle + 1;
@@ -202,84 +210,100 @@ class WindowSearch {
     }
   }
 
-  // The weight of columns that two windows share, relative to their values: merging gains most there.
-  std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> neighbours() const {
-    std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> pairs;
-    for (std::size_t a = 0; a < now_.size(); ++a) {
+  struct Pair {
+    double shared = 0;
+    std::size_t a = 0, b = 0;
+  };
+
+  // Pairs of the best windows that share columns, the largest shared weight relative to their values first:
+  // merging gains most there.
+  std::vector<Pair> neighbours() const {
+    std::vector<Pair> pairs;
+    for (std::size_t a = 0; a < best_.size(); ++a) {
       std::vector<double> weight(cover_.columns.size(), 0.0);
-      for (std::size_t k = 0; k < now_[a].columns.size(); ++k) weight[now_[a].columns[k]] = now_[a].weight[k];
-      for (std::size_t b = a + 1; b < now_.size(); ++b) {
+      for (std::size_t k = 0; k < best_[a].columns.size(); ++k)
+        weight[best_[a].columns[k]] = best_[a].weight[k];
+      for (std::size_t b = a + 1; b < best_.size(); ++b) {
         double shared = 0;
-        for (std::size_t k = 0; k < now_[b].columns.size(); ++k)
-          shared += std::min(now_[b].weight[k], weight[now_[b].columns[k]]);
-        if (shared > 0) pairs.push_back({-shared / (now_[a].value + now_[b].value), {a, b}});
+        for (std::size_t k = 0; k < best_[b].columns.size(); ++k)
+          shared += std::min(best_[b].weight[k], weight[best_[b].columns[k]]);
+        if (shared > 0) pairs.push_back({shared / (best_[a].value + best_[b].value), a, b});
       }
     }
-    std::sort(pairs.begin(), pairs.end());
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& left, const Pair& right) { return left.shared > right.shared; });
     return pairs;
   }
 
   // Excludes columns that no better selection contains; true if there are any.
   bool exclude() {
     constexpr double hopeful = 0.5;  // of the difference that makes a selection better
-    const double allowance = worth() - best_value_;
+    const double allowance = worth() - value_of(best_);
     if (!(options_.step > 0) || allowance > hopeful * options_.step) return false;
-    std::vector<std::vector<std::uint32_t>> useless(best_.size());
+    std::vector<UselessColumns> useless(best_.size());
+    allow_rest();
     for_each_task(best_.size(), [&](std::size_t k) {
-      useless[k] = useless_columns(cover_, best_[k], allowance, max_nodes_, backend_, stop_);
+      useless[k] = useless_columns(cover_, best_[k], allowance, limits_, backend_);
     });
     std::vector<bool> is_removed(cover_.columns.size(), false);
-    for (const auto& columns : useless)
-      for (const std::uint32_t j : columns) is_removed[j] = true;
+    for (const UselessColumns& of_window : useless) {
+      work_ += of_window.work;
+      for (const std::uint32_t j : of_window.columns) is_removed[j] = true;
+    }
     if (std::none_of(is_removed.begin(), is_removed.end(), [](bool removed) { return removed; }))
       return false;
     for (std::size_t j = 0; j < is_removed.size(); ++j)
       if (is_removed[j]) useless_.push_back(cover_.column_of[j]);
     remove_columns(cover_, is_removed);
     for (Window& window : best_) remove_columns(window, is_removed);
-    now_ = best_;
-    if (std::any_of(cover_.rows.begin(), cover_.rows.end(), [](const auto& row) { return row.empty(); }))
+    if (std::any_of(cover_.rows.begin(), cover_.rows.end(), [](const auto& row) { return row.empty(); })) {
       best_value_ = std::numeric_limits<double>::infinity();
+      return true;
+    }
+    now_ = best_;
+    search(now_);
+    keep();
     length_ *= 4;
     return true;
   }
 
-  // Merges disjoint pairs of neighbours as far as their trees are small enough; larger trees are allowed once
-  // no pair is left. False if a single window is left.
+  // Disjoint pairs of neighbours among the best windows.
+  std::vector<Pair> disjoint_neighbours() const {
+    std::vector<bool> is_taken(best_.size(), false);
+    std::vector<Pair> pairs;
+    for (const Pair& pair : neighbours()) {
+      if (is_taken[pair.a] || is_taken[pair.b]) continue;
+      is_taken[pair.a] = is_taken[pair.b] = true;
+      pairs.push_back(pair);
+    }
+    return pairs;
+  }
+
+  // Merges pairs of neighbours whose common tree is small enough; larger trees are allowed as long as there
+  // is none. False if no neighbours are left.
   bool merge() {
-    constexpr std::uint64_t growth = 4;
-    now_ = best_;
-    while (now_.size() > 1 && !is_over()) {
-      std::vector<bool> is_taken(now_.size(), false);
-      Windows pairs;
-      std::vector<std::pair<std::size_t, std::size_t>> sources;
-      for (const auto& [shared, pair] : neighbours()) {
-        const auto& [a, b] = pair;
-        if (is_taken[a] || is_taken[b]) continue;
-        is_taken[a] = is_taken[b] = true;
-        sources.push_back(pair);
-        pairs.push_back(merged(cover_, now_[a], now_[b]));
-      }
-      search(pairs);
+    const std::vector<Pair> pairs = disjoint_neighbours();
+    while (!pairs.empty() && !is_over()) {
+      Windows both;
+      for (const Pair& pair : pairs) both.push_back(merged(cover_, best_[pair.a], best_[pair.b]));
+      search(both);
       Windows next;
-      std::vector<bool> is_merged(now_.size(), false);
+      std::vector<bool> is_merged(best_.size(), false);
       for (std::size_t k = 0; k < pairs.size(); ++k) {
-        if (!pairs[k].complete) continue;
-        is_merged[sources[k].first] = is_merged[sources[k].second] = true;
-        next.push_back(std::move(pairs[k]));
+        if (!both[k].complete) continue;
+        is_merged[pairs[k].a] = is_merged[pairs[k].b] = true;
+        next.push_back(std::move(both[k]));
       }
-      const bool has_merged = !next.empty();
-      for (std::size_t w = 0; w < now_.size(); ++w)
-        if (!is_merged[w]) next.push_back(std::move(now_[w]));
-      now_ = std::move(next);
-      if (has_merged) {
-        keep();
-        now_ = best_;
-        length_ *= 4;
-        return true;
+      if (next.empty()) {
+        allow_larger_trees(4);
+        continue;
       }
-      max_nodes_ *= growth;
-      if (pairs.empty()) return false;
+      for (std::size_t w = 0; w < best_.size(); ++w)
+        if (!is_merged[w]) next.push_back(std::move(best_[w]));
+      now_ = best_ = std::move(next);
+      best_value_ = std::max(best_value_, value_of(best_));  // equal windows may lose their rounding errors
+      length_ *= 4;
+      return true;
     }
     return false;
   }
@@ -290,15 +314,13 @@ class WindowSearch {
   const milp::Backend& backend_;
   const WindowHeuristic& heuristic_;
   const RunControl& control_;
-  const std::function<bool()> stop_ = [this] {
-    return control_.cancelled() || std::chrono::steady_clock::now() >= options_.until;
-  };
   double target_;  ///< cost of the best selection known
   Windows now_, best_;
   std::vector<std::uint32_t> useless_;
   double best_value_ = 0, length_ = 0;
   std::vector<std::vector<double>> directions_;  ///< per window and column, mean of recent steps
-  std::uint64_t max_nodes_ = 50'000, steps_ = 0;
+  std::uint64_t max_nodes_ = 50'000, work_ = 0;
+  WindowLimits limits_;
 };
 
 }  // namespace

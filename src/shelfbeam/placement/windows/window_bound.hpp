@@ -17,7 +17,7 @@ namespace shelfbeam::detail {
 struct WindowBoundOptions {
   double known = 0;  ///< cost of a selection, which the steps aim at; any positive number is valid
   double step = 0;   ///< costs are multiples of this (0: any): a bound above known - step ends the search
-  std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();  ///< in nodes of trees
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
   std::size_t windows = 8;  ///< at first
 };
@@ -27,8 +27,6 @@ struct WindowBound {
   /// least this; above known - step if there is none.
   double bound = 0;
   std::vector<std::uint32_t> useless;  ///< the table's columns that no such selection contains, ascending
-  std::size_t windows = 0;             ///< when the search ended
-  std::uint64_t steps = 0;
 };
 
 /// Receives selections of the remainder that reach all labels, forced columns included, ascending;

@@ -67,8 +67,8 @@ TEST(WindowBound, NeverExceedsTheMinimum) {
     if (!std::isfinite(minimum) || reduction.infeasible) continue;
     const auto windows = static_cast<std::size_t>(random.whole(1, 4));
     const WindowBound found =
-        window_bound(table, alone, cost, reduction, {.known = minimum, .max_steps = 20, .windows = windows},
-                     backend(), {}, {});
+        window_bound(table, alone, cost, reduction,
+                     {.known = minimum, .max_work = 200'000, .windows = windows}, backend(), {}, {});
     ASSERT_LE(found.bound, minimum);
     ++compared;
     tight += found.bound > minimum - 1e-6 * (1 + minimum) ? 1 : 0;
@@ -90,8 +90,9 @@ TEST(WindowBound, ExceedsTheLpOnDiscs) {
       fewest = std::min(fewest, static_cast<double>(selected.size()));
       return fewest;
     };
-    bounds.push_back(window_bound(table, alone, cost, reduction, {.known = 15, .max_steps = 25, .windows = 2},
-                                  backend(), heuristic, {.threads = threads})
+    bounds.push_back(window_bound(table, alone, cost, reduction,
+                                  {.known = 15, .max_work = 1'000'000, .windows = 2}, backend(), heuristic,
+                                  {.threads = threads})
                          .bound);
     EXPECT_EQ(std::ceil(bounds.back()), fewest);  // proven optimal
   }
@@ -116,7 +117,7 @@ TEST(WindowBound, ExclusionsKeepBetterSelections) {
     const Reduction reduction = reduce_cover(table, alone, cost, std::vector<bool>(10, true));
     const auto found = [&](double known) {
       return window_bound(table, alone, cost, reduction,
-                          {.known = known, .step = 1, .max_steps = 60, .windows = 3}, backend(), {}, {});
+                          {.known = known, .step = 1, .max_work = 400'000, .windows = 3}, backend(), {}, {});
     };
     const WindowBound of_more = found(minimum + 1);
     ASSERT_LE(of_more.bound, minimum);
@@ -148,8 +149,8 @@ TEST(WindowBound, AnotherLabelRaisesTheBound) {
     const SignalTable table = test::make_table(matrix, 8);
     const Reduction reduction = reduce_cover(table, alone, cost);
     if (reduction.infeasible || !std::isfinite(minimum)) continue;
-    too_much += window_bound(table, alone, cost, reduction, {.known = minimum, .max_steps = 20, .windows = 2},
-                             backend(), {}, {})
+    too_much += window_bound(table, alone, cost, reduction,
+                             {.known = minimum, .max_work = 200'000, .windows = 2}, backend(), {}, {})
                             .bound > minimum + 1e-6
                     ? 1
                     : 0;
