@@ -136,8 +136,8 @@ TEST(TreeSearch, EqualsEnumeration) {
 }
 
 TEST(TreeSearchSlow, EqualsEnumerationOnManyMore) {
-  run(3, 40000, {.transceivers = 12});
-  run(4, 40000, {.labels = 6, .transceivers = 12, .mounts = true, .conflicts = true, .redundant = true});
+  run(3, 20000, {.transceivers = 12});
+  run(4, 20000, {.labels = 6, .transceivers = 12, .mounts = true, .conflicts = true, .redundant = true});
 }
 
 // More labels than a search begins with: most are alike, so that few matter and the others enter later.
