@@ -13,6 +13,17 @@
 
 namespace shelfbeam::detail {
 
+namespace {
+
+// Of ascending columns.
+std::vector<std::uint32_t> united(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+  std::vector<std::uint32_t> all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
+}
+
+}  // namespace
+
 Incumbent::Incumbent(const SignalTable& table, const PlacementProblem& problem, const CostBounds& bounds,
                      const Selection& start)
     : table_(table),
@@ -116,10 +127,7 @@ const Reduction& SearchState::reduction() {
 
 Reduction SearchState::reduction_below(double cost) const {
   if (!relaxation) return reduction_without(useless);
-  std::vector<std::uint32_t> all;
-  const std::vector<std::uint32_t> found = useless_columns(*relaxation, cost);
-  std::set_union(useless.begin(), useless.end(), found.begin(), found.end(), std::back_inserter(all));
-  return reduction_without(all);
+  return reduction_without(united(useless, useless_columns(*relaxation, cost)));
 }
 
 Reduction SearchState::reduction_without(std::span<const std::uint32_t> columns) const {
@@ -134,8 +142,7 @@ bool SearchState::exclude(const DualBound& dual) {
 }
 
 bool SearchState::exclude(std::span<const std::uint32_t> columns) {
-  std::vector<std::uint32_t> all;
-  std::set_union(useless.begin(), useless.end(), columns.begin(), columns.end(), std::back_inserter(all));
+  std::vector<std::uint32_t> all = united(useless, columns);
   if (all.size() == useless.size()) return false;
   useless = std::move(all);
   // Few further columns are not worth another reduction.
