@@ -1,0 +1,15 @@
+"""Checks the rows that simulate for seconds."""
+
+import unittest
+
+import test_field
+
+
+class SlowField(test_field.Field):
+    IS_SLOW = True
+
+
+del test_field.Field  # otherwise unittest runs it here, too
+
+if __name__ == "__main__":
+    unittest.main()
