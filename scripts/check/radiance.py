@@ -26,9 +26,11 @@ unit_sin2theta = 2 * unit_above(unit_cos) * sqrt(unit_above(1 - unit_cos*unit_co
 unit_lambertian = unit_above(unit_cos)^A4;
 """
 
-# No limit but roulette by weight: 1,024 first rays per record, of which each continues as one path. No ambient value
-# and no interpolation replaces a path, and every unit is tested for shadow at every point.
-OPTIONS = ("-h- -I+ -V+ -u+ -ab 200 -ad 1024 -lr -200 -lw 0.002 -as 0 -aa 0 -av 0 0 0 -aw 0 "
+# 1,024 first rays per record, each of which continues as one path that roulette by weight ends. No ambient value and no
+# interpolation replaces a path, and every unit is tested for shadow at every point. Paths have at most 28 bounces,
+# because Radiance has room for 32 dimensions (MAXDIM) and does not check it: in both examples, less than 0.02 % of the
+# light is reflected more often.
+OPTIONS = ("-h- -I+ -V+ -u+ -ab 28 -ad 1024 -lr -28 -lw 0.002 -as 0 -aa 0 -av 0 0 0 -aw 0 "
            "-dt 0 -dc 1 -ds 0 -dj 0 -dr 0 -M ./units.txt").split()
 
 
