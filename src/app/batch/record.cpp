@@ -9,7 +9,6 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 

@@ -24,24 +24,17 @@ bool contains(const std::array<Range, Count>& ranges, char32_t code) {
                      [code](const Range& range) { return range.first <= code && code <= range.last; });
 }
 
-struct Character {
+struct Glyph {
   std::string_view bytes;  ///< "?" for bytes that a terminal cannot show
   std::size_t columns;
 };
 
 // Removes the first character from a text that is not empty.
-Character take(std::string_view& text) {
-  const auto lead = static_cast<unsigned char>(text[0]);
-  const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+Glyph take(std::string_view& text) {
+  const auto [code, length, is_printable, is_utf8] = character_at(text, 0);
   const std::string_view bytes = text.substr(0, length);
-  if (!is_utf8(bytes)) {
-    text.remove_prefix(1);
-    return {"?", 1};
-  }
   text.remove_prefix(length);
-  char32_t code = length == 1 ? lead : lead & (0x7FU >> length);
-  for (const char c : bytes.substr(1)) code = code << 6U | (static_cast<unsigned char>(c) & 0x3FU);
-  if (code < 0x20 || (code >= 0x7F && code < 0xA0)) return {"?", 1};
+  if (!is_utf8 || code < 0x20 || (code >= 0x7F && code < 0xA0)) return {"?", 1};
   return {bytes, contains(combining, code) ? 0U : contains(wide, code) ? 2U : 1U};
 }
 
@@ -59,7 +52,7 @@ std::string fitted(std::string_view text, std::size_t columns) {
   const std::string_view end = is_cut && columns > 2 * dots.size() ? dots : "";
   std::string result;
   for (std::size_t left = columns - end.size(); !text.empty();) {
-    const Character next = take(text);
+    const Glyph next = take(text);
     if (next.columns > left) break;
     left -= next.columns;
     result += next.bytes;

@@ -56,9 +56,9 @@ struct Installation {
 };
 
 bool is_json(const std::filesystem::path& path) {
-  const std::string text = read_file(path);
+  const std::string text = read_text(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && text[first] == '{';
+  return first != std::string::npos && (text[first] == '{' || text[first] == '/');  // '/': a comment
 }
 
 Installation load_installation(const Options& options) {

@@ -32,11 +32,6 @@ std::optional<char> stated_separator(std::string_view text) {
   return line.back();
 }
 
-std::string_view without_mark(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  return text;
-}
-
 // A number of the form "1.500" or "1,500", which may be one and a half, or 1500 with a thousands separator.
 bool may_be_grouped(std::string_view number) {
   if (!number.empty() && (number[0] == '+' || number[0] == '-')) number.remove_prefix(1);
@@ -65,7 +60,6 @@ bool is_formula(std::string_view text) {
 }  // namespace
 
 std::string csv_separators(std::string_view text) {
-  text = without_mark(text);
   if (const auto stated = stated_separator(text)) return {*stated};
   std::string found;
   bool is_quoted = false, has_content = false;
@@ -96,9 +90,8 @@ std::string csv_separators(std::string_view text) {
 }
 
 CsvReader::CsvReader(std::string_view text, std::string name, std::optional<char> separator)
-    : text_(without_mark(text)), name_(std::move(name)) {
-  if (is_utf16(text_)) throw InputError(name_, "is UTF-16", save_as_utf8);
-  if (!is_utf8(text_)) throw InputError(name_, "is not UTF-8", save_as_utf8);
+    : text_(without_mark(text, name, save_table_as_utf8)), name_(std::move(name)) {
+  if (!is_utf8(text_)) throw InputError(name_, "is not UTF-8", save_table_as_utf8);
   const std::string separators = csv_separators(text_);
   separator_ = separator.value_or(separators.empty() ? ',' : separators.front());
   if (!stated_separator(text_)) return;

@@ -72,7 +72,7 @@ class CsvReader {
 };
 
 /// The characters that may separate the fields of a text: that of its line `sep=;`, or those in its first
-/// record outside quotes, in their order.
+/// record outside quotes, in their order. The text has no byte order mark.
 std::string csv_separators(std::string_view text);
 
 /// Looks up the items that a CSV file names by their ids.

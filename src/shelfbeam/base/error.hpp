@@ -24,28 +24,25 @@ enum class Setting {
   strictness,
   overwriting,
   part,
-  signals
+  signals,
+  reading
 };
 
-/// Wrong input. The message states the location, the problem and a suggestion.
+/// Wrong input. The message states the location, the problem and a suggestion. It may quote any bytes of
+/// names and files: characters that are not printable, and bytes that are not UTF-8, are escaped in it
+/// ("\x00").
 ///
 /// `where` names the file and the location in it ("store.json: materials.wall.reflectance"). Nothing has been
 /// written when this is thrown.
 class InputError : public std::runtime_error {
  public:
   InputError(const std::string& where, const std::string& problem, const std::string& suggestion = {},
-             Setting setting = Setting::none)
-      : std::runtime_error((where.empty() ? "" : where + ": ") + problem +
-                           (suggestion.empty() ? "" : "; " + suggestion)),
-        where_(where),
-        setting_(setting) {}
+             Setting setting = Setting::none);
+  /// The same error with `addition` at the end of its message.
+  InputError(const InputError& error, const std::string& addition, Setting setting);
 
   const std::string& where() const { return where_; }
   Setting setting() const { return setting_; }
-
- protected:
-  InputError(const InputError& error, const std::string& addition, Setting setting)
-      : std::runtime_error(error.what() + ("; " + addition)), where_(error.where_), setting_(setting) {}
 
  private:
   std::string where_;
@@ -56,7 +53,6 @@ class InputError : public std::runtime_error {
 class OutputError : public InputError {
  public:
   using InputError::InputError;
-  /// The same error with `addition` at the end of its message.
   OutputError(const OutputError& error, const std::string& addition, Setting setting)
       : InputError(static_cast<const InputError&>(error), addition, setting) {}
 };

@@ -148,6 +148,9 @@ void cannot_write(const fs::path& path, const std::string& why, const std::strin
 }
 
 std::uint64_t input_size(const fs::path& path, std::uint64_t max_bytes) {
+  // The system would read another file, whose name ends at that character.
+  if (path.native().find('\0') != std::string::npos)
+    throw InputError(path.string(), "is a file name with a null character", "remove it");
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
   struct stat state = {};
   if (descriptor < 0 && ::stat(path.c_str(), &state) != 0)
@@ -179,6 +182,19 @@ std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
   if (in.bad()) throw InputError(path.string(), "cannot be read to its end", "check the disk");
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
+}
+
+std::string read_text(const fs::path& path, std::uint64_t max_bytes) {
+  std::string text = read_file(path, max_bytes);
+  text.erase(0, text.size() - without_mark(text, path.string()).size());
+  return text;
+}
+
+void expect_format_version(const std::string& where, std::int64_t found, std::int64_t known) {
+  if (found != known)
+    throw InputError(where, fmt::format("has format version {}, but this program reads {}", found, known),
+                     found > known ? "use a newer version of shelfbeam"
+                                   : "use the version of shelfbeam that wrote it, or create it again");
 }
 
 void remove_abandoned(const fs::path& target) {

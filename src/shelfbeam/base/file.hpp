@@ -23,9 +23,20 @@ inline constexpr std::uint64_t max_text_file = std::uint64_t{1} << 30, max_mesh_
 std::uint64_t input_size(const std::filesystem::path& path,
                          std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max());
 
-/// The whole file as text. Throws InputError when it cannot be read, and before reading when it has more than
+/// All bytes of the file. Throws InputError when it cannot be read, and before reading when it has more than
 /// `max_bytes`.
 std::string read_file(const std::filesystem::path& path, std::uint64_t max_bytes = max_text_file);
+/// The same without a byte order mark. Throws InputError, too, if the text is UTF-16 or UTF-32.
+std::string read_text(const std::filesystem::path& path, std::uint64_t max_bytes = max_text_file);
+
+/// Upper limit of version numbers in files; no real version reaches it.
+inline constexpr std::int64_t max_versions = 1'000'000;
+
+/// Checks the version of a file format. Versions count from 1 and change whenever older programs would
+/// misread the file. Throws InputError at `where` unless `found` is the version that this program reads; the
+/// message states whether a newer or an older program is required. Call it before reading the rest of the
+/// file, because other versions may have other contents.
+void expect_format_version(const std::string& where, std::int64_t found, std::int64_t known);
 
 /// A file that appears under its name only when it is complete: write to `temporary()`, then `commit()`.
 /// Without a commit, the destructor removes the temporary file, and an older file of that name is unchanged.

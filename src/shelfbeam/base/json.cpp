@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/json_parser.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {
@@ -34,9 +33,6 @@ struct JsonCursor::Document {
 
 namespace {
 
-// In messages, bytes of a key and of the parser's message, which may quote a whole text of the file.
-constexpr std::size_t longest_name = 60, longest_message = 250;
-
 const Node& as_node(const void* pointer) {
   return *static_cast<const Node*>(pointer);
 }
@@ -51,128 +47,8 @@ std::string kind(const Node& node) {
 }
 
 std::string member_path(const std::string& path, std::string_view key) {
-  std::string name = shortened(key, longest_name);
+  std::string name = shortened(key, longest_key);
   return path.empty() ? name : fmt::format("{}.{}", path, name);
-}
-
-// The parser's message ("... at line 3, column 7: ...") without its internal id, which users do not need.
-std::string parser_message(const std::exception& error) {
-  std::string text = error.what();
-  if (const auto id = text.find("] "); id != std::string::npos) text.erase(0, id + 2);
-  return text;
-}
-
-// Adds the line to "number overflow parsing '1e999'", which comes without a position.
-std::string overflow_message(const std::exception& error, std::string_view document) {
-  std::string message = parser_message(error);
-  const auto quote = message.find('\'');
-  if (quote == std::string::npos) return message;
-  const auto at = document.find(message.substr(quote + 1, message.rfind('\'') - quote - 1));
-  if (at == std::string_view::npos) return message;
-  return fmt::format("{} at line {}", message, 1 + std::count(document.begin(), document.begin() + at, '\n'));
-}
-
-// Deeper than any valid file. The limit is needed because a level costs much more memory than its bracket.
-constexpr std::size_t max_levels = 100;
-// Objects are searched key by key, so the time grows with the square of their keys.
-constexpr std::size_t max_keys = 10'000;
-
-// Checks the nesting and the keys before the document is parsed, in one pass and without keeping values. The
-// parser itself would silently use the last value of a duplicate key, and its callbacks take time that grows
-// with the square of the elements of a list.
-class KeyWatcher {
- public:
-  explicit KeyWatcher(const std::string& name) : name_(name) {}
-
-  bool start_object(std::size_t) { return open(false); }
-  bool start_array(std::size_t) { return open(true); }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
-  bool key(std::string& key) {
-    Level& level = open_.back();
-    level.key = key;
-    bytes_ += sizeof(std::pair<std::string, Node>) + key.size();
-    if (!level.keys.insert(key).second)
-      throw InputError(name_ + ": " + path(), "is a duplicate key", "remove one of the two");
-    if (level.keys.size() > max_keys) {
-      open_.pop_back();
-      throw InputError(open_.empty() ? name_ : name_ + ": " + path(),
-                       fmt::format("has more than {} keys", grouped(max_keys)),
-                       "check that it is the right file");
-    }
-    return true;
-  }
-  bool null() { return value(); }
-  bool boolean(bool) { return value(); }
-  bool number_integer(Node::number_integer_t) { return value(); }
-  bool number_unsigned(Node::number_unsigned_t) { return value(); }
-  bool number_float(Node::number_float_t, const std::string&) { return value(); }
-  bool string(std::string& text) {
-    bytes_ += sizeof(std::string) + text.size();
-    return value();
-  }
-  bool binary(Node::binary_t&) { return value(); }
-  /// The memory of the document, counted without parsing it, bytes. Lists may reserve twice their elements.
-  std::size_t bytes() const { return bytes_; }
-  // The parser itself reports the error.
-  bool parse_error(std::size_t, const std::string&, const std::exception&) { return false; }
-
- private:
-  struct Level {
-    bool is_array;
-    std::size_t index;
-    std::string key;
-    std::set<std::string> keys;
-  };
-
-  bool open(bool is_array) {
-    if (open_.size() >= max_levels)
-      throw InputError(name_, fmt::format("has more than {} nested brackets", max_levels),
-                       "check that it is the right file");
-    open_.push_back({is_array, 0, {}, {}});
-    return true;
-  }
-  bool close() {
-    open_.pop_back();
-    return value();
-  }
-  bool value() {
-    bytes_ += 2 * sizeof(Node);
-    if (!open_.empty()) ++open_.back().index;
-    return true;
-  }
-  std::string path() const {
-    std::string path;
-    for (const Level& level : open_)
-      path += level.is_array ? fmt::format("[{}]", level.index)
-                             : (path.empty() ? "" : ".") + shortened(level.key, longest_name);
-    return path;
-  }
-
-  const std::string& name_;
-  std::vector<Level> open_;
-  std::size_t bytes_ = 0;
-};
-
-Node parse_strictly(std::string_view text, const std::string& name) {
-  KeyWatcher keys(name);
-  try {
-    Node::sax_parse(text, &keys, Node::input_format_t::json, true, true);
-    if (keys.bytes() > memory_limit())
-      throw InputError(
-          name,
-          fmt::format("requires {:.3g} GB of memory; the limit is {:.3g} GB",
-                      1e-9 * static_cast<double>(keys.bytes()), 1e-9 * static_cast<double>(memory_limit())),
-          "check that it is the right file, or use a machine with more memory");
-    return Node::parse(text, nullptr, true, true);
-  } catch (const Node::out_of_range& error) {
-    throw InputError(
-        name, "has a number out of range (" + shortened(overflow_message(error, text), longest_message) + ")",
-        "correct the number");
-  } catch (const Node::exception& error) {
-    throw InputError(name, "is not valid JSON (" + shortened(parser_message(error), longest_message) + ")",
-                     "correct the syntax");
-  }
 }
 
 }  // namespace
@@ -200,7 +76,7 @@ JsonCursor JsonCursor::replaced(nlohmann::ordered_json value, const Origins& ori
 }
 
 JsonCursor JsonCursor::parse(std::string_view text, const std::string& name) {
-  auto document = std::make_shared<const Document>(Document{name, parse_strictly(text, name)});
+  auto document = std::make_shared<const Document>(Document{name, parse_json(text, name)});
   const void* root = &document->root;
   return {std::move(document), root, "", LengthUnit::m};
 }

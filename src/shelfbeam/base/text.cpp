@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/error.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -49,12 +51,6 @@ std::size_t character_bytes(std::string_view text, std::size_t i) {
   return length;
 }
 
-struct Character {
-  std::uint32_t code;  ///< code point, or a byte that is not UTF-8
-  std::size_t bytes;
-  bool is_printable, is_utf8;
-};
-
 // Control characters, marks and controls of the direction of writing, and invisible characters. The joiners
 // U+200C and U+200D are parts of words in some scripts.
 bool is_printable(std::uint32_t code) {
@@ -62,6 +58,43 @@ bool is_printable(std::uint32_t code) {
          code != 0x200E && code != 0x200F && !(code >= 0x2028 && code <= 0x202E) &&
          !(code >= 0x2060 && code <= 0x206F) && code != 0xFEFF && !(code >= 0xE0000 && code <= 0xE007F);
 }
+
+std::string escaped(const Character& character) {
+  if (character.code == '\n') return "\\n";
+  const bool is_byte = character.code < 0x80 || !character.is_utf8;
+  return is_byte ? fmt::format("\\x{:02x}", character.code) : fmt::format("\\u{:04x}", character.code);
+}
+
+// Whether the first characters look like text in units of `bytes`, in which only the byte `low` is in use for
+// most characters, and for none of them zero.
+bool has_units(std::string_view text, std::size_t bytes, std::size_t low) {
+  constexpr std::size_t most = 32;
+  const std::size_t units = std::min(text.size() / bytes, most);
+  std::size_t narrow = 0;
+  for (std::size_t k = 0; k < units; ++k) {
+    const std::string_view unit = text.substr(k * bytes, bytes);
+    if (unit[low] == '\0') return false;
+    if (static_cast<std::size_t>(std::count(unit.begin(), unit.end(), '\0')) == bytes - 1) ++narrow;
+  }
+  return 2 * narrow > units;
+}
+
+// "UTF-16", "UTF-32", or empty for texts whose characters begin with one byte.
+std::string_view wide_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv) || has_units(text, 4, 0) ||
+      has_units(text, 4, 3))
+    return "UTF-32";
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") || has_units(text, 2, 0) ||
+      has_units(text, 2, 1))
+    return "UTF-16";
+  return {};
+}
+
+// The longest word for which a typing error is looked for; the time grows with the square of the length.
+constexpr std::size_t longest_word = 100;
+
+}  // namespace
 
 Character character_at(std::string_view text, std::size_t i) {
   const auto byte = [&](std::size_t k) -> std::uint32_t { return static_cast<unsigned char>(text[k]); };
@@ -72,17 +105,6 @@ Character character_at(std::string_view text, std::size_t i) {
   for (std::size_t k = 1; k < bytes; ++k) code = code << 6 | (byte(i + k) & 0x3FU);
   return {code, bytes, is_printable(code), true};
 }
-
-std::string escaped(const Character& character) {
-  if (character.code == '\n') return "\\n";
-  const bool is_byte = character.code < 0x80 || !character.is_utf8;
-  return is_byte ? fmt::format("\\x{:02x}", character.code) : fmt::format("\\u{:04x}", character.code);
-}
-
-// The longest word for which a typing error is looked for; the time grows with the square of the length.
-constexpr std::size_t longest_word = 100;
-
-}  // namespace
 
 std::string nearest(std::string_view word, std::span<const std::string_view> known) {
   if (word.size() > longest_word) return {};
@@ -175,9 +197,22 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-bool is_utf16(std::string_view text) {
-  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
-         (text.size() > 1 && (text[0] == '\0') != (text[1] == '\0'));
+std::string_view without_mark(std::string_view text, const std::string& name, const char* remedy) {
+  if (const std::string_view encoding = wide_encoding(text); !encoding.empty())
+    throw InputError(name, fmt::format("is {}", encoding), remedy);
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  while (text.starts_with(mark)) text.remove_prefix(mark.size());
+  return text;
+}
+
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  const std::string_view line = text.substr(0, end);
+  if (end == std::string_view::npos)
+    text = {};
+  else
+    text.remove_prefix(end + (text.substr(end).starts_with("\r\n") ? 2 : 1));
+  return line;
 }
 
 std::string printable(std::string_view text) {

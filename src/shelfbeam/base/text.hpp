@@ -36,13 +36,30 @@ std::string grouped(std::uint64_t count);
 /// "1 label", "2 labels", "12,345 labels".
 std::string counted(std::uint64_t count, std::string_view singular, std::string_view plural = {});
 
+struct Character {
+  std::uint32_t code;  ///< code point, or a byte that is not UTF-8
+  std::size_t bytes;
+  bool is_printable;  ///< as in `printable`
+  bool is_utf8;
+};
+
+/// The character that begins at byte `i`.
+Character character_at(std::string_view text, std::size_t i);
+
 /// Whether the bytes are well-formed UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);
 
-/// Whether the text begins as UTF-16 does: with a byte order mark or with a null byte in its first character.
-bool is_utf16(std::string_view text);
+inline constexpr auto save_as_utf8 = "save it as UTF-8",
+                      save_table_as_utf8 = "save it as UTF-8 (in Excel: CSV UTF-8)";
 
-inline constexpr auto save_as_utf8 = "save it as UTF-8 (in Excel: CSV UTF-8)";
+/// The text of a file without a UTF-8 byte order mark. Every reader of text calls this first, `read_text` for
+/// it. Throws InputError, with `name` as the location, if the text is UTF-16 or UTF-32, which a mark or the
+/// null bytes of its first characters show.
+std::string_view without_mark(std::string_view text, const std::string& name,
+                              const char* remedy = save_as_utf8);
+
+/// Removes the first line of `text` and returns it without its end, which is LF, CR LF or CR.
+std::string_view take_line(std::string_view& text);
 
 /// `text` for a terminal: characters that control the terminal, change the direction of writing or are
 /// invisible are escaped ("\\n", "\\x1b", "\\u202e"), as are bytes that are not UTF-8.

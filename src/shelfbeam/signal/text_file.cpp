@@ -26,12 +26,11 @@ constexpr std::size_t piece = 1 << 16;
 }
 
 void check_is_text(const fs::path& path, std::string_view text) {
-  if (is_utf16(text)) throw InputError(path.string(), "is UTF-16", save_as_utf8);
   const auto is_binary = [](char c) {
     const auto code = static_cast<unsigned char>(c);
     return code < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
   };
-  const std::string_view head = text.substr(0, 4096);
+  const std::string_view head = without_mark(text, path.string(), save_table_as_utf8).substr(0, 4096);
   if (std::any_of(head.begin(), head.end(), is_binary))
     throw InputError(path.string(), "is neither a signal file (HDF5), nor NPY, nor text",
                      "check that it is complete and the right file (gzip is supported for text only)");
@@ -83,8 +82,8 @@ std::string read_text_file(const fs::path& path, std::size_t max_bytes) {
               : "check that it is the right file, or decompress it first");
   }
   text.resize(size);
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   check_is_text(path, text);
+  text.erase(0, text.size() - without_mark(text, path.string()).size());
   return text;
 }
 

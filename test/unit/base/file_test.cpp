@@ -21,6 +21,27 @@ TEST(ReadFile, GivesAllBytes) {
   EXPECT_EQ(read_file(folder.write("empty", "")), "");
 }
 
+TEST(ReadText, RemovesTheMark) {
+  const TempFolder folder;
+  EXPECT_EQ(read_text(folder.write("marked",
+                                   "\xEF\xBB\xBF"
+                                   "a\r\n")),
+            "a\r\n");
+  expect_input_error(
+      [&] {
+        read_text(folder.write("wide", std::string("\xFF\xFE"
+                                                   "a\0",
+                                                   4)));
+      },
+      "wide: is UTF-16");
+}
+
+TEST(ReadFile, RefusesNamesWithNullCharacters) {
+  const TempFolder folder;
+  const std::string name = folder.write("a", "secret").string() + std::string("\0.txt", 5);
+  expect_input_error([&] { read_file(name); }, "a\\x00.txt: ", "null character");
+}
+
 TEST(AtomicFile, AppearsOnlyWhenCommitted) {
   const TempFolder folder;
   {

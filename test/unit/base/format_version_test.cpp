@@ -1,6 +1,6 @@
-#include "shelfbeam/base/format_version.hpp"
-
 #include <gtest/gtest.h>
+
+#include "shelfbeam/base/file.hpp"
 
 #include "support/expect_input_error.hpp"
 

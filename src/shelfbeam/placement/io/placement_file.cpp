@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/format_version.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"

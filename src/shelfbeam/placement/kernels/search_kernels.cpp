@@ -1,6 +1,6 @@
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
 
-#include "shelfbeam/base/cpu_vectors.hpp"
+#include "shelfbeam/math/cpu_vectors.hpp"
 
 namespace shelfbeam::detail {
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/format_version.hpp"
 #include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/format_version.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/hdf5/file_checksum.hpp"
 #include "shelfbeam/signal/hdf5/hdf5_io.hpp"

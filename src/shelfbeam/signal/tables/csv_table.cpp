@@ -104,6 +104,7 @@ void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Appl
 }  // namespace
 
 SignalTable read_csv_table(std::string_view text, const std::string& name) {
+  text = without_mark(text, name, save_table_as_utf8);
   CsvReader csv(text, name, separator_of(text, name));
   SignalTable table;
   table.row_begin = {0};

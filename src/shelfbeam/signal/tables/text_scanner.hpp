@@ -18,7 +18,11 @@
 namespace shelfbeam::detail {
 
 inline bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f';
+  return c == ' ' || c == '\t' || c == '\f';
+}
+
+inline bool ends_line(char c) {
+  return c == '\n' || c == '\r';
 }
 
 enum class LineBreaks {
@@ -26,7 +30,8 @@ enum class LineBreaks {
   blank    ///< a line break is equivalent to a blank
 };
 
-/// Reads blank-separated numbers from a text. Other content throws InputError with file, line and character.
+/// Reads blank-separated numbers from a text, whose lines end with LF, CR LF or CR. Other content throws
+/// InputError with file, line and character.
 class TextScanner {
  public:
   /// Errors name the file as `name`. The text must outlive the scanner.
@@ -36,8 +41,9 @@ class TextScanner {
   /// Skips blanks and line breaks; true at the end of the text.
   bool at_end() {
     skip_blanks();
-    while (position_ < text_.size() && text_[position_] == '\n') {
-      line_begin_ = ++position_;
+    while (position_ < text_.size() && ends_line(text_[position_])) {
+      position_ += text_.substr(position_).starts_with("\r\n") ? 2 : 1;
+      line_begin_ = position_;
       ++line_;
       skip_blanks();
     }
@@ -46,7 +52,7 @@ class TextScanner {
   /// Throws unless the line ends here.
   void end_line(std::string_view what) {
     skip_blanks();
-    if (position_ < text_.size() && text_[position_] != '\n')
+    if (position_ < text_.size() && !ends_line(text_[position_]))
       fail(fmt::format("the line continues after {}", what), "remove the rest or correct the count");
   }
 
@@ -103,7 +109,8 @@ class TextScanner {
     else
       skip_blanks();
     const std::size_t begin = position_;
-    while (position_ < text_.size() && !is_blank(text_[position_]) && text_[position_] != '\n') ++position_;
+    while (position_ < text_.size() && !is_blank(text_[position_]) && !ends_line(text_[position_]))
+      ++position_;
     if (position_ == begin)
       fail(fmt::format("the {} ends where {} is expected", position_ == text_.size() ? "file" : "line", what),
            "check that the file is complete and its counts are right");

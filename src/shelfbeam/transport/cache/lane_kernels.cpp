@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "shelfbeam/base/cpu_vectors.hpp"
+#include "shelfbeam/math/cpu_vectors.hpp"
 #include "shelfbeam/math/warp.hpp"
 
 namespace shelfbeam {

@@ -1,5 +1,8 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
+#include <string>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include "shelfbeam/signal/constraints/stack_tables.hpp"
@@ -43,6 +46,35 @@ TEST(SignalTable, CandidatesAtOnePositionAreOptions) {
   // A matrix without positions has no mounting points.
   write_matrix_csv(with_options(), with_options().mean, folder / "signal.csv");
   EXPECT_EQ(read_signal_table(folder / "signal.csv").mounts, Mounts{});
+}
+
+std::string with_line_ends(std::string_view text, std::string_view end) {
+  std::string result;
+  for (const char c : text)
+    if (c == '\n')
+      result += end;
+    else
+      result += c;
+  return result;
+}
+
+TEST(SignalTable, MarksAndLineEndsDoNotMatter) {
+  const TempFolder folder;
+  for (const std::string text : {",T1,T2\nA,0.5,0\nB,0,2\n", "2 2 0.5\n1 0 0.5\n1 1 2\n",
+                                 "2 3\n1 1 1\n1\n1\n2\n2 3\n", "2 2\n1 1 1\n3 2 1 2\n"}) {
+    const SignalTable expected = read_signal_table(folder.write("a", text));
+    for (const std::string_view mark : {"", "\xEF\xBB\xBF"})
+      for (const std::string_view end : {"\n", "\r\n", "\r"}) {
+        const SignalTable table =
+            read_signal_table(folder.write("a", std::string(mark) + with_line_ends(text, end)));
+        EXPECT_EQ(table.row_begin, expected.row_begin) << text;
+        for (std::size_t k = 0; k < table.entries.size(); ++k) {
+          EXPECT_EQ(table.entries[k].transceiver, expected.entries[k].transceiver);
+          EXPECT_EQ(table.entries[k].signal, expected.entries[k].signal);
+        }
+      }
+  }
+  expect_file_refused(read_signal_table, "2 2 0.5\r1 0 nan\r0\r", "line 2, character 5", "NaN");
 }
 
 TEST(SignalTable, RefusesTwoInstalledUnitsAtOnePoint) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace shelfbeam {
+
+/// The longest part of a key in messages, bytes.
+inline constexpr std::size_t longest_key = 60;
+
+/// Parses a JSON document in UTF-8, with or without a byte order mark. Comments and a comma behind the last
+/// element of a list or an object are allowed, as editors of JSON with comments allow them; duplicate keys
+/// are not. Throws InputError, which names the file as `name`, with the line.
+nlohmann::ordered_json parse_json(std::string_view text, const std::string& name);
+
+}  // namespace shelfbeam
