@@ -42,7 +42,7 @@ class BareRays {
   };
   struct Packet {
     SurfacePoint from;
-    std::vector<Vec3> targets;
+    std::vector<RayEnd> targets;
   };
 
   const World& world_;

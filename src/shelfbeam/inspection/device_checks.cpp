@@ -52,7 +52,7 @@ std::optional<Distance> opaque_before(const Inspected& store, const SurfacePoint
   const double distance = length(hit->point.position - from.position);
   const NamedMaterial& named = store.scene.materials[hit->material.value];
   if (distance > limit || !is_opaque(named.material)) return std::nullopt;
-  return Distance{distance, &named, store.is_mesh[hit->triangle]};
+  return Distance{distance, &named, store.is_mesh[hit->point.triangle]};
 }
 
 // The distance to the first surface along a direction from a point slightly in front of a label, or infinity.

@@ -170,7 +170,7 @@ class Overlaps {
     for (int k = 0; k < max_surfaces; ++k) {
       const auto hit = store_.rays.intersect(from, direction);
       if (!hit || dot(hit->point.position - a, direction) >= size) return false;
-      if (hit->triangle - mesh.first_triangle < mesh.triangle_count) return true;
+      if (hit->point.triangle - mesh.first_triangle < mesh.triangle_count) return true;
       from = hit->point;
     }
     return false;

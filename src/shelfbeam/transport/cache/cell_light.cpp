@@ -44,7 +44,7 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
   std::vector<std::uint8_t> seen(width), hidden(width);
   std::vector<std::size_t> which;
   std::vector<float> open, shares;
-  std::vector<Vec3> targets;
+  std::vector<RayEnd> targets;
   const auto ask = [&](std::size_t quadrant, const SurfacePoint& lane_index, bool is_first) {
     const LanePoint point(lane_index);
     which.clear();

@@ -139,13 +139,13 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
   groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
 }
 
-void BrightSpots::draw(std::span<const Vec3> points, const Effort& effort, const Key& key,
+void BrightSpots::draw(std::span<const RayEnd> points, const Effort& effort, const Key& key,
                        std::vector<SpotLight>& lights, std::uint64_t& rays) const {
   lights.clear();
   for (const Spot& spot : spots_) {
     const Vec3& from = world_.scene.transceivers[spot.unit].position;
     double sum = 0;
-    for (const Vec3& point : points) sum += 1 / std::max(1.0, length_squared(point - from));
+    for (const RayEnd& point : points) sum += 1 / std::max(1.0, length_squared(point.position - from));
     const double much = spot.flux / pi * sum / static_cast<double>(points.size()) / effort.relevant;
     const double chance = std::clamp(much, min_chance, 1.0);
     RandomStream random(mix_key(key.stream, spot.unit), key.batch, 0, 0x5B07);

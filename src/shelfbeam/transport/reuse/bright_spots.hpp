@@ -80,14 +80,14 @@ class BrightSpots {
   struct Scratch {
     std::vector<SpotLight> lights;
     std::vector<std::uint32_t> receivers;
-    std::vector<Vec3> targets;
+    std::vector<RayEnd> targets;
     std::vector<double> values;
     std::vector<Transmittance> transmittances;
   };
 
   /// Samples lights for the receivers at some points. For any points, the expectation of their power is the
   /// whole flux above the caps.
-  void draw(std::span<const Vec3> points, const Effort& effort, const Key& key,
+  void draw(std::span<const RayEnd> points, const Effort& effort, const Key& key,
             std::vector<SpotLight>& lights, std::uint64_t& rays) const;
 
   /// The share of the light that rays from the unit bring to a receiver, 1 - C / e; p as in SpotRule.
@@ -99,7 +99,7 @@ class BrightSpots {
   /// Calls use(k, lane index of the unit, value) for the receivers k at some points that rays from units
   /// reach. `receive(k, direction)` returns the SpotReceiver for light from a unit-length direction.
   template <class Receive, class Use>
-  void add_light(std::span<const Vec3> points, const Effort& effort, const Key& key, Scratch& scratch,
+  void add_light(std::span<const RayEnd> points, const Effort& effort, const Key& key, Scratch& scratch,
                  std::uint64_t& rays, const Receive& receive, const Use& use) const {
     if (spots_.empty() || points.empty()) return;
     draw(points, effort, key, scratch.lights, rays);
@@ -108,7 +108,7 @@ class BrightSpots {
       scratch.targets.clear();
       scratch.values.clear();
       for (std::uint32_t k = 0; k < points.size(); ++k) {
-        const auto seen = sight(points[k], light.point);
+        const auto seen = sight(points[k].position, light.point);
         if (!seen) continue;  // a receiver that touches the surface from behind takes this light itself
         const SpotReceiver receiver = receive(k, seen->direction);
         if (!(receiver.response > 0)) continue;

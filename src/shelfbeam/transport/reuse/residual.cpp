@@ -65,7 +65,7 @@ void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, s
   for (std::uint32_t a = 0; a < vertices.size(); ++a) {
     if (!vertices[a].has_base()) continue;
     with_base.push_back(a);
-    scratch.targets.push_back(vertices[a].end.point.position);
+    scratch.targets.push_back(vertices[a].end.point);
   }
   const std::uint64_t stream = mix_key(key.stream, (std::uint64_t{key.group} << 32) | generation);
   const auto receive = [&](std::uint32_t k, const Vec3& from) {
@@ -208,7 +208,7 @@ struct Residual::Sharers {
   const PathVertex& found;
 
   std::size_t size() const { return vertices.size(); }
-  const Vec3& position(std::uint32_t a) const { return vertices[a].end.point.position; }
+  RayEnd end(std::uint32_t a) const { return vertices[a].end.point; }
   double rays(std::uint32_t a) const { return chances[a]; }
   double density(std::uint32_t a) const {
     return chances[a] > 0 ? cosine_area_density(vertices[a].end.point, found.end.point) : 0;

@@ -21,7 +21,7 @@ struct Sharing {
     double density;
   };
   std::vector<Receiver> receivers;
-  std::vector<Vec3> targets;
+  std::vector<RayEnd> targets;
   std::vector<Transmittance> transmittances;
 };
 
@@ -32,7 +32,7 @@ struct Sharing {
 ///     g_c p_c T_c / sum_k n_k p_k P_k
 ///
 /// times the radiance (BalanceHeuristic; unbiased: docs/methods/reuse.md). `receivers` has size() and, for
-/// each receiver c, position(c), rays(c) = n_c, density(c) = p_c, which is 0 if c cannot find the point, and
+/// each receiver c, end(c), rays(c) = n_c, density(c) = p_c, which is 0 if c cannot find the point, and
 /// gain(c) = g_c. `transmittance` belongs to the finder, whose ray has reached the point. Calls
 /// take(c, weight).
 template <class Receivers, class Take>
@@ -46,7 +46,7 @@ void share_point(const World& world, const SurfacePoint& point, const Receivers&
     const double density = receivers.density(c);
     if (!(density > 0)) continue;
     memory.receivers.push_back({c, density});
-    memory.targets.push_back(receivers.position(c));
+    memory.targets.push_back(receivers.end(c));
   }
   memory.transmittances.resize(memory.targets.size());
   world.rays.transmittances(point, memory.targets, memory.transmittances);
@@ -143,7 +143,7 @@ class Residual {
     std::vector<float> irradiance, importance;  ///< e_j and s_j of their lanes
     std::vector<std::uint8_t> zeros;            ///< v_j of groups that the cache omits
     std::vector<ShadowRay> shadow_rays;
-    std::vector<Vec3> targets;
+    std::vector<RayEnd> targets;
     std::vector<float> shares;  ///< V
     std::vector<std::uint32_t> with_base;
     Sharing sharing;

@@ -60,7 +60,7 @@ struct ReuseEstimator::Tables {
     std::vector<PathVertex> vertices;
     std::vector<Found> found;
     Sharing sharing;
-    std::vector<Vec3> targets;
+    std::vector<RayEnd> targets;
     std::vector<double> direct;
   };
 
@@ -139,7 +139,7 @@ struct ReuseEstimator::Tables {
   void add_spots(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                  std::uint64_t& rays) const {
     work.targets.clear();
-    for (const SurfacePoint& point : work.at) work.targets.push_back(point.position);
+    for (const SurfacePoint& point : work.at) work.targets.push_back(point);
     const auto receive = [&](std::uint32_t c, const Vec3& from) {
       const double response = world.receivers.response(block.rows[c], from);
       return SpotReceiver{response, response / integral(world.receivers.responsivity(block.rows[c]))};
@@ -194,7 +194,7 @@ struct ReuseEstimator::Tables {
     const PathVertex& vertex;
 
     std::size_t size() const { return block.rows.size(); }
-    const Vec3& position(std::uint32_t c) const { return at[c].position; }
+    RayEnd end(std::uint32_t c) const { return at[c]; }
     double rays(std::uint32_t) const { return 1; }
     double density(std::uint32_t c) const { return tables.pdf_of(block.rows[c], at[c], vertex.end.point); }
     double gain(std::uint32_t c) const {

@@ -61,7 +61,7 @@ std::uint64_t AnalyticDirect::fill_row(const World& world, std::size_t i) {
   const SurfacePoint at = world.receivers.point(i, 0, 0);
   std::vector<std::size_t> columns;
   std::vector<double> values;
-  std::vector<Vec3> targets;
+  std::vector<RayEnd> targets;
   for (std::size_t j = 0; j < columns_; ++j) {
     if (!world.emitters.is_point(j)) continue;
     const LightPoint light = world.emitters.point(j, 0, 0);

@@ -93,9 +93,10 @@ class LabelWalk {
       direction_ = frame.to_world(next->direction);
       passed_ = 0;
       pdf_ = next->pdf;
-      departure_ = next->specular ? after_specular(departure_, next->direction.z * outgoing.z > 0 &&
-                                                                   world_.mirrors.contains(hit.triangle))
-                                  : Departure::scattered;
+      departure_ = next->specular
+                       ? after_specular(departure_, next->direction.z * outgoing.z > 0 &&
+                                                        world_.mirrors.contains(hit.point.triangle))
+                       : Departure::scattered;
     }
     const double survival = survival_probability(throughput_ / weight_at_label_);
     if (to_uniform(random[3]) >= survival) return false;

@@ -46,7 +46,7 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::span<const std
   });
   std::vector<LabelCluster> clusters;
   std::vector<std::pair<double, std::uint32_t>> near;
-  std::vector<Vec3> targets;
+  std::vector<RayEnd> targets;
   std::vector<float> seen;
   std::vector<bool> is_taken(m);
   while (!left.empty()) {

@@ -101,19 +101,24 @@ std::optional<Connection> PlaneMirrors::mirror_path(std::size_t g, const Vec3& f
 
 double PlaneMirrors::share(std::size_t g, const Connection& way, const SurfacePoint& first,
                            const Vec3& second, const RayScene& rays) const {
-  double share = 1;
+  double share = 1, sum = 0;
   SurfacePoint from = first;
   for (;;) {
     const auto hit = rays.intersect(from, way.from_first);
-    if (!hit) return 0;
+    if (!hit) return sum;
     const Material& material = scene_.materials[hit->material.value].material;
     const double cosine = -dot(hit->point.normal, way.from_first);
-    if (mirror_of_[hit->triangle] == g) {
-      share *= specular_reflectance(material, {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine});
-      return share > 0 ? share * rays.transmittance(hit->point, second).share : 0;
+    if (mirror_of_[hit->point.triangle] == g) {
+      const double reflected =
+          share * specular_reflectance(material, {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine});
+      if (reflected > 0) sum += reflected * rays.transmittance(hit->point, second).share;
+      // Behind a pane there may be another mirror of the group.
+      if (!rays.has_contact(hit->point.triangle)) return sum;
+    } else if (sum > 0) {
+      return sum;
     }
     const auto* pane = std::get_if<ThinDielectric>(&material);
-    if (pane == nullptr) return 0;
+    if (pane == nullptr) return sum;
     share *= pane_transmittance(*pane, cosine);
     from = hit->point;
   }

@@ -17,6 +17,9 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/transport/world/contacts.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -33,6 +36,15 @@ constexpr double rounding = 1.0 / (1 << 24);
 // Offsets of rays in multiples of this error: at the start from a surface, and at the end from the target,
 // whose surface a ray may meet at a grazing angle. A quarter of either suffices in all tests.
 constexpr double steps = 16, end_steps = 64;
+// Surfaces within this reach of glass are ordered by Contacts: in multiples of this error, and at least.
+constexpr double reach_steps = 200, min_reach = 5e-5;  // m
+
+using Stack = std::vector<Contacts::Crossing>;
+
+bool contains(const Stack& stack, std::uint32_t triangle) {
+  return std::any_of(stack.begin(), stack.end(),
+                     [&](const auto& crossing) { return crossing.triangle == triangle; });
+}
 
 struct Float3 {
   float x, y, z;
@@ -42,15 +54,23 @@ Float3 to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-double largest_coordinate(const Scene& scene) {
+// The point from which coordinates count, and the largest of these.
+struct Origin {
+  Vec3 centre;
   double largest = 0;
-  const auto include = [&](const Vec3& p) {
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  };
-  for (const Vec3& vertex : scene.mesh.vertices) include(vertex);
-  for (const Label& label : scene.labels) include(label.position);
-  for (const Transceiver& unit : scene.transceivers) include(unit.position);
-  return largest;
+};
+
+Origin origin_of(const Scene& scene) {
+  Bounds box;
+  for (const Vec3& vertex : scene.mesh.vertices) box.include(vertex);
+  for (const Label& label : scene.labels) box.include(label.position);
+  for (const Transceiver& unit : scene.transceivers) box.include(unit.position);
+  const auto largest = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
+  const double from_zero = std::max(largest(box.low), largest(box.high));
+  const double from_middle = largest(box.high - box.low) / 2;
+  constexpr double far = 4;
+  if (from_zero <= far * from_middle) return {{}, from_zero};
+  return {(box.low + box.high) / 2, from_middle};
 }
 
 #if SHELFBEAM_EMBREE_MAJOR == 3
@@ -103,7 +123,7 @@ struct Triangle {
 
   // Barycentric coordinates give a point in the triangle's plane to rounding, however long the ray is.
   SurfacePoint point(double u, double v) const {
-    return {corner + edge1 * u + edge2 * v, normalized(cross(edge1, edge2))};
+    return {corner + edge1 * u + edge2 * v, normalized(cross(edge1, edge2)), number};
   }
 };
 
@@ -136,7 +156,8 @@ struct TriangleSet {
   throw std::bad_alloc();
 }
 
-EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<Triangle>& chosen) {
+EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const Vec3& centre,
+                  const std::vector<Triangle>& chosen) {
   EmbreeScene scene(rtcNewScene(device));
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
@@ -151,7 +172,7 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), chosen.size()));
   if (vertices == nullptr || indices == nullptr) give_up(std::move(scene));
   for (const Vec3& vertex : mesh.vertices) {
-    const Float3 v = to_float(vertex);
+    const Float3 v = to_float(vertex - centre);
     *vertices++ = v.x;
     *vertices++ = v.y;
     *vertices++ = v.z;
@@ -174,19 +195,21 @@ EmbreeScene build(RTCDevice device, const TriangleMesh& mesh, const std::vector<
 }  // namespace
 
 struct RayScene::Impl {
-  Device device;
-  std::vector<std::optional<ThinDielectric>> pane;  // by material
-  TriangleSet opaque, panes;                        // `panes` has no Embree scene if it is empty
-  double step = 0;                                  // distance from a surface at which rays start, m
-  double end = 0;                                   // distance before a point at which rays end, m
+  Vec3 centre;      // of the coordinates of Embree
+  double step = 0;  // distance from a surface at which rays start, m
+  double end = 0;   // distance before a point at which rays end, m
+  Contacts contacts;
+  Device device = {};
+  std::vector<std::optional<ThinDielectric>> pane = {};  // by material
+  TriangleSet opaque = {}, panes = {};                   // `panes` has no Embree scene if it is empty
 
   Float3 leave(const SurfacePoint& from, const Vec3& direction) const {
-    return to_float(from.position + from.normal * std::copysign(step, dot(from.normal, direction)));
+    return to_float(from.position - centre + from.normal * std::copysign(step, dot(from.normal, direction)));
   }
 
   // A ray that ends slightly before a point.
   RTCRay ray_to(const SurfacePoint& from, const Vec3& to) const {
-    const Float3 target = to_float(to);
+    const Float3 target = to_float(to - centre);
     const Vec3 way = to - from.position;
     const Float3 origin = leave(from, way);
     RTCRay ray{};
@@ -194,13 +217,74 @@ struct RayScene::Impl {
         static_cast<float>(std::max(0.0, 1 - end / length(way))));
     return ray;
   }
+
+  // The first surface on a ray, of both sets. Shortens the ray.
+  std::optional<Hit> first_on(RTCRayHit& ray) const {
+    const Triangle* triangle = opaque.cut(ray) ? &opaque.hit_by(ray) : nullptr;
+    float u = ray.hit.u, v = ray.hit.v;
+    if (panes.scene && panes.cut(ray)) {
+      triangle = &panes.hit_by(ray);
+      u = ray.hit.u;
+      v = ray.hit.v;
+    }
+    if (triangle == nullptr) return std::nullopt;
+    return Hit{triangle->point(static_cast<double>(u), static_cast<double>(v)), triangle->material};
+  }
+
+  void attenuate(Transmittance& light, MaterialId glass, double cosine) const {
+    const auto [reflected, transmitted] = pane_shares(*pane[glass.value], cosine);
+    light.share *= transmitted;
+    light.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
+  }
+
+  bool is_stacked(std::uint32_t triangle) const {
+    return triangle != no_triangle && contacts.contain(triangle);
+  }
+
+  Hit hit_at(const Contacts::Crossing& crossing, const Vec3& from, const Vec3& direction) const {
+    return {{from + direction * crossing.distance, contacts.normal(crossing.triangle), crossing.triangle},
+            contacts.material(crossing.triangle)};
+  }
+
+  // The surface of a stack that light meets first, if a ray has met one of them.
+  Hit enter_stack(const Hit& hit, const Vec3& from, const Vec3& direction, const Stack& left) const {
+    const double distance = dot(hit.point.position - from, direction);
+    for (const Contacts::Crossing& crossing :
+         contacts.stack(hit.point.triangle, hit.point.position, direction)) {
+      if (crossing.triangle == hit.point.triangle) break;
+      if (distance + crossing.distance > 0 && !contains(left, crossing.triangle))
+        return hit_at(crossing, hit.point.position, direction);
+    }
+    return hit;
+  }
+
+  // The next surface for light that leaves a surface of a stack: in the stack, or beyond it.
+  std::optional<Hit> leave_stack(const SurfacePoint& from, const Vec3& direction, RTCRayHit& ray) const {
+    const Stack stack = contacts.stack(from.triangle, from.position, direction);
+    const auto left = std::find_if(stack.begin(), stack.end(), [&](const Contacts::Crossing& crossing) {
+      return crossing.triangle == from.triangle;
+    });
+    if (left + 1 != stack.end()) return hit_at(left[1], from.position, direction);
+    auto hit = first_on(ray);
+    while (hit && contains(stack, hit->point.triangle)) {
+      ray.ray.tnear = std::nextafter(ray.ray.tfar, std::numeric_limits<float>::infinity());
+      ray.ray.tfar = std::numeric_limits<float>::infinity();
+      hit = first_on(ray);
+    }
+    if (hit && is_stacked(hit->point.triangle)) return enter_stack(*hit, from.position, direction, stack);
+    return hit;
+  }
 };
 
 RayScene::RayScene(const Scene& scene) {
-  auto impl = std::make_unique<Impl>();
-  const double unit = rounding * largest_coordinate(scene);
-  impl->step = steps * unit;
-  impl->end = end_ = end_steps * unit;
+  const auto [centre, largest] = origin_of(scene);
+  const double unit = rounding * largest;
+  auto impl =
+      std::make_unique<Impl>(Impl{.centre = centre,
+                                  .step = steps * unit,
+                                  .end = end_steps * unit,
+                                  .contacts = Contacts(scene, std::max(min_reach, reach_steps * unit))});
+  end_ = impl->end;
   for (const NamedMaterial& named : scene.materials) {
     const auto* pane = std::get_if<ThinDielectric>(&named.material);
     impl->pane.push_back(pane != nullptr ? std::optional(*pane) : std::nullopt);
@@ -211,9 +295,9 @@ RayScene::RayScene(const Scene& scene) {
   if (!impl->device) throw std::runtime_error("Embree does not support this processor");
   for (std::uint32_t t = 0; t < scene.mesh.triangles.size(); ++t)
     (impl->pane[scene.mesh.materials[t].value] ? impl->panes : impl->opaque).add(scene.mesh, t);
-  impl->opaque.scene = build(impl->device.get(), scene.mesh, impl->opaque.triangles);
+  impl->opaque.scene = build(impl->device.get(), scene.mesh, centre, impl->opaque.triangles);
   if (!impl->panes.triangles.empty())
-    impl->panes.scene = build(impl->device.get(), scene.mesh, impl->panes.triangles);
+    impl->panes.scene = build(impl->device.get(), scene.mesh, centre, impl->panes.triangles);
   impl_ = std::move(impl);
 }
 
@@ -222,47 +306,51 @@ RayScene::~RayScene() = default;
 std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& direction) const {
   RTCRayHit ray{};
   aim(ray.ray, impl_->leave(from, direction), to_float(direction), std::numeric_limits<float>::infinity());
-  const Triangle* triangle = impl_->opaque.cut(ray) ? &impl_->opaque.hit_by(ray) : nullptr;
-  float u = ray.hit.u, v = ray.hit.v;
-  if (impl_->panes.scene && impl_->panes.cut(ray)) {
-    triangle = &impl_->panes.hit_by(ray);
-    u = ray.hit.u;
-    v = ray.hit.v;
-  }
-  if (triangle == nullptr) return std::nullopt;
-  return Hit{triangle->point(static_cast<double>(u), static_cast<double>(v)), triangle->material,
-             triangle->number};
+  if (impl_->is_stacked(from.triangle)) return impl_->leave_stack(from, direction, ray);
+  const auto hit = impl_->first_on(ray);
+  if (!hit || !impl_->is_stacked(hit->point.triangle)) return hit;
+  return impl_->enter_stack(*hit, from.position, direction, {});
 }
 
-Transmittance RayScene::transmittance(const SurfacePoint& from, const Vec3& to) const {
-  RTCRay shadow = impl_->ray_to(from, to);
+bool RayScene::has_contact(std::uint32_t triangle) const {
+  return impl_->is_stacked(triangle);
+}
+
+Transmittance RayScene::transmittance(const SurfacePoint& from, const RayEnd& to) const {
+  if (impl_->is_stacked(from.triangle) || impl_->is_stacked(to.triangle)) return in_order(from, to);
+  RTCRay shadow = impl_->ray_to(from, to.position);
   trace(impl_->opaque.scene.get(), shadow);
   if (shadow.tfar < 0) return {0, 0};
   return impl_->panes.scene ? through_panes(from, to) : Transmittance{};
 }
 
-void RayScene::transmittances(const SurfacePoint& from, std::span<const Vec3> to,
+void RayScene::transmittances(const SurfacePoint& from, std::span<const RayEnd> to,
                               std::span<Transmittance> result) const {
   each_transmittance(from, to,
                      [&](std::size_t k, const Transmittance& transmittance) { result[k] = transmittance; });
 }
 
-void RayScene::shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const {
+void RayScene::shares(const SurfacePoint& from, std::span<const RayEnd> to, std::span<float> result) const {
   each_transmittance(from, to, [&](std::size_t k, const Transmittance& transmittance) {
     result[k] = static_cast<float>(transmittance.share);
   });
 }
 
 template <class Use>
-void RayScene::each_transmittance(const SurfacePoint& from, std::span<const Vec3> to, const Use& use) const {
+void RayScene::each_transmittance(const SurfacePoint& from, std::span<const RayEnd> to,
+                                  const Use& use) const {
   constexpr std::size_t width = 16;
+  const bool leaves_stack = impl_->is_stacked(from.triangle);
   for (std::size_t first = 0; first < to.size(); first += width) {
     const std::size_t count = std::min(width, to.size() - first);
     alignas(64) RTCRay16 rays{};
     alignas(64) int valid[width];
+    bool is_stacked[width];
     for (std::size_t k = 0; k < width; ++k) {
-      valid[k] = k < count ? -1 : 0;
-      const RTCRay ray = impl_->ray_to(from, to[first + std::min(k, count - 1)]);
+      const RayEnd& end = to[first + std::min(k, count - 1)];
+      is_stacked[k] = leaves_stack || impl_->is_stacked(end.triangle);
+      valid[k] = k < count && !is_stacked[k] ? -1 : 0;
+      const RTCRay ray = impl_->ray_to(from, end.position);
       rays.org_x[k] = ray.org_x;
       rays.org_y[k] = ray.org_y;
       rays.org_z[k] = ray.org_z;
@@ -280,25 +368,42 @@ void RayScene::each_transmittance(const SurfacePoint& from, std::span<const Vec3
     }
     if (impl_->panes.scene) trace(impl_->panes.scene.get(), valid, rays);
     for (std::size_t k = 0; k < count; ++k)
-      use(first + k, is_blocked[k]      ? Transmittance{0, 0}
+      use(first + k, is_stacked[k]      ? in_order(from, to[first + k])
+                     : is_blocked[k]    ? Transmittance{0, 0}
                      : rays.tfar[k] < 0 ? through_panes(from, to[first + k])
                                         : Transmittance{});
   }
 }
 
-Transmittance RayScene::through_panes(const SurfacePoint& from, const Vec3& to) const {
-  const Vec3 direction = normalized(to - from.position);
+Transmittance RayScene::through_panes(const SurfacePoint& from, const RayEnd& to) const {
+  const Vec3 direction = normalized(to.position - from.position);
   Transmittance transmittance;
   for (SurfacePoint at = from; transmittance.share > 0;) {
-    RTCRayHit ray{impl_->ray_to(at, to), {}};
+    RTCRayHit ray{impl_->ray_to(at, to.position), {}};
     if (!impl_->panes.cut(ray)) break;
     const Triangle& pane = impl_->panes.hit_by(ray);
+    if (impl_->is_stacked(pane.number)) return in_order(from, to);
     at = pane.point(static_cast<double>(ray.hit.u), static_cast<double>(ray.hit.v));
-    if (dot(to - at.position, direction) <= 0) break;
-    const auto [reflected, transmitted] =
-        pane_shares(*impl_->pane[pane.material.value], dot(at.normal, direction));
-    transmittance.share *= transmitted;
-    transmittance.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
+    if (dot(to.position - at.position, direction) <= 0) break;
+    impl_->attenuate(transmittance, pane.material, dot(at.normal, direction));
+  }
+  return transmittance;
+}
+
+// The transmittance of a connection that meets a stack, surface by surface.
+Transmittance RayScene::in_order(const SurfacePoint& from, const RayEnd& to) const {
+  const Vec3 direction = normalized(to.position - from.position);
+  Transmittance transmittance;
+  SurfacePoint at = from;
+  while (transmittance.share > 0) {
+    const auto hit = intersect(at, direction);
+    if (!hit || (to.triangle == hit->point.triangle)) break;
+    const double left = dot(to.position - hit->point.position, direction);
+    // Surfaces near the end do not count unless they are in contact with its surface.
+    if (left <= end_ && !impl_->contacts.are_partners(to.triangle, hit->point.triangle)) break;
+    if (!impl_->pane[hit->material.value]) return {0, 0};
+    at = hit->point;
+    impl_->attenuate(transmittance, hit->material, dot(at.normal, direction));
   }
   return transmittance;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -11,18 +12,29 @@
 
 namespace shelfbeam {
 
+inline constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
+
 /// A point that touches a surface, or may touch one. Rays leave it on the side of the surface to which they
 /// lead.
 struct SurfacePoint {
   Vec3 position;
-  Vec3 normal;  ///< unit length, of either side
+  Vec3 normal;                           ///< unit length, of either side
+  std::uint32_t triangle = no_triangle;  ///< of the mesh, on which the point lies
+};
+
+/// The end of a connection.
+struct RayEnd {
+  RayEnd(const Vec3& p) : position(p) {}
+  RayEnd(const SurfacePoint& p) : position(p.position), triangle(p.triangle) {}
+
+  Vec3 position;
+  std::uint32_t triangle = no_triangle;
 };
 
 /// The intersection of a ray with a surface.
 struct Hit {
   SurfacePoint point;  ///< with the normal by the triangle's winding, on whichever side the ray came from
   MaterialId material;
-  std::uint32_t triangle = 0;
 
   /// Distance at which a ray meets the plane of the triangle, exactly equal for everything in this plane.
   double distance(const Vec3& origin, const Vec3& direction) const {
@@ -42,7 +54,9 @@ struct Transmittance {
 /// multiples of the single-precision rounding error of the largest coordinate in the scene: 0.02 and 0.08 mm
 /// in a store of 20 m, 0.2 and 0.8 mm in a store of 200 m. (An offset by the point's own coordinates, as in
 /// Wächter and Binder, Ray Tracing Gems, 2019, is too small near the origin for triangles that extend far
-/// from it.)
+/// from it.) Coordinates count from the middle of a scene that lies far from its origin.
+///
+/// Glass and the surfaces in contact with it are met in the order of Contacts, however near they are.
 class RayScene {
  public:
   explicit RayScene(const Scene& scene);
@@ -53,13 +67,16 @@ class RayScene {
 
   /// Transmittance of the straight connection to a point, which may touch a surface. Panes attenuate;
   /// everything else blocks, solid glass included.
-  Transmittance transmittance(const SurfacePoint& from, const Vec3& to) const;
+  Transmittance transmittance(const SurfacePoint& from, const RayEnd& to) const;
 
   /// The transmittances from one point to many, in packets of sixteen rays; `shares` gives only
   /// Transmittance::share.
-  void transmittances(const SurfacePoint& from, std::span<const Vec3> to,
+  void transmittances(const SurfacePoint& from, std::span<const RayEnd> to,
                       std::span<Transmittance> result) const;
-  void shares(const SurfacePoint& from, std::span<const Vec3> to, std::span<float> result) const;
+  void shares(const SurfacePoint& from, std::span<const RayEnd> to, std::span<float> result) const;
+
+  /// Whether a triangle is glass or touches glass, with other surfaces in the same place.
+  bool has_contact(std::uint32_t triangle) const;
 
   /// Whether a ray meets a point at `distance` between surfaces at `nearest` and `farthest`. Rays to a point
   /// ignore obstacles near their end, so a point that touches a surface from behind is met before this
@@ -70,8 +87,9 @@ class RayScene {
 
  private:
   template <class Use>
-  void each_transmittance(const SurfacePoint& from, std::span<const Vec3> to, const Use& use) const;
-  Transmittance through_panes(const SurfacePoint& from, const Vec3& to) const;
+  void each_transmittance(const SurfacePoint& from, std::span<const RayEnd> to, const Use& use) const;
+  Transmittance through_panes(const SurfacePoint& from, const RayEnd& to) const;
+  Transmittance in_order(const SurfacePoint& from, const RayEnd& to) const;
 
   struct Impl;
   std::unique_ptr<const Impl> impl_;

@@ -54,7 +54,7 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
       if (dot(end.point.normal, direction) > 0) end.point.normal = -end.point.normal;
       end.outgoing = -direction;
       end.material = hit->material;
-      end.is_imaged = world.mirrors.contains(hit->triangle);
+      end.is_imaged = world.mirrors.contains(hit->point.triangle);
       end.arrived = departure;
       return end;
     }
@@ -74,8 +74,8 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
       vertex = hit->point.position;
       passed = 0;
       direction = frame.to_world(next->direction);
-      departure = after_specular(departure,
-                                 next->direction.z * outgoing.z > 0 && world.mirrors.contains(hit->triangle));
+      departure = after_specular(
+          departure, next->direction.z * outgoing.z > 0 && world.mirrors.contains(hit->point.triangle));
     }
     // Russian roulette on the throughput, because between two mirrors a ray would never end.
     if (step >= 8 && !end.is_straight) {

@@ -1,0 +1,24 @@
+"""Glass in contact with other surfaces: the signal of L1, W/m^2."""
+
+from rows import Row, between, run, signals
+
+
+def signal(store):
+    return lambda scratch: signals(store, scratch)["L1", "U1"]
+
+
+def warnings(store):
+    """Whether the program reports that the label and the unit are separated."""
+    return lambda scratch: "separate" in run("inspect", store).out
+
+
+ROWS = [
+    Row("poster_on_door.json", "0, no light passes a poster", signal("poster_on_door.json"), between(0, 0)),
+    Row("poster_on_door.json, inspect", "a warning of separation", warnings("poster_on_door.json"), bool),
+    Row("poster_before_door.json, inspect", "a warning of separation", warnings("poster_before_door.json"), bool),
+    Row("jar_on_table.json", "0.124 +- 0.005", signal("jar_on_table.json"), between(0.119, 0.129)),
+    Row("jar_above_table.json", "0.124 +- 0.005", signal("jar_above_table.json"), between(0.119, 0.129)),
+    Row("glass_touching.json", "0.112 to 0.116", signal("glass_touching.json"), between(0.110, 0.118)),
+    Row("glass_on_pane.json", "0.113 +- 0.003", signal("glass_on_pane.json"), between(0.110, 0.116)),
+    Row("glass_above_pane.json", "0.113 +- 0.003", signal("glass_above_pane.json"), between(0.110, 0.116)),
+]
