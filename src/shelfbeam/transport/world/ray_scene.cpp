@@ -17,8 +17,8 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/transport/world/contacts.hpp"
+#include "shelfbeam/transport/world/extent.hpp"
 
 namespace shelfbeam {
 
@@ -41,9 +41,9 @@ constexpr double reach_steps = 200, min_reach = 5e-5;  // m
 
 using Stack = std::vector<Contacts::Crossing>;
 
-bool contains(const Stack& stack, std::uint32_t triangle) {
-  return std::any_of(stack.begin(), stack.end(),
-                     [&](const auto& crossing) { return crossing.triangle == triangle; });
+Stack::const_iterator find(const Stack& stack, std::uint32_t triangle) {
+  return std::find_if(stack.begin(), stack.end(),
+                      [&](const auto& crossing) { return crossing.triangle == triangle; });
 }
 
 struct Float3 {
@@ -55,21 +55,13 @@ Float3 to_float(const Vec3& v) {
 }
 
 // The point from which coordinates count, and the largest of these.
-struct Origin {
-  Vec3 centre;
-  double largest = 0;
-};
-
-Origin origin_of(const Scene& scene) {
-  Bounds box;
-  for (const Vec3& vertex : scene.mesh.vertices) box.include(vertex);
-  for (const Label& label : scene.labels) box.include(label.position);
-  for (const Transceiver& unit : scene.transceivers) box.include(unit.position);
+std::pair<Vec3, double> origin_of(const Scene& scene) {
+  const Bounds box = extent(scene);
   const auto largest = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
   const double from_zero = std::max(largest(box.low), largest(box.high));
   const double from_middle = largest(box.high - box.low) / 2;
   constexpr double far = 4;
-  if (from_zero <= far * from_middle) return {{}, from_zero};
+  if (from_zero <= far * from_middle) return {Vec3{}, from_zero};
   return {(box.low + box.high) / 2, from_middle};
 }
 
@@ -252,7 +244,7 @@ struct RayScene::Impl {
     for (const Contacts::Crossing& crossing :
          contacts.stack(hit.point.triangle, hit.point.position, direction)) {
       if (crossing.triangle == hit.point.triangle) break;
-      if (distance + crossing.distance > 0 && !contains(left, crossing.triangle))
+      if (distance + crossing.distance > 0 && find(left, crossing.triangle) == left.end())
         return hit_at(crossing, hit.point.position, direction);
     }
     return hit;
@@ -261,12 +253,10 @@ struct RayScene::Impl {
   // The next surface for light that leaves a surface of a stack: in the stack, or beyond it.
   std::optional<Hit> leave_stack(const SurfacePoint& from, const Vec3& direction, RTCRayHit& ray) const {
     const Stack stack = contacts.stack(from.triangle, from.position, direction);
-    const auto left = std::find_if(stack.begin(), stack.end(), [&](const Contacts::Crossing& crossing) {
-      return crossing.triangle == from.triangle;
-    });
+    const auto left = find(stack, from.triangle);
     if (left + 1 != stack.end()) return hit_at(left[1], from.position, direction);
     auto hit = first_on(ray);
-    while (hit && contains(stack, hit->point.triangle)) {
+    while (hit && find(stack, hit->point.triangle) != stack.end()) {
       ray.ray.tnear = std::nextafter(ray.ray.tfar, std::numeric_limits<float>::infinity());
       ray.ray.tfar = std::numeric_limits<float>::infinity();
       hit = first_on(ray);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include "shelfbeam/transport/world/extent.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -26,14 +28,8 @@ struct TimesIntensity {
 };
 
 double largest_extent(const Scene& scene) {
-  Vec3 lower = scene.lower, upper = scene.upper;
-  const auto hold = [&](const Vec3& p) {
-    lower = {std::min(lower.x, p.x), std::min(lower.y, p.y), std::min(lower.z, p.z)};
-    upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
-  };
-  for (const Label& label : scene.labels) hold(label.position);
-  for (const Transceiver& unit : scene.transceivers) hold(unit.position);
-  const Vec3 size = upper - lower;
+  const Bounds box = extent(scene);
+  const Vec3 size = box.high - box.low;
   return std::max({size.x, size.y, size.z});
 }
 

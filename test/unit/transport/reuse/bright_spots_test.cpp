@@ -107,7 +107,7 @@ TEST(BrightSpots, CarryTheWholeExcess) {
       Moments drawn;
       std::vector<SpotLight> lights;
       std::uint64_t rays = 0;
-      const std::vector<Vec3> points{{14, 8, 1}, {10, 6, 1}};
+      const std::vector<RayEnd> points{Vec3{14, 8, 1}, Vec3{10, 6, 1}};
       for (std::uint32_t batch = 0; batch < 20000; ++batch) {
         spots.draw(points, effort, {7, batch}, lights, rays);
         double power = 0;

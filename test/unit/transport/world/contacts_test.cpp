@@ -22,7 +22,7 @@ namespace shelfbeam {
 namespace {
 
 enum class Thing { pane, sheet, glass, box };
-constexpr std::array things{Thing::pane, Thing::sheet, Thing::glass, Thing::box};
+constexpr std::array all_things{Thing::pane, Thing::sheet, Thing::glass, Thing::box};
 constexpr std::array names{"pane", "sheet", "solid glass", "box"};
 
 constexpr bool is_sheet(Thing thing) {
@@ -140,13 +140,13 @@ double difference(const Arrangement& a, const Arrangement& b, bool forgets = fal
   return compared > 0 ? different / compared : 0;
 }
 
-const std::array<Vec3, 5> directions{
-    Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0.4, -0.7, 0.3}};
+const std::array<Vec3, 5> directions{Vec3{0, 0, 1}, Vec3{0, 0, -1}, Vec3{1, 0, 0}, Vec3{0, -1, 0},
+                                     Vec3{0.4, -0.7, 0.3}};
 
 template <class Use>
 void each_arrangement(const Use& use) {
-  for (const Thing lower : things)
-    for (const Thing upper : things)
+  for (const Thing lower : all_things)
+    for (const Thing upper : all_things)
       if (is_glass(lower) || is_glass(upper))
         for (const Vec3& up : directions) use(Arrangement{lower, upper, up, {0.37, 0.21, 0.83}});
 }
@@ -154,7 +154,8 @@ void each_arrangement(const Use& use) {
 std::string describe(const Arrangement& a) {
   return std::string(names[static_cast<std::size_t>(a.upper)]) + " on " +
          names[static_cast<std::size_t>(a.lower)] + ", up " + std::to_string(a.up.x) + " " +
-         std::to_string(a.up.z) + ", at " + std::to_string(a.place.x) + ", gap " + std::to_string(1e6 * a.gap);
+         std::to_string(a.up.z) + ", at " + std::to_string(a.place.x) + ", gap " +
+         std::to_string(1e6 * a.gap);
 }
 
 // Sheets have no inside, so two sheets that overlap lie in the other order, and in one place in either.

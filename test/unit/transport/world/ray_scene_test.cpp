@@ -149,8 +149,8 @@ TEST(RayScene, ThinSheetsBlockInAHall) {
 TEST(RayScene, FixturesBlock) {
   const Scene scene = test::SmallStore{}.scene();
   const RayScene rays(scene);
-  EXPECT_EQ(rays.transmittance({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 4.5, 0.4}).share, 0);
-  EXPECT_EQ(rays.transmittance({{2, 1.0, 0.3}, {0, -1, 0}}, {2, 0.2, 2.9}).share, 1);
+  EXPECT_EQ(rays.transmittance({{2, 1.0, 0.3}, {0, -1, 0}}, Vec3{2, 4.5, 0.4}).share, 0);
+  EXPECT_EQ(rays.transmittance({{2, 1.0, 0.3}, {0, -1, 0}}, Vec3{2, 0.2, 2.9}).share, 1);
 }
 
 // Rays from points on the surfaces below to points in the air, in packets of every size from 1 to 40: equal
@@ -168,7 +168,7 @@ TEST(RayScene, PacketsAgreeWithSingleRays) {
   for (std::uint32_t k = 0; k < 600; ++k) {
     const auto hit = rays.intersect({place(k, 0), {0, 0, 1}}, {0, 0, -1});
     const SurfacePoint from{hit ? hit->point.position : place(k, 0), {0, 0, 1}};
-    std::vector<Vec3> to;
+    std::vector<RayEnd> to;
     for (std::uint32_t t = 0; t < 1 + k % 40; ++t) to.push_back(place(k, t + 1));
     std::vector<float> shares(to.size(), -1);
     std::vector<Transmittance> transmittances(to.size());
