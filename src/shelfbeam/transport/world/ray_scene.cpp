@@ -60,8 +60,7 @@ std::pair<Vec3, double> origin_of(const Scene& scene) {
   const auto largest = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
   const double from_zero = std::max(largest(box.low), largest(box.high));
   const double from_middle = largest(box.high - box.low) / 2;
-  constexpr double far = 4;
-  if (from_zero <= far * from_middle) return {Vec3{}, from_zero};
+  if (from_zero <= 4 * from_middle) return {Vec3{}, from_zero};
   return {(box.low + box.high) / 2, from_middle};
 }
 
