@@ -1,10 +1,9 @@
 #include "app/plan_record.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <fstream>
-#include <sstream>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -100,31 +99,13 @@ FileHashes hashes_of(const AtomicFolder& files) {
   return hashes;
 }
 
-PlanJournal::PlanJournal(fs::path folder) : folder_(std::move(folder)) {
-  const fs::path file = folder_ / journal_name;
-  const fs::file_status status = fs::symlink_status(file);
-  if (!fs::exists(status)) return;
-  constexpr std::uint64_t most = 1 << 16;
-  std::istringstream text(fs::is_regular_file(status) ? read_file(file, most) : "");
-  for (std::string name, hash; text >> name >> hash;) files_.emplace(name, hash);
-  const auto is_foreign = [](const auto& entry) { return entry.second.size() != content_hash("").size(); };
-  if (files_.empty() || std::any_of(files_.begin(), files_.end(), is_foreign))
-    throw InputError(file.string(), "was not written by an earlier run in this folder", "move it elsewhere");
-}
-
-bool PlanJournal::contains(const std::string& name) const {
-  const auto found = files_.lower_bound({name, ""});
-  return found != files_.end() && found->first == name;
-}
+PlanJournal::PlanJournal(fs::path folder) : FileJournal(std::move(folder), journal_name) {}
 
 void PlanJournal::commit(AtomicFolder& files, const FileHashes& older, const FileHashes& newer,
                          const std::vector<std::string>& outdated) const {
-  std::string text;
-  for (const FileHashes* hashes : {&older, &newer})
-    for (const auto& [name, hash] : *hashes) text += fmt::format("{} {}\n", name, hash);
-  const fs::path journal = folder_ / journal_name, placement = folder_ / placement_name;
+  const fs::path placement = file().parent_path() / placement_name;
   try {
-    write_file(journal, text);
+    write({older, newer});
   } catch (const OutputError& error) {
     if (older.empty()) throw;
     throw OutputError(error, "the older files of the plan are unchanged", Setting::none);
@@ -134,10 +115,10 @@ void PlanJournal::commit(AtomicFolder& files, const FileHashes& older, const Fil
     files.commit(outdated);
   } catch (...) {
     // Without placement.json, the old files were not all restored.
-    if (!older.contains(placement_name) || fs::exists(placement, none)) fs::remove(journal, none);
+    if (!older.contains(placement_name) || fs::exists(placement, none)) fs::remove(file(), none);
     throw;
   }
-  fs::remove(journal, none);
+  fs::remove(file(), none);
 }
 
 }  // namespace shelfbeam::app

@@ -1,20 +1,16 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "shelfbeam/base/file.hpp"
 
-namespace shelfbeam::app {
+#include "app/file_journal.hpp"
 
-/// Hashes of the files of a plan, by their names.
-using FileHashes = std::map<std::string, std::string>;
+namespace shelfbeam::app {
 
 /// The end of placement.json in the folder of a plan, by which a later run recognises the plan's files.
 struct PlanRecord {
@@ -44,22 +40,14 @@ FileHashes hashes_of(const AtomicFolder& files);
 
 /// The files that a run was about to replace, and those by which it replaced them. They remain in a hidden
 /// file of the folder if the run is killed, so that the next run recognises both.
-class PlanJournal {
+class PlanJournal : public FileJournal {
  public:
   /// Reads the journal of a killed run, if there is one. Throws InputError for any other file of its name.
   explicit PlanJournal(std::filesystem::path folder);
-  bool contains(const std::string& name) const;
-  bool contains(const std::string& name, const std::string& hash) const {
-    return files_.contains({name, hash});
-  }
 
   /// Commits the files of the folder under the protection of a journal. Throws OutputError.
   void commit(AtomicFolder& files, const FileHashes& older, const FileHashes& newer,
               const std::vector<std::string>& outdated) const;
-
- private:
-  std::filesystem::path folder_;
-  std::set<std::pair<std::string, std::string>> files_;
 };
 
 }  // namespace shelfbeam::app
