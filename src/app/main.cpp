@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <map>
 #include <memory>
 #include <new>
 #include <string>
@@ -20,6 +19,7 @@
 
 #include "app/options/arguments.hpp"
 #include "app/options/usage.hpp"
+#include "app/text/flags.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -40,28 +40,6 @@ void occupy_standard_streams() {
 void print_line(std::string_view kind, std::string_view text) {
   const Style style = kind == "stopped" ? Style::warning : Style::error;
   print_message("{} {}\n", styled(style, fmt::format("{}:", kind), stderr), one_line(text));
-}
-
-// The library does not know the names of the flags.
-std::string with_flag(std::string_view text, Setting setting) {
-  static const std::map<Setting, std::string_view> flags{{Setting::memory, "--memory"},
-                                                         {Setting::files_outside, "--allow-outside"},
-                                                         {Setting::resumption, "--resume"},
-                                                         {Setting::requirement, "--threshold"},
-                                                         {Setting::forbidden_pairs, "--forbid"},
-                                                         {Setting::share, "--share"},
-                                                         {Setting::units, "--at-most"},
-                                                         {Setting::failure, "--survive-failure"},
-                                                         {Setting::estimator, "--estimator"},
-                                                         {Setting::strategy, "--strategy"},
-                                                         {Setting::direct_light, "--direct"},
-                                                         {Setting::bounces, "--max-bounces"},
-                                                         {Setting::strictness, "--strict"},
-                                                         {Setting::overwriting, "--overwrite"},
-                                                         {Setting::part, "--part"},
-                                                         {Setting::signals, "--signal"}};
-  const auto found = flags.find(setting);
-  return found == flags.end() ? std::string(text) : fmt::format("{} ({})", text, found->second);
 }
 
 // Names the program and adds every verb. Parsing fills `chosen`, which must outlive `app`.

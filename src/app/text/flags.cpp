@@ -1,0 +1,30 @@
+#include "app/text/flags.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+namespace shelfbeam::app {
+
+std::string with_flag(std::string_view message, Setting setting) {
+  static const std::map<Setting, std::string_view> flags{{Setting::memory, "--memory"},
+                                                         {Setting::files_outside, "--allow-outside"},
+                                                         {Setting::resumption, "--resume"},
+                                                         {Setting::requirement, "--threshold"},
+                                                         {Setting::forbidden_pairs, "--forbid"},
+                                                         {Setting::share, "--share"},
+                                                         {Setting::units, "--at-most"},
+                                                         {Setting::failure, "--survive-failure"},
+                                                         {Setting::estimator, "--estimator"},
+                                                         {Setting::strategy, "--strategy"},
+                                                         {Setting::direct_light, "--direct"},
+                                                         {Setting::bounces, "--max-bounces"},
+                                                         {Setting::strictness, "--strict"},
+                                                         {Setting::overwriting, "--overwrite"},
+                                                         {Setting::part, "--part"},
+                                                         {Setting::signals, "--signal"}};
+  const auto found = flags.find(setting);
+  return found == flags.end() ? std::string(message) : fmt::format("{} ({})", message, found->second);
+}
+
+}  // namespace shelfbeam::app
