@@ -1,6 +1,5 @@
 #include "app/plan_folder.hpp"
 
-#include <array>
 #include <exception>
 #include <optional>
 #include <system_error>
@@ -19,11 +18,6 @@ namespace {
 constexpr auto finished_plan = "contains a finished plan, which is not replaced";
 constexpr auto finished_plan_since = "has received a finished plan since the run started; it is not replaced";
 constexpr auto foreign_file = "was not written by an earlier run in this folder, or was changed since";
-// The first is blamed first: without it, no other is known.
-constexpr std::array names{placement_name, store_name,           signal_name,         verification_name,
-                           labels_name,    placement_table_name, mounting_table_name, mounting_drawing_name,
-                           report_name};
-
 // Plans of version 0.2.0 and earlier have no record. `place` writes such a file, too, but without the others.
 bool is_old_plan(const fs::path& folder) {
   try {
@@ -72,7 +66,7 @@ PlanFolder::Found PlanFolder::look() const {
     return is_old || (is_recorded && record->hashes.at(name) == hash) || journal.contains(name, hash) ||
            (name == store_name && read_file(file) == store_);
   };
-  for (const char* name : names)
+  for (const char* name : plan_file_names)
     if (!found.foreign && fs::exists(fs::symlink_status(folder / name)) && !is_ours(name))
       found.foreign = name;
   return found;
@@ -111,7 +105,7 @@ PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite)
   if (found.foreign)
     throw InputError((path / *found.foreign).string(), foreign_file,
                      "move it to another place, or choose another folder for the plan");
-  for (const char* name : names) const AtomicFile probe(path / name);
+  for (const char* name : plan_file_names) const AtomicFile probe(path / name);
 }
 
 void PlanFolder::commit(AtomicFolder& files, const FileHashes& hashes) const {

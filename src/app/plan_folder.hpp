@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -22,6 +23,10 @@ inline constexpr auto mounting_drawing_name = "mounting.dxf";
 inline constexpr auto verification_name = "verification.csv";
 inline constexpr auto report_name = "report.html";
 inline constexpr auto states_checkpoint_name = "states.checkpoint";  ///< of an interrupted run
+/// The files of a plan. The first is blamed first: without it, no other is known.
+inline constexpr std::array plan_file_names{
+    placement_name,       store_name,          signal_name,           verification_name, labels_name,
+    placement_table_name, mounting_table_name, mounting_drawing_name, report_name};
 
 /// The folder of a plan during a run, which no other run can use.
 class PlanFolder {

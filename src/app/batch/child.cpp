@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -51,6 +52,17 @@ class Sink {
   int descriptor_;
 };
 
+// Makes only calls that are safe between fork and exec.
+std::function<int()> execution(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return [pointers = std::move(pointers)] {
+    ::execvp(pointers[0], pointers.data());
+    return 127;
+  };
+}
+
 }  // namespace
 
 struct Child::State {
@@ -59,16 +71,14 @@ struct Child::State {
   pid_t id = 0;
 };
 
-Child::Child(std::vector<std::string> words, std::uint64_t memory) : state_(std::make_unique<State>()) {
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
+Child::Child(std::vector<std::string> words, std::uint64_t memory) : Child(execution(words), memory) {}
+
+Child::Child(const std::function<int()>& work, std::uint64_t memory) : state_(std::make_unique<State>()) {
   std::fflush(nullptr);
   const pid_t parent = ::getpid();
   state_->id = ::fork();
   if (state_->id < 0) fail("a program cannot be started");
   if (state_->id > 0) return;
-  // Only calls that are safe between fork and exec.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
   ::setpgid(0, 0);  // signals of a terminal reach the parent only, which passes them on
@@ -78,8 +88,7 @@ Child::Child(std::vector<std::string> words, std::uint64_t memory) : state_(std:
   }
   ::dup2(state_->out.descriptor(), STDOUT_FILENO);
   ::dup2(state_->err.descriptor(), STDERR_FILENO);
-  ::execvp(pointers[0], pointers.data());
-  ::_exit(127);
+  ::_exit(work());
 }
 
 Child::~Child() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ class Child {
   /// `words`: the program and its arguments. `memory`: limit of its data in bytes; 0: none. A program that
   /// cannot be run ends with code 127. Throws std::system_error.
   explicit Child(std::vector<std::string> words, std::uint64_t memory = 0);
+  /// A copy of this process that runs `work`, which returns the exit code. Only for a process with one
+  /// thread.
+  explicit Child(const std::function<int()>& work, std::uint64_t memory = 0);
   /// Kills it if it has not ended.
   ~Child();
   Child(Child&&) noexcept;

@@ -1,6 +1,7 @@
 #include "app/batch/record.hpp"
 
 #include <algorithm>
+#include <csignal>
 #include <string_view>
 #include <system_error>
 
@@ -10,6 +11,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
 #include "app/plan_folder.hpp"
@@ -48,13 +50,6 @@ std::string message_in(const std::string& text, std::string_view kind) {
   return at == std::string::npos ? "" : first_line(text.substr(at + kind.size()));
 }
 
-std::string error_of(const ChildEnd& end) {
-  for (const std::string_view kind : {"internal error: ", "error: "})
-    if (std::string message = message_in(end.err, kind); !message.empty()) return message;
-  return end.exit_code > 128 ? fmt::format("the plan was ended by signal {}", end.exit_code - 128)
-                             : fmt::format("the plan ended with exit code {}", end.exit_code);
-}
-
 StoreStatus status_of(int exit_code) {
   switch (exit_code) {
     case done:
@@ -82,7 +77,7 @@ void read_plan(const BatchFolder& folder, StoreResult& result) {
   }
   if (const auto warnings = json.find("warnings"); warnings != json.end())
     result.warnings = warnings->get<std::vector<std::string>>();
-  result.report = (fs::relative(plan, folder.path) / report_name).generic_string();
+  result.report = (plan.lexically_relative(folder.path) / report_name).generic_string();
 }
 
 Json to_json(const StoreRecord& record) {
@@ -140,17 +135,23 @@ StoreRecord from_json(const Json& json) {
 std::optional<StoreRecord> read_record(const BatchFolder& folder, const ListedStore& store) {
   const fs::path path = folder.record(store.name);
   std::error_code unknown;
-  if (!fs::exists(path, unknown)) return std::nullopt;
+  if (!fs::exists(fs::symlink_status(path, unknown))) return std::nullopt;
+  StoreRecord record;
+  Json json;
   try {
-    const Json json = Json::parse(read_file(path));
-    expect_format_version(path.string(), json.at("format"), record_version);
-    return from_json(json);
-  } catch (const InputError&) {
-    throw;
+    json = Json::parse(read_file(path));
+    expect_format_version(path.string(), json.at("format").get<std::int64_t>(), record_version);
+    record = from_json(json);
+    if (record.result.name == store.name) return record;
+    record.damage = fmt::format("{} is the record of the store {}", in_quotes(path.string()),
+                                in_quotes(record.result.name));
+  } catch (const InputError& error) {
+    if (!json.is_null()) throw;  // a later version
+    record.damage = error.what();
   } catch (const std::exception&) {
-    throw InputError(path.string(), "is not the record of a store",
-                     "delete it; its store is then planned again");
+    record.damage = fmt::format("{} is not the record of a store", in_quotes(path.string()));
   }
+  return StoreRecord{failed_result(store, record.damage), {}, false, record.damage};
 }
 
 void write_record(const BatchFolder& folder, const StoreRecord& record) {
@@ -162,23 +163,53 @@ void write_record(const BatchFolder& folder, const StoreRecord& record) {
 StoreResult without_result(const ListedStore& store) {
   StoreResult result;
   result.name = store.name;
-  result.store = store.file.string();
+  const std::string file = store.file.string();
+  result.store = is_utf8(file) ? file : printable(file);
   return result;
 }
 
-StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const ChildEnd& end) {
+StoreResult failed_result(const ListedStore& store, const std::string& reason) {
   StoreResult result = without_result(store);
-  result.status = status_of(end.exit_code);
-  if (result.status == StoreStatus::failed) {
-    result.answer = error_of(end);
-    return result;
-  }
+  result.status = StoreStatus::failed;
+  result.answer = reason;
+  return result;
+}
+
+std::string failure_of(const ChildEnd& end) {
+  for (const std::string_view kind : {"internal error: ", "error: "})
+    if (std::string message = message_in(end.err, kind); !message.empty()) return message;
+  return end.exit_code > 128 ? fmt::format("the plan was ended by signal {}", end.exit_code - 128)
+                             : fmt::format("the plan ended with exit code {}", end.exit_code);
+}
+
+bool lacks_memory(const ChildEnd& end) {
+  return end.exit_code == wrong_input && end.err.find("memory") != std::string::npos;
+}
+
+bool was_interrupted(const ChildEnd& end) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (end.exit_code == 128 + signal) return true;
+  return end.exit_code == stopped_early && ("\n" + end.err).find("\nstopped") != std::string::npos;
+}
+
+PlanEffort with_run(PlanEffort effort, const ChildEnd& end) {
+  effort.cpu_s += end.cpu_s;
+  effort.wall_s += end.wall_s;
+  effort.peak_memory = std::max(effort.peak_memory, end.peak_memory);
+  ++effort.runs;
+  return effort;
+}
+
+StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const ChildEnd& end) {
+  const StoreStatus status = status_of(end.exit_code);
+  if (status == StoreStatus::failed) return failed_result(store, failure_of(end));
+  StoreResult result = without_result(store);
+  result.status = status;
   result.answer = answer_in(end.out);
   try {
     read_plan(folder, result);
   } catch (const std::exception& error) {
-    result.status = StoreStatus::failed;
-    result.answer = fmt::format("the plan cannot be read ({})", error.what());
+    return failed_result(store, fmt::format("the plan cannot be read ({})", error.what()));
   }
   return result;
 }

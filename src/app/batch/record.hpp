@@ -11,12 +11,16 @@
 
 namespace shelfbeam::app {
 
+inline constexpr auto records_name = "records";
+
 /// The folder with the results of a batch (docs/formats/batch.md).
 struct BatchFolder {
   std::filesystem::path path;
 
-  std::filesystem::path plan(const std::string& name) const { return path / "plans" / name; }
-  std::filesystem::path record(const std::string& name) const { return path / "records" / (name + ".json"); }
+  std::filesystem::path plan(const std::string& name) const { return path / "plans" / folder_of_name(name); }
+  std::filesystem::path record(const std::string& name) const {
+    return path / records_name / file_of_name(name, ".json");
+  }
 };
 
 /// A result with a key of all that determines it: the bytes of the store file, the options of `plan` and the
@@ -24,10 +28,13 @@ struct BatchFolder {
 struct StoreRecord {
   StoreResult result;
   std::string input;
-  bool is_final = false;  ///< the plan was not interrupted
+  bool is_final = false;    ///< the plan has ended with an answer
+  std::string damage = {};  ///< the reason why the file says nothing about its store; empty for a good record
 };
 
-/// Reads the record of a store; nothing if there is none. Throws InputError for a file that is not a record.
+/// Reads the record of a store; nothing if there is none. A file that is damaged, or is the record of another
+/// store, counts as one without an input, whose store failed. Throws InputError for the format of a later
+/// version.
 std::optional<StoreRecord> read_record(const BatchFolder& folder, const ListedStore& store);
 
 /// Throws OutputError.
@@ -35,6 +42,20 @@ void write_record(const BatchFolder& folder, const StoreRecord& record);
 
 /// The result of a store that is not planned yet.
 StoreResult without_result(const ListedStore& store);
+/// The result of a store without a plan, for a reason.
+StoreResult failed_result(const ListedStore& store, const std::string& reason);
+
+/// The reason for which a process of this program has failed, from its messages.
+std::string failure_of(const ChildEnd& end);
+
+/// Whether it has failed for lack of memory, by its own account.
+bool lacks_memory(const ChildEnd& end);
+
+/// Whether a signal has ended the plan, perhaps before it could handle the signal.
+bool was_interrupted(const ChildEnd& end);
+
+/// The effort of a plan with that of another run.
+PlanEffort with_run(PlanEffort effort, const ChildEnd& end);
 
 /// The result of a plan that has ended, from its exit code, its output and its folder.
 StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const ChildEnd& end);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <exception>
 #include <list>
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@
 
 #include "app/batch/child.hpp"
 #include "app/batch/database.hpp"
+#include "app/batch/own_files.hpp"
 #include "app/plan_folder.hpp"
 #include "app/verbs.hpp"
 
@@ -41,54 +43,59 @@ std::string input_of(const ListedStore& store, const BatchOptions& options) {
                                   fmt::join(options.plan_options, "\n"), content));
 }
 
-// Plans whose batch was killed end a moment after it.
-void wait_until_free(const std::filesystem::path& plan) {
+// Plans whose batch was killed end a moment after it. Returns the reason for which the plan is still in use.
+std::string wait_until_free(const std::filesystem::path& plan, const RunControl& control) {
   constexpr int attempts = 100;
   std::error_code missing;
-  if (!std::filesystem::exists(plan, missing)) return;
-  for (int k = 0; k < attempts; ++k) try {
+  if (!std::filesystem::exists(plan, missing)) return {};
+  for (int k = 0;; ++k) try {
       const OutputLock probe(plan / signal_name, plan.string());
-      return;
-    } catch (const InputError&) {
+      return {};
+    } catch (const OutputError&) {  // its plan will report it
+      return {};
+    } catch (const InputError& error) {
+      if (k == attempts || control.cancelled()) return error.what();
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
     }
 }
 
+bool is_finished(const BatchFolder& folder, const ListedStore& store, const std::string& input) {
+  const auto record = read_record(folder, store);
+  return record && record->is_final && record->input == input;
+}
+
+// The plan has an input, such as a mesh, that its checkpoint does not have.
+bool refuses_checkpoint(const ChildEnd& end) {
+  return end.exit_code == wrong_input && end.err.find("start again without resuming") != std::string::npos;
+}
+
 class Runner {
  public:
-  Runner(const BatchOptions& options, const std::function<void()>& finished, const RunControl& control)
-      : options_(options), finished_(finished), control_(control) {
-    for (const ListedStore& store : options.stores) {
-      Job job{&store, input_of(store, options_), {}};
-      if (const auto record = read_record(options_.folder, store)) {
-        if (record->is_final && record->input == job.input) {
-          ++done_;
-          continue;
-        }
-        job.continues = record->input == job.input;
-        if (job.continues) job.effort = record->result.effort;
-      }
-      waiting_.push_back(std::move(job));
-    }
+  Runner(const BatchOptions& options, const std::vector<OpenPlan>& plans,
+         const std::function<void()>& finished, const RunControl& control)
+      : options_(options),
+        finished_(finished),
+        control_(control),
+        done_(options.stores.size() - std::min(plans.size(), options.stores.size())) {
+    for (const OpenPlan& plan : plans) waiting_.push_back({plan});
   }
 
-  bool run() {
+  BatchEnd run() {
     while (!running_.empty() || has_waiting()) {
-      if (control_.cancelled()) return stop();
+      if (control_.cancelled()) {
+        stop();
+        break;
+      }
       start_jobs();
       report();
-      wait_for_children(poll_s);
+      if (!running_.empty()) wait_for_children(poll_s);
       collect_ended();
     }
-    return true;
+    return std::move(end_);
   }
 
  private:
-  struct Job {
-    const ListedStore* store;
-    std::string input;
-    PlanEffort effort;       ///< of earlier runs
-    bool continues = false;  ///< whether its checkpoints are of the same input
+  struct Job : OpenPlan {
     bool is_alone = false;
     unsigned threads = 1;
     std::optional<Child> child = {};
@@ -117,17 +124,49 @@ class Runner {
     Job job = std::move(jobs.front());
     jobs.pop_front();
     job.threads = threads;
-    const std::filesystem::path plan = options_.folder.plan(job.store->name);
+    try {
+      if (launch(job, memory)) running_.push_back(std::move(job));
+    } catch (const std::exception& error) {  // of this store's files
+      fail(job, error.what());
+    }
+  }
+
+  // False if the plan need not or cannot be made.
+  bool launch(Job& job, std::size_t memory) {
+    const ListedStore& store = *job.store;
+    const std::filesystem::path plan = options_.folder.plan(store.name);
     make_output_folder(plan.parent_path());
-    wait_until_free(plan);
-    if (!job.continues) write_record(options_.folder, {without_result(*job.store), job.input, false});
-    std::vector<std::string> words{
-        own_program,   "plan",   job.store->file.string(),         "-o",        plan.string(),
-        "--overwrite", "--seed", fmt::format("{}", options_.seed), "--threads", fmt::format("{}", threads)};
+    if (const std::string user = wait_until_free(plan, control_); !user.empty()) {
+      fail(job, user);
+      return false;
+    }
+    if (is_finished(options_.folder, store, job.input)) {  // by another run, which planned it meanwhile
+      ++done_;
+      return false;
+    }
+    if (!job.continues) write_record(options_.folder, {without_result(store), job.input});
+    const std::string file = store.file.string();
+    std::vector<std::string> words{own_program,
+                                   "plan",
+                                   file.starts_with('-') ? "./" + file : file,
+                                   "-o",
+                                   plan.string(),
+                                   "--overwrite",
+                                   "--seed",
+                                   fmt::format("{}", options_.seed),
+                                   "--threads",
+                                   fmt::format("{}", job.threads)};
     if (job.continues) words.emplace_back("--resume");
     words.insert(words.end(), options_.plan_options.begin(), options_.plan_options.end());
     job.child.emplace(std::move(words), memory);
-    running_.push_back(std::move(job));
+    return true;
+  }
+
+  void fail(const Job& job, const std::string& reason) {
+    StoreResult result = failed_result(*job.store, reason);
+    result.effort = job.effort;
+    end_.unrecorded.push_back(std::move(result));
+    ++done_;
   }
 
   void collect_ended() {
@@ -142,40 +181,43 @@ class Runner {
     }
   }
 
+  // Only the answer of a plan is final. A failure may have been due to a full disk or another program.
   void finish(Job& job, const ChildEnd& end) {
-    StoreRecord record;
-    record.input = job.input;
-    record.is_final = !control_.cancelled() || end.exit_code != stopped_early;
-    record.result = result_of(options_.folder, *job.store, end);
-    if (!record.is_final) record.result = without_result(*job.store);
-    PlanEffort& effort = record.result.effort;
-    effort = job.effort;
-    effort.cpu_s += end.cpu_s;
-    effort.wall_s += end.wall_s;
-    effort.peak_memory = std::max(effort.peak_memory, end.peak_memory);
-    ++effort.runs;
-    if (record.is_final && may_lack_memory(end) && !job.is_alone && options_.jobs > 1) {
-      alone_.push_back({job.store, job.input, effort, true, true});
+    const bool is_interrupted =
+        was_interrupted(end) ||
+        (control_.cancelled() && (end.exit_code > 128 || end.exit_code == stopped_early));
+    StoreRecord record{
+        is_interrupted ? without_result(*job.store) : result_of(options_.folder, *job.store, end), job.input};
+    record.is_final = !is_interrupted && record.result.status != StoreStatus::failed;
+    record.result.effort = job.effort = with_run(job.effort, end);
+    if (job.continues && refuses_checkpoint(end)) {
+      waiting_.push_front({{job.store, job.input, job.effort, false}});
       return;
     }
-    write_record(options_.folder, record);
-    done_ += record.is_final ? 1 : 0;
+    // A signal from the system may have the same reason.
+    const bool may_lack_memory = lacks_memory(end) || end.exit_code > 128;
+    if (!record.is_final && !is_interrupted && may_lack_memory && !job.is_alone && options_.jobs > 1) {
+      alone_.push_back({{job.store, job.input, job.effort, true}, true});
+      return;
+    }
+    try {
+      if (record.is_final || !is_finished(options_.folder, *job.store, job.input))
+        write_record(options_.folder, record);
+    } catch (const InputError& error) {
+      fail(job, error.what());
+      return;
+    }
+    done_ += is_interrupted ? 0 : 1;
     finished_();
   }
 
-  // Also ended by the system, for which memory is the usual reason.
-  static bool may_lack_memory(const ChildEnd& end) {
-    return end.exit_code > 128 ||
-           (end.exit_code == wrong_input && end.err.find("memory") != std::string::npos);
-  }
-
-  bool stop() {
+  void stop() {
+    end_.is_complete = false;
     for (const Job& job : running_) job.child->interrupt();
     while (!running_.empty()) {
       wait_for_children(poll_s);
       collect_ended();
     }
-    return false;
   }
 
   void report() const {
@@ -191,19 +233,39 @@ class Runner {
   const RunControl& control_;
   std::deque<Job> waiting_, alone_;
   std::list<Job> running_;
-  std::size_t done_ = 0;
+  std::size_t done_;
+  BatchEnd end_;
 };
 
 }  // namespace
 
-bool run_batch(const BatchOptions& options, const std::function<void()>& finished,
-               const RunControl& control) {
-  return Runner(options, finished, control).run();
+std::vector<OpenPlan> open_plans(const BatchOptions& options) {
+  std::vector<OpenPlan> plans;
+  for (const ListedStore& store : options.stores) {
+    OpenPlan plan{&store, input_of(store, options), {}};
+    const auto record = read_record(options.folder, store);
+    plan.continues = record && record->input == plan.input;
+    if (plan.continues && record->is_final) continue;
+    if (plan.continues) plan.effort = record->result.effort;
+    plans.push_back(std::move(plan));
+  }
+  return plans;
 }
 
-std::vector<StoreResult> batch_results(const BatchOptions& options) {
+BatchEnd run_batch(const BatchOptions& options, const std::vector<OpenPlan>& plans,
+                   const std::function<void()>& finished, const RunControl& control) {
+  return Runner(options, plans, finished, control).run();
+}
+
+std::vector<StoreResult> batch_results(const BatchOptions& options, const std::vector<StoreResult>& others) {
   std::vector<StoreResult> results;
   for (const ListedStore& store : options.stores) {
+    const auto other = std::find_if(others.begin(), others.end(),
+                                    [&](const StoreResult& result) { return result.name == store.name; });
+    if (other != others.end()) {
+      results.push_back(*other);
+      continue;
+    }
     const auto record = read_record(options.folder, store);
     results.push_back(record ? record->result : without_result(store));
   }
@@ -212,11 +274,9 @@ std::vector<StoreResult> batch_results(const BatchOptions& options) {
 }
 
 void write_results(const BatchOptions& options, const std::vector<StoreResult>& results) {
-  AtomicFolder files(options.folder.path);
-  files.add(database_name).write(database_of(results));
-  files.add(table_name).write(batch_csv(results, options.safe_csv));
-  files.add(page_name).write(batch_html(results));
-  files.commit({});
+  replace_own_files(options.folder.path, {{database_name, database_of(results)},
+                                          {table_name, batch_csv(results, options.safe_csv)},
+                                          {page_name, batch_html(results)}});
 }
 
 }  // namespace shelfbeam::app

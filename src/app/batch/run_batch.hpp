@@ -25,18 +25,31 @@ struct BatchOptions {
   bool safe_csv = false;
 };
 
-/// Names of the files with the results.
-inline constexpr auto database_name = "results.sqlite", table_name = "results.csv",
-                      page_name = "results.html";
+/// A plan that a batch has to make.
+struct OpenPlan {
+  const ListedStore* store;
+  std::string input;       ///< of its record
+  PlanEffort effort;       ///< of earlier runs
+  bool continues = false;  ///< whether its checkpoints are of the same input
+};
 
-/// Plans the stores that have no final record with the same input, several at a time, each in a process of
-/// its own, and writes their records. A plan that may have lacked memory beside others is tried again alone.
-/// Calls `finished` after each record. Returns false if cancelled:
-/// the plans have then saved their checkpoints. Throws OutputError if a record cannot be written.
-bool run_batch(const BatchOptions& options, const std::function<void()>& finished, const RunControl& control);
+/// The stores without a final record of the same input. Throws InputError for records of a later version.
+std::vector<OpenPlan> open_plans(const BatchOptions& options);
 
-/// The results of all stores, sorted by need.
-std::vector<StoreResult> batch_results(const BatchOptions& options);
+struct BatchEnd {
+  bool is_complete = true;              ///< false if cancelled; the plans have then saved their checkpoints
+  std::vector<StoreResult> unrecorded;  ///< plans that could not begin, or whose record could not be written
+};
+
+/// Makes the plans, several at a time, each in a process of its own, and writes their records. A plan that
+/// may have lacked memory beside others is tried again alone. Calls `finished` after each record. An error of
+/// one store stops no other.
+BatchEnd run_batch(const BatchOptions& options, const std::vector<OpenPlan>& plans,
+                   const std::function<void()>& finished, const RunControl& control);
+
+/// The results of all stores, sorted by need. Those in `others` replace those of the records.
+std::vector<StoreResult> batch_results(const BatchOptions& options,
+                                       const std::vector<StoreResult>& others = {});
 
 /// Writes database, table and page. Throws OutputError.
 void write_results(const BatchOptions& options, const std::vector<StoreResult>& results);

@@ -9,12 +9,11 @@
 #include "shelfbeam/base/file.hpp"
 
 #include "app/batch/child.hpp"
+#include "app/batch/own_files.hpp"
 
 namespace shelfbeam::app {
 
 namespace {
-
-constexpr auto tasks_name = "plan.sh", collection_name = "collect.sh";
 
 // A word of a shell command.
 std::string shell_word(std::string_view word) {
@@ -27,6 +26,17 @@ std::string line_of(const std::vector<std::string>& words) {
   std::string line;
   for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
   return line;
+}
+
+// A path in the file name patterns of sbatch, in which % begins a replacement symbol.
+std::string log_path(const std::filesystem::path& folder) {
+  std::string pattern;
+  for (const char c : folder.string()) pattern += c == '%' ? std::string("%%") : std::string(1, c);
+  // Slurm removes it, and replaces no symbol.
+  if (pattern.find('\\') != std::string::npos)
+    throw InputError(folder.string(), "has a backslash in its path, which the logs of Slurm cannot have",
+                     "choose another folder");
+  return pattern;
 }
 
 // Returns the id of the job.
@@ -62,19 +72,22 @@ std::string slurm_script(const SlurmBatch& batch) {
   const auto at = batch.command.begin() + static_cast<std::ptrdiff_t>(options);
   return head + fmt::format(R"(
 # Slurm sends INT a minute before the time limit. The plans then save their checkpoints, and the task continues
-# from them in the queue.
-stopped= again=
-trap 'stopped=yes again=yes; kill -INT "$plans"' INT
-trap 'stopped=yes; kill -INT "$plans"' TERM
+# from them in the queue. The plans get TERM, because commands in the background ignore INT when they start.
+stopped= again= plans=
+stop() {{ stopped=yes; if [[ $plans ]]; then kill -TERM "$plans"; fi; }}
+trap 'again=yes; stop' INT
+trap stop TERM
 {} --part "$SLURM_ARRAY_TASK_ID/{}" {} &
 plans=$!
+if [[ $stopped ]]; then kill -TERM "$plans"; fi # the signal has come before the number was known
 wait "$plans"
 code=$?
 if [[ $stopped ]]; then # the signal has ended the wait
   wait "$plans"
   code=$?
 fi
-if [[ $again && $code == 3 && ${{SLURM_RESTART_COUNT:-0}} -lt 20 ]]; then
+# 143: the signal has come before the program could handle it.
+if [[ $again && ( $code == 3 || $code == 143 ) && ${{SLURM_RESTART_COUNT:-0}} -lt 20 ]]; then
   scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_$SLURM_ARRAY_TASK_ID"
 fi
 exit "$code"
@@ -84,17 +97,17 @@ exit "$code"
 }
 
 SlurmJobs submit(const SlurmBatch& batch) {
-  make_output_folder(batch.folder);
-  const auto tasks = batch.folder / tasks_name, collection = batch.folder / collection_name;
-  write_file(tasks, slurm_script(batch));
+  const auto logs = batch.folder / std::filesystem::path(tasks_name).parent_path();
+  const std::string pattern = log_path(logs);
+  make_output_folder(logs);
   std::string head = "#!/bin/bash\n#SBATCH --job-name=shelfbeam-results\n#SBATCH --requeue\n";
   for (const std::string& option : batch.options) head += fmt::format("#SBATCH {}\n", option);
-  write_file(collection, head + "exec " + line_of(batch.collection) + "\n");
+  replace_own_files(batch.folder, {{tasks_name, slurm_script(batch)},
+                                   {collection_name, head + "exec " + line_of(batch.collection) + "\n"}});
   SlurmJobs jobs;
-  jobs.array = sbatch({"--output=" + (batch.folder / "%a.log").string()}, tasks);
-  jobs.collection =
-      sbatch({"--output=" + (batch.folder / "collect.log").string(), "--dependency=afterany:" + jobs.array},
-             collection);
+  jobs.array = sbatch({"--output=" + pattern + "/%a.log"}, batch.folder / tasks_name);
+  jobs.collection = sbatch({"--output=" + pattern + "/collect.log", "--dependency=afterany:" + jobs.array},
+                           batch.folder / collection_name);
   return jobs;
 }
 

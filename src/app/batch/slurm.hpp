@@ -11,7 +11,7 @@ namespace shelfbeam::app {
 struct SlurmBatch {
   std::vector<std::string> command;     ///< that plans the stores; tasks add their part
   std::vector<std::string> collection;  ///< that writes the results
-  std::filesystem::path folder;         ///< of the scripts and logs, absolute
+  std::filesystem::path folder;         ///< of the batch, absolute
   std::uint32_t tasks = 1;
   unsigned threads = 1;              ///< per task
   std::size_t memory = 0;            ///< per task, bytes; 0: the cluster's default
@@ -29,7 +29,8 @@ struct SlurmJobs {
 };
 
 /// Writes both scripts, and submits them with sbatch. Throws InputError with the message of sbatch if Slurm
-/// does not accept them, and OutputError.
+/// does not accept them or cannot write its logs there, and OutputError, also for scripts that a person has
+/// changed.
 SlurmJobs submit(const SlurmBatch& batch);
 
 }  // namespace shelfbeam::app

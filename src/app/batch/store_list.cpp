@@ -1,17 +1,22 @@
 #include "app/batch/store_list.hpp"
 
 #include <algorithm>
-#include <map>
-#include <sstream>
+#include <cstddef>
+#include <iterator>
+#include <set>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 
+#include "app/batch/own_files.hpp"
+#include "app/batch/record.hpp"
 #include "app/plan_folder.hpp"
 
 namespace shelfbeam::app {
@@ -19,85 +24,185 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool is_control(char c) {
+  return (static_cast<unsigned char>(c) < 0x20) || c == 0x7f;
+}
+
+// Names appear in tables, pages and messages.
+std::string readable(const std::string& text) {
+  const bool is_text = is_utf8(text) && std::none_of(text.begin(), text.end(), is_control);
+  return is_text ? text : printable(text);
+}
+
 // "north/12/store.json" -> "north/12", "north/12.json" -> "north/12"
 std::string name_of(const fs::path& file) {
   fs::path relative;
   for (const fs::path& step : file.lexically_normal().relative_path())
-    if (step != "..") relative /= step;
-  if (relative.filename() == store_name && relative.has_parent_path()) return relative.parent_path().string();
-  return relative.replace_extension().string();
+    if (!step.empty() && step != "." && step != "..") relative /= step;
+  if (relative.filename() == store_name && relative.has_parent_path())
+    return readable(relative.parent_path().string());
+  return readable(relative.replace_extension().string());
 }
 
-std::string without_blanks(std::string_view line) {
-  constexpr std::string_view blank = " \t\r";
-  const auto first = line.find_first_not_of(blank);
-  if (first == std::string_view::npos) return {};
-  return std::string(line.substr(first, line.find_last_not_of(blank) + 1 - first));
+// The path in a line. No file has a null character in its path: the system would read another, shorter path.
+std::string path_in(std::string_view line, const fs::path& folder) {
+  std::string text = line.find('\0') == std::string_view::npos ? std::string(line) : printable(line);
+  std::error_code missing;
+  const bool is_quoted = text.size() > 2 && text.front() == '"' && text.back() == '"';
+  return is_quoted && !fs::exists(folder / text, missing) ? text.substr(1, text.size() - 2) : text;
 }
 
-std::vector<ListedStore> from_list(const fs::path& list) {
-  std::vector<ListedStore> stores;
-  std::istringstream lines(read_file(list));
-  for (std::string line; std::getline(lines, line);) {
-    const std::string path = without_blanks(line);
-    if (path.empty() || path.starts_with('#')) continue;
-    stores.push_back({name_of(path), list.parent_path() / path});
-  }
-  return stores;
-}
-
-[[noreturn]] void cannot_read(const fs::path& folder, const std::error_code& error) {
-  throw InputError(folder.string(), fmt::format("cannot be read ({})", error.message()),
-                   "check its permissions");
-}
-
-std::vector<ListedStore> from_folder(const fs::path& folder, const fs::path& results) {
-  std::vector<ListedStore> stores, others;
-  std::error_code error;
-  fs::recursive_directory_iterator entry(folder, error), end;
-  for (; !error && entry != end; entry.increment(error)) {
-    std::error_code missing;
-    const bool is_folder = entry->is_directory(missing);
-    if (is_folder && (fs::exists(entry->path() / placement_name, missing) ||
-                      fs::equivalent(entry->path(), results, missing))) {
-      entry.disable_recursion_pending();
+StoreList from_list(const fs::path& list) {
+  StoreList found;
+  std::set<fs::path> known;
+  const std::string content = read_text(list);
+  std::string_view text = content;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = trim(take_line(text));
+    if (line.empty() || line.starts_with('#')) continue;
+    const std::string path = path_in(line, list.parent_path());
+    const fs::path file = list.parent_path() / path;
+    if (!known.insert(fs::absolute(file).lexically_normal()).second) {
+      found.remarks.push_back(fmt::format("{}: line {}: lists the store {} again; it is planned once",
+                                          list.string(), number, in_quotes(line)));
       continue;
     }
-    if (is_folder || entry->path().extension() != ".json") continue;
-    const ListedStore store{name_of(fs::relative(entry->path(), folder)), entry->path()};
-    if (entry->path().filename() == store_name) stores.push_back(store);
-    if (entry.depth() == 0) others.push_back(store);
+    std::string name = name_of(path);
+    if (name.empty()) name = fmt::format("line {}", number);
+    found.stores.push_back({std::move(name), file});
   }
-  if (error) cannot_read(folder, error);
-  return stores.empty() ? others : stores;
+  return found;
 }
+
+// Collects the stores of a tree of folders.
+class Tree {
+ public:
+  Tree(fs::path root, const fs::path& results) : root_(std::move(root)), results_(results) {
+    std::vector<fs::path> waiting{fs::path()};  // relative to the root
+    while (!waiting.empty()) {
+      const fs::path folder = std::move(waiting.back());
+      waiting.pop_back();
+      look(folder, waiting);
+    }
+  }
+
+  std::vector<ListedStore> stores() && {
+    std::vector<ListedStore> all = std::move(stores_.empty() ? others_ : stores_);
+    std::move(unreadable_.begin(), unreadable_.end(), std::back_inserter(all));
+    std::sort(all.begin(), all.end(),
+              [](const ListedStore& a, const ListedStore& b) { return a.file.native() < b.file.native(); });
+    return all;
+  }
+
+ private:
+  void look(const fs::path& folder, std::vector<fs::path>& waiting) {
+    std::error_code error;
+    fs::directory_iterator entry(root_ / folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+      const fs::path relative = folder / entry->path().filename();
+      std::error_code missing;
+      if (entry->is_symlink(missing) && entry->is_directory(missing)) {
+        if (fs::exists(fs::symlink_status(entry->path() / store_name, missing)))
+          add(stores_, relative / store_name);
+      } else if (entry->is_directory(missing)) {
+        if (!is_output(entry->path())) waiting.push_back(relative);
+      } else if (relative.filename() == store_name) {
+        add(stores_, relative);
+        if (folder.empty()) add(others_, relative);
+      } else if (folder.empty() && relative.extension() == ".json") {
+        add(others_, relative);
+      }
+    }
+    if (!error) return;
+    if (folder.empty())
+      throw InputError(root_.string(), fmt::format("cannot be read ({})", error.message()),
+                       "check its permissions");
+    add(unreadable_, folder / store_name);  // fails with the same reason, unless it can be read
+  }
+
+  void add(std::vector<ListedStore>& list, const fs::path& file) {
+    list.push_back({name_of(file), root_ / file});
+  }
+
+  bool is_output(const fs::path& folder) const {
+    std::error_code missing;
+    return fs::exists(folder / placement_name, missing) || fs::equivalent(folder, results_, missing) ||
+           (fs::exists(folder / database_name, missing) && fs::is_directory(folder / records_name, missing));
+  }
+
+  fs::path root_;
+  const fs::path& results_;
+  std::vector<ListedStore> stores_, others_, unreadable_;
+};
+
+void make_names_unique(std::vector<ListedStore>& stores) {
+  std::set<std::string> taken;
+  for (const ListedStore& store : stores) taken.insert(store.name);
+  for (std::size_t k = 1, first = 0; k < stores.size(); ++k) {
+    if (stores[k].name != stores[first].name) {
+      first = k;
+      continue;
+    }
+    std::size_t number = k - first;
+    do stores[k].name = fmt::format("{}~{}", stores[first].name, ++number);
+    while (!taken.insert(stores[k].name).second);
+  }
+}
+
+// A step of a path that is no longer than `most` bytes, and another one for another step.
+std::string fitted(const std::string& step, std::size_t most) {
+  if (step.size() <= most) return step;
+  constexpr std::size_t digits = 16;
+  std::size_t head = most - digits - 1;
+  while ((static_cast<unsigned char>(step[head]) & 0xC0U) == 0x80) --head;
+  return step.substr(0, head) + "~" + content_hash(step).substr(0, digits);
+}
+
+// Another step for another one, and none that a file needs, whose name or extension is `of_file`.
+std::string beside(const std::string& step, std::string_view of_file) {
+  const std::size_t end = step.find_last_not_of('_') + 1;
+  return std::string_view(step).substr(0, end).ends_with(of_file) ? step + "_" : step;
+}
+
+constexpr std::size_t longest_step = 255;  // of Linux's file systems
+constexpr std::size_t temporary_part = std::string_view("..shelfbeam-XXXXXX").size();  // of an AtomicFile
 
 }  // namespace
 
-std::vector<ListedStore> listed_stores(const fs::path& source, const fs::path& results) {
+StoreList listed_stores(const fs::path& source, const fs::path& results) {
   std::error_code missing;
-  auto stores = fs::is_directory(source, missing) ? from_folder(source, results) : from_list(source);
-  if (stores.empty())
+  StoreList list =
+      fs::is_directory(source, missing) ? StoreList{Tree(source, results).stores(), {}} : from_list(source);
+  if (list.stores.empty())
     throw InputError(source.string(), "names no store", "list the paths of store files, one per line");
-  std::sort(stores.begin(), stores.end(),
-            [](const ListedStore& a, const ListedStore& b) { return a.name < b.name; });
-  std::map<fs::path, std::string> listed;
-  for (std::size_t k = 0; k < stores.size(); ++k) {
-    const std::string file = stores[k].file.string();
-    if (stores[k].name.empty())
-      throw InputError(source.string(), fmt::format("{} is not the path of a store file", in_quotes(file)));
-    const auto [other, is_new] = listed.emplace(fs::weakly_canonical(stores[k].file, missing), file);
-    if (!is_new)
-      throw InputError(source.string(), fmt::format("lists the store {} twice", in_quotes(other->second)),
-                       "list each store once");
-    if (k > 0 && stores[k].name == stores[k - 1].name)
-      throw InputError(
-          source.string(),
-          fmt::format("gives the stores {} and {} the same name {}", in_quotes(stores[k - 1].file.string()),
-                      in_quotes(file), in_quotes(stores[k].name)),
-          "list them by paths that differ in more than '..'");
+  const auto sort = [&] {
+    std::stable_sort(list.stores.begin(), list.stores.end(),
+                     [](const ListedStore& a, const ListedStore& b) { return a.name < b.name; });
+  };
+  sort();
+  make_names_unique(list.stores);
+  sort();
+  return list;
+}
+
+fs::path folder_of_name(const std::string& name) {
+  fs::path folder;
+  for (const fs::path& step : fs::path(name)) {
+    std::string fitting = fitted(step.string(), longest_step);
+    // The folder may be in that of the plan of another store.
+    for (const std::string_view file : plan_file_names)
+      if (fitting.starts_with(file)) fitting = beside(fitting, file);
+    folder /= fitting;
   }
-  return stores;
+  return folder;
+}
+
+fs::path file_of_name(const std::string& name, const std::string& extension) {
+  const std::size_t most = longest_step - extension.size() - temporary_part;
+  const fs::path steps(name);
+  fs::path file;
+  for (const fs::path& step : steps.parent_path()) file /= beside(fitted(step.string(), most), extension);
+  return file / (fitted(steps.filename().string(), most) + extension);
 }
 
 }  // namespace shelfbeam::app

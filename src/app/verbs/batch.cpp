@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -14,9 +15,13 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/report/batch/batch_report.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 #include "app/batch/child.hpp"
+#include "app/batch/first_reading.hpp"
+#include "app/batch/own_files.hpp"
 #include "app/batch/run_batch.hpp"
 #include "app/batch/slurm.hpp"
 #include "app/files.hpp"
@@ -45,6 +50,11 @@ struct Options {
   std::vector<std::string> sbatch;
 };
 
+void print_warning(const Options& options, std::string_view text) {
+  if (!options.common.quiet)
+    print_message("{} {}\n", styled(Style::warning, "warning:", stderr), one_line(text));
+}
+
 // Reports errors in the options of `plan` once, before any plan.
 void expect_plan_options(const std::vector<std::string>& options) {
   for (const std::string& option : options)
@@ -70,15 +80,13 @@ void expect_plan_options(const std::vector<std::string>& options) {
 // A folder of an earlier batch is used only on request.
 void expect_folder(const Options& options) {
   std::error_code missing;
-  const bool has_records = fs::exists(options.output / "records", missing);
-  if (!has_records) {
-    for (const char* name : {database_name, table_name, page_name})
-      if (fs::exists(options.output / name, missing))
-        throw InputError((options.output / name).string(), "was not written by a batch",
-                         "choose another folder for the results");
+  const bool has_records = fs::exists(options.output / records_name, missing);
+  if (options.collect && !has_records && !fs::exists(options.output / tasks_name, missing))
+    throw InputError(options.output.string(), "has no results of a batch",
+                     "check the path of the folder, or plan the stores first");
+  if (!has_records || options.resume || options.overwrite || options.collect || options.part ||
+      !options.only.empty())
     return;
-  }
-  if (options.resume || options.overwrite || options.collect || options.part || !options.only.empty()) return;
   throw InputError(
       options.output.string(), "contains the results of an earlier batch",
       "add '--resume' to continue it, '--only failed' to plan failed stores again, or '--overwrite' "
@@ -103,7 +111,9 @@ void forget_results(const Options& options, const BatchOptions& batch) {
 BatchOptions batch_options(const Options& options) {
   constexpr std::size_t least_memory = std::size_t{512} << 20;  // of one plan
   BatchOptions batch;
-  batch.stores = listed_stores(options.source, options.output);
+  StoreList list = listed_stores(options.source, options.output);
+  for (const std::string& remark : list.remarks) print_warning(options, remark);
+  batch.stores = std::move(list.stores);
   batch.folder.path = options.output;
   batch.plan_options = options.plan;
   batch.seed = options.common.seed;
@@ -158,7 +168,7 @@ int run_on_slurm(const Options& options, const BatchOptions& batch) {
   tasks.memory = options.memory;
   tasks.time = options.task_time;
   tasks.options = options.sbatch;
-  tasks.folder = folder / "slurm";
+  tasks.folder = folder;
   tasks.tasks = static_cast<std::uint32_t>(std::min<std::size_t>(options.tasks, batch.stores.size()));
   tasks.command = common;
   tasks.command.insert(tasks.command.end(), {"--threads", fmt::format("{}", tasks.threads), "--jobs", "1"});
@@ -178,6 +188,62 @@ int run_on_slurm(const Options& options, const BatchOptions& batch) {
   return done;
 }
 
+void report_unplanned(const Options& options, const std::vector<StoreResult>& stores) {
+  constexpr std::size_t most = 20;
+  for (std::size_t k = 0; k < std::min(most, stores.size()); ++k)
+    print_warning(options, fmt::format("{} is not planned: {}", in_quotes(stores[k].name), stores[k].answer));
+  if (stores.size() > most)
+    print_warning(options, fmt::format("{} cannot be planned", counted(stores.size() - most, "other store")));
+}
+
+int show_results(const Options& options, const BatchOptions& batch,
+                 const std::vector<StoreResult>& unrecorded = {}) {
+  const auto results = batch_results(batch, unrecorded);
+  try {
+    write_results(batch, results);
+  } catch (const OutputError& error) {
+    throw OutputError(error, "the records of the plans remain, and '--collect' writes the results",
+                      Setting::none);
+  }
+  return print_results(options, results);
+}
+
+int collect(const Options& options, const BatchOptions& batch) {
+  const int code = show_results(options, batch);
+  for (const ListedStore& store : batch.stores)
+    if (const auto record = read_record(batch.folder, store); record && !record->damage.empty())
+      throw InputError("", record->damage, "plan its store again", Setting::resumption);
+  return code;
+}
+
+// Plans the stores, and writes the results so far now and then.
+BatchEnd plan_stores(const Options& options, const BatchOptions& batch, const CancelToken& cancel) {
+  std::vector<OpenPlan> plans = open_plans(batch);
+  std::vector<StoreResult> unreadable;
+  {
+    TerminalProgress progress(options.common.quiet);
+    const bool allow_outside = std::count(options.plan.begin(), options.plan.end(), "--allow-outside") > 0;
+    const auto read = [&](const ListedStore& store) { make_scene(load_store(store.file, allow_outside)); };
+    unreadable = remove_unreadable(batch, plans, read, {batch.threads, &cancel, progress.sink()});
+  }
+  report_unplanned(options, unreadable);
+  if (options.slurm) return {!cancel.requested(), {}};
+  using Clock = std::chrono::steady_clock;
+  auto next = Clock::now() + std::chrono::minutes(unreadable.empty() ? 1 : 0);
+  const auto write_some = [&] {
+    if (options.part || Clock::now() < next) return;
+    const auto begun = Clock::now();
+    try {
+      write_results(batch, batch_results(batch));
+    } catch (const InputError&) {  // reported at the end, if the reason is still there
+    }
+    next = Clock::now() + std::max<Clock::duration>(std::chrono::minutes(1), 100 * (Clock::now() - begun));
+  };
+  write_some();
+  TerminalProgress progress(options.common.quiet);
+  return run_batch(batch, plans, write_some, {batch.threads, &cancel, progress.sink()});
+}
+
 int run_batch_verb(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   expect_plan_options(options.plan);
@@ -185,39 +251,25 @@ int run_batch_verb(const Options& options) {
   expect_folder(options);
   make_output_folder(options.output);
   std::optional<OutputLock> lock;
-  if (!options.part) lock.emplace(options.output / database_name, options.output.string());
-  if (options.collect) {
-    const auto results = batch_results(batch);
-    write_results(batch, results);
-    return print_results(options, results);
-  }
-  forget_results(options, batch);
-  if (options.slurm) return run_on_slurm(options, batch);
-  bool is_complete = true;
-  {
-    TerminalProgress progress(options.common.quiet);
-    const RunControl control{batch.threads, &cancel, progress.sink()};
-    // The results so far can be looked at during long batches.
-    using Clock = std::chrono::steady_clock;
-    auto next = Clock::now() + std::chrono::minutes(1);
-    is_complete = run_batch(
-        batch,
-        [&] {
-          if (options.part || Clock::now() < next) return;
-          const auto begun = Clock::now();
-          write_results(batch, batch_results(batch));
-          next =
-              Clock::now() + std::max<Clock::duration>(std::chrono::minutes(1), 100 * (Clock::now() - begun));
-        },
-        control);
-  }
-  int code = done;
   if (!options.part) {
-    const auto results = batch_results(batch);
-    write_results(batch, results);
-    code = print_results(options, results);
+    lock.emplace(options.output / database_name, options.output.string());
+    const std::vector<std::string> results{database_name, table_name, page_name},
+        scripts{tasks_name, collection_name};
+    expect_own_files(options.output, options.slurm ? scripts : results, options.overwrite);
   }
-  if (is_complete) return code;
+  if (options.collect) return collect(options, batch);
+  forget_results(options, batch);
+  const BatchEnd end = plan_stores(options, batch, cancel);
+  int code = done;
+  if (options.part) {
+    report_unplanned(options, end.unrecorded);
+    code = end.unrecorded.empty() ? done : wrong_input;
+  } else if (options.slurm && end.is_complete) {
+    return run_on_slurm(options, batch);
+  } else if (!options.slurm) {
+    code = show_results(options, batch, end.unrecorded);
+  }
+  if (end.is_complete) return code;
   if (!options.common.quiet) print_message("stopped early: repeat the command with '--resume' to continue\n");
   return stopped_early;
 }
@@ -255,7 +307,8 @@ void add_batch(CLI::App& app, ChosenVerb& chosen) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("{failed,infeasible,undecided}");
-  verb->add_flag("--overwrite", options->overwrite, "Plan all stores again");
+  verb->add_flag("--overwrite", options->overwrite,
+                 "Plan all stores again, and replace results that were changed since");
   add_safe_csv(*verb, options->safe_csv);
   auto* slurm = verb->add_flag("--slurm", options->slurm, "Queue the plans as a Slurm job array")
                     ->group(group::cluster);
@@ -293,7 +346,6 @@ void add_batch(CLI::App& app, ChosenVerb& chosen) {
                  "Write the results of the plans that are finished, and plan nothing")
       ->excludes(slurm)
       ->excludes("--part")
-      ->excludes("--overwrite")
       ->excludes("--only")
       ->group(group::cluster);
   add_common_options(*verb, options->common);

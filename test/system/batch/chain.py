@@ -45,7 +45,7 @@ def contents(folder):
     for part in ("plans", "records"):
         for path in sorted((folder / part).rglob("*")):
             name = str(path.relative_to(folder))
-            if path.suffix == ".json" and path.name != "store.json":
+            if path.suffix == ".json" and path.name != "store.json" and path.is_file():
                 found[name] = without_times(json.loads(path.read_text(encoding="utf-8")))
             elif path.is_file() and path.name != "report.html":
                 found[name] = path.read_bytes()

@@ -1,0 +1,91 @@
+#include "app/batch/first_reading.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <list>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "shelfbeam/base/error.hpp"
+
+#include "app/batch/child.hpp"
+#include "app/text/flags.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+
+namespace shelfbeam::app {
+
+namespace {
+
+constexpr double poll_s = 0.5;
+
+// The exit code of the process that reads a store; its error goes to standard error.
+int outcome_of(const std::function<void(const ListedStore&)>& read, const ListedStore& store) {
+  try {
+    read(store);
+    return done;
+  } catch (const InputError& error) {
+    const std::string line = fmt::format("error: {}\n", one_line(with_flag(error.what(), error.setting())));
+    return ::write(STDERR_FILENO, line.data(), line.size()) < 0 ? internal_error : wrong_input;
+  } catch (const std::exception&) {
+    return internal_error;
+  }
+}
+
+struct Reading {
+  std::size_t plan;
+  Child child;
+};
+
+}  // namespace
+
+std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vector<OpenPlan>& plans,
+                                           const std::function<void(const ListedStore&)>& read,
+                                           const RunControl& control) {
+  std::vector<StoreResult> failures;
+  std::vector<bool> is_unreadable(plans.size());
+  std::list<Reading> running;
+  const auto note = [&](std::size_t k, const ChildEnd& end) {
+    if (end.exit_code != wrong_input || lacks_memory(end)) return;
+    StoreRecord record{failed_result(*plans[k].store, failure_of(end)), plans[k].input};
+    record.result.effort = with_run(plans[k].effort, end);
+    try {
+      write_record(options.folder, record);
+    } catch (const InputError&) {
+      return;  // as the plan will find
+    }
+    is_unreadable[k] = true;
+    failures.push_back(std::move(record.result));
+  };
+  for (std::size_t next = 0; next < plans.size() || !running.empty();) {
+    if (control.cancelled()) break;
+    control.report("reading the stores", static_cast<double>(next) / static_cast<double>(plans.size()));
+    for (; next < plans.size() && running.size() < options.jobs; ++next) try {
+        const ListedStore& store = *plans[next].store;
+        running.push_back({next, Child([&read, &store] { return outcome_of(read, store); }, options.memory)});
+      } catch (const std::system_error&) {  // the plan will read it
+      }
+    if (!running.empty()) wait_for_children(poll_s);
+    for (auto reading = running.begin(); reading != running.end();) {
+      ChildEnd end;
+      const bool has_ended = reading->child.has_ended(end);
+      if (has_ended) note(reading->plan, end);
+      reading = has_ended ? running.erase(reading) : std::next(reading);
+    }
+  }
+  std::vector<OpenPlan> readable;
+  for (std::size_t k = 0; k < plans.size(); ++k)
+    if (!is_unreadable[k]) readable.push_back(std::move(plans[k]));
+  plans = std::move(readable);
+  std::sort(failures.begin(), failures.end(),
+            [](const StoreResult& a, const StoreResult& b) { return a.name < b.name; });
+  return failures;
+}
+
+}  // namespace shelfbeam::app
