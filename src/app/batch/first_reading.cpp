@@ -68,7 +68,7 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
     control.report("reading the stores", static_cast<double>(next) / static_cast<double>(plans.size()));
     for (; next < plans.size() && running.size() < options.jobs; ++next) try {
         const ListedStore& store = *plans[next].store;
-        running.push_back({next, Child([&read, &store] { return outcome_of(read, store); }, options.memory)});
+        running.push_back({next, Child([&read, &store] { return outcome_of(read, store); }, options.memory / options.jobs)});
       } catch (const std::system_error&) {  // the plan will read it
       }
     if (!running.empty()) wait_for_children(poll_s);

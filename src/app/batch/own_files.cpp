@@ -1,6 +1,7 @@
 #include "app/batch/own_files.hpp"
 
 #include <optional>
+#include <system_error>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
@@ -15,8 +16,9 @@ namespace {
 
 // The hash of a missing file is that of an empty one; no hash for what is not a file.
 std::optional<std::string> present_hash(const fs::path& file) {
-  const fs::file_status status = fs::symlink_status(file);
-  if (!fs::exists(status)) return content_hash("");
+  std::error_code unknown;
+  const fs::file_status status = fs::symlink_status(file, unknown);
+  if (status.type() == fs::file_type::not_found) return content_hash("");
   if (!fs::is_regular_file(status)) return std::nullopt;
   return content_hash(read_file(file));
 }
