@@ -1,3 +1,4 @@
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,53 @@ TEST(PhotometryTorture, LineEndsByteOrderMarksAndBlanksDoNotMatter) {
     check(text + "END\r\n", "END");
     check(text + "\x1A", "control-Z");
     check(text.substr(0, text.size() - 1), "last line without an end");
+  }
+}
+
+// The file with its numbers in lines of `count` words.
+std::string reflowed(const std::string& text, std::size_t count) {
+  const std::size_t data = text.find('\n', text.find("TILT=")) + 1;
+  std::string result = text.substr(0, data);
+  std::istringstream words(text.substr(data));
+  std::size_t k = 0;
+  for (std::string word; words >> word; ++k) result += word + (k % count == count - 1 ? "\n" : " ");
+  return result;
+}
+
+TEST(PhotometryTorture, LineBreaksBetweenNumbersDoNotMatterInIes) {
+  std::size_t files = 0;
+  for (const auto& file : test::corpus()) {
+    if (!test::is_ies(file)) continue;
+    ++files;
+    const std::string text = read_file(file), name = file.filename().string();
+    const DirectionTable expected = test::parse_photometry(true, text, name);
+    for (const std::size_t count : {1U, 3U, 7U, 1000U})
+      expect_same(test::parse_photometry(true, reflowed(text, count), name), expected,
+                  fmt::format("{} in lines of {}", name, count));
+    // A number too many or too few is still an error, and names the first line that is suspicious.
+    const std::string all = reflowed(text, 1000);
+    test::expect_input_error([&] { test::parse_photometry(true, all + " 7", name); }, name, "'7'");
+    test::expect_input_error(
+        [&] { test::parse_photometry(true, all.substr(0, all.find_last_of(' ', all.size() - 3)), name); },
+        name, "truncated");
+  }
+  EXPECT_GT(files, 5U);
+}
+
+TEST(PhotometryTorture, EulumdatMayBeginAt90Degrees) {
+  const std::string text = read_file(SHELFBEAM_SOURCE_DIR "/test/data/field/uplight.ldt");
+  const DirectionTable table = parse_eulumdat(text, "a");
+  EXPECT_NEAR(table.theta().front(), radians(90), 1e-12);
+  EXPECT_NEAR(table.theta().back(), radians(180), 1e-12);
+  test::expect_input_error([&] { parse_eulumdat(replaced(text, "\n90\n120", "\n80\n120"), "a"); },
+                           "gamma angle is 80", "0 or 90");
+}
+
+TEST(PhotometryTorture, WideTextsAreNamed) {
+  for (const auto& file : test::corpus()) {
+    std::string wide = "\xFF\xFE";
+    for (const char c : read_file(file)) wide += {c, '\0'};
+    test::expect_input_error([&] { test::parse_photometry(test::is_ies(file), wide, "a"); }, "a: is UTF-16");
   }
 }
 
@@ -124,8 +172,8 @@ TEST(PhotometryTorture, MistakesAreNamedWithTheirLine) {
       {half, "\n24\n", "\n2400000000\n", {"line 4", "C-planes is 2400000000"}},
       {half, "\n15\n4\n", "\n15\n1\n", {"gamma angle"}},
       {half, "\n2\n24", "\n5\n24", {"line 3", "symmetry is 5"}},
-      {half, "\n2\n24", "\n0\n24", {"C-plane 195"}},
-      {half, "\n2\n24", "\n4\n24", {"'80'"}},
+      {half, "\n2\n24", "\n0\n24", {"line 3", "all 24 C-planes", "those of 13"}},
+      {half, "\n2\n24", "\n4\n24", {"line 3", "7 of the 24", "those of 13"}},
       {half, "\n180\n", "\n181\n", {"C-plane at 180"}},
       {half, "\n13\n20", "\n-13\n20", {"-13"}},
       {half, "\n13\n20", "\n1.3.0\n20", {"'1.3.0'", "C-plane 0"}},

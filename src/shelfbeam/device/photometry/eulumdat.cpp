@@ -2,14 +2,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/device/photometry/photometric_lines.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
 #include "shelfbeam/device/photometry/planes.hpp"
@@ -20,6 +23,8 @@ namespace {
 
 using detail::PhotometricLines;
 using detail::Plane;
+
+constexpr std::size_t symmetry_line = 3;
 
 class EulumdatReader {
  public:
@@ -39,13 +44,14 @@ class EulumdatReader {
     skip(6 * lamp_sets, "the sets of lamps");
     skip(10, "the direct ratios");
 
-    const std::vector<double> c = angles(c_count, 360, "the C-angle");
+    const std::vector<double> c = angles(c_count, {0}, 360, "the C-angle");
     const std::size_t c_line = lines_.line();
-    const std::vector<double> gamma = angles(gamma_count, 180, "the gamma angle");
+    const std::vector<double> gamma = angles(gamma_count, {0, 90}, 180, "the gamma angle");
     if (gamma_count < 2) lines_.fail("has only one gamma angle", "at least two are required");
+    const std::vector<double> measured = stored(symmetry, c, c_line);
+    expect_planes(symmetry, measured.size(), c_count, gamma_count);
     std::vector<Plane> planes;
-    for (const double angle : stored(symmetry, c, c_line))
-      planes.push_back({angle, intensities(angle, gamma_count, factor)});
+    for (const double angle : measured) planes.push_back({angle, intensities(angle, gamma_count, factor)});
     lines_.expect_end();
 
     if (symmetry == 0) {
@@ -70,7 +76,7 @@ class EulumdatReader {
     std::replace(word.begin(), word.end(), ',', '.');
     const auto value = detail::finite_number(word);
     if (!value)
-      lines_.fail(fmt::format("'{}' is not a number; {} is expected", detail::quoted(word), what),
+      lines_.fail(fmt::format("{} is not a number; {} is expected", in_quotes(word), what),
                   "check that no line is missing before it");
     return *value;
   }
@@ -85,12 +91,15 @@ class EulumdatReader {
     return count;
   }
 
-  std::vector<double> angles(std::size_t count, double last, std::string_view what) {
+  std::vector<double> angles(std::size_t count, std::initializer_list<double> first, double last,
+                             std::string_view what) {
     std::vector<double> result;
     result.reserve(count);
     for (std::size_t k = 0; k < count; ++k) {
       const double angle = detail::snapped(number(what));
-      if (k == 0 && angle != 0) lines_.fail(fmt::format("{} is {}", what, angle), "angles must begin at 0");
+      if (k == 0 && std::find(first.begin(), first.end(), angle) == first.end())
+        lines_.fail(fmt::format("{} is {}", what, angle),
+                    fmt::format("angles must begin at {}", fmt::join(first, " or ")));
       if (k > 0 && !(angle > result.back()))
         lines_.fail(fmt::format("{} {} follows {}", what, angle, result.back()), "angles must ascend");
       if (angle > last)
@@ -125,6 +134,19 @@ class EulumdatReader {
       default:
         return c;
     }
+  }
+
+  /// Throws if the rest of the file consists of whole planes, but not of as many as the symmetry requires.
+  void expect_planes(std::size_t symmetry, std::size_t required, std::size_t listed,
+                     std::size_t gammas) const {
+    const std::size_t values = lines_.remaining_values(), planes = values / gammas;
+    if (values % gammas != 0 || planes == required || planes == 0) return;
+    const std::string all = required == listed ? fmt::format("all {} C-planes", listed)
+                                               : fmt::format("{} of the {} C-planes", required, listed);
+    lines_.fail(symmetry_line,
+                fmt::format("symmetry {} requires the intensities of {}, but the file has those of {}",
+                            symmetry, all, planes),
+                "correct the symmetry, or download the file again if it is truncated");
   }
 
   std::vector<double> intensities(double c, std::size_t count, double factor) {

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam::detail {
@@ -25,16 +26,30 @@ std::string upper(std::string_view text) {
   return result;
 }
 
+std::string_view without_separators(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(separators), text.size()));
+}
+
 bool is_tilt(std::string_view line) {
   return upper(line.substr(0, 4)) == "TILT" && trim(line.substr(4)).starts_with('=');
 }
 
-/// Reads one file. After each step, `lines_` is just behind the record to which errors refer.
+/// Reads one file. After each step, `lines_` is just behind the line to which errors refer.
 class IesReader {
  public:
   explicit IesReader(PhotometricLines& lines) : lines_(lines) {}
 
   IesData read() {
+    try {
+      return read_all();
+    } catch (const InputError& error) {
+      if (crowded_.empty()) throw;
+      throw InputError(error, crowded_, error.setting());
+    }
+  }
+
+ private:
+  IesData read_all() {
     read_label();
     read_lamp();
     data_.vertical = read_angles("vertical angle", verticals_);
@@ -42,36 +57,33 @@ class IesReader {
     const std::vector<double> horizontal = read_angles("horizontal angle", horizontals_);
     data_.horizontal_line = lines_.line();
     for (const double angle : horizontal) data_.planes.push_back({angle, read_intensities(angle)});
-    lines_.expect_end();
+    lines_.expect_end(rest_);
     return std::move(data_);
   }
 
- private:
-  /// The numbers of a record. A record may span several lines, but ends at the end of a line.
+  /// The numbers of a record, which are read word by word: a record may begin and end anywhere in a line.
   std::vector<double> record(std::size_t count, std::string_view what) {
     std::vector<double> values;
     values.reserve(count);
-    while (values.size() < count) {
-      add_numbers(lines_.next(what), what, values);
-      if (values.size() > count)
-        lines_.fail(fmt::format("has more than {} numbers for {}", count, what),
-                    "check the counts; commas separate numbers, so decimals require a point");
-    }
+    while (values.size() < count) values.push_back(next_number(what));
+    if (!rest_.empty() && crowded_.empty())
+      crowded_ = fmt::format(
+          "line {} has more than {} for {}: check the counts, and write decimals with a point, because "
+          "commas "
+          "separate numbers",
+          lines_.line(), counted(count, "number"), what);
     return values;
   }
 
-  void add_numbers(std::string_view line, std::string_view what, std::vector<double>& values) const {
-    for (std::size_t begin = line.find_first_not_of(separators); begin != std::string_view::npos;
-         begin = line.find_first_not_of(separators)) {
-      line.remove_prefix(begin);
-      const std::string_view word = line.substr(0, line.find_first_of(separators));
-      const auto value = finite_number(word);
-      if (!value)
-        lines_.fail(fmt::format("'{}' is not a number; {} is expected", quoted(word), what),
-                    "check that the line is complete and that no line is missing before it");
-      values.push_back(*value);
-      line.remove_prefix(word.size());
-    }
+  double next_number(std::string_view what) {
+    while (rest_.empty()) rest_ = without_separators(lines_.next(what));
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(separators));
+    const auto value = finite_number(word);
+    if (!value)
+      lines_.fail(fmt::format("{} is not a number; {} is expected", in_quotes(word), what),
+                  "check that the line is complete and that no line is missing before it");
+    rest_ = without_separators(rest_.substr(word.size()));
+    return *value;
   }
 
   /// A count of numbers that follow. Each takes at least one character, which limits the count.
@@ -105,7 +117,7 @@ class IesReader {
       for (const int known : {1986, 1991, 1995, 2002, 2019})
         if (year == fmt::format("{}", known) || year == fmt::format("{:02}", known % 100)) year_ = known;
       if (year_ == 0)
-        lines_.fail(fmt::format("'{}' is not a known edition of LM-63", quoted(line)),
+        lines_.fail(fmt::format("{} is not a known edition of LM-63", in_quotes(line)),
                     "known: 1986, 1991, 1995, 2002, 2019");
     }
   }
@@ -114,7 +126,7 @@ class IesReader {
     const std::string kind = upper(value);
     if (kind == "NONE") return;
     if (kind != "INCLUDE")
-      lines_.fail(fmt::format("TILT is '{}'", quoted(value)),
+      lines_.fail(fmt::format("TILT is {}", in_quotes(value)),
                   "write TILT=NONE or TILT=INCLUDE; tilt factors only scale a profile, so NONE suffices");
     // Tilt factors depend on the mounting and scale all intensities equally, so they do not affect the shape.
     lines_.whole(record(1, "the lamp-to-luminaire geometry")[0], 1, 3, "the lamp-to-luminaire geometry");
@@ -174,6 +186,10 @@ class IesReader {
   }
 
   PhotometricLines& lines_;
+  std::string_view rest_;  ///< of the current line, from its next number
+  /// The first line in which a record ended before the line did. Programs write such files, but in most files
+  /// that cannot be read, there are too many or too few numbers before that place.
+  std::string crowded_;
   IesData data_;
   int year_ = 1986;  ///< the first edition has no version tag
   std::size_t verticals_ = 0, horizontals_ = 0;

@@ -1,5 +1,6 @@
 #include "shelfbeam/device/photometry/photometric_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,14 +25,9 @@ PhotometricLines::PhotometricLines(std::string_view text, std::string name)
   if (text.size() > max_text_bytes)
     fail(0, fmt::format("has {} characters, too many for a photometric file", text.size()),
          "check that it is the right file");
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_mark(text, name_);
   while (!text.empty() && (text.back() == '\x1A' || text.back() == '\0')) text.remove_suffix(1);
-  while (!text.empty()) {
-    const std::size_t end = text.find_first_of("\r\n");
-    lines_.push_back(trim(text.substr(0, end)));
-    if (end == std::string_view::npos) break;
-    text.remove_prefix(end + (text.substr(end).starts_with("\r\n") ? 2 : 1));
-  }
+  while (!text.empty()) lines_.push_back(trim(take_line(text)));
 }
 
 void PhotometricLines::fail(std::size_t line, const std::string& problem,
@@ -54,11 +50,19 @@ std::string_view PhotometricLines::next(std::string_view what) {
   return lines_[next_++];
 }
 
-void PhotometricLines::expect_end() {
-  while (!at_end())
-    if (const std::string_view line = next(""); !line.empty() && line != "END")
-      fail(next_, fmt::format("the file continues after its last intensity with '{}'", quoted(line)),
-           "check its counts; a file contains one luminaire");
+std::size_t PhotometricLines::remaining_values() const {
+  return static_cast<std::size_t>(
+      std::count_if(lines_.begin() + static_cast<std::ptrdiff_t>(next_), lines_.end(),
+                    [](std::string_view line) { return !line.empty() && line != "END"; }));
+}
+
+void PhotometricLines::expect_end(std::string_view rest) {
+  while (rest.empty() || rest == "END") {
+    if (at_end()) return;
+    rest = next("");
+  }
+  fail(next_, fmt::format("the file continues after its last intensity with {}", in_quotes(rest)),
+       "check its counts; a file contains one luminaire");
 }
 
 DirectionTable PhotometricLines::checked(DirectionTable table) const {
@@ -77,13 +81,6 @@ std::optional<double> finite_number(std::string_view word) {
 double snapped(double angle) {
   const double exact = 90 * std::round(angle / 90);
   return std::abs(angle - exact) < 1e-3 ? exact : angle;
-}
-
-std::string quoted(std::string_view word) {
-  std::string result(word.substr(0, 40));
-  for (char& c : result)
-    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) >= 0x7F) c = '?';
-  return result;
 }
 
 }  // namespace shelfbeam::detail

@@ -30,13 +30,16 @@ class PhotometricLines {
   /// The number of the line that `next` returned last.
   std::size_t line() const { return next_; }
   std::size_t remaining() const { return lines_.size() - next_; }
+  /// The number of remaining lines without those that `expect_end` ignores.
+  std::size_t remaining_values() const;
   std::size_t characters() const { return characters_; }  ///< in the whole file
   bool at_end() const { return next_ == lines_.size(); }
   /// The next line. Throws at the end of the file; `what` names the expected content in the message.
   std::string_view next(std::string_view what);
 
-  /// Throws unless only blank lines and the word END follow, which some programs write.
-  void expect_end();
+  /// Throws unless only blank lines and the word END follow, which some programs write; `rest` is the part of
+  /// the current line that has not been read.
+  void expect_end(std::string_view rest = {});
 
   /// Throws unless the table can be scaled to a flux.
   DirectionTable checked(DirectionTable table) const;
@@ -53,8 +56,5 @@ std::optional<double> finite_number(std::string_view word);
 
 /// An angle in degrees, rounded to a multiple of 90 if it lies within 0.001 of it.
 double snapped(double angle);
-
-/// A word of a file for an error message: shortened, without control characters.
-std::string quoted(std::string_view word);
 
 }  // namespace shelfbeam::detail
