@@ -1,9 +1,7 @@
-#include <array>
 #include <bit>
-#include <charconv>
-#include <cstring>
 #include <fstream>
-#include <limits>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +10,7 @@
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
+#include "shelfbeam/signal/tables/npy_header.hpp"
 #include "shelfbeam/signal/text_file.hpp"
 
 static_assert(std::endian::native == std::endian::little, "NPY files are read in memory byte order");
@@ -21,60 +20,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct NpyHeader {
-  bool is_double = false;
-  bool columns_first = false;
-  std::size_t rows = 0, columns = 0;
-  std::size_t data_begin = 0;  ///< bytes from the beginning of the file
+struct Npy {
+  NpyHeader header;
+  std::size_t data_begin;  ///< bytes from the beginning of the file
 };
 
-NpyHeader parse_header(std::string_view text, const std::string& name) {
-  const auto wrong = [&](const std::string& problem, const std::string& suggestion) {
-    return InputError(name + ": header", problem, suggestion);
-  };
-  // The text after 'key': up to and including `end`.
-  const auto value = [&](std::string_view key, std::string_view end) {
-    const std::string quoted = fmt::format("'{}':", key);
-    if (const auto found = text.find(quoted); found != std::string_view::npos) {
-      const std::string_view rest = text.substr(found + quoted.size());
-      if (const auto stop = rest.find_first_of(end); stop != std::string_view::npos)
-        return trim(rest.substr(0, stop + 1));
-    }
-    throw wrong(fmt::format("is missing '{}'", key), "write the file again with numpy.save");
-  };
-  NpyHeader header;
-  const std::string_view type = value("descr", ",");
-  if (type == "'<f8',")
-    header.is_double = true;
-  else if (type != "'<f4',")
-    throw wrong(fmt::format("the data have type {}", type.substr(0, type.size() - 1)),
-                type.starts_with("'>") ? "big-endian is not supported: save matrix.astype('<f4')"
-                                       : "'<f4' and '<f8' are supported: save matrix.astype('<f4')");
-
-  const std::string_view order = value("fortran_order", ",");
-  if (order != "True," && order != "False,")
-    throw wrong("'fortran_order' is neither True nor False", "write it again");
-  header.columns_first = order == "True,";
-
-  const std::string_view shape = value("shape", ")");
-  std::vector<std::size_t> extents;
-  for (std::string_view part :
-       split(shape.substr(std::min<std::size_t>(1, shape.size()), shape.size() - 2), ',')) {
-    std::size_t extent = 0;
-    const auto [stopped, error] = std::from_chars(part.data(), part.data() + part.size(), extent);
-    if (!part.empty() && error == std::errc{} && stopped == part.data() + part.size())
-      extents.push_back(extent);
-  }
-  constexpr std::size_t max_extent = std::numeric_limits<std::uint32_t>::max() - 1;
-  if (extents.size() != 2 || extents[0] == 0 || extents[1] == 0 || extents[0] > max_extent ||
-      extents[1] > max_extent)
-    throw wrong(fmt::format("the shape is {}", shape), "a matrix (labels, transceivers) is expected");
-  header.rows = extents[0];
-  header.columns = extents[1];
-  return header;
-}
-
-NpyHeader read_header(const fs::path& path) {
+Npy read_header(const fs::path& path) {
   constexpr std::size_t longest = 1 << 16;
   const std::string bytes = read_first_bytes(path, longest);
   const auto byte = [&](std::size_t i) -> std::size_t {
@@ -86,16 +37,15 @@ NpyHeader read_header(const fs::path& path) {
   if (byte(6) < 1 || byte(6) > 3 || bytes.size() < prefix || length > bytes.size() - prefix)
     throw InputError(path.string() + ": header", "is truncated, corrupt or of an unknown NPY version",
                      "write the file again with numpy.save");
-  NpyHeader header = parse_header(std::string_view(bytes).substr(prefix, length), path.string());
-  header.data_begin = prefix + length;
-  return header;
+  return {parse_npy_header(std::string_view(bytes).substr(prefix, length), path.string()), prefix + length};
 }
 
 template <class T>
-SignalTable read_entries(const fs::path& path, const NpyHeader& header) {
+SignalTable read_entries(const fs::path& path, const Npy& npy) {
+  const auto& [header, data_begin] = npy;
   const std::size_t m = header.rows, n = header.columns;
   // The table takes at least as much memory as the file.
-  const std::size_t present = input_size(path, memory_limit() / 2) - header.data_begin;
+  const std::size_t present = input_size(path, memory_limit() / 2) - data_begin;
   if (present % sizeof(T) != 0 || present / sizeof(T) / n != m || present / sizeof(T) % n != 0)
     throw InputError(path.string(),
                      fmt::format("has {} bytes of data, but its shape ({}, {}) requires {}", present, m, n,
@@ -103,7 +53,7 @@ SignalTable read_entries(const fs::path& path, const NpyHeader& header) {
                      "it is truncated or corrupt: write it again");
   std::vector<T> values(m * n);
   std::ifstream in(path, std::ios::binary);
-  in.seekg(static_cast<std::streamoff>(header.data_begin));
+  in.seekg(static_cast<std::streamoff>(data_begin));
   in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
   if (!in) throw InputError(path.string(), "cannot be read to its end", "check the disk");
 
@@ -127,8 +77,8 @@ SignalTable read_entries(const fs::path& path, const NpyHeader& header) {
 }  // namespace
 
 SignalTable read_npy_table(const fs::path& path) {
-  const NpyHeader header = read_header(path);
-  return header.is_double ? read_entries<double>(path, header) : read_entries<float>(path, header);
+  const Npy npy = read_header(path);
+  return npy.header.is_double ? read_entries<double>(path, npy) : read_entries<float>(path, npy);
 }
 
 }  // namespace shelfbeam::detail

@@ -60,6 +60,37 @@ TEST(NpyTable, ReadsBothTypesOrdersAndVersions) {
   expect_two_by_three(read(npy(header("<f8", "True", "(2,3)"), bytes(wide_columns), 2)));
 }
 
+TEST(NpyTable, HeadersAreAnyPythonDictionary) {
+  const std::string data = bytes(std::vector<float>{1, 0, 3, 4, 5, 6});
+  for (const char* dialect : {"{'shape': (2, 3), 'descr': '<f4', 'fortran_order': False}",
+                              R"({"descr": "<f4", "fortran_order": False, "shape": (2, 3)})",
+                              "{u'descr': u'<f4', u'fortran_order': False, u'shape': (2L, 3L), }  \n",
+                              "{'descr':'<f4','fortran_order':False,'shape':[2,3,]}",
+                              "  {\n'descr' : '<f4' ,\n'fortran_order' : False ,\n"
+                              "'shape' : ( 2 , 3 )\n}\n",
+                              "{'descr': '=f4', 'fortran_order': False, 'shape': (2, 3), }\n",
+                              "{'descr': 'float32', 'fortran_order': False, 'shape': (2, 3), }\n"})
+    expect_two_by_three(read(npy(dialect, data)));
+}
+
+TEST(NpyTable, OtherHeadersAreRefused) {
+  const std::string data = bytes(std::vector<float>{1, 0, 3, 4, 5, 6});
+  const auto refused = [&](const std::string& text, std::string_view problem) {
+    expect_input_error([&] { read(npy(text, data)); }, "matrix.npy: header: ", problem);
+  };
+  refused("", "dictionary");
+  refused("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3)", "dictionary");
+  refused("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3}", "dictionary");
+  refused("{'descr': '<f4, 'fortran_order': False, 'shape': (2, 3)}", "dictionary");
+  refused("{'descr': '<f4', 'descr': '<f8', 'fortran_order': False, 'shape': (2, 3)}", "'<f8'");
+  refused("{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3), 'color': 1}", "'color': 1");
+  refused("{'descr': '<f4', 'fortran_order': False, 'shape': 6}", "shape is 6");
+  refused("{'descr': '<f4', 'fortran_order': False, 'shape': (2.0, 3)}", "shape is (2.0, 3)");
+  refused("{'descr': [('a', '<f4'), ('b', '<f4')], 'fortran_order': False, 'shape': (3,)}",
+          "[('a', '<f4'), ('b'");
+  refused("{'descr': '>f4', 'fortran_order': False, 'shape': (2, 3)}", "big-endian");
+}
+
 TEST(NpyTable, BrokenFilesAreRefused) {
   const std::vector<float> data = {1, 0, 3, 4, 5, 6};
   const auto refused = [](const std::string& content, std::string_view problem) {
