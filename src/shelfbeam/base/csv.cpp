@@ -256,22 +256,29 @@ std::string CsvReader::text(std::size_t field) const {
   return std::string(text);
 }
 
-std::string CsvReader::id(std::size_t field) const {
+std::string CsvReader::id(std::size_t field) {
   std::string id = text(field);
   if (id.empty()) fail(field, "is empty", "an id is expected");
   if (const std::string character = unprintable_character(id); !character.empty())
     fail(field, fmt::format("has the unprintable character '{}'", character), "remove it from the id");
+  ids_.note(id, line_);
   return id;
 }
 
-std::uint32_t CsvIdLookup::read(const CsvReader& csv, std::size_t field) const {
+std::vector<std::string> CsvReader::column_names() const {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < fields_.size(); ++k) names.push_back(lower_case(text(k)));
+  return names;
+}
+
+std::uint32_t CsvIdLookup::read(CsvReader& csv, std::size_t field) const {
   const std::string id = csv.id(field);
   const auto found = index_.find(id);
   if (found != index_.end()) return found->second;
   const std::string near = nearest(id, known_);
-  csv.fail(
-      field, fmt::format("the matrix has no {} {}", kind_, in_quotes(id)),
-      near.empty() ? "correct the id or remove the line" : fmt::format("did you mean {}?", in_quotes(near)));
+  csv.fail(field, fmt::format("the matrix has no {} {}", kind_, in_quotes(id)),
+           id_remedy(id, near.empty() ? "correct the id or remove the line"
+                                      : fmt::format("did you mean {}?", in_quotes(near))));
 }
 
 std::string csv_quoted(std::string_view text) {

@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "shelfbeam/base/changed_ids.hpp"
+
 namespace shelfbeam {
 
 /// Reads records (RFC 4180: fields may be quoted, and a quote inside them is doubled) as spreadsheets write
@@ -39,7 +41,11 @@ class CsvReader {
   /// The field as text: the text that `csv_field` was given.
   std::string text(std::size_t field) const;
   /// The field as an id; throws InputError when it is empty or has an unprintable character.
-  std::string id(std::size_t field) const;
+  std::string id(std::size_t field);
+  /// The warning about the ids so far (ChangedIds); empty if there is none.
+  std::string warning_of_ids() const { return ids_.warning(name_); }
+  /// The fields in lower case, so that columns are found by their names in any spelling.
+  std::vector<std::string> column_names() const;
 
   /// "file: line 3" for errors.
   std::string where() const;
@@ -69,6 +75,7 @@ class CsvReader {
   Example point_, comma_;              ///< numbers with these decimal marks
   Example grouped_;                    ///< a number whose mark may separate thousands
   bool has_decimals_ = false;          ///< whether another number shows that it does not
+  ChangedIds ids_;
 };
 
 /// The characters that may separate the fields of a text: that of its line `sep=;`, or those in its first
@@ -87,7 +94,7 @@ class CsvIdLookup {
     }
   }
   /// The index of the item that a field names. Throws InputError when no item has this id.
-  std::uint32_t read(const CsvReader& csv, std::size_t field) const;
+  std::uint32_t read(CsvReader& csv, std::size_t field) const;
 
  private:
   std::string_view kind_;

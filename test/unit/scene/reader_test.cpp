@@ -195,6 +195,19 @@ TEST_F(StoreCsv, IsReadAsSpreadsheetsWriteIt) {
   EXPECT_LT(length(label[1].normal - Vec3{0, -0.6, 0.8}), 1e-15);
 }
 
+TEST_F(StoreCsv, IdsThatASpreadsheetHasChangedAreNamed) {
+  folder.write("lists/units.csv", units);
+  const std::string header = "ID,X,Y,Z,NX,NY,NZ,Type\n", row = ",5,2,1e0,0,0,2,large\n";
+  folder.write("labels.csv", header + "1.0" + row + "2.0" + row);
+  EXPECT_NE(
+      scene().warnings.front().find("labels.csv: has ids that look as if a spreadsheet has changed them: "
+                                    "'1.0' in line 2, '2.0' in line 3;"),
+      std::string::npos);
+  folder.write("labels.csv", header + "4.00638E+12" + row + "4.00638E+12" + row);
+  expect_input_error([&] { scene(); }, "labels.csv: line 3: ", "duplicate label id '4.00638E+12'",
+                     "it looks as if a spreadsheet has changed it");
+}
+
 TEST_F(StoreCsv, ErrorsNameFileAndLine) {
   folder.write("lists/units.csv", units);
   const std::string file = (folder / "labels.csv").string();

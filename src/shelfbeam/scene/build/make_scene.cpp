@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/changed_ids.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
@@ -66,6 +67,7 @@ class SceneMaker {
     scene_.materials = store_.materials;
     scene_.label_types = store_.label_types;
     scene_.transceiver_types = store_.transceiver_types;
+    for (const std::string& warning : store_.warnings) warnings_.add("files with changed ids", warning);
     expect_memory();
     add_room();
     add_fixtures();
@@ -216,7 +218,7 @@ class SceneMaker {
         throw InputError(sources_.labels[i],
                          fmt::format("has the duplicate label id {}, first used in {}", in_quotes(label.id),
                                      sources_.labels[first->second]),
-                         "make ids unique");
+                         id_remedy(label.id, "make ids unique"));
       expect_in_room(label.id, label.position, sources_.labels[i], "label", store_.labels);
     }
   }
@@ -239,7 +241,7 @@ class SceneMaker {
     expect_in_room(unit.id, unit.position, where, "transceiver", store_.transceivers);
     if (!unit_index_.emplace(unit.id, scene_.transceivers.size()).second)
       throw InputError(where, fmt::format("has the duplicate transceiver id {}", in_quotes(unit.id)),
-                       "make ids unique");
+                       id_remedy(unit.id, "make ids unique"));
     scene_.transceivers.push_back(unit);
     sources_.transceivers.push_back(where);
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -59,6 +60,8 @@ class Planogram {
       csv.expect_fields(columns.required, columns.width);
       places_.push_back(read_place(csv, columns));
     }
+    if (std::string warning = csv.warning_of_ids(); !warning.empty())
+      store_.warnings.push_back(std::move(warning));
     add_labels();
   }
 
@@ -74,18 +77,25 @@ class Planogram {
   static Columns read_header(CsvReader& csv, const std::string& file) {
     constexpr const char* expected =
         "the first line must have the columns article, fixture, face, level, and x or position";
+    const std::set<std::string_view> known{"article", "fixture", "face", "level", "x", "position", "type"};
     if (!csv.next()) throw InputError(file, "is empty", expected);
     Columns columns;
-    const auto& fields = csv.fields();
+    const std::vector<std::string> fields = csv.column_names();
     columns.width = fields.size();
     const auto find = [&](std::string_view name) {
       if (std::count(fields.begin(), fields.end(), name) > 1)
         csv.fail(fmt::format("has several columns {}", in_quotes(name)), "rename or remove all but one");
       return static_cast<std::size_t>(std::find(fields.begin(), fields.end(), name) - fields.begin());
     };
+    const auto meant = [&](std::string_view name) -> std::string {
+      const std::string near = nearest(name, csv.fields());
+      return near.empty() || known.contains(lower_case(near))
+                 ? expected
+                 : fmt::format("rename {} if it is meant", in_quotes(near));
+    };
     const auto column = [&](std::string_view name) {
       const std::size_t k = find(name);
-      if (k == fields.size()) csv.fail(fmt::format("has no column {}", in_quotes(name)), expected);
+      if (k == fields.size()) csv.fail(fmt::format("has no column {}", in_quotes(name)), meant(name));
       columns.required = std::max(columns.required, k + 1);
       return k;
     };
@@ -125,7 +135,7 @@ class Planogram {
     const auto found = index_.find(csv.text(at.fixture));
     if (found == index_.end())
       csv.fail(at.fixture, fmt::format("names the unknown fixture {}", in_quotes(csv.text(at.fixture))),
-               "correct the id, or add the fixture to the store");
+               id_remedy(csv.text(at.fixture), "correct the id, or add the fixture to the store"));
     place.fixture = found->second;
     place.type = read_type(csv, at);
     const Fixture& fixture = store_.fixtures[place.fixture].value;
@@ -133,7 +143,7 @@ class Planogram {
     const std::vector<double> levels = shelves != nullptr ? levels_of(fixture) : std::vector<double>();
     if (levels.empty()) csv.fail(at.fixture, "names a fixture without boards", "use a gondola or a freezer");
     const std::vector<Face> faces = faces_of(fixture);
-    const auto face = from_text<Face>(csv.text(at.face));
+    const auto face = from_text<Face>(lower_case(csv.text(at.face)));
     if (!face || std::find(faces.begin(), faces.end(), *face) == faces.end()) {
       std::vector<std::string_view> known;
       known.reserve(faces.size());

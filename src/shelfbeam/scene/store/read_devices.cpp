@@ -103,14 +103,14 @@ void expect_unit(const Record& record, const std::string& file) {
 
 bool continues_with(const CsvReader& csv, std::size_t first, std::string_view header) {
   const std::vector<std::string_view> columns = split(header, ',');
-  return csv.fields().size() >= first + columns.size() &&
-         std::equal(columns.begin(), columns.end(),
-                    csv.fields().begin() + static_cast<std::ptrdiff_t>(first));
+  const std::vector<std::string> names = csv.column_names();
+  return names.size() >= first + columns.size() &&
+         std::equal(columns.begin(), columns.end(), names.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 // Calls `use(record)` for each record of a CSV whose first columns are those of its header.
 template <class Use>
-void each_record(const std::filesystem::path& path, const Columns& known, LengthUnit unit, Use use) {
+void each_record(const std::filesystem::path& path, const Columns& known, Store& store, Use use) {
   const auto& [header, ours] = known;
   const std::string text = read_file(path);
   CsvReader csv(text, path.string());
@@ -118,13 +118,15 @@ void each_record(const std::filesystem::path& path, const Columns& known, Length
   if (!csv.next()) throw InputError(path.string(), "is empty", expected);
   if (!continues_with(csv, 0, header)) csv.fail("has an unknown header", expected);
   const std::size_t required = split(header, ',').size(), width = csv.fields().size();
-  Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : unit};
+  Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : store.unit};
   const std::string meaning = fmt::format(": {}", header);
   while (csv.next()) {
     csv.expect_fields(required, width, meaning);
     use(record);
   }
   expect_unit(record, path.string());
+  if (std::string warning = csv.warning_of_ids(); !warning.empty())
+    store.warnings.push_back(std::move(warning));
 }
 
 }  // namespace
@@ -164,8 +166,8 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
 }
 
 void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, label_columns, store.unit, [&](Record& record) {
-    const CsvReader& csv = record.csv;
+  each_record(path, label_columns, store, [&](Record& record) {
+    CsvReader& csv = record.csv;
     Label label;
     label.id = csv.id(0);
     label.position = record.point(1);
@@ -176,7 +178,7 @@ void read_labels_csv(const std::filesystem::path& path, const StoreNames& names,
 }
 
 void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, unit_columns, store.unit, [&](Record& record) {
+  each_record(path, unit_columns, store, [&](Record& record) {
     CsvReader& csv = record.csv;
     Transceiver unit;
     unit.id = csv.id(0);

@@ -57,6 +57,7 @@ struct Store {
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;
   std::optional<StoreVariation> variation;
+  std::vector<std::string> warnings;  ///< about the ids in its CSV files
   /// Memory limit of its scene, bytes (StoreTrust::memory).
   std::size_t memory = StoreLimits{}.memory;
 };

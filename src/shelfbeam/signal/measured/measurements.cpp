@@ -28,12 +28,13 @@ using Fields = std::array<std::optional<std::size_t>, columns.size()>;
 Fields read_header(CsvReader& csv) {
   if (!csv.next()) csv.fail("is empty", expected);
   Fields fields;
-  for (std::size_t k = 0; k < csv.fields().size(); ++k) {
-    const std::string_view name = csv.fields()[k];
+  const std::vector<std::string> names = csv.column_names();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string& name = names[k];
     const auto* known = std::find(columns.begin(), columns.end(), name);
     if (known == columns.end()) {
       const std::string near = nearest(name, columns);
-      csv.fail(k, fmt::format("is the unknown column {}", in_quotes(name)),
+      csv.fail(k, fmt::format("is the unknown column {}", in_quotes(csv.fields()[k])),
                near.empty() ? expected : fmt::format("did you mean '{}'?", near));
     }
     auto& field = fields[static_cast<std::size_t>(known - columns.begin())];

@@ -102,6 +102,36 @@ TEST(Planogram, RefusesFaultsWithTheirLine) {
                            std::string_view("p.csv: line 2: names the unknown label type 'huge'"));
 }
 
+TEST(Planogram, ComesFromSpreadsheets) {
+  const TempFolder folder;
+  Json store =
+      store_with(R"([{"type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
+    "material": "steel", "shelves": [0.4, 0.9], "faces": ["front"]}])");
+  store["labels"] = Json::array();
+  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
+  const auto warnings = [&](const std::string& text) {
+    folder.write("p.csv", text);
+    return make_scene(read(store, folder.path())).warnings;
+  };
+  const std::string plain = "article,fixture,face,level,position\n1,A,front,2,1\n2,A,front,2,2\n";
+  const std::vector<std::string> usual = warnings(plain);
+  EXPECT_EQ(warnings("Article;FIXTURE;Face;Level;Position\r\n1;A;Front;2;1\r\n2;A;FRONT;2;2\r\n"), usual);
+  const std::vector<std::string> changed =
+      warnings("article,fixture,face,level,position\n\"4,00638E+12\",A,front,2,1\n#REF!,A,front,2,2\n");
+  ASSERT_EQ(changed.size(), usual.size() + 1);
+  EXPECT_NE(changed[0].find(
+                "p.csv: has ids that look as if a spreadsheet has changed them: '4,00638E+12' in line 2, "
+                "'#REF!' in line 3;"),
+            std::string::npos)
+      << changed[0];
+  folder.write("p.csv", "artikle,fixture,face,level,position\n1,A,front,2,1\n");
+  test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("has no column 'article'"),
+                           std::string_view("rename 'artikle' if it is meant"));
+  folder.write("p.csv", "article,Article,fixture,face,level,position\n1,1,A,front,2,1\n");
+  test::expect_input_error([&] { read(store, folder.path()); },
+                           std::string_view("several columns 'article'"));
+}
+
 TEST(Planogram, LabelsHaveTheirTypeHookAndTilt) {
   const TempFolder folder;
   Json store =

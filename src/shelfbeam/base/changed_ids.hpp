@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shelfbeam {
+
+/// Collects ids that a spreadsheet or another program has probably changed: numbers in scientific notation
+/// ("4,00638E+12"), with decimals ("123.0") or with thousands separators, dates, formulas, error values
+/// ("#N/A") and missing values ("NaN").
+class ChangedIds {
+ public:
+  void note(std::string_view id, std::size_t line);
+  /// The warning about a file, which names the first ids and their lines; empty if there are none.
+  std::string warning(const std::string& file) const;
+
+ private:
+  struct Id {
+    std::string id;
+    std::vector<std::size_t> lines;  ///< the first
+    std::size_t count = 0;           ///< of all lines
+  };
+  static void add(std::vector<Id>& ids, std::string_view id, std::size_t line);
+
+  std::vector<Id> changed_, whole_;  ///< `whole_`: numbers such as "123.0"
+  bool has_fractions_ = false;       ///< ids such as "1.2", beside which "1.0" is no error
+};
+
+/// What to do about an id that is wrong: `remedy`, or that its column has to be kept as text.
+std::string id_remedy(std::string_view id, std::string_view remedy);
+
+}  // namespace shelfbeam
