@@ -112,11 +112,15 @@ void PlacementInput::keep(const std::filesystem::path& output) const {
   requirements.keep(output);
 }
 
-SignalTable PlacementInput::table(const PlacementProblem& problem) const {
+ReadTable PlacementInput::table(const PlacementProblem& problem) const {
   const std::vector<std::string> scenario = scenario_names(signals);
   std::vector<NamedTable> scenarios;
-  for (std::size_t k = 0; k < signals.size(); ++k)
-    scenarios.push_back({scenario[k], signals[k].string(), read_signal_table(signals[k])});
+  std::vector<std::string> warnings;
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    ReadTable read = read_table(signals[k], reading);
+    scenarios.push_back({scenario[k], signals[k].string(), std::move(read.table)});
+    warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
+  }
   SignalTable table = stack_tables(std::move(scenarios));
   const std::string name = names_of(signals);
   if (threshold > 0) set_requirement(table, threshold);
@@ -126,7 +130,7 @@ SignalTable PlacementInput::table(const PlacementProblem& problem) const {
   } catch (const InputError& error) {
     throw InputError(name, error.what(), {}, error.setting());
   }
-  return table;
+  return {std::move(table), std::move(warnings)};
 }
 
 void add_placement_input(CLI::App& verb, PlacementInput& input) {
@@ -143,6 +147,11 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
           "and NPY")
       ->check(positive_number())
       ->option_text("SIGNAL");
+  add_choice(verb, "--read-as", input.reading,
+             "Reading of a CSV or OR-Library file that fits several. signals: CSV without ids; header: CSV "
+             "with the ids of transceivers in the first row; ids: with those of labels in the first column, "
+             "too; scp, rail: forms of OR-Library files; auto (default): refuse such a file")
+      ->group(group::placement);
   add_requirement_options(verb, input.requirements);
 }
 

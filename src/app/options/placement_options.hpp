@@ -11,7 +11,7 @@
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
-#include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/signal/tables/table_reading.hpp"
 
 #include "app/text/placement_text.hpp"
 
@@ -35,12 +35,13 @@ void add_requirement_options(CLI::App& verb, Requirements& requirements);
 struct PlacementInput {
   std::vector<std::filesystem::path> signals;  ///< one per scenario
   double threshold = 0;                        ///< 0: not given
+  TableReading reading = TableReading::automatic;
   Requirements requirements;
 
   /// Throws InputError if the output would overwrite an input file.
   void keep(const std::filesystem::path& output) const;
   /// Throws InputError that names the file, also where a label has no requirement.
-  SignalTable table(const PlacementProblem& problem) const;
+  ReadTable table(const PlacementProblem& problem) const;
 };
 
 void add_placement_input(CLI::App& verb, PlacementInput& input);

@@ -22,7 +22,8 @@ std::string with_flag(std::string_view message, Setting setting) {
                                                          {Setting::strictness, "--strict"},
                                                          {Setting::overwriting, "--overwrite"},
                                                          {Setting::part, "--part"},
-                                                         {Setting::signals, "--signal"}};
+                                                         {Setting::signals, "--signal"},
+                                                         {Setting::reading, "--read-as"}};
   const auto found = flags.find(setting);
   return found == flags.end() ? std::string(message) : fmt::format("{} ({})", message, found->second);
 }

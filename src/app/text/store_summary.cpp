@@ -162,6 +162,16 @@ void print_list(std::string_view heading, const std::vector<std::string>& lines)
   for (const std::string& line : lines) fmt::print("  {}\n", one_line(line));
 }
 
+void print_warnings(const CommonOptions& common, const std::vector<std::string>& warnings) {
+  if (common.quiet) return;
+  for (const std::string& warning : warnings) {
+    if (common.json)
+      print_message("warning: {}\n", one_line(warning));
+    else
+      print_warning(warning);
+  }
+}
+
 void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy) {
   if (common.json || common.quiet) return;
   print_warnings(scene);

@@ -15,6 +15,7 @@
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
+#include "app/text/store_summary.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
@@ -47,7 +48,8 @@ void export_matrix(const Options& options) {
 }
 
 void export_model(const Options& options) {
-  const SignalTable table = options.input.table(options.problem);
+  const auto [table, warnings] = options.input.table(options.problem);
+  print_warnings(options.common, warnings);
   const PlacementProblem problem = resolved(options.problem, table);
   if (problem.objective != Objective::count && problem.combination == Combination::lexicographic)
     throw InputError(fmt::format("--objective {}", to_text(problem.objective)),
@@ -69,8 +71,8 @@ int run_export(const Options& options) {
                      "remove it, or write .csv or .npy");
   if (is_matrix && options.for_model)
     throw InputError(
-        "--model, --objective, --weighted, --share, --survive-failure, --threshold, --costs, --min-spacing, "
-        "--forbid",
+        "--model, --objective, --weighted, --share, --survive-failure, --threshold, --read-as, --costs, "
+        "--min-spacing, --forbid",
         "do not apply to a matrix", "remove them, or write .mps or .lp");
   if (options.safe_csv && kind != ".csv")
     throw InputError("--safe-csv", "applies to CSV files only", "remove it, or write .csv");
@@ -112,8 +114,9 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam export signal.h5 -o errors.csv --what standard-error");
   verb->callback([options, verb, &chosen] {
     options->for_matrix = verb->count("--what") > 0;
-    for (const char* flag : {"--model", "--objective", "--weighted", "--lexicographic", "--share",
-                             "--survive-failure", "--threshold", "--costs", "--min-spacing", "--forbid"})
+    for (const char* flag :
+         {"--model", "--objective", "--weighted", "--lexicographic", "--share", "--survive-failure",
+          "--threshold", "--read-as", "--costs", "--min-spacing", "--forbid"})
       options->for_model = options->for_model || verb->count(flag) > 0;
     chosen = [options] { return run_export(*options); };
   });

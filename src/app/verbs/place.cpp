@@ -14,6 +14,7 @@
 #include "app/options/placement_options.hpp"
 #include "app/options/values.hpp"
 #include "app/text/coverage_text.hpp"
+#include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -84,9 +85,10 @@ int run_place(const Options& options) {
   options.input.keep(options.output);
   if (!options.weights.empty()) protect_input(options.output, options.weights);
   check(options);
-  SignalTable table = options.input.table(options.problem);
+  auto [table, warnings] = options.input.table(options.problem);
   if (!options.weights.empty()) apply_weights(table, options.weights);
   if (!options.output.empty()) expect_writable(options.output);
+  print_warnings(options.common, warnings);
   Answer answer;
   {
     TerminalProgress progress(options.common.quiet);

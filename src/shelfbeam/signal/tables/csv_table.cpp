@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -27,20 +30,24 @@ void read_row(SignalTable& table, CsvReader& csv, std::size_t first_value) {
 }
 
 void read_plain_rows(SignalTable& table, CsvReader& csv) {
-  number_transceivers(table, csv.fields().size());
   do {
     read_row(table, csv, 0);
   } while (csv.next());
   number_labels(table, table.row_begin.size() - 1);
 }
 
-void read_rows_with_ids(SignalTable& table, CsvReader& csv) {
+/// The fields of a header. Moves to the record after it.
+std::vector<std::string> read_header(CsvReader& csv) {
   std::vector<std::string> header;
-  for (std::size_t j = 0; j < csv.fields().size(); ++j) header.push_back(csv.text(j));
+  for (std::size_t j = 0; j < csv.fields().size(); ++j)
+    header.push_back(j == 0 || csv.fields()[j].empty() ? csv.text(j) : csv.id(j));
   if (!csv.next()) csv.fail("is a header without rows", "add a row for every label");
-  // The header may or may not have a field above the ids of the labels.
-  const std::size_t corner = csv.fields().size() == header.size() + 1 ? 0 : 1;
-  for (std::size_t j = corner; j < header.size(); ++j) {
+  return header;
+}
+
+void add_transceivers(SignalTable& table, const CsvReader& csv, const std::vector<std::string>& header,
+                      std::size_t first) {
+  for (std::size_t j = first; j < header.size(); ++j) {
     if (header[j].empty())
       csv.fail(fmt::format("the header's field {} is empty", j + 1), "give every transceiver an id");
     if (const std::string character = unprintable_character(header[j]); !character.empty())
@@ -49,10 +56,63 @@ void read_rows_with_ids(SignalTable& table, CsvReader& csv) {
     table.transceivers.push_back({.id = header[j]});
   }
   if (table.transceivers.empty()) csv.fail("the header has no transceivers", "add a column for each");
+}
+
+/// Returns the title of the ids of labels; empty if there is none.
+std::string read_rows_with_ids(SignalTable& table, CsvReader& csv) {
+  const std::vector<std::string> header = read_header(csv);
+  // The header may or may not have a field above the ids of the labels.
+  const std::size_t corner = csv.fields().size() == header.size() + 1 ? 0 : 1;
+  add_transceivers(table, csv, header, corner);
   do {
     table.labels.push_back({.id = csv.id(0)});
     read_row(table, csv, 1);
   } while (csv.next());
+  return corner == 1 ? header[0] : "";
+}
+
+// Whether at least three numbers from `first` on count up.
+bool count_up(const std::vector<std::size_t>& numbers, std::size_t first) {
+  if (numbers.size() < first + 3) return false;
+  for (std::size_t j = first + 1; j < numbers.size(); ++j)
+    if (numbers[j] != numbers[j - 1] + 1) return false;
+  return true;
+}
+
+// Whether the first row of a matrix without ids may be a header: its numbers are whole, and they count up
+// (possibly behind a number above the ids of labels) or are different above signals that are not all whole.
+bool may_be_header(const std::vector<std::string>& row, const SignalTable& table) {
+  std::vector<std::size_t> numbers;
+  for (const std::string& field : row) {
+    const auto number = to_whole_number(field, std::numeric_limits<std::size_t>::max());
+    if (!number) return false;
+    numbers.push_back(*number);
+  }
+  if (count_up(numbers, 0) || count_up(numbers, 1)) return true;
+  std::sort(numbers.begin(), numbers.end());
+  return std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end() &&
+         std::any_of(table.entries.begin() + static_cast<std::ptrdiff_t>(table.row_begin[1]),
+                     table.entries.end(),
+                     [](const SignalEntry& entry) { return entry.signal != std::floor(entry.signal); });
+}
+
+// Whether the first column of a matrix with ids may contain signals: it has the title of a transceiver above
+// numbers, of which some are not whole, or all are 0 or 1.
+bool may_be_signals(const std::string& title, const SignalTable& table) {
+  constexpr std::array<std::string_view, 17> titles{
+      "",    "#",   "id",  "ids",  "index",   "name", "label", "labels",  "label_id",
+      "esl", "ean", "sku", "gtin", "article", "tag",  "shelf", "position"};
+  if (std::find(titles.begin(), titles.end(), lower_case(title)) != titles.end()) return false;
+  bool has_fractions = false, are_bits = true;
+  for (const SignalTable::Label& label : table.labels) {
+    std::string number = label.id;
+    std::replace(number.begin(), number.end(), ',', '.');
+    const auto value = to_number(number);
+    if (!value) return false;
+    has_fractions = has_fractions || *value != std::floor(*value);
+    are_bits = are_bits && (*value == 0 || *value == 1);
+  }
+  return has_fractions || are_bits;
 }
 
 // Whether this separator splits the first two records into a header and a row, or into rows, of a matrix.
@@ -103,7 +163,7 @@ void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Appl
 
 }  // namespace
 
-SignalTable read_csv_table(std::string_view text, const std::string& name) {
+ReadTable read_csv_table(std::string_view text, const std::string& name, TableReading reading) {
   text = without_mark(text, name, save_table_as_utf8);
   CsvReader csv(text, name, separator_of(text, name));
   SignalTable table;
@@ -111,12 +171,34 @@ SignalTable read_csv_table(std::string_view text, const std::string& name) {
   if (!csv.next()) csv.fail("is empty", "name a file with a signal matrix");
   if (csv.fields()[0].starts_with('#'))
     csv.fail("is a comment; a matrix file cannot contain comments", "remove the line");
+  const auto refuse = [&](const std::string& problem, const std::string& choice) {
+    throw InputError(name, problem, choice, Setting::reading);
+  };
+  const bool is_chosen = reading != TableReading::automatic;
   // The first field of a header is not a number: it is an id or the title of the ids.
-  if (csv.is_number(0))
+  if (!is_chosen) reading = csv.is_number(0) ? TableReading::signals : TableReading::ids;
+  const std::vector<std::string> first(csv.fields().begin(), csv.fields().end());
+  if (reading == TableReading::signals) {
+    number_transceivers(table, first.size());
     read_plain_rows(table, csv);
-  else
-    read_rows_with_ids(table, csv);
-  return table;
+    if (!is_chosen && table.rows() > 1 && may_be_header(first, table))
+      refuse(
+          "has whole numbers in its first row, which may be ids or signals",
+          "choose 'header' for ids of transceivers, 'ids' if the first column has the ids of labels, too, or "
+          "'signals'");
+  } else if (reading == TableReading::header) {
+    add_transceivers(table, csv, read_header(csv), 0);
+    read_plain_rows(table, csv);
+  } else {
+    const std::string title = read_rows_with_ids(table, csv);
+    if (!is_chosen && may_be_signals(title, table))
+      refuse(fmt::format("has numbers in its first column {}, which may be ids or signals", in_quotes(title)),
+             "choose 'ids' for ids of labels, or 'header' for signals");
+  }
+  ReadTable result{std::move(table)};
+  if (std::string warning = csv.warning_of_ids(); !warning.empty())
+    result.warnings.push_back(std::move(warning));
+  return result;
 }
 
 }  // namespace shelfbeam::detail
@@ -128,13 +210,13 @@ void apply_costs(SignalTable& table, const std::filesystem::path& path) {
   CsvReader csv(text, path.string());
   if (!csv.next()) csv.fail("is empty", "the first line must be 'id,cost' or 'id,link_cost,signal_cost'");
 
-  const std::vector<std::string> header(csv.fields().begin(), csv.fields().end());
+  const std::vector<std::string> header = csv.column_names();
   constexpr std::array<std::string_view, 3> costs = {"cost", "link_cost", "signal_cost"};
   for (std::size_t i = 0; i < header.size(); ++i) {
     const bool known =
         i == 0 ? header[i] == "id" : std::find(costs.begin(), costs.end(), header[i]) != costs.end();
     if (!known)
-      csv.fail(i, fmt::format("is the unknown column {}", in_quotes(header[i])),
+      csv.fail(i, fmt::format("is the unknown column {}", in_quotes(csv.fields()[i])),
                "the first line must be 'id,cost' or 'id,link_cost,signal_cost'");
     if (std::find(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(i), header[i]) !=
         header.begin() + static_cast<std::ptrdiff_t>(i))
@@ -186,7 +268,7 @@ void apply_weights(SignalTable& table, const std::filesystem::path& path) {
   const std::string text = detail::read_text_file(path);
   CsvReader csv(text, path.string());
   if (!csv.next()) csv.fail("is empty", expected);
-  if (csv.fields().size() != 2 || csv.fields()[0] != "id" || csv.fields()[1] != "weight")
+  if (csv.column_names() != std::vector<std::string>{"id", "weight"})
     csv.fail("is not the header of a file of weights", expected);
   std::vector<NamedRows> named = named_rows(table);
   std::vector<bool> seen(table.rows(), false);

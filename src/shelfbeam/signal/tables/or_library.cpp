@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -104,27 +106,52 @@ void check_no_repeats(const SignalTable& table, const std::string& name) {
                          "remove one of the two numbers");
 }
 
+bool are_equal(const SignalTable& a, const SignalTable& b) {
+  const auto same_cost = [](const auto& x, const auto& y) { return x.cost == y.cost; };
+  const auto same_column = [](const SignalEntry& x, const SignalEntry& y) {
+    return x.transceiver == y.transceiver;
+  };
+  return a.row_begin == b.row_begin &&
+         std::equal(a.transceivers.begin(), a.transceivers.end(), b.transceivers.begin(),
+                    b.transceivers.end(), same_cost) &&
+         std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(), same_column);
+}
+
+/// The table of one form, or the error and the place that the reader reached.
+struct Attempt {
+  std::optional<SignalTable> table;
+  std::exception_ptr error;
+  std::size_t position = 0;
+};
+
+Attempt attempt(bool is_wanted, SignalTable (*read)(TextScanner&), TextScanner in, const std::string& name) {
+  Attempt result;
+  if (!is_wanted) return result;
+  try {
+    SignalTable table = read(in);
+    check_no_repeats(table, name);
+    result.table = std::move(table);
+  } catch (const InputError&) {
+    result.error = std::current_exception();
+  }
+  result.position = in.position();
+  return result;
+}
+
 }  // namespace
 
-SignalTable read_or_library(std::string_view text, const std::string& name) {
-  // The file does not state its form. The rail form is stricter and is tried first. If neither fits, the
-  // error of the reader that got further is reported.
-  const auto read = [&] {
-    TextScanner rail(text, name, LineBreaks::matter), scp(text, name, LineBreaks::blank);
-    try {
-      return read_rail(rail);
-    } catch (const InputError& as_rail) {
-      try {
-        return read_scp(scp);
-      } catch (const InputError&) {
-        if (rail.position() >= scp.position()) throw as_rail;
-        throw;
-      }
-    }
-  };
-  SignalTable table = read();
-  check_no_repeats(table, name);
-  return table;
+SignalTable read_or_library(std::string_view text, const std::string& name, TableReading reading) {
+  // The file does not state its form. If neither fits, the error of the reader that got further is reported.
+  const Attempt rail = attempt(reading != TableReading::scp, read_rail,
+                               TextScanner(text, name, LineBreaks::matter), name),
+                scp = attempt(reading != TableReading::rail, read_scp,
+                              TextScanner(text, name, LineBreaks::blank), name);
+  if (rail.table && scp.table && !are_equal(*rail.table, *scp.table))
+    throw InputError(name, "fits both forms of OR-Library files, and the forms mean different matrices",
+                     "choose 'scp' or 'rail'", Setting::reading);
+  if (rail.table) return *rail.table;
+  if (scp.table) return *scp.table;
+  std::rethrow_exception(rail.position >= scp.position ? rail.error : scp.error);
 }
 
 }  // namespace shelfbeam::detail

@@ -44,11 +44,14 @@ void check_unique(const Rows& rows, std::string_view kind, const std::string& na
                        "make ids unique");
 }
 
-// The first line determines the format: "m n g" is sparse text, "m n" is OR-Library, and anything else is
-// CSV, which has separators unless it has a single column.
-SignalTable read_text_table(std::string_view text, const std::string& name) {
+// Without a given reading, the first line determines the format: "m n g" is sparse text, "m n" is OR-Library,
+// and anything else is CSV, which has separators unless it has a single column.
+ReadTable read_text_table(std::string_view text, const std::string& name, TableReading reading) {
   const std::string_view content = trim(text);
   if (content.empty()) throw InputError(name, "is empty", "name a file with a signal matrix");
+  if (reading == TableReading::scp || reading == TableReading::rail)
+    return {detail::read_or_library(text, name, reading)};
+  if (reading != TableReading::automatic) return detail::read_csv_table(text, name, reading);
   const std::string_view first_line = trim(content.substr(0, content.find_first_of("\r\n")));
   if (first_line.find_first_of(",;") != std::string_view::npos) return detail::read_csv_table(text, name);
 
@@ -61,8 +64,8 @@ SignalTable read_text_table(std::string_view text, const std::string& name) {
   }
   if (numbers == words) {
     if (words == 1) return detail::read_csv_table(text, name);
-    if (words == 2) return detail::read_or_library(text, name);
-    if (words == 3) return detail::read_sparse_text(text, name);
+    if (words == 2) return {detail::read_or_library(text, name)};
+    if (words == 3) return {detail::read_sparse_text(text, name)};
   }
   if (csv_separators(first_line) == "\t") return detail::read_csv_table(text, name);
   throw InputError(name + ": line 1",
@@ -131,15 +134,26 @@ void check_unique_ids(const SignalTable& table, const std::string& name) {
 }  // namespace detail
 
 SignalTable read_signal_table(const std::filesystem::path& path) {
-  SignalTable table;
-  if (is_hdf5(path))
-    table = make_signal_table(read_signal_file(path), path.string());
-  else if (detail::read_first_bytes(path, 6) == "\x93NUMPY")
-    table = detail::read_npy_table(path);
+  return read_table(path, TableReading::automatic).table;
+}
+
+ReadTable read_table(const std::filesystem::path& path, TableReading reading) {
+  ReadTable result;
+  const bool is_signal_file = is_hdf5(path),
+             is_npy = !is_signal_file && detail::read_first_bytes(path, 6) == "\x93NUMPY";
+  if (reading != TableReading::automatic && (is_signal_file || is_npy))
+    throw InputError(path.string(),
+                     fmt::format("is {}, which cannot be read as '{}'",
+                                 is_npy ? "an NPY file" : "a signal file", to_text(reading)),
+                     "choose a reading only for CSV and OR-Library files", Setting::reading);
+  if (is_signal_file)
+    result.table = make_signal_table(read_signal_file(path), path.string());
+  else if (is_npy)
+    result.table = detail::read_npy_table(path);
   else
-    table = read_text_table(detail::read_text_file(path), path.string());
-  detail::check_unique_ids(table, path.string());
-  return table;
+    result = read_text_table(detail::read_text_file(path), path.string(), reading);
+  detail::check_unique_ids(result.table, path.string());
+  return result;
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/signal/tables/table_reading.hpp"
 
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
@@ -79,6 +79,71 @@ TEST(CsvTable, ReadsEuropeanSpreadsheets) {
   EXPECT_EQ(ids.transceivers[0].id, "T;1");
 }
 
+SignalTable read_as(std::string_view content, TableReading reading) {
+  const TempFolder folder;
+  return read_table(folder.write("matrix.csv", content), reading).table;
+}
+
+TEST(CsvTable, RowsOfWholeNumbersMayBeIds) {
+  for (const std::string_view text :
+       {"0,1,2\n0.5,0.25,0\n0,0.125,0.75\n", "0,101,102\n1,0.5,0.25\n2,0,0.125\n",
+        "17;4;99\n0,5;0,25;0\n0;0,125;3\n", "1\n0.5\n0.25\n", "0,1,2,3\n1,0,0,1\n0,1,1,0\n",
+        "0,11,12,13\n1,0,0,1\n2,1,1,0\n", "1\t2\t3\t4\n0\t1\t1\t0\n", "\"1\",\"2\"\n0.5,0.25\n"})
+    test::expect_file_refused(read_signal_table, text, "", "may be ids or signals");
+  // Negative controls: signals that only one reading fits.
+  for (const std::string_view text :
+       {"0,1\n1,0\n1,1\n", "0,0,1\n0.5,0.25,0\n", "1,0.5\n2,0.25\n", "3,1,2\n1,1,0\n", "0,1,2\n", "1\n2\n3\n",
+        "0.5,1,2\n0.25,0,0\n", "1.0,2.0\n0.5,0.25\n"})
+    EXPECT_NO_THROW(read(text)) << text;
+}
+
+TEST(CsvTable, ColumnsOfNumbersMayBeSignals) {
+  for (const std::string_view text :
+       {"T1,T2,T3\n0.5,0.25,0\n0,0.125,0.75\n", "T1;T2\n0,5;0,25\n1;0,125\n", "T1,T2\n1,0\n0,1\n"})
+    test::expect_file_refused(read_signal_table, text, "", "first column 'T1', which may be ids or signals");
+  for (const std::string_view text :
+       {"label,T1\n0.5,0.25\n", ",T1\n1.1,1\n1.2,1\n", "id,T1\n0,1\n1,0\n", "EAN,T1\n4006381333931,1\n",
+        "bay,T1\n1,1\n2,1\n", "bay,T1\n0.5,1\nA,0\n"})
+    EXPECT_NO_THROW(read(text)) << text;
+}
+
+TEST(CsvTable, TheReadingIsChosen) {
+  const std::string_view text = "0,1,2\n0.5,0.25,0\n0,0.125,0.75\n";
+  const SignalTable signals = read_as(text, TableReading::signals);
+  EXPECT_EQ(signals.rows(), 3U);
+  EXPECT_EQ(signals.row(0)[1].signal, 2);
+  const SignalTable header = read_as(text, TableReading::header);
+  EXPECT_EQ(header.rows(), 2U);
+  EXPECT_EQ(header.transceivers[2].id, "2");
+  EXPECT_EQ(header.labels[1].id, "L2");
+  EXPECT_EQ(header.row(0)[1].signal, 0.25);
+  const SignalTable ids = read_as("0,101,102\n1,0.5,0.25\n2,0,0.125\n", TableReading::ids);
+  EXPECT_EQ(ids.rows(), 2U);
+  EXPECT_EQ(ids.labels[1].id, "2");
+  EXPECT_EQ(ids.transceivers[0].id, "101");
+  EXPECT_EQ(read_as("T1,T2\n0.5,0.25\n", TableReading::header).columns(), 2U);
+  EXPECT_EQ(read_as("1\t2\n0.5\t0.25\n", TableReading::header).columns(), 2U)
+      << "as OR-Library it is refused";
+  EXPECT_EQ(read_as("1,2\n7,0.5,0.25\n", TableReading::ids).labels[0].id, "7");
+  const auto refused = [&](std::string_view content, TableReading reading) {
+    test::expect_input_error([&] { read_as(content, reading); }, "matrix.csv");
+  };
+  refused("T1,T2\n0.5,0.25\n", TableReading::signals);
+  refused(text, TableReading::scp);
+  refused(text, TableReading::rail);
+}
+
+TEST(CsvTable, WarnsOfChangedIds) {
+  const TempFolder folder;
+  const auto warnings = [&](std::string_view content) {
+    return read_table(folder.write("matrix.csv", content), TableReading::automatic).warnings;
+  };
+  EXPECT_TRUE(warnings("label,T1\nA,1\n").empty());
+  const std::vector<std::string> found = warnings("label;4,00638E+12\n#N/A;1\nB;2\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].find("'4,00638E+12' in line 1, '#N/A' in line 2;"), std::string::npos) << found[0];
+}
+
 TEST(CsvTable, BrokenFilesAreRefusedWithPosition) {
   const struct {
     std::string_view text, place, problem;
@@ -98,7 +163,7 @@ TEST(CsvTable, BrokenFilesAreRefusedWithPosition) {
       {"id,T1\n\"two\nlines\",1\n", "line 2, field 1", "unprintable character '\\n'"},
       {"id,T\xE2\x80\xAE"
        "1\nL1,1\n",
-       "line 2", "field 2 has the unprintable character '\\u202e'"},
+       "line 1, field 2", "has the unprintable character '\\u202e'"},
       {"id,T1,T2\nL1,0,5,0,25\n", "line 2", "5 fields; 3 are expected"},
       {"id,T1,T2\nL1,0,5,0,25\n", "", "decimal commas"},
       {"id;a,T\nL;1,5\n", "line 1", "sep=;"},

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "shelfbeam/signal/tables/signal_table.hpp"
+#include "shelfbeam/signal/tables/table_reading.hpp"
 
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
@@ -49,6 +49,20 @@ TEST(OrLibrary, ReadsTheTriangle) {
   const TempFolder folder;
   const auto table = read_signal_table(folder.write("triangle.txt", "3 3\n1 1 1\n2 1 2\n2 2 3\n2 1 3\n"));
   EXPECT_EQ(rows_of(table), (Rows{{0, 1}, {1, 2}, {0, 2}}));
+}
+
+TEST(OrLibrary, FilesThatFitBothFormsAreRefused) {
+  const TempFolder folder;
+  const auto both = folder.write("both.txt", "2 3\n5 1 1\n2 1 2\n2 1 2\n");
+  test::expect_input_error([&] { read_signal_table(both); }, "both.txt: fits both forms", "'scp' or 'rail'");
+  EXPECT_EQ(rows_of(read_table(both, TableReading::scp).table), (Rows{{0, 1}, {0, 1}}));
+  EXPECT_EQ(rows_of(read_table(both, TableReading::rail).table), (Rows{{0}, {1, 2}}));
+  // Both forms mean the same matrix.
+  const auto same = folder.write("same.txt", "1 1\n1 1 1\n");
+  EXPECT_EQ(rows_of(read_signal_table(same)), (Rows{{0}}));
+  // The other form is not tried if one is chosen.
+  test::expect_input_error([&] { read_table(folder.write("r", "1 2\n1 0\n1 1 1\n"), TableReading::scp); },
+                           "line");
 }
 
 TEST(OrLibrary, ReadsRail) {

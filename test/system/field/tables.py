@@ -1,0 +1,59 @@
+"""Tables that fit two readings, ids that a spreadsheet has changed, names of columns, and NPY headers."""
+
+import shutil
+
+from rows import INPUTS, Row, refuses, run
+
+
+def place(file, *options):
+    return lambda _: run("place", file, *options)
+
+
+def says(*words):
+    return lambda end: end.status == 0 and all(word in end.out for word in words)
+
+
+def planogram_of(*articles):
+    """The warnings about the planogram of a store with these articles."""
+
+    def measure(scratch):
+        shutil.copy(INPUTS / "scientific_csv.json", scratch / "store.json")
+        lines = [f"{article};A1;front;2;{k}" for k, article in enumerate(articles, 1)]
+        text = "\n".join(["article;fixture;face;level;position", *lines])
+        (scratch / "scientific.csv").write_text(text, encoding="utf-8")
+        end = run("inspect", "store.json", folder=scratch)
+        return [line for line in end.out.splitlines() if "spreadsheet" in line]
+
+    return measure
+
+
+def names_all(*texts):
+    return lambda warnings: len(warnings) == 1 and all(text in warnings[0] for text in texts)
+
+
+CHANGED = ("#N/A", "#REF!", "#VALUE!", "4006381333931.0", '="4006381333948"')
+AMBIGUOUS = refuses("may be ids or signals", "'header'", "(--read-as)")
+TWO_LABELS = says("2 labels")
+
+ROWS = [
+    Row("number_header.csv", "refused, with a choice", place("number_header.csv", "--threshold", "0.2"), AMBIGUOUS),
+    Row("number_header.csv, --read-as header", "2 labels",
+        place("number_header.csv", "--threshold", "0.2", "--read-as", "header"), TWO_LABELS),
+    Row("number_ids.csv", "refused, with a choice", place("number_ids.csv", "--threshold", "0.2"), AMBIGUOUS),
+    Row("number_ids.csv, --read-as ids", "2 labels",
+        place("number_ids.csv", "--threshold", "0.2", "--read-as", "ids"), TWO_LABELS),
+    Row("both_forms.scp", "refused, with a choice", place("both_forms.scp"),
+        refuses("fits both forms", "'scp' or 'rail'", "(--read-as)")),
+    Row("both_forms.scp, --read-as scp", "1 unit", place("both_forms.scp", "--read-as", "scp"), says("1 transceiver")),
+    Row("both_forms.scp, --read-as rail", "2 units", place("both_forms.scp", "--read-as", "rail"), says("2 transceivers")),
+    Row("scientific_csv.json", "a warning with the lines", lambda _: run("inspect", "scientific_csv.json"),
+        says("warning: ", "scientific.csv: ", "'4,00638E+12' in lines 2, 3 and 4")),
+    Row("errors, decimals, formulas as ids", "a warning with all of them", planogram_of(*CHANGED), names_all(*CHANGED)),
+    Row("dates and missing values as ids", "a warning with all of them",
+        planogram_of("01.02.2024", "01-Feb", "NaN"), names_all("01.02.2024", "01-Feb", "NaN")),
+    Row("ids of articles and places", "no warning", planogram_of("4006381333931", "A-1.0", "3E12", "1.2"),
+        lambda warnings: warnings == []),
+    Row("capitals_csv.json", "read", lambda _: run("inspect", "capitals_csv.json"), says("2 labels")),
+    *(Row(f"{name}.npy", "read", place(f"{name}.npy", "--threshold", "0.2"), TWO_LABELS)
+      for name in ("other_order", "double_quotes", "python2")),
+]
