@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
@@ -37,6 +38,7 @@ struct NumberedId {
 }  // namespace
 
 std::string escape(std::string_view text) {
+  if (!is_utf8(text)) return escape(printable(text));  // of a path in a warning
   std::string out;
   out.reserve(text.size());
   constexpr std::string_view special = "&<>\"'";

@@ -11,6 +11,7 @@
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/mounting/cad_text.hpp"
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 #include "shelfbeam/scene/wall_section.hpp"
@@ -22,6 +23,7 @@ namespace {
 constexpr const char* units_layer = "SHELFBEAM_UNITS";
 constexpr const char* installed_layer = "SHELFBEAM_INSTALLED";  // units that need no mounting
 constexpr const char* store_layer = "SHELFBEAM_STORE";
+constexpr const char* note_layer = "SHELFBEAM_NOTE";
 constexpr const char* block = "SHELFBEAM_UNIT";
 constexpr double radius = 0.15, text_height = 0.2, line_height = 0.3;  // m
 constexpr double cut_height = 1.2;                                     // of inner walls, m
@@ -52,18 +54,11 @@ class Dxf {
 
 void add_layers(Dxf& dxf) {
   constexpr int black = 7, grey = 8;
-  dxf.begin("TABLES").put(0, "TABLE").put(2, "LAYER").put(70, 3);
-  for (const auto& [name, colour] :
-       {std::pair(units_layer, black), std::pair(installed_layer, black), std::pair(store_layer, grey)})
+  dxf.begin("TABLES").put(0, "TABLE").put(2, "LAYER").put(70, 4);
+  for (const auto& [name, colour] : {std::pair(units_layer, black), std::pair(installed_layer, black),
+                                     std::pair(store_layer, grey), std::pair(note_layer, grey)})
     dxf.put(0, "LAYER").put(2, name).put(70, 0).put(62, colour).put(6, "CONTINUOUS");
   dxf.put(0, "ENDTAB").end();
-}
-
-// Release 12 has no Unicode; control characters would end a value.
-std::string dxf_text(std::string_view text) {
-  std::string result;
-  for (const char c : text) result += c >= ' ' && c < 0x7F ? c : '?';
-  return result;
 }
 
 struct Attribute {
@@ -75,8 +70,8 @@ struct Attribute {
 
 std::vector<Attribute> attributes_of(const MountedUnit& unit) {
   return {{"NUMBER", words("mounting.prompt.number"), fmt::format("{}", unit.number), false},
-          {"ID", words("mounting.prompt.id"), dxf_text(unit.id), true},
-          {"TYPE", words("mounting.prompt.type"), dxf_text(unit.type), true},
+          {"ID", words("mounting.prompt.id"), cad_text(unit.id), true},
+          {"TYPE", words("mounting.prompt.type"), cad_text(unit.type), true},
           {"HEIGHT", words("mounting.prompt.height"), fmt::format("{}", height_cm(unit)), true},
           {"TILT", words("mounting.prompt.tilt"), fmt::format("{:.1f}", unit.tilt_deg), true},
           {"TOWARDS", words("mounting.prompt.towards"), fmt::format("{:.1f}", unit.towards_deg), true}};
@@ -91,10 +86,16 @@ void add_block(Dxf& dxf) {
   double y = radius;
   for (const Attribute& attribute : attributes_of({})) {
     dxf.put(0, "ATTDEF").put(8, units_layer).at(1.2 * radius, y).put(40, text_height).put(1, "");
-    dxf.put(3, dxf_text(attribute.prompt)).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
+    dxf.put(3, cad_text(attribute.prompt)).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
     y -= line_height;
   }
   dxf.put(0, "ENDBLK").put(8, units_layer).end();
+}
+
+// Release 12 has no variable for the unit of length, so a text below the shop states it.
+void add_note(Dxf& dxf, const Vec3& corner) {
+  dxf.put(0, "TEXT").put(8, note_layer).at(corner.x, corner.y).put(40, text_height);
+  dxf.put(1, cad_text(words("mounting.drawing_unit")));
 }
 
 void add_outline(Dxf& dxf, std::span<const Vec2> corners) {
@@ -138,15 +139,13 @@ std::string mounting_csv(const ReportInput& input) {
 std::string mounting_dxf(const ReportInput& input) {
   const Scene& scene = input.scene;
   Dxf dxf;
-  dxf.begin("HEADER")
-      .put(9, "$ACADVER")
-      .put(1, "AC1009")
-      .put(9, "$EXTMIN")
-      .at(scene.lower.x, scene.lower.y, scene.lower.z);
+  const Vec3 corner = scene.lower - Vec3{0, 2 * line_height, 0};
+  dxf.begin("HEADER").put(9, "$ACADVER").put(1, "AC1009").put(9, "$EXTMIN").at(corner.x, corner.y, corner.z);
   dxf.put(9, "$EXTMAX").at(scene.upper.x, scene.upper.y, scene.upper.z).end();
   add_layers(dxf);
   add_block(dxf);
   dxf.begin("ENTITIES");
+  add_note(dxf, corner);
   if (scene.room) {
     add_outline(dxf, scene.room->outline);
     for (const Polygon& hole : scene.room->holes) add_outline(dxf, hole);

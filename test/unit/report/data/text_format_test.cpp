@@ -19,6 +19,7 @@ TEST(TextFormat, EscapesMarkup) {
             "a\uFFFD"
             "b");
   EXPECT_EQ(escape("Käse, 奶酪"), "Käse, 奶酪");
+  EXPECT_EQ(escape("<\xFF"), "&lt;\\xff");
 }
 
 TEST(TextFormat, KeepsSignificantDigits) {
