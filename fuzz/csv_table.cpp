@@ -1,3 +1,4 @@
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
 
 #include "reader.hpp"
@@ -7,7 +8,13 @@ namespace shelfbeam::fuzz {
 namespace {
 
 void read(std::string_view bytes) {
-  const SignalTable table = detail::read_csv_table(bytes, "matrix.csv");
+  for (const TableReading reading : {TableReading::signals, TableReading::header, TableReading::ids}) {
+    try {
+      detail::read_csv_table(bytes, "matrix.csv", reading);
+    } catch (const InputError&) {  // refused in this reading only
+    }
+  }
+  const SignalTable table = detail::read_csv_table(bytes, "matrix.csv").table;
   detail::check_unique_ids(table, "matrix.csv");
 }
 
@@ -18,7 +25,9 @@ std::vector<std::string> seeds() {
           "1\n2\n\n3\n",
           "sep=;\r\nlabel;T1;T,2\r\nA;0,5;0,25\r\n",
           "label;T1;\"T;2\"\nA;0,5;1,125\n",
-          "label\tT1\rA\t0,5\r'=B\t1\r"};
+          "label\tT1\rA\t0,5\r'=B\t1\r",
+          "0,1,2\n0.5,0.25,0\n0,0.125,0.75\n",
+          "EAN;4,00638E+12;#N/A\n=\"1\";0,5;0,2\n123.0;1;0\n"};
 }
 
 }  // namespace

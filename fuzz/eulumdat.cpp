@@ -16,6 +16,8 @@ std::vector<std::string> seeds() {
                            "symmetry_2_24_planes", "symmetry_3", "symmetry_4_24_planes", "uneven_planes"})
     files.push_back(source_file(std::string("test/data/photometry/") + name + ".ldt"));
   files.push_back(source_file("data/photometry/wide-ceiling.ldt"));
+  for (const char* name : {"uplight", "all_planes"})
+    files.push_back(source_file(std::string("test/data/field/") + name + ".ldt"));
   return files;
 }
 

@@ -17,6 +17,8 @@ std::vector<std::string> seeds() {
                            "commas_and_wrapped_lines", "open_circle", "upwards"})
     files.push_back(source_file(std::string("test/data/photometry/") + name + ".ies"));
   files.push_back(source_file("data/photometry/wide-ceiling.ies"));
+  for (const char* name : {"planes_flow", "one_line"})
+    files.push_back(source_file(std::string("test/data/field/") + name + ".ies"));
   return files;
 }
 

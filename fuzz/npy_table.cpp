@@ -24,10 +24,18 @@ std::string npy(std::string_view type, std::string_view order, std::string_view 
   return file + header + std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
+std::string with_header(std::string_view header, const std::string& data) {
+  return std::string("\x93NUMPY\1\0", 8) + static_cast<char>(header.size()) + '\0' + std::string(header) +
+         data;
+}
+
 std::vector<std::string> seeds() {
+  const std::string data(24, '\0');
   return {npy<float>("<f4", "False", "(2, 3)", {1, 0, 2, 3, 4, 5}),
           npy<double>("<f8", "True", "(2, 3)", {1, 0, 2, 3, 4, 5}, 2),
-          npy<float>("<f4", "False", "(1, 1)", {1})};
+          npy<float>("<f4", "False", "(1, 1)", {1}),
+          with_header(R"({"shape": (2, 3), "fortran_order": False, "descr": "<f4"})", data),
+          with_header("{u'descr': u'=f4', u'fortran_order': True, u'shape': (2L, 3L), } \n", data)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ void read(std::string_view bytes) {
 }
 
 std::vector<std::string> seeds() {
-  return {"2 3\n1 2 1\n2\n1 3\n1\n2\n", "3 2\n1 2 1 3\n2 1 2\n",
+  return {"2 3\n1 2 1\n2\n1 3\n1\n2\n", "3 2\n1 2 1 3\n2 1 2\n", "2 3\n5 1 1\n2 1 2\n2 1 2\n",
           " 3 4 \n 1 1 1\n 1 2\n 2 3 1 4 \n1 2\n 2 1 4\n"};
 }
 

@@ -24,6 +24,13 @@ const Reader* find_reader(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> foreign_texts(const std::string& text) {
+  std::string old = text, wide = "\xFF\xFE";
+  std::replace(old.begin(), old.end(), '\n', '\r');
+  for (const char c : text) wide += {c, '\0'};
+  return {"\xEF\xBB\xBF" + text, old, wide};
+}
+
 std::string source_file(std::string_view path) {
   return read_file(std::filesystem::path(SHELFBEAM_SOURCE_DIR) / path);
 }

@@ -24,6 +24,9 @@ std::span<const Reader> readers();
 /// The reader of that name, or nullptr.
 const Reader* find_reader(std::string_view name);
 
+/// A text as other programs save it: with a byte order mark, with CR at the ends of lines, in UTF-16.
+std::vector<std::string> foreign_texts(const std::string& text);
+
 /// A file of the source tree.
 std::string source_file(std::string_view path);
 

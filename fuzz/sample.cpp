@@ -28,7 +28,7 @@ class Mutator {
   void change(std::string& bytes) {
     const std::size_t at = below(bytes.size());
     const std::size_t length = std::min(1 + below(16), bytes.size() - at);
-    switch (below(7)) {
+    switch (below(8)) {
       case 0:
         if (!bytes.empty()) bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
         break;
@@ -48,6 +48,9 @@ class Mutator {
       }
       case 5:
         bytes.resize(at);
+        break;
+      case 6:
+        bytes = foreign_texts(bytes)[below(3)];
         break;
       default:
         replace_number(bytes, at);

@@ -108,7 +108,7 @@ constexpr const char* divided_box = R"({
       "repeat": { "count": 2, "step": [0, 150] } },
     { "type": "gondola", "id": "A", "at": [450, 200], "length": 200, "depth": 90, "height": 180, "material": "m", "shelves": [40, 90],
       "labels": { "type": "l", "positions": [10, 55.5, 190], "hook": 25 } } ],
-  "transceivers": { "areas": [ { "type": "t", "area": "room", "spacing": 100, "z": 290 } ] }
+  "transceivers": { "areas": [ { "type": "t", "area": "room", "spacing": 100, "z": 290, }, ], }, // "currency": "EUR"
 })";
 
 const std::filesystem::path& folder() {

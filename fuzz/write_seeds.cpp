@@ -21,7 +21,10 @@ int main(int count, char** arguments) {
     }
     std::filesystem::create_directories(arguments[1]);
     std::size_t number = 0;
-    for (const std::string& seed : reader->seeds())
+    auto seeds = reader->seeds();
+    const auto foreign = shelfbeam::fuzz::foreign_texts(seeds.front());
+    seeds.insert(seeds.end(), foreign.begin(), foreign.end());
+    for (const std::string& seed : seeds)
       shelfbeam::write_file(std::filesystem::path(arguments[1]) / ("seed" + std::to_string(number++)), seed);
     return 0;
   } catch (const std::exception& error) {
