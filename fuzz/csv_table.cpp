@@ -8,7 +8,8 @@ namespace shelfbeam::fuzz {
 namespace {
 
 void read(std::string_view bytes) {
-  for (const TableReading reading : {TableReading::signals, TableReading::header, TableReading::ids}) {
+  for (const TableReading reading :
+       {TableReading::signals, TableReading::header, TableReading::labels, TableReading::ids}) {
     try {
       detail::read_csv_table(bytes, "matrix.csv", reading);
     } catch (const InputError&) {  // refused in this reading only

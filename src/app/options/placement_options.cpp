@@ -147,10 +147,11 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
           "and NPY")
       ->check(positive_number())
       ->option_text("SIGNAL");
-  add_choice(verb, "--read-as", input.reading,
-             "Reading of a CSV or OR-Library file that fits several. signals: CSV without ids; header: CSV "
-             "with the ids of transceivers in the first row; ids: with those of labels in the first column, "
-             "too; scp, rail: forms of OR-Library files; auto (default): refuse such a file")
+  add_choice(
+      verb, "--read-as", input.reading,
+      "Reading of a CSV or OR-Library file that fits several. signals: CSV without ids; header: ids of "
+      "transceivers in the first row; labels: ids of labels in the first column; ids: both; scp, rail: "
+      "forms of OR-Library files; auto (default): refuse such a file")
       ->group(group::placement);
   add_requirement_options(verb, input.requirements);
 }

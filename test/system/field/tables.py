@@ -27,6 +27,12 @@ def planogram_of(*articles):
     return measure
 
 
+def without_header(scratch):
+    text = (INPUTS / "number_ids.csv").read_text(encoding="utf-8").split("\n", 1)[1]
+    (scratch / "rows.csv").write_text(text, encoding="utf-8")
+    return run("place", "rows.csv", "--threshold", "0.2", "--read-as", "labels", folder=scratch)
+
+
 def names_all(*texts):
     return lambda warnings: len(warnings) == 1 and all(text in warnings[0] for text in texts)
 
@@ -42,6 +48,7 @@ ROWS = [
     Row("number_ids.csv", "refused, with a choice", place("number_ids.csv", "--threshold", "0.2"), AMBIGUOUS),
     Row("number_ids.csv, --read-as ids", "2 labels",
         place("number_ids.csv", "--threshold", "0.2", "--read-as", "ids"), TWO_LABELS),
+    Row("number_ids.csv without its first row, --read-as labels", "2 labels", without_header, TWO_LABELS),
     Row("both_forms.scp", "refused, with a choice", place("both_forms.scp"),
         refuses("fits both forms", "'scp' or 'rail'", "(--read-as)")),
     Row("both_forms.scp, --read-as scp", "1 unit", place("both_forms.scp", "--read-as", "scp"), says("1 transceiver")),

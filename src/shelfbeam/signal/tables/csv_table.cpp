@@ -3,9 +3,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,11 +33,22 @@ void read_row(SignalTable& table, CsvReader& csv, std::size_t first_value) {
   table.row_begin.push_back(table.entries.size());
 }
 
-void read_plain_rows(SignalTable& table, CsvReader& csv) {
+/// Returns the first column.
+std::vector<std::string> read_plain_rows(SignalTable& table, CsvReader& csv) {
+  std::vector<std::string> column;
   do {
+    column.emplace_back(csv.fields()[0]);
     read_row(table, csv, 0);
   } while (csv.next());
   number_labels(table, table.row_begin.size() - 1);
+  return column;
+}
+
+void read_labelled_rows(SignalTable& table, CsvReader& csv) {
+  do {
+    table.labels.push_back({.id = csv.id(0)});
+    read_row(table, csv, 1);
+  } while (csv.next());
 }
 
 /// The fields of a header. Moves to the record after it.
@@ -64,36 +79,73 @@ std::string read_rows_with_ids(SignalTable& table, CsvReader& csv) {
   // The header may or may not have a field above the ids of the labels.
   const std::size_t corner = csv.fields().size() == header.size() + 1 ? 0 : 1;
   add_transceivers(table, csv, header, corner);
-  do {
-    table.labels.push_back({.id = csv.id(0)});
-    read_row(table, csv, 1);
-  } while (csv.next());
+  read_labelled_rows(table, csv);
   return corner == 1 ? header[0] : "";
 }
 
-// Whether at least three numbers from `first` on count up.
-bool count_up(const std::vector<std::size_t>& numbers, std::size_t first) {
-  if (numbers.size() < first + 3) return false;
-  for (std::size_t j = first + 1; j < numbers.size(); ++j)
-    if (numbers[j] != numbers[j - 1] + 1) return false;
+using Numbers = std::vector<std::size_t>;
+
+// The fields as whole numbers; empty if one is not.
+Numbers whole_numbers(const std::vector<std::string>& fields) {
+  Numbers numbers;
+  for (std::string_view field : fields) {
+    field.remove_prefix(std::min(field.find_first_not_of('0'), field.size() - (field.empty() ? 0 : 1)));
+    const auto number = to_whole_number(field, std::numeric_limits<std::size_t>::max());
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+bool count_up(std::span<const std::size_t> numbers) {
+  constexpr std::size_t least = 3;
+  if (numbers.size() < least) return false;
+  for (std::size_t k = 1; k < numbers.size(); ++k)
+    if (numbers[k] != numbers[k - 1] + 1) return false;
   return true;
 }
 
-// Whether the first row of a matrix without ids may be a header: its numbers are whole, and they count up
-// (possibly behind a number above the ids of labels) or are different above signals that are not all whole.
-bool may_be_header(const std::vector<std::string>& row, const SignalTable& table) {
-  std::vector<std::size_t> numbers;
-  for (const std::string& field : row) {
-    const auto number = to_whole_number(field, std::numeric_limits<std::size_t>::max());
-    if (!number) return false;
-    numbers.push_back(*number);
+// The signals behind the first row, or behind the first column, of a matrix.
+struct Rest {
+  double largest = 0;
+  bool has_fractions = false;
+
+  Rest(const SignalTable& table, std::size_t first_row, std::size_t first_column) {
+    for (std::size_t i = first_row; i < table.row_begin.size() - 1; ++i)
+      for (std::size_t k = table.row_begin[i]; k < table.row_begin[i + 1]; ++k) {
+        if (table.entries[k].transceiver < first_column) continue;
+        const double signal = table.entries[k].signal;
+        largest = std::max(largest, signal);
+        has_fractions = has_fractions || signal != std::floor(signal);
+      }
   }
-  if (count_up(numbers, 0) || count_up(numbers, 1)) return true;
-  std::sort(numbers.begin(), numbers.end());
-  return std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end() &&
-         std::any_of(table.entries.begin() + static_cast<std::ptrdiff_t>(table.row_begin[1]),
-                     table.entries.end(),
-                     [](const SignalEntry& entry) { return entry.signal != std::floor(entry.signal); });
+};
+
+// Whether the first row of a matrix without ids may be a header: its numbers are whole, and they count up, or
+// are different above signals that are not all whole or are all much smaller. The first number may be above
+// the ids of labels.
+bool may_be_header(const std::vector<std::string>& row, const SignalTable& table) {
+  const Numbers numbers = whole_numbers(row);
+  if (numbers.empty()) return false;
+  for (const std::size_t first : {0U, 1U}) {
+    Numbers ids(numbers.begin() + static_cast<std::ptrdiff_t>(std::min(first, numbers.size())),
+                numbers.end());
+    if (count_up(ids)) return true;
+    std::sort(ids.begin(), ids.end());
+    if (ids.empty() || std::adjacent_find(ids.begin(), ids.end()) != ids.end()) continue;
+    const Rest rest(table, 1, first);
+    constexpr double much = 10;
+    const bool is_much_larger =
+        ids.size() > 1 && rest.largest > 0 && static_cast<double>(ids[0]) > much * rest.largest;
+    if ((first == 0 && rest.has_fractions) || is_much_larger) return true;
+  }
+  return false;
+}
+
+// Whether the first column of a matrix without ids may have the ids of labels: whole numbers that count up,
+// beside signals that are not all whole.
+bool may_be_labels(const std::vector<std::string>& column, const SignalTable& table) {
+  return count_up(whole_numbers(column)) && Rest(table, 0, 1).has_fractions;
 }
 
 // Whether the first column of a matrix with ids may contain signals: it has the title of a transceiver above
@@ -180,12 +232,18 @@ ReadTable read_csv_table(std::string_view text, const std::string& name, TableRe
   const std::vector<std::string> first(csv.fields().begin(), csv.fields().end());
   if (reading == TableReading::signals) {
     number_transceivers(table, first.size());
-    read_plain_rows(table, csv);
+    const std::vector<std::string> column = read_plain_rows(table, csv);
     if (!is_chosen && table.rows() > 1 && may_be_header(first, table))
-      refuse(
-          "has whole numbers in its first row, which may be ids or signals",
-          "choose 'header' for ids of transceivers, 'ids' if the first column has the ids of labels, too, or "
-          "'signals'");
+      refuse("has whole numbers in its first row, which may be ids or signals",
+             "choose 'header' for ids of transceivers, 'ids' if the first column has the ids of labels, too, "
+             "or 'signals'");
+    if (!is_chosen && may_be_labels(column, table))
+      refuse("has whole numbers in its first column, which may be ids or signals",
+             "choose 'labels' for ids of labels, or 'signals'");
+  } else if (reading == TableReading::labels) {
+    if (first.size() < 2) csv.fail("has one field", "an id and at least one signal are expected");
+    number_transceivers(table, first.size() - 1);
+    read_labelled_rows(table, csv);
   } else if (reading == TableReading::header) {
     add_transceivers(table, csv, read_header(csv), 0);
     read_plain_rows(table, csv);

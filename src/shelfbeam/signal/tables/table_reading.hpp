@@ -15,16 +15,18 @@ enum class TableReading {
   automatic,  ///< the only one that fits; a text that fits several is refused
   signals,    ///< CSV without ids
   header,     ///< CSV with the ids of transceivers in its first row
+  labels,     ///< CSV with the ids of labels in its first column, without a header
   ids,        ///< CSV with the ids of transceivers in its first row and of labels in its first column
   scp,        ///< OR-Library, row by row
   rail        ///< OR-Library, column by column
 };
 
 template <>
-inline constexpr std::array<Named<TableReading>, 6> names_of<TableReading>{
+inline constexpr std::array<Named<TableReading>, 7> names_of<TableReading>{
     {{"auto", TableReading::automatic},
      {"signals", TableReading::signals},
      {"header", TableReading::header},
+     {"labels", TableReading::labels},
      {"ids", TableReading::ids},
      {"scp", TableReading::scp},
      {"rail", TableReading::rail}}};

@@ -97,6 +97,20 @@ TEST(CsvTable, RowsOfWholeNumbersMayBeIds) {
     EXPECT_NO_THROW(read(text)) << text;
 }
 
+TEST(CsvTable, ColumnsOfWholeNumbersMayBeIds) {
+  const std::string_view text = "1,0.5,0.25\n2,0,0.125\n3,0.5,0\n";
+  test::expect_file_refused(read_signal_table, text, "", "first column, which may be ids or signals",
+                            "'labels'");
+  const SignalTable labels = read_as(text, TableReading::labels);
+  EXPECT_EQ(labels.columns(), 2U);
+  EXPECT_EQ(labels.labels[2].id, "3");
+  EXPECT_EQ(labels.row(0)[1].signal, 0.25);
+  EXPECT_EQ(read_as(text, TableReading::signals).columns(), 3U);
+  for (const std::string_view other :
+       {"1,0.5\n2,0.25\n", "1,0.5\n3,0.25\n2,0\n", "1\n2\n3\n", "1,1\n2,0\n3,1\n", "0.5,1\n1.5,2\n2.5,3\n"})
+    EXPECT_NO_THROW(read(other)) << other;
+}
+
 TEST(CsvTable, ColumnsOfNumbersMayBeSignals) {
   for (const std::string_view text :
        {"T1,T2,T3\n0.5,0.25,0\n0,0.125,0.75\n", "T1;T2\n0,5;0,25\n1;0,125\n", "T1,T2\n1,0\n0,1\n"})
