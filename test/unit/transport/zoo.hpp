@@ -72,6 +72,17 @@ class ZooStore {
                                   {"material", material}});
     return *this;
   }
+  /// A wall across the room, with a door 0.9 m wide `at` metres from its beginning.
+  ZooStore& inner_wall(std::initializer_list<double> from, std::initializer_list<double> to, double at) {
+    Json wall = plain_wall(from, to);
+    wall["openings"] = {{{"at", at}, {"width", 0.9}, {"top", 2.1}}};
+    store_["room"]["inner_walls"].push_back(wall);
+    return *this;
+  }
+  ZooStore& inner_wall(std::initializer_list<double> from, std::initializer_list<double> to) {
+    store_["room"]["inner_walls"].push_back(plain_wall(from, to));
+    return *this;
+  }
   /// Shelving along x, with a label every `spacing` metres.
   ZooStore& shelves(double x, double y, double length, double height, std::initializer_list<double> boards,
                     double spacing, const std::string& material = "walls", const Json& more = {}) {
@@ -113,13 +124,18 @@ class ZooStore {
   std::string text() const { return store_.dump(); }
 
  private:
+  Json plain_wall(std::initializer_list<double> from, std::initializer_list<double> to) const {
+    const std::size_t before = store_["room"].value("inner_walls", Json::array()).size();
+    return {{"id", fmt::format("wall{}", before)}, {"from", from}, {"to", to}};
+  }
+
   double size_[3];
   Json store_;
 };
 
 /// Rooms that span the range of stores: ceilings from 2.2 to 12 m, labels and units from a centimetre to a
 /// metre off a surface, all materials, points and discs, reflectances from 0.02 to 0.99, a corridor, a hall
-/// of 500 m, a box of half a metre.
+/// of 500 m, a box of half a metre, back rooms and columns.
 inline std::vector<ZooRoom> zoo() {
   using Json = nlohmann::json;
   std::vector<ZooRoom> rooms;
@@ -302,7 +318,50 @@ inline std::vector<ZooRoom> zoo() {
           .grid(3, 2, 2.9, "beam")
           .grid(2, 2, 2.9, "ring")
           .unit({0.2, 2, 2.8}, {0.3, 0.2, -1}, "beam"));
+  const auto wall_labels = [](ZooStore store, double y, int count) {
+    for (int k = 0; k < count; ++k)
+      store.label({0.01, 0.8 + 0.8 * k, 0.3 + 0.5 * (k % 3)}, {1, 0, 0})
+          .label({0.8 + 1.1 * k, y - 0.01, 0.3 + 0.5 * (k % 3)}, {0, -1, 0});
+    return store;
+  };
+  const auto back_room = [&] {
+    return ZooStore(12, 9, 3.2, 0.75)
+        .inner_wall({9, 6}, {12, 6}, 0.4)
+        .inner_wall({9, 6}, {9, 9})
+        .unit({11, 7.8, 3.1})
+        .unit({10, 7, 2.4})
+        .unit({3, 3, 3.1})
+        .unit({8, 6, 3.1});
+  };
+  add("back room", 0.75, wall_labels(back_room(), 9, 7), Strategy::particle);
+  add("back room with labels", 0.75,
+      wall_labels(back_room(), 9, 7).label({11.99, 8, 1}, {-1, 0, 0}).label({10.5, 8.99, 0.4}, {0, -1, 0}),
+      Strategy::particle);
+  add("rooms in a row", 0.6,
+      wall_labels(ZooStore(9, 6, 3, 0.6)
+                      .requirement(0.01)
+                      .paint("goods", 0.5)
+                      .inner_wall({5, 0}, {5, 6}, 2.5)
+                      .inner_wall({7, 0}, {7, 6}, 0.5)
+                      .box({2, 2, 0}, {4.4, 2.8, 1.6}, "goods")
+                      .unit({6, 3.5, 2.9})
+                      .unit({8, 3, 2.9})
+                      .unit({2.5, 4, 2.9}),
+                  6, 4),
+      Strategy::particle);
+  {
+    ZooStore columns = ZooStore(8, 6, 3.4, 0.75).box({4, 3, 0}, {4.4, 3.4, 3.4}, "walls");
+    columns.box({2, 1.5, 0}, {2.3, 1.8, 3.4}, "walls");
+    for (const double off : {0.1, 0.15, 0.3})
+      columns.unit({4 - off, 3.15, 3.38}).unit({4.2, 3.4 + off, 3.35}).unit({2.3 + off, 1.6, 3.3});
+    add("units beside columns", 0.75, wall_labels(columns.unit({6, 2, 3.38}), 6, 6), Strategy::particle);
+  }
   return rooms;
+}
+
+inline ZooRoom zoo_room(const std::string& name) {
+  const std::vector<ZooRoom> rooms = zoo();
+  return *std::find_if(rooms.begin(), rooms.end(), [&](const ZooRoom& room) { return room.name == name; });
 }
 
 }  // namespace shelfbeam::test

@@ -42,8 +42,8 @@ void for_cells(std::size_t count, const RunControl& control, const Body& body) {
 }  // namespace
 
 RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float threshold, std::uint64_t seed,
-                             const RunControl& control)
-    : guides_(surface_guides(world.scene)), cells_(world, seed, control) {
+                             const RunControl& control, bool from_units)
+    : guides_(surface_guides(world.scene)), cells_(world, seed, from_units, control) {
   control.report("preparing", 0.1);
   const std::size_t count = cells_.size();
   std::vector<CellLight> light(count);

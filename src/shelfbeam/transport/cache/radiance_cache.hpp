@@ -17,10 +17,11 @@ namespace shelfbeam {
 /// and never bias.
 class RadianceCache {
  public:
-  /// A cell omits the groups whose units all give it less than `threshold` W/m^2.
+  /// A cell omits the groups whose units all give it less than `threshold` W/m^2. Without `from_units`, only
+  /// surfaces that walks from labels meet have cells.
   /// Throws Interrupted when cancelled.
   RadianceCache(const World& world, const UnitGroups& groups, float threshold, std::uint64_t seed,
-                const RunControl& control = {});
+                const RunControl& control = {}, bool from_units = true);
 
   /// The groups in a cell, ascending, one row of lanes each.
   struct Row {
@@ -42,6 +43,8 @@ class RadianceCache {
   const SurfaceGuide& guide(MaterialId material) const { return guides_[material.value]; }
 
   std::size_t cells() const { return cells_.size(); }
+  /// Whether a unit shines mostly on surfaces that walks from the labels do not meet.
+  bool any_hidden() const { return cells_.any_hidden(); }
   /// Mean number of units per cell.
   double units_per_cell() const {
     return cells() > 0 ? static_cast<double>(entries()) / static_cast<double>(cells()) : 0;

@@ -57,51 +57,119 @@ struct Found {
   }
 };
 
-// Walks from a label on which all surfaces scatter like white paint.
-std::vector<Found> explore(const World& world, std::size_t i, std::uint32_t walks, std::uint64_t seed) {
-  constexpr std::uint32_t bounces = 4;
-  std::vector<Found> found;
+constexpr std::uint32_t bounces = 4;  // of a walk
+
+// Continues a walk on surfaces that all scatter like white paint.
+void walk(const World& world, SurfacePoint from, Vec3 direction, RandomStream& random,
+          std::vector<Found>& found) {
   std::uint64_t rays = 0;
+  for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
+    const auto end =
+        follow_chain(world, from, direction, Departure::scattered, random, rays, [](std::size_t, double) {});
+    if (!end) break;
+    found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
+                     random.bits(), end->point});
+    from = end->point;
+    const double v1 = random.uniform(), v2 = random.uniform();
+    direction = Frame::about(from.normal).to_world(sample_cosine_hemisphere(v1, v2));
+  }
+}
+
+std::vector<Found> walks_from_label(const World& world, std::size_t i, std::uint32_t walks,
+                                    std::uint64_t seed) {
+  std::vector<Found> found;
   const std::uint64_t stream = mix_key(seed, hash64(world.scene.labels[i].id));
   for (std::uint32_t w = 0; w < walks; ++w) {
     RandomStream random(stream, w, 0, 0xCAC4E);
     const double u1 = random.uniform(), u2 = random.uniform();
-    SurfacePoint from = world.receivers.point(i, u1, u2);
+    const SurfacePoint from = world.receivers.point(i, u1, u2);
     const double u3 = random.uniform(), u4 = random.uniform();
     const auto first = sample(world.receivers.responsivity(i), u3, u4);
     if (!first) continue;
-    Vec3 direction = world.receivers.frame(i).to_world(first->direction);
-    for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
-      const auto end = follow_chain(world, from, direction, Departure::scattered, random, rays,
-                                    [](std::size_t, double) {});
-      if (!end) break;
-      found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
-                       random.bits(), end->point});
-      from = end->point;
-      const double v1 = random.uniform(), v2 = random.uniform();
-      direction = Frame::about(from.normal).to_world(sample_cosine_hemisphere(v1, v2));
-    }
+    walk(world, from, world.receivers.frame(i).to_world(first->direction), random, found);
   }
   return found;
 }
 
-}  // namespace
+std::vector<Found> walks_from_unit(const World& world, std::size_t j, std::uint32_t walks,
+                                   std::uint64_t seed) {
+  std::vector<Found> found;
+  const std::uint64_t stream = mix_key(seed, hash64(world.scene.transceivers[j].id));
+  for (std::uint32_t w = 0; w < walks; ++w) {
+    RandomStream random(stream, w, 1, 0xCAC4E);
+    const double u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform(), u4 = random.uniform();
+    const auto emitted = world.emitters.emit(j, {u1, u2, u3, u4});
+    if (!emitted) continue;
+    walk(world, {emitted->from.position, emitted->from.normal}, emitted->direction, random, found);
+  }
+  return found;
+}
 
-SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, const RunControl& control) {
-  const std::size_t m = world.receivers.size();
-  const auto walks =
-      static_cast<std::uint32_t>(std::clamp<std::size_t>(100000 / std::max<std::size_t>(1, m), 8, 128));
-  std::vector<std::vector<Found>> by_label(m);
-  parallel_for_ranges(m, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last && !control.cancelled(); ++i)
-      by_label[i] = explore(world, i, walks, seed);
+// Calls walks(k) for k < count on all threads, and joins the points that it returns.
+template <class Walks>
+std::vector<Found> join(std::size_t count, const RunControl& control, const Walks& walks) {
+  std::vector<std::vector<Found>> parts(count);
+  parallel_for_ranges(count, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last && !control.cancelled(); ++k) parts[k] = walks(k);
   });
   std::vector<Found> all;
-  for (std::vector<Found>& some : by_label) {
+  for (std::vector<Found>& some : parts) {
     all.insert(all.end(), some.begin(), some.end());
     std::vector<Found>().swap(some);
   }
+  return all;
+}
+
+// Removes the points in cells that contain one of the sorted points.
+void remove_known(const std::vector<Found>& known, std::vector<Found>& points) {
+  const auto by_key = [](const Found& a, const Found& b) { return a.key < b.key; };
+  std::erase_if(points, [&](const Found& point) {
+    return std::binary_search(known.begin(), known.end(), point, by_key);
+  });
+}
+
+// Units with more than a third of their light, over the bounces of a walk, in cells without any of the sorted
+// points.
+std::vector<std::size_t> hidden_units(const World& world, const std::vector<Found>& known, std::uint64_t seed,
+                                      const RunControl& control) {
+  constexpr std::uint32_t walks = 64;
+  std::vector<std::uint8_t> is_hidden(world.scene.transceivers.size());
+  parallel_for_ranges(is_hidden.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t j = first; j < last && !control.cancelled(); ++j) {
+      std::vector<Found> points = walks_from_unit(world, j, walks, seed);
+      const std::size_t all = points.size();
+      remove_known(known, points);
+      is_hidden[j] = 3 * points.size() > all ? 1 : 0;
+    }
+  });
+  std::vector<std::size_t> hidden;
+  for (std::size_t j = 0; j < is_hidden.size(); ++j)
+    if (is_hidden[j] != 0) hidden.push_back(j);
+  return hidden;
+}
+
+}  // namespace
+
+SurfaceCells::SurfaceCells(const World& world, std::uint64_t seed, bool from_units,
+                           const RunControl& control) {
+  const std::size_t m = world.receivers.size();
+  const auto walks =
+      static_cast<std::uint32_t>(std::clamp<std::size_t>(100000 / std::max<std::size_t>(1, m), 8, 128));
+  std::vector<Found> all =
+      join(m, control, [&](std::size_t i) { return walks_from_label(world, i, walks, seed); });
   std::sort(all.begin(), all.end());
+  const std::vector<std::size_t> hidden =
+      from_units ? hidden_units(world, all, seed, control) : std::vector<std::size_t>{};
+  any_hidden_ = !hidden.empty();
+  if (any_hidden_) {
+    const auto more =
+        static_cast<std::uint32_t>(std::clamp<std::size_t>(all.size() / (bounces * hidden.size()), 64, 1024));
+    std::vector<Found> others = join(
+        hidden.size(), control, [&](std::size_t k) { return walks_from_unit(world, hidden[k], more, seed); });
+    remove_known(all, others);
+    all.insert(all.end(), others.begin(), others.end());
+    std::sort(all.begin(), all.end());
+  }
 
   for (std::size_t f = 0; f < all.size(); ++f) {
     if (f == 0 || all[f].key != all[f - 1].key) {

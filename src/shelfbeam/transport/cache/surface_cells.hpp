@@ -15,14 +15,19 @@
 namespace shelfbeam::detail {
 
 /// The surfaces that random walks from the labels meet, divided into cells of half a metre and six facings.
+/// Where a unit lights mostly other surfaces, as in a back room with one door, walks from this unit add
+/// these.
 class SurfaceCells {
  public:
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-  /// Walks on the threads of the current arena; ends early when cancelled.
-  SurfaceCells(const World& world, std::uint64_t seed, const RunControl& control);
+  /// Walks on the threads of the current arena; ends early when cancelled. Without `from_units`, all walks
+  /// start at labels.
+  SurfaceCells(const World& world, std::uint64_t seed, bool from_units, const RunControl& control);
 
   std::size_t size() const { return keys_.size(); }
+  /// Whether walks from units had to add cells.
+  bool any_hidden() const { return any_hidden_; }
   /// Identifies a cell independently of the other cells.
   std::uint64_t key(std::size_t cell) const { return keys_[cell]; }
   static constexpr std::size_t max_points = 2;
@@ -48,6 +53,7 @@ class SurfaceCells {
  private:
   std::uint32_t find_key(std::uint64_t key) const;
 
+  bool any_hidden_ = false;
   std::vector<std::uint64_t> keys_;
   std::vector<std::size_t> first_;  // index into places_, by cell and quadrant
   std::vector<SurfacePoint> sample_points_;

@@ -18,6 +18,8 @@ constexpr std::uint32_t side = 16;  // strata of a unit's rays, in each of two d
 // The share of a unit's rays that is spread over all strata, whether or not the first look found light there.
 constexpr double everywhere = 0.1;
 constexpr double min_chance = 0.02;
+// A spot is steep where the cap is less than `steep` times the irradiance, for this share of the unit's rays.
+constexpr double steep_share = 0.02, steep = 1.0 / 16;
 
 // The distance that defines each unit's cap, by the number of units around it (SpotRule).
 std::vector<double> cap_distances(const std::vector<Transceiver>& units, const SpotRule& rule) {
@@ -116,7 +118,7 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
     const ScrambledSobol square(key);
     units.set_cap(j,
                   units.peak(units.lane_index(j) / lanes) / static_cast<float>(distances[j] * distances[j]));
-    double flux = 0;
+    double flux = 0, steep_rays = 0;
     std::uint64_t rays = 0;
     std::fill(found.begin(), found.end(), 0.0);
     for (std::uint32_t r = 0; r < side * side; ++r) {
@@ -127,7 +129,9 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
       const double part = light->power * (1 - light->capped) / (side * side);
       found[stratum(static_cast<std::size_t>(u1 * side), static_cast<std::size_t>(u2 * side))] += part;
       flux += part;
+      if (light->capped < steep) ++steep_rays;
     }
+    if (steep_rays > steep_share * side * side) any_steep_ = true;
     if (flux > 0)
       spots_.push_back({j, flux, running_chances(found)});
     else

@@ -61,6 +61,9 @@ class BrightSpots {
   BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed, const SpotRule& rule = {});
 
   std::size_t size() const { return spots_.size(); }
+  /// Whether a spot is so bright that it lights the corners around it like a second unit: 2 % of some unit's
+  /// rays meet a surface where its irradiance is 16 times its cap, within a quarter of the cap's distance.
+  bool any_steep() const { return any_steep_; }
   const SpotRule& rule() const { return rule_; }
 
   /// Number of rays from a unit whose excess gives the points x times `relevant` W/m^2 on average: x^2 rays,
@@ -144,6 +147,7 @@ class BrightSpots {
   const World& world_;
   const UnitGroups& units_;
   SpotRule rule_;
+  bool any_steep_ = false;
   std::vector<Spot> spots_;
   std::vector<std::uint16_t> groups_;  ///< groups of units (UnitGroups) with spots
 };

@@ -90,6 +90,9 @@ struct ReuseEffort {
   std::size_t group = 96;                ///< max number of vertices that share their continuations
   std::uint32_t spot_rays = 8;           ///< max rays from a unit, for a cluster or a group of vertices
   SpotRule spots = {};
+  /// Whether the cache's walks also start at units that shine mostly where labels' walks do not come, and
+  /// small clusters then have more points.
+  bool seeks_rare_light = true;
   double survival = 0.7;  ///< min probability of a continuation; brighter surfaces use their albedo
 };
 

@@ -70,9 +70,9 @@ struct ReuseEstimator::Tables {
         effort(e),
         units(w),
         spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
-        shared_cache(std::make_shared<const RadianceCache>(w, units,
-                                                           static_cast<float>(min_share * requirement),
-                                                           mix_key(s, hash64("radiance cache")), control)),
+        shared_cache(std::make_shared<const RadianceCache>(
+            w, units, static_cast<float>(min_share * requirement), mix_key(s, hash64("radiance cache")),
+            control, e.seeks_rare_light)),
         cache(*shared_cache),
         residual(w, units, cache, spots, requirement, e) {}
 
@@ -151,9 +151,19 @@ struct ReuseEstimator::Tables {
                     });
   }
 
+  // K. Much of the light that passes an opening, or comes from the corner beside a spot, is found by few
+  // paths. If a small cluster had few paths, short runs would miss it.
+  std::uint32_t points_of(const Block& block) const {
+    constexpr std::uint32_t most = 8;
+    if (!effort.seeks_rare_light || (!cache.any_hidden() && !spots.any_steep())) return effort.points;
+    const auto times = static_cast<std::uint32_t>(largest_cluster / block.rows.size());
+    return effort.points * std::clamp(times, 1U, most);
+  }
+
   // Adds the residual at some points per label.
   void add_residual(const Block& block, std::uint64_t key, std::uint32_t batch, Workspace& work,
                     std::uint64_t& rays) const {
+    const std::uint32_t points = points_of(block);
     std::uint32_t group = 0;
     const auto flush = [&] {
       if (work.vertices.empty()) return;
@@ -165,7 +175,7 @@ struct ReuseEstimator::Tables {
       work.vertices.clear();
       work.found.clear();
     };
-    for (std::uint32_t s = 0; s < effort.points; ++s)
+    for (std::uint32_t s = 0; s < points; ++s)
       for (std::size_t c = 0; c < block.rows.size(); ++c) {
         const std::uint32_t i = block.rows[c];
         const Responsivity& responsivity = world.receivers.responsivity(i);
@@ -173,7 +183,7 @@ struct ReuseEstimator::Tables {
         RandomStream random(key, batch, static_cast<std::uint32_t>(c), 2 + s);
         const auto drawn = shelfbeam::sample(responsivity, u1, u2);
         if (!drawn) continue;
-        const double weight = integral(responsivity) / effort.points;
+        const double weight = integral(responsivity) / points;
         const auto end = follow_chain(world, work.at[c], world.receivers.frame(i).to_world(drawn->direction),
                                       Departure::scattered, random, rays, [](std::size_t, double) {});
         if (!end) continue;
@@ -198,7 +208,7 @@ struct ReuseEstimator::Tables {
     double rays(std::uint32_t) const { return 1; }
     double density(std::uint32_t c) const { return tables.pdf_of(block.rows[c], at[c], vertex.end.point); }
     double gain(std::uint32_t c) const {
-      return integral(tables.world.receivers.responsivity(block.rows[c])) / tables.effort.points *
+      return integral(tables.world.receivers.responsivity(block.rows[c])) / tables.points_of(block) *
              vertex.exit_towards(at[c].position);
     }
   };

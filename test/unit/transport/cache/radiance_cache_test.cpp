@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "shelfbeam/transport/run/simulate.hpp"
 
 #include "physics/bare_scene.hpp"
+#include "unit/transport/zoo.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -97,6 +99,36 @@ TEST(RadianceCache, IsEmptyOutsideLitSurfaces) {
   EXPECT_EQ(room.cache.row({{1.5, 2.5, 1.5}, {0, 0, 1}}).count, 0U);
   // Light that is too weak is not stored.
   EXPECT_EQ(Prepared(albedo, 1e6F).cache.row(floor_point).count, 0U);
+}
+
+// Of a hundred places on the floor of a back room, those with light of its unit. The control is a cache whose
+// walks all start at labels, which are in the hall.
+TEST(RadianceCache, KnowsABackRoomWithoutLabels) {
+  const auto known_places = [](const std::string& name, bool from_units, std::size_t unit) {
+    const Scene scene = test::zoo_room(name).scene();
+    const World world(scene);
+    const UnitGroups groups(world);
+    const RadianceCache cache(world, groups, 1e-4F, 5, {}, from_units);
+    const std::size_t lane = groups.lane_index(unit);
+    int known = 0;
+    for (int k = 0; k < 100; ++k) {
+      const RadianceCache::Row row =
+          cache.row({{9.15 + 0.3 * (k % 10), 6.15 + 0.3 * static_cast<int>(k / 10), 0}, {0, 0, 1}});
+      for (std::size_t c = 0; c < row.count; ++c)
+        if (row.groups[c] == lane / lanes && PackedLane::value(row.indirect[c * lanes + lane % lanes]) > 0)
+          ++known;
+    }
+    return std::pair(cache.any_hidden(), known);
+  };
+  const auto [is_hidden, known] = known_places("back room", true, 0);
+  EXPECT_TRUE(is_hidden);
+  EXPECT_GT(known, 95);
+  const auto [is_hidden_to_labels, known_by_labels] = known_places("back room", false, 0);
+  EXPECT_FALSE(is_hidden_to_labels);
+  EXPECT_LT(known_by_labels, 50);
+  // Nothing changes where walks from labels meet what units light.
+  for (const char* const name : {"ordinary shop", "warehouse", "back room with labels"})
+    EXPECT_FALSE(known_places(name, true, 0).first) << name;
 }
 
 TEST(RadianceCache, FollowsFromTheSeedAlone) {

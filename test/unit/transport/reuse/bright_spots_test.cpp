@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 
 #include "physics/bare_scene.hpp"
 #include "support/hypothesis.hpp"
+#include "unit/transport/zoo.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -43,6 +45,19 @@ TEST(BrightSpots, AreFoundBesideUnits) {
   EXPECT_FLOAT_EQ(cap(0), 1.6F / 4);
   EXPECT_GT(cap(1), 1e30F);
   EXPECT_LT(cap(2), 1);
+}
+
+// Units at 10 to 30 cm from columns light the ceiling over these; units under a ceiling do not.
+TEST(BrightSpots, AreSteepBesideColumns) {
+  const auto any_steep = [](const std::string& name) {
+    const Scene scene = test::zoo_room(name).scene();
+    const World world(scene);
+    UnitGroups units(world);
+    return BrightSpots(world, units, 3).any_steep();
+  };
+  EXPECT_TRUE(any_steep("units beside columns"));
+  EXPECT_FALSE(any_steep("ordinary shop"));
+  EXPECT_FALSE(any_steep("low shop"));
 }
 
 // A single unit, and one in a crowd 20 m away, 0.3 m above the floor. The caps have the two distances of the
