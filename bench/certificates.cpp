@@ -1,10 +1,11 @@
 // Examines whether certificates hold, and how many questions they decide, in small shops whose solutions are
-// known by enumeration: labels just above the floor under a low ceiling, aisles, and a hall. This build and
-// an earlier one make many plans; each requirement is tight (one selection just suffices) or loose.
+// known by enumeration: labels just above the floor under a low ceiling, aisles, a hall, and a shop with a
+// back room whose unit decides. This build and an earlier one make many plans; each requirement is tight (one
+// selection just suffices) or loose.
 //
 //   build/release/bench_certificates [--before PROGRAM] [--plans N] [--before-plans N] [--jobs J] [--budget
 //   S]
-//       [--samples N] [--shop low|aisles|high]... [--problem plain|single|weighted|lexicographic]...
+//       [--samples N] [--shop low|aisles|high|back]... [--problem plain|single|weighted|lexicographic]...
 //       [--offset PERCENT|loose]... [--folder FOLDER] [--reference N]
 //
 // --before        an earlier program for comparison

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,6 +56,25 @@ Plan plan_of(const std::string& name) {
                 .shelves(1.2, 1.1, 3.1, 1.3, {0.3, 0.8}, 1.2, "walls", goods)
                 .shelves(2.3, 3.3, 2.7, 1.5, {0.2, 1.0}, 1.1, "walls", goods)
                 .grid(4, 3, 4.4)};
+  if (name ==
+      "back") {  // the best selections have a unit in a back room, which shines on an aisle through a door
+    test::ZooStore store(7, 5, 3, 0.7);
+    store.paint("goods", 0.5)
+        .inner_wall({4.4, 3.1}, {7, 3.1}, 0.5)
+        .inner_wall({4.4, 3.1}, {4.4, 5})
+        .box({3.9, 1.7, 0}, {7, 2, 2.7}, "goods");
+    for (const auto& [x, z] : {std::pair(4.5, 0.4), {5.3, 1.1}, {6.2, 0.6}, {6.7, 1.3}})
+      store.label({x, 2.01, z}, {0, 1, 0});
+    for (const auto& [x, z] : {std::pair(4.4, 0.5), {5.6, 1.0}, {6.5, 0.4}})
+      store.label({x, 1.69, z}, {0, -1, 0});
+    for (const auto& [y, z] : {std::pair(0.7, 0.4), {1.9, 1.2}, {3.2, 0.5}, {4.3, 0.9}})
+      store.label({0.01, y, z}, {1, 0, 0});
+    store.label({2.5, 4.99, 0.6}, {0, -1, 0}).unit({5.3, 3.9, 2.9}).unit({6.4, 4.3, 2.9});
+    for (const auto& [x, y] :
+         {std::pair(1.2, 1.1), {2.9, 0.9}, {1.5, 3.7}, {3.2, 3.4}, {2.2, 2.3}, {6.3, 0.9}})
+      store.unit({x, y, 2.9});
+    return {"back", 3, store};
+  }
   throw std::invalid_argument("unknown shop " + name);
 }
 

@@ -29,7 +29,7 @@ std::vector<KnownProblem> known_problems();
 /// direct light, by enumeration of all selections.
 class KnownShop {
  public:
-  static constexpr std::array<std::string_view, 3> names{"low", "aisles", "high"};
+  static constexpr std::array<std::string_view, 4> names{"low", "aisles", "high", "back"};
 
   /// Reads the reference from `folder`, or simulates it with `samples` per label and writes it there. Throws
   /// std::invalid_argument for an unknown name.
