@@ -92,6 +92,13 @@ inline Scene read_mesh(const std::string& name, const std::string& content,
   return scene_of(mesh_store(name, materials), folder.path());
 }
 
+/// The warnings about the mesh file itself.
+inline std::vector<std::string> file_warnings(const Scene& scene) {
+  std::vector<std::string> warnings = scene.warnings;
+  std::erase_if(warnings, [](const std::string& w) { return w.find("the mesh '") == std::string::npos; });
+  return warnings;
+}
+
 /// The area of all triangles, m^2.
 inline double mesh_area(const Scene& scene) {
   double sum = 0;

@@ -75,10 +75,10 @@ MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
 
 }  // namespace
 
-std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
-                                   std::optional<bool> y_is_up,
-                                   const std::vector<std::pair<std::string, MaterialId>>& materials,
-                                   const std::string& where) {
+ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
+                         std::optional<bool> y_is_up,
+                         const std::vector<std::pair<std::string, MaterialId>>& materials,
+                         const std::string& where) {
   const std::filesystem::path file = folder.find(name, where, "mesh");
   const std::string extension = lower_case(file.extension().string());
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
@@ -94,22 +94,24 @@ std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const Stor
   if (extension == ".stl") read_stl(lines, triangles);
   if (extension == ".ply") read_ply(lines, triangles);
 
-  std::vector<MeshPiece> pieces;
+  ImportedMesh mesh;
   std::set<std::string> unmatched;
   for (const MeshTriangles::OfMaterial& part : triangles.all()) {
     if (part.triangles.empty()) continue;
     MeshPiece piece = piece_of(part, y_is_up.value_or(is_gltf));
     if (const auto material = mapped(piece.name, materials)) {
       piece.material = *material;
-      pieces.push_back(std::move(piece));
+      mesh.pieces.push_back(std::move(piece));
     } else {
       unmatched.insert(piece.name);
     }
   }
   if (!unmatched.empty()) fail_unmatched(unmatched, file, where);
-  if (pieces.empty())
+  if (mesh.pieces.empty())
     throw InputError(where, fmt::format("the mesh '{}' has no triangles", file.string()), "check the file");
-  return pieces;
+  for (const std::string& note : triangles.notes())
+    mesh.notes.push_back(fmt::format("the mesh '{}' {}", name.string(), note));
+  return mesh;
 }
 
 }  // namespace shelfbeam

@@ -22,14 +22,19 @@ struct MeshPiece {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+struct ImportedMesh {
+  std::vector<MeshPiece> pieces;
+  std::vector<std::string> notes;  ///< remarks for the user about this file
+};
+
 /// Imports a mesh file (glTF, GLB, OBJ, STL, PLY) from the folder as pieces, with node transformations
 /// applied and materials mapped: the first pattern of `materials` (pattern -> material) that matches the name
 /// in the file applies. Surfaces without a material, such as all of STL and PLY, have the empty name. By
 /// default, y is up in glTF, as its specification defines, and z is up in the other formats. Throws
 /// InputError, also for coordinates that are not finite.
-std::vector<MeshPiece> import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
-                                   std::optional<bool> y_is_up,
-                                   const std::vector<std::pair<std::string, MaterialId>>& materials,
-                                   const std::string& where);
+ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
+                         std::optional<bool> y_is_up,
+                         const std::vector<std::pair<std::string, MaterialId>>& materials,
+                         const std::string& where);
 
 }  // namespace shelfbeam

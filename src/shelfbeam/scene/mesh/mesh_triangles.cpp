@@ -1,7 +1,10 @@
 #include "shelfbeam/scene/mesh/mesh_triangles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include <fmt/format.h>
 
 namespace shelfbeam {
 
@@ -70,6 +73,25 @@ void MeshTriangles::use(std::string_view material) {
       std::find_if(all_.begin(), all_.end(), [&](const auto& m) { return m.name == material; });
   current_ = static_cast<std::size_t>(found - all_.begin());
   if (found == all_.end()) all_.push_back({std::string(material), {}});
+}
+
+void MeshTriangles::note(const std::string& remark) {
+  if (std::find(notes_.begin(), notes_.end(), remark) == notes_.end()) notes_.push_back(remark);
+}
+
+void MeshTriangles::note_single_precision(const Bounds& bounds) {
+  constexpr double visible = 1e-4;  // of the size of the mesh
+  double largest = 0, size = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    largest = std::max({largest, std::abs(bounds.low[axis]), std::abs(bounds.high[axis])});
+    size = std::max(size, bounds.high[axis] - bounds.low[axis]);
+  }
+  const double rounding = largest / (1 << 24);
+  if (std::isfinite(largest) && rounding > visible * size)
+    note(fmt::format(
+        "stores vertices up to {:.4g} from its origin in single precision, which rounds them by up to "
+        "{:.2g}; export it near its origin",
+        largest, rounding));
 }
 
 bool MeshTriangles::add(const Triangle& triangle) {

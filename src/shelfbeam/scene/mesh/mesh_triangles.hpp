@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam {
 
 /// The triangles of a mesh file by material, in the order of the materials' first appearance. The empty name
-/// means no material.
+/// means no material. Also remarks about the file.
 class MeshTriangles {
  public:
   using Triangle = std::array<Vec3, 3>;
@@ -35,11 +36,19 @@ class MeshTriangles {
 
   const std::vector<OfMaterial>& all() const { return all_; }
 
+  /// A remark about the file for its user, once ("uses ...").
+  void note(const std::string& remark);
+  /// Notes that vertices within these bounds, which the file stores in single precision, are so far from its
+  /// origin that rounding shows.
+  void note_single_precision(const Bounds& bounds);
+  const std::vector<std::string>& notes() const { return notes_; }
+
  private:
   std::size_t memory_;
   std::size_t count_ = 0;
   std::size_t current_ = 0;
   std::vector<OfMaterial> all_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace shelfbeam

@@ -227,6 +227,9 @@ class FixtureList {
     if (!frame)
       labels.fail("lists labels of a fixture that is neither a mesh nor a box with 'at'",
                   "list them in 'labels' of the store, with their positions in the store");
+    if (const auto* mesh = std::get_if<MeshFixture>(&fixture); mesh != nullptr && mesh->is_moved)
+      labels.fail("lists labels of a mesh in map coordinates",
+                  "list them in 'labels' of the store, with their positions in the store");
     for (const JsonCursor& json : labels.elements()) {
       Label label = read_label(json, names_);
       label.id = fmt::format("{}-{}", id_of(fixture), label.id);
