@@ -16,6 +16,7 @@ namespace shelfbeam {
 
 namespace {
 
+constexpr const char* advice = "repair the mesh in the program that wrote it";
 constexpr std::int64_t max_integer = std::int64_t{1}
                                      << 50;  // bytes or numbers: beyond any file, exact as a double
 
@@ -116,18 +117,15 @@ std::size_t count_at(const JsonCursor& object, std::string_view key, std::int64_
   return static_cast<std::size_t>(found ? found->integer(0, max_integer) : otherwise);
 }
 
-// Rejects unsupported extensions that may change positions.
-void expect_plain(const JsonCursor& root) {
-  if (const auto required = root.find("extensionsRequired"))
-    for (const JsonCursor& extension : required->elements()) {
-      const std::string name = extension.text();
-      constexpr std::array<std::string_view, 5> harmless = {"KHR_materials_", "KHR_texture_", "KHR_lights_",
-                                                            "KHR_mesh_quantization", "EXT_texture_"};
-      const auto is_prefix = [&](std::string_view prefix) { return name.starts_with(prefix); };
-      if (std::any_of(harmless.begin(), harmless.end(), is_prefix)) continue;
-      extension.fail(fmt::format("requires the unsupported '{}'", name), "export the file without it");
-    }
+// Indices are never normalized.
+bool is_normalized(const JsonCursor& accessor) {
+  const auto normalized = accessor.find("normalized");
+  return normalized && normalized->boolean() && accessor["type"].text() != "SCALAR";
 }
+
+// Numbers per element of an accessor.
+constexpr std::array<std::pair<std::string_view, std::size_t>, 4> element_types{
+    {{"SCALAR", 1}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
 
 }  // namespace
 
@@ -141,7 +139,6 @@ GltfFile::GltfFile(std::string_view text, std::filesystem::path name, const Stor
   const std::string version = root_["asset"]["version"].text();
   if (!version.starts_with("2."))
     root_["asset"].fail(fmt::format("is version {}", version), "glTF 2.0 is required");
-  expect_plain(root_);
 }
 
 JsonCursor GltfFile::item(std::string_view list, const JsonCursor& number) const {
@@ -153,62 +150,100 @@ JsonCursor GltfFile::item(std::string_view list, const JsonCursor& number) const
   return found->element(static_cast<std::size_t>(index));
 }
 
-double GltfFile::Numbers::at(std::size_t index, std::size_t component) const {
+double GltfFile::Elements::at(std::size_t index, std::size_t component) const {
   const Component& kind = component_of(type);
   const double value = kind.at(bytes, index * stride + component * kind.bytes);
   return is_normalized && kind.largest > 0 ? std::max(value / kind.largest, -1.0) : value;
 }
 
-GltfFile::Numbers GltfFile::numbers(const JsonCursor& number, std::string_view type, std::size_t components) {
-  const JsonCursor accessor = item("accessors", number);
-  if (accessor.find("sparse")) accessor.fail("is sparse (not supported)", "export the file without it");
-  if (accessor["type"].text() != type)
-    accessor["type"].fail("is of another type", fmt::format("'{}' is expected", type));
-  Numbers numbers;
-  numbers.components = components;
-  numbers.type = accessor["componentType"].integer(first_component, first_component + 6);
-  if (component_of(numbers.type).bytes == 0)
-    accessor["componentType"].fail("is 5124", "5120 to 5123, 5125 and 5126 are supported");
-  if (const auto normalized = accessor.find("normalized")) numbers.is_normalized = normalized->boolean();
-  numbers.count = static_cast<std::size_t>(accessor["count"].integer(1, max_integer));
-
-  const JsonCursor view = item("bufferViews", accessor["bufferView"]);
+GltfFile::Elements GltfFile::elements(const JsonCursor& owner, std::size_t count, std::size_t components,
+                                      const JsonCursor& kind) {
+  Elements elements;
+  elements.count = count;
+  elements.components = components;
+  elements.type = kind.integer(first_component, first_component + 6);
+  if (component_of(elements.type).bytes == 0)
+    kind.fail("is 5124", "5120 to 5123, 5125 and 5126 are supported");
+  const JsonCursor view = item("bufferViews", owner["bufferView"]);
   const std::string& buffer = this->buffer(view["buffer"]);
   const std::size_t begin = count_at(view, "byteOffset", 0), length = count_at(view, "byteLength", 0);
   if (begin > buffer.size() || length > buffer.size() - begin)
     view.fail("extends beyond its buffer", "export the file again");
-  const std::size_t size = components * component_of(numbers.type).bytes;
-  numbers.stride = count_at(view, "byteStride", static_cast<std::int64_t>(size));
-  const std::size_t offset = count_at(accessor, "byteOffset", 0);
+  const std::size_t size = components * component_of(elements.type).bytes;
+  elements.stride = count_at(view, "byteStride", static_cast<std::int64_t>(size));
+  const std::size_t offset = count_at(owner, "byteOffset", 0);
   // Elements must not overlap, so that memory for them never exceeds the size of the file.
-  if (numbers.stride < size || offset > length || size > length - offset ||
-      (length - offset - size) / numbers.stride < numbers.count - 1)
-    accessor.fail("extends beyond its buffer view", "export the file again");
-  numbers.bytes = std::string_view(buffer).substr(begin, length).substr(offset);
-  return numbers;
+  if (elements.stride < size || offset > length || size > length - offset ||
+      (length - offset - size) / elements.stride < elements.count - 1)
+    owner.fail("extends beyond its buffer view", "export the file again");
+  elements.bytes = std::string_view(buffer).substr(begin, length).substr(offset);
+  return elements;
+}
+
+std::vector<double> GltfFile::numbers(const JsonCursor& number, std::string_view type) {
+  const JsonCursor accessor = item("accessors", number);
+  if (accessor["type"].text() != type)
+    accessor["type"].fail("is of another type", fmt::format("'{}' is expected", type));
+  const auto known = std::find_if(element_types.begin(), element_types.end(),
+                                  [&](const auto& entry) { return entry.first == type; });
+  const std::size_t components = known->second;
+  const auto count = static_cast<std::size_t>(accessor["count"].integer(1, max_integer));
+  const bool is_sparse = accessor.find("sparse").has_value();
+  std::vector<double> values;
+  if (is_sparse && !accessor.find("bufferView")) {
+    if (count > std::min<std::uint64_t>(folder_.memory(), max_mesh_file) / (sizeof(double) * components))
+      accessor.fail("has more elements than fit in memory", "simplify the mesh, or raise the memory limit");
+    values.resize(count * components);
+  } else {
+    Elements found = elements(accessor, count, components, accessor["componentType"]);
+    found.is_normalized = is_normalized(accessor);
+    values.reserve(count * components);
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t c = 0; c < components; ++c) values.push_back(found.at(k, c));
+  }
+  if (is_sparse) replace_sparse(accessor, components, values);
+  return values;
+}
+
+void GltfFile::replace_sparse(const JsonCursor& accessor, std::size_t components,
+                              std::vector<double>& values) {
+  const JsonCursor sparse = accessor["sparse"], places = sparse["indices"];
+  const auto count = static_cast<std::size_t>(sparse["count"].integer(1, max_integer));
+  const Elements indices = elements(places, count, 1, places["componentType"]);
+  Elements replaced = elements(sparse["values"], count, components, accessor["componentType"]);
+  replaced.is_normalized = is_normalized(accessor);
+  const std::size_t size = values.size() / components;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double index = indices.at(k, 0);
+    if (!(index >= 0 && index < static_cast<double>(size)) || index != std::floor(index))
+      places.fail(fmt::format("names element {} of {}, counted from 0", index, size), advice);
+    for (std::size_t c = 0; c < components; ++c)
+      values[static_cast<std::size_t>(index) * components + c] = replaced.at(k, c);
+  }
+}
+
+bool GltfFile::is_single(const JsonCursor& accessor) const {
+  return item("accessors", accessor)["componentType"].integer(0, max_integer) == first_component + 6;
 }
 
 std::vector<Vec3> GltfFile::positions(const JsonCursor& accessor) {
-  const Numbers values = numbers(accessor, "VEC3", 3);
+  const std::vector<double> values = numbers(accessor, "VEC3");
   std::vector<Vec3> positions;
-  for (std::size_t k = 0; k < values.count; ++k) {
-    positions.push_back({values.at(k, 0), values.at(k, 1), values.at(k, 2)});
+  positions.reserve(values.size() / 3);
+  for (std::size_t k = 0; k < values.size(); k += 3) {
+    positions.push_back({values[k], values[k + 1], values[k + 2]});
     if (!is_finite(positions.back()))
-      accessor.fail(fmt::format("has a position that is not finite, vertex {} (counted from 0)", k),
-                    "repair the mesh in the program that wrote it");
+      accessor.fail(fmt::format("has a position that is not finite, vertex {} (counted from 0)", k / 3),
+                    advice);
   }
   return positions;
 }
 
 std::vector<std::uint32_t> GltfFile::indices(const JsonCursor& accessor, std::size_t vertices) {
-  Numbers values = numbers(accessor, "SCALAR", 1);
-  values.is_normalized = false;
   std::vector<std::uint32_t> indices;
-  for (std::size_t k = 0; k < values.count; ++k) {
-    const double index = values.at(k, 0);
+  for (const double index : numbers(accessor, "SCALAR")) {
     if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
-      accessor.fail(fmt::format("names vertex {} of {}, counted from 0", index, vertices),
-                    "repair the mesh in the program that wrote it");
+      accessor.fail(fmt::format("names vertex {} of {}, counted from 0", index, vertices), advice);
     indices.push_back(static_cast<std::uint32_t>(index));
   }
   return indices;
@@ -226,6 +261,10 @@ std::string GltfFile::load(const JsonCursor& buffer, bool is_first) const {
   const auto uri = buffer.find("uri");
   std::string bytes;
   if (!uri) {
+    if (const auto extensions = buffer.find("extensions"))
+      for (const auto& [extension, value] : extensions->members())
+        if (extension.ends_with("meshopt_compression"))
+          value.fail("is the only form of the data, and is not supported", "export the file without it");
     if (!is_first || binary_.empty())
       buffer.fail("has no 'uri', and the file has no binary chunk", "export it again");
     bytes = binary_;

@@ -24,6 +24,10 @@ class GltfFile {
   /// The object with this index in a list of the file ("meshes").
   JsonCursor item(std::string_view list, const JsonCursor& number) const;
 
+  /// The elements of an accessor of this type ("VEC3"), one after the other, with its sparse values.
+  std::vector<double> numbers(const JsonCursor& accessor, std::string_view type);
+  /// Whether an accessor stores numbers in single precision.
+  bool is_single(const JsonCursor& accessor) const;
   /// The positions of an accessor, which are finite.
   std::vector<Vec3> positions(const JsonCursor& accessor);
   /// The vertex indices of an accessor, each below `vertices`.
@@ -31,7 +35,7 @@ class GltfFile {
 
  private:
   /// Elements of `components` numbers each in a buffer.
-  struct Numbers {
+  struct Elements {
     std::string_view bytes;
     std::size_t count = 0, components = 1, stride = 0;
     std::int64_t type = 0;
@@ -40,7 +44,11 @@ class GltfFile {
     double at(std::size_t index, std::size_t component) const;
   };
 
-  Numbers numbers(const JsonCursor& accessor, std::string_view type, std::size_t components);
+  /// The elements of an accessor or of a part of a sparse one.
+  Elements elements(const JsonCursor& owner, std::size_t count, std::size_t components,
+                    const JsonCursor& kind);
+  /// Replaces the values that a sparse accessor lists.
+  void replace_sparse(const JsonCursor& accessor, std::size_t components, std::vector<double>& values);
   const std::string& buffer(const JsonCursor& number);
   std::string load(const JsonCursor& buffer, bool is_first) const;
 
