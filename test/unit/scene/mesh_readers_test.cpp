@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -66,6 +68,83 @@ TEST(MeshReaders, ObjMaterialsNeedNoLibrary) {
   expect_input_error([&] { read_mesh("a.obj", text, blue); }, "a.obj': red  brick;");
 }
 
+TEST(MeshReaders, ObjCommentsMayFollowData) {
+  const std::string text =
+      "# begins \\\nv 0 0 0 # first\nv 2 0 0#second\nv 0 1 0\t# third \\\nv 0 0 1\n"
+      "usemtl red brick # from a quarry\nf 1 2 3 # front \\\nf 1/1 \\\n2/2#continued\n 4\nf 1 2 3 #\n";
+  expect_input_error([&] { read_mesh("a.obj", text); }, "line 9 of '", "fewer than three corners");
+  std::string good = text;
+  good.replace(good.find("#continued\n"), 11, " ");
+  EXPECT_DOUBLE_EQ(mesh_area(read_mesh("a.obj", good, {{"red brick", "white"}})), 3);
+}
+
+// 3ds Max numbers its materials so.
+TEST(MeshReaders, ObjMaterialsMayHaveNumbers) {
+  const auto material = [](const std::string& line) {
+    const Json none = {{"none", "white"}};
+    const std::string message = test::input_error(
+        [&] { read_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl " + line + "\nf 1 2 3\n", none); });
+    const auto begin = message.find("': ") + 3;
+    return message.substr(begin, message.find(';') - begin);
+  };
+  EXPECT_EQ(material("Material #25"), "Material #25");
+  EXPECT_EQ(material("Material#25"), "Material#25");
+  EXPECT_EQ(material("Material #25 # the door"), "Material");
+  EXPECT_EQ(material("Material # 25"), "Material");
+  EXPECT_EQ(material("Material #the door"), "Material");
+}
+
+TEST(MeshReaders, ContinuedLinesEndAtABlankLine) {
+  EXPECT_DOUBLE_EQ(mesh_area(read_mesh("a.obj", "v 0 0 0 \\\n\nv 2 0 0\nv 0 1 0\nf 1 2 3\n")), 1);
+}
+
+// Where files were joined, a byte order mark may begin a line, which must not be ignored.
+TEST(MeshReaders, ObjKeywordsArePrintable) {
+  expect_input_error([] { read_mesh("a.obj", "v 0 0 0\n\xEF\xBB\xBFv 1 0 0\nv 0 1 0\nf 1 2 3\n"); },
+                     "line 2 of '", "'\\ufeffv'");
+}
+
+TEST(MeshReaders, MarksEncodingsAndLineEnds) {
+  const auto with_cr = [](std::string text) {
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    return text;
+  };
+  const auto with_both = [](const std::string& text) {
+    std::string result;
+    for (const char c : text) result += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    return result;
+  };
+  const auto wide = [](const std::string& text) {
+    std::string result = "\xFF\xFE";
+    for (const char c : text) result += {c, '\0'};
+    return result;
+  };
+  const auto solid = test::tetrahedron();
+  for (const auto& [name, text] :
+       {std::pair{"a.obj", test::obj(solid)}, std::pair{"a.ply", test::ply(solid, false)},
+        std::pair{"a.stl", test::ascii_stl(solid)}}) {
+    for (const std::string& variant : {"\xEF\xBB\xBF" + text, with_cr(text), with_both(text)})
+      EXPECT_DOUBLE_EQ(mesh_area(read_mesh(name, variant)), test::tetrahedron_area) << name;
+    expect_input_error([&, &file = name, &content = text] { read_mesh(file, wide(content)); },
+                       "store.json: fixtures[0].file: '", "is UTF-16; save it as UTF-8");
+  }
+  // The bytes behind the header of a binary file may begin with a line feed: the colour 10.
+  std::string binary = test::ply(solid, true);
+  const std::size_t header = binary.find("end_header\n") + 11;
+  for (std::size_t vertex = 0; vertex < 12; ++vertex) binary[header + 13 * vertex] = '\n';
+  EXPECT_DOUBLE_EQ(mesh_area(read_mesh("a.ply", with_cr(binary.substr(0, header)) + binary.substr(header))),
+                   test::tetrahedron_area);
+  EXPECT_DOUBLE_EQ(mesh_area(read_mesh("a.ply", with_both(binary.substr(0, header)) + binary.substr(header))),
+                   test::tetrahedron_area);
+}
+
+TEST(MeshReaders, PlyTextBehindTheLastElementIsReported) {
+  const auto warnings =
+      test::file_warnings(read_mesh("a.ply", test::ply(test::tetrahedron(), false) + "\n3 0 1 2\n"));
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("'a.ply' continues after the last element"), std::string::npos) << warnings[0];
+}
+
 // Found by fuzzing: the previous library for these files ended the program.
 TEST(MeshReaders, PlyVerticesHaveThreeCoordinates) {
   const std::string good = test::ply(test::tetrahedron(), true);
@@ -119,7 +198,7 @@ TEST(MeshReaders, GltfIsNotTrusted) {
   refused("/accessors/0/componentType", 5124, "componentType");
   refused("/accessors/0/type", "VEC2", "'VEC3'");
   refused("/accessors/0/bufferView", 2, "2 bufferViews");
-  refused("/accessors/0/sparse", Json::object(), "is sparse");
+  refused("/accessors/0/sparse", Json::object(), "accessors[0].sparse");
   refused("/bufferViews/0/byteStride", 0, "accessors[0]: ");
   refused("/bufferViews/0/byteOffset", 7, "bufferViews[0]: ");
   refused("/buffers/0/byteLength", 100, "22 bytes");

@@ -26,30 +26,64 @@ void split(std::string_view line, std::vector<std::string_view>& words) {
 
 }  // namespace
 
+void MeshLines::drop_mark() {
+  text_ = without_mark(text_, fmt::format("{}: '{}'", where_, file_.string()));
+}
+
 bool MeshLines::next() {
   do {
-    if (at_ >= text_.size()) return false;
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    split(text_.substr(at_, end - at_), words_);
-    at_ = end + 1;
-    ++line_;
+    if (!next_line()) return false;
   } while (words_.empty());
   return true;
 }
 
-bool MeshLines::next_continued() {
-  if (!next()) return false;
+bool MeshLines::next_line() {
+  if (at_ >= text_.size()) return false;
+  std::string_view line = text_.substr(at_);
+  line = line.substr(0, line.find('\n'));
+  line = line.substr(0, line.find('\r'));
+  split(line, words_);
+  at_ += line.size();
+  const std::string_view end = text_.substr(at_, 2);
+  if (line_++ == 0) ends_with_cr_ = end.starts_with('\r') && end != "\r\n";
+  // Behind a CR, a line feed may be the first byte of a binary PLY file.
+  at_ += end == "\r\n" && !ends_with_cr_ ? 2 : 1;
+  return true;
+}
+
+bool MeshLines::next_of_obj() {
+  do {
+    if (!next_line()) return false;
+    drop_comment();
+  } while (words_.empty());
   while (words_.back().ends_with('\\')) {
     words_.back().remove_suffix(1);
     std::vector<std::string_view> before = std::exchange(words_, {});
     if (before.back().empty()) before.pop_back();
-    const bool continues = next();
-    if (continues) before.insert(before.end(), words_.begin(), words_.end());
+    const bool continues = next_line();
+    if (continues) {
+      drop_comment();
+      before.insert(before.end(), words_.begin(), words_.end());
+    }
     words_ = std::move(before);
     if (words_.empty()) words_.emplace_back();
     if (!continues) break;
   }
   return true;
+}
+
+void MeshLines::drop_comment() {
+  const bool has_name = !words_.empty() && words_[0] == "usemtl";
+  for (std::size_t k = 0; k < words_.size(); ++k) {
+    const std::size_t begin = words_[k].find('#');
+    if (begin == std::string_view::npos || (has_name && begin > 0)) continue;
+    const bool is_number =
+        words_[k].size() > 1 && words_[k].find_first_not_of("0123456789", 1) == words_[k].npos;
+    if (has_name && k > 1 && k + 1 == words_.size() && is_number) continue;
+    words_[k] = words_[k].substr(0, begin);
+    words_.resize(begin > 0 ? k + 1 : k);
+    return;
+  }
 }
 
 std::string_view MeshLines::from(std::size_t word) const {

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/mesh/mesh_formats.hpp"
 
 namespace shelfbeam {
@@ -14,15 +16,18 @@ class ObjReader {
   ObjReader(MeshLines& lines, MeshTriangles& triangles) : lines_(lines), triangles_(triangles) {}
 
   void read() {
-    while (lines_.next_continued()) {
-      const std::string_view what = lines_.words()[0];
-      if (what == "v") {
+    while (lines_.next_of_obj()) {
+      const std::string_view keyword = lines_.words()[0];
+      if (keyword == "v") {
         // A weight or a colour may follow.
         vertices_.push_back({lines_.coordinate(1), lines_.coordinate(2), lines_.coordinate(3)});
-      } else if (what == "f") {
+      } else if (keyword == "f" || keyword == "fo") {
         read_face();
-      } else if (what == "usemtl") {
+      } else if (keyword == "usemtl") {
         triangles_.use(lines_.words().size() > 1 ? lines_.from(1) : "");
+      } else if (std::any_of(keyword.begin(), keyword.end(), [](char c) { return c < '!' || c > '~'; })) {
+        // Such as a byte order mark where files were joined: the line may be a vertex.
+        lines_.fail(fmt::format("the keyword {} has characters that are not printable", in_quotes(keyword)));
       }
     }
   }
@@ -57,6 +62,7 @@ class ObjReader {
 }  // namespace
 
 void read_obj(MeshLines& lines, MeshTriangles& triangles) {
+  lines.drop_mark();
   ObjReader(lines, triangles).read();
 }
 

@@ -141,6 +141,9 @@ class Numbers {
     ++at_;
     return *value;
   }
+  bool is_ascii() const { return is_ascii_; }
+  /// Whether an ASCII file has further numbers behind its elements.
+  bool continues() const { return is_ascii_ && lines_.next(); }
   void bad_length() const {
     if (is_ascii_) lines_.fail(fmt::format("value {} is not the length of a list", at_));
     lines_.fail_file("is corrupt: a list has a negative length");
@@ -185,6 +188,9 @@ class PlyReader {
   void read(MeshTriangles& triangles) {
     for (const Element& element : header_.elements)
       for (std::uint64_t k = 0; k < element.count; ++k) read_element(element);
+    if (numbers_.continues())
+      triangles.note("continues after the last element that its header counts; the rest was ignored");
+    triangles.note_single_precision(single_);
     // Faces may precede the vertices that they use.
     std::vector<Vec3> face;
     for (std::size_t begin = 0; begin < corners_.size(); begin += 1 + corners_[begin]) {
@@ -198,17 +204,20 @@ class PlyReader {
   void read_element(const Element& element) {
     numbers_.begin_element();
     Vec3 vertex{0, 0, 0};
+    bool is_single = false;
     for (const Property& property : element.properties) {
       if (property.count) {
         read_list(property);
       } else if (property.axis) {
         const double value = numbers_.coordinate(property.type);
+        if (property.type.kind == Kind::real && property.type.bytes == 4) is_single = !numbers_.is_ascii();
         (*property.axis == 0 ? vertex.x : *property.axis == 1 ? vertex.y : vertex.z) = value;
       } else {
         numbers_.next(property.type);
       }
     }
     if (element.is_vertex) vertices_.push_back(lines_.finite(vertex, vertices_.size()));
+    if (is_single) single_.include(vertex);
   }
 
   void read_list(const Property& property) {
@@ -230,12 +239,14 @@ class PlyReader {
   const Header& header_;
   Numbers numbers_;
   std::vector<Vec3> vertices_;
+  Bounds single_;                       ///< of the vertices in single precision
   std::vector<std::uint32_t> corners_;  ///< for each face the number of corners, then their vertices
 };
 
 }  // namespace
 
 void read_ply(MeshLines& lines, MeshTriangles& triangles) {
+  lines.drop_mark();
   const Header header = read_header(lines);
   if (header.format != "ascii" && header.format != "binary_little_endian" &&
       header.format != "binary_big_endian")
