@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
@@ -12,6 +15,21 @@ inline Bounds extent(const Scene& scene) {
   for (const Label& label : scene.labels) box.include(label.position);
   for (const Transceiver& unit : scene.transceivers) box.include(unit.position);
   return box;
+}
+
+/// The point from which coordinates count in single precision, and the largest of these coordinates, m.
+struct RayCoordinates {
+  Vec3 centre;
+  double largest = 0;
+};
+
+inline RayCoordinates ray_coordinates(const Scene& scene) {
+  const Bounds box = extent(scene);
+  const auto largest = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
+  const double from_zero = std::max(largest(box.low), largest(box.high));
+  const double from_middle = largest(box.high - box.low) / 2;
+  if (from_zero <= 4 * from_middle) return {{}, from_zero};
+  return {(box.low + box.high) / 2, from_middle};
 }
 
 }  // namespace shelfbeam

@@ -113,13 +113,14 @@ double PlaneMirrors::share(std::size_t g, const Connection& way, const SurfacePo
           share * specular_reflectance(material, {std::sqrt(std::max(0.0, 1 - cosine * cosine)), 0, cosine});
       if (reflected > 0) sum += reflected * rays.transmittance(hit->point, second).share;
       // Behind a pane there may be another mirror of the group.
-      if (!rays.has_contact(hit->point.triangle)) return sum;
+      if (!rays.has_contact(hit->point)) return sum;
     } else if (sum > 0) {
       return sum;
     }
     const auto* pane = std::get_if<ThinDielectric>(&material);
     if (pane == nullptr) return sum;
     share *= pane_transmittance(*pane, cosine);
+    if (share == 0) return sum;
     from = hit->point;
   }
 }

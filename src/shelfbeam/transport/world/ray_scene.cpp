@@ -38,6 +38,7 @@ constexpr double rounding = 1.0 / (1 << 24);
 constexpr double steps = 16, end_steps = 64;
 // Surfaces within this reach of glass are ordered by Contacts: in multiples of this error, and at least.
 constexpr double reach_steps = 200, min_reach = 5e-5;  // m
+constexpr double max_overlap = 3e-5;                   // m, of two solids that count as touching
 
 using Stack = std::vector<Contacts::Crossing>;
 
@@ -52,16 +53,6 @@ struct Float3 {
 
 Float3 to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-// The point from which coordinates count, and the largest of these.
-std::pair<Vec3, double> origin_of(const Scene& scene) {
-  const Bounds box = extent(scene);
-  const auto largest = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); };
-  const double from_zero = std::max(largest(box.low), largest(box.high));
-  const double from_middle = largest(box.high - box.low) / 2;
-  if (from_zero <= 4 * from_middle) return {Vec3{}, from_zero};
-  return {(box.low + box.high) / 2, from_middle};
 }
 
 #if SHELFBEAM_EMBREE_MAJOR == 3
@@ -222,14 +213,13 @@ struct RayScene::Impl {
     return Hit{triangle->point(static_cast<double>(u), static_cast<double>(v)), triangle->material};
   }
 
-  void attenuate(Transmittance& light, MaterialId glass, double cosine) const {
-    const auto [reflected, transmitted] = pane_shares(*pane[glass.value], cosine);
-    light.share *= transmitted;
-    light.probability *= transmitted > 0 ? transmitted / (reflected + transmitted) : 0;
+  PaneShares pane_shares_of(MaterialId glass, double cosine) const {
+    return pane_shares(*pane[glass.value], cosine);
   }
 
-  bool is_stacked(std::uint32_t triangle) const {
-    return triangle != no_triangle && contacts.contain(triangle);
+  template <class Point>
+  bool is_stacked(const Point& point) const {
+    return contacts.contain(point.triangle, point.position);
   }
 
   Hit hit_at(const Contacts::Crossing& crossing, const Vec3& from, const Vec3& direction) const {
@@ -237,13 +227,14 @@ struct RayScene::Impl {
             contacts.material(crossing.triangle)};
   }
 
-  // The surface of a stack that light meets first, if a ray has met one of them.
-  Hit enter_stack(const Hit& hit, const Vec3& from, const Vec3& direction, const Stack& left) const {
+  // The surface of a stack that light meets first, if a ray has met one of them. The surfaces `behind` have
+  // been passed.
+  Hit enter_stack(const Hit& hit, const Vec3& from, const Vec3& direction, const Stack& behind) const {
     const double distance = dot(hit.point.position - from, direction);
     for (const Contacts::Crossing& crossing :
          contacts.stack(hit.point.triangle, hit.point.position, direction)) {
       if (crossing.triangle == hit.point.triangle) break;
-      if (distance + crossing.distance > 0 && find(left, crossing.triangle) == left.end())
+      if (distance + crossing.distance > 0 && find(behind, crossing.triangle) == behind.end())
         return hit_at(crossing, hit.point.position, direction);
     }
     return hit;
@@ -251,28 +242,32 @@ struct RayScene::Impl {
 
   // The next surface for light that leaves a surface of a stack: in the stack, or beyond it.
   std::optional<Hit> leave_stack(const SurfacePoint& from, const Vec3& direction, RTCRayHit& ray) const {
-    const Stack stack = contacts.stack(from.triangle, from.position, direction);
-    const auto left = find(stack, from.triangle);
-    if (left + 1 != stack.end()) return hit_at(left[1], from.position, direction);
+    Stack behind = contacts.stack(from.triangle, from.position, direction);
+    const auto next = find(behind, from.triangle) + 1;
+    // Nothing else lies between surfaces that are nearer than the offset of rays.
+    if (next != behind.end() && next->distance * std::abs(dot(from.normal, direction)) < 2 * step)
+      return hit_at(*next, from.position, direction);
+    behind.erase(next, behind.end());
     auto hit = first_on(ray);
-    while (hit && find(stack, hit->point.triangle) != stack.end()) {
+    while (hit && find(behind, hit->point.triangle) != behind.end()) {
       ray.ray.tnear = std::nextafter(ray.ray.tfar, std::numeric_limits<float>::infinity());
       ray.ray.tfar = std::numeric_limits<float>::infinity();
       hit = first_on(ray);
     }
-    if (hit && is_stacked(hit->point.triangle)) return enter_stack(*hit, from.position, direction, stack);
+    if (hit && is_stacked(hit->point)) return enter_stack(*hit, from.position, direction, behind);
     return hit;
   }
 };
 
-RayScene::RayScene(const Scene& scene) {
-  const auto [centre, largest] = origin_of(scene);
+RayScene::RayScene(const Scene& scene, double enlargement) {
+  const auto [centre, largest] = ray_coordinates(scene);
   const double unit = rounding * largest;
-  auto impl =
-      std::make_unique<Impl>(Impl{.centre = centre,
-                                  .step = steps * unit,
-                                  .end = end_steps * unit,
-                                  .contacts = Contacts(scene, std::max(min_reach, reach_steps * unit))});
+  auto impl = std::make_unique<Impl>(
+      Impl{.centre = centre,
+           .step = steps * unit,
+           .end = end_steps * unit,
+           .contacts = Contacts(
+               scene, {std::max(min_reach * enlargement, reach_steps * unit), max_overlap * enlargement})});
   end_ = impl->end;
   for (const NamedMaterial& named : scene.materials) {
     const auto* pane = std::get_if<ThinDielectric>(&named.material);
@@ -295,18 +290,18 @@ RayScene::~RayScene() = default;
 std::optional<Hit> RayScene::intersect(const SurfacePoint& from, const Vec3& direction) const {
   RTCRayHit ray{};
   aim(ray.ray, impl_->leave(from, direction), to_float(direction), std::numeric_limits<float>::infinity());
-  if (impl_->is_stacked(from.triangle)) return impl_->leave_stack(from, direction, ray);
+  if (impl_->is_stacked(from)) return impl_->leave_stack(from, direction, ray);
   const auto hit = impl_->first_on(ray);
-  if (!hit || !impl_->is_stacked(hit->point.triangle)) return hit;
+  if (!hit || !impl_->is_stacked(hit->point)) return hit;
   return impl_->enter_stack(*hit, from.position, direction, {});
 }
 
-bool RayScene::has_contact(std::uint32_t triangle) const {
-  return impl_->is_stacked(triangle);
+bool RayScene::has_contact(const SurfacePoint& point) const {
+  return impl_->is_stacked(point);
 }
 
 Transmittance RayScene::transmittance(const SurfacePoint& from, const RayEnd& to) const {
-  if (impl_->is_stacked(from.triangle) || impl_->is_stacked(to.triangle)) return in_order(from, to);
+  if (impl_->is_stacked(from) || impl_->is_stacked(to)) return in_order(from, to);
   RTCRay shadow = impl_->ray_to(from, to.position);
   trace(impl_->opaque.scene.get(), shadow);
   if (shadow.tfar < 0) return {0, 0};
@@ -329,7 +324,7 @@ template <class Use>
 void RayScene::each_transmittance(const SurfacePoint& from, std::span<const RayEnd> to,
                                   const Use& use) const {
   constexpr std::size_t width = 16;
-  const bool leaves_stack = impl_->is_stacked(from.triangle);
+  const bool leaves_stack = impl_->is_stacked(from);
   for (std::size_t first = 0; first < to.size(); first += width) {
     const std::size_t count = std::min(width, to.size() - first);
     alignas(64) RTCRay16 rays{};
@@ -337,7 +332,7 @@ void RayScene::each_transmittance(const SurfacePoint& from, std::span<const RayE
     bool is_stacked[width];
     for (std::size_t k = 0; k < width; ++k) {
       const RayEnd& end = to[first + std::min(k, count - 1)];
-      is_stacked[k] = leaves_stack || impl_->is_stacked(end.triangle);
+      is_stacked[k] = leaves_stack || impl_->is_stacked(end);
       valid[k] = k < count && !is_stacked[k] ? -1 : 0;
       const RTCRay ray = impl_->ray_to(from, end.position);
       rays.org_x[k] = ray.org_x;
@@ -371,10 +366,10 @@ Transmittance RayScene::through_panes(const SurfacePoint& from, const RayEnd& to
     RTCRayHit ray{impl_->ray_to(at, to.position), {}};
     if (!impl_->panes.cut(ray)) break;
     const Triangle& pane = impl_->panes.hit_by(ray);
-    if (impl_->is_stacked(pane.number)) return in_order(from, to);
     at = pane.point(static_cast<double>(ray.hit.u), static_cast<double>(ray.hit.v));
+    if (impl_->is_stacked(at)) return in_order(from, to);
     if (dot(to.position - at.position, direction) <= 0) break;
-    impl_->attenuate(transmittance, pane.material, dot(at.normal, direction));
+    transmittance.pass(impl_->pane_shares_of(pane.material, dot(at.normal, direction)));
   }
   return transmittance;
 }
@@ -386,13 +381,15 @@ Transmittance RayScene::in_order(const SurfacePoint& from, const RayEnd& to) con
   SurfacePoint at = from;
   while (transmittance.share > 0) {
     const auto hit = intersect(at, direction);
-    if (!hit || (to.triangle == hit->point.triangle)) break;
-    const double left = dot(to.position - hit->point.position, direction);
+    if (!hit || to.triangle == hit->point.triangle) break;
+    const double remaining = dot(to.position - hit->point.position, direction);
     // Surfaces near the end do not count unless they are in contact with its surface.
-    if (left <= end_ && !impl_->contacts.are_partners(to.triangle, hit->point.triangle)) break;
+    const bool is_before =
+        remaining > -2 * end_ && impl_->contacts.are_partners(to.triangle, hit->point.triangle);
+    if (remaining <= end_ && !is_before) break;
     if (!impl_->pane[hit->material.value]) return {0, 0};
     at = hit->point;
-    impl_->attenuate(transmittance, hit->material, dot(at.normal, direction));
+    transmittance.pass(impl_->pane_shares_of(hit->material, dot(at.normal, direction)));
   }
   return transmittance;
 }

@@ -46,6 +46,11 @@ struct Hit {
 struct Transmittance {
   double share = 1;        ///< of the light that passes; 0 if something opaque stands between
   double probability = 1;  ///< that a walk, which samples the panes, goes straight through all of them
+
+  void pass(const PaneShares& pane) {
+    share *= pane.transmitted;
+    probability *= pane.transmitted > 0 ? pane.transmitted / (pane.reflected + pane.transmitted) : 0;
+  }
 };
 
 /// The triangles of a scene, ready for ray queries. Queries are thread-safe.
@@ -59,7 +64,8 @@ struct Transmittance {
 /// Glass and the surfaces in contact with it are met in the order of Contacts, however near they are.
 class RayScene {
  public:
-  explicit RayScene(const Scene& scene);
+  /// `enlargement`: of the scene, in relation to the shop.
+  explicit RayScene(const Scene& scene, double enlargement = 1);
   ~RayScene();
 
   /// First surface along a unit-length direction, panes included.
@@ -75,8 +81,8 @@ class RayScene {
                       std::span<Transmittance> result) const;
   void shares(const SurfacePoint& from, std::span<const RayEnd> to, std::span<float> result) const;
 
-  /// Whether a triangle is glass or touches glass, with other surfaces in the same place.
-  bool has_contact(std::uint32_t triangle) const;
+  /// Whether other surfaces are in contact (Contacts) with the surface of this point, there.
+  bool has_contact(const SurfacePoint& point) const;
 
   /// Whether a ray meets a point at `distance` between surfaces at `nearest` and `farthest`. Rays to a point
   /// ignore obstacles near their end, so a point that touches a surface from behind is met before this

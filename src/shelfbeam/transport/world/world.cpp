@@ -35,10 +35,15 @@ double largest_extent(const Scene& scene) {
 
 }  // namespace
 
-std::optional<Scene> enlarged(const Scene& scene) {
+double enlargement(const Scene& scene) {
   const double extent = largest_extent(scene);
-  if (!(extent > 0) || extent >= large_enough) return std::nullopt;
-  const double factor = std::ldexp(1.0, exponent_wanted - std::ilogb(extent));
+  if (!(extent > 0) || extent >= large_enough) return 1;
+  return std::ldexp(1.0, exponent_wanted - std::ilogb(extent));
+}
+
+std::optional<Scene> enlarged(const Scene& scene) {
+  const double factor = enlargement(scene);
+  if (factor == 1) return std::nullopt;
   Scene large = scene;
   large.lower = large.lower * factor;
   large.upper = large.upper * factor;
@@ -52,8 +57,7 @@ std::optional<Scene> enlarged(const Scene& scene) {
     type.radius *= factor;
     type.emission = std::visit(TimesIntensity{factor * factor}, type.emission);
   }
-  large.fixtures.clear();  // for drawings only
-  large.parts.clear();
+  large.parts.clear();  // for drawings only
   return large;
 }
 

@@ -21,6 +21,9 @@ namespace shelfbeam {
 /// suit a box of some millimetres.
 std::optional<Scene> enlarged(const Scene& scene);
 
+/// This factor, 1 for a scene of 1 m or more.
+double enlargement(const Scene& scene);
+
 /// A sequence of uniform random numbers that depends on the key and (a, b, c) alone.
 class RandomStream {
  public:
@@ -48,7 +51,7 @@ struct World {
   explicit World(const Scene& s)
       : own(enlarged(s)),
         scene(own ? *own : s),
-        rays(scene),
+        rays(scene, enlargement(s)),
         emitters(scene),
         receivers(scene),
         mirrors(scene) {}
