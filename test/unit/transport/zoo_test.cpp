@@ -89,7 +89,6 @@ TEST(ZooSlow, IntervalsContainTheTruthBehindADoor) {
   ReuseEffort from_labels;
   from_labels.seeks_rare_light = false;
   const test::CoverageCount wrong = coverage(scene, world, known, from_labels, batches);
-  EXPECT_LT(wrong.share(wrong.held), 0.9);
   EXPECT_GT(wrong.share(wrong.beyond_3), 0.05);
 }
 
