@@ -219,7 +219,7 @@ void add_certificate_options(CLI::App& verb, CertificateFlags& flags) {
 void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
                        AvailabilityGoal& goal) {
   verb.add_option("--states", states, text)
-      ->check(CLI::Range(0, 10'000))
+      ->check(whole_number(0, 10'000))
       ->option_text("N")
       ->group(group::states);
   const auto add = [&](const char* name, AvailabilityRule rule, const char* help) {

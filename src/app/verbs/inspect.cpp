@@ -88,6 +88,7 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
            "references");
   verb->add_option("--state", options->state,
                    "Inspect the shop in this state, from 0, of its 'variation' and of --seed")
+      ->check(whole_number(0))
       ->option_text("K");
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
