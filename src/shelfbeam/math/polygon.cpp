@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include <geos_c.h>
 
@@ -104,6 +106,41 @@ std::optional<Vec2> beyond(std::span<const Polygon> polygons, std::size_t own, c
   return Vec2{from[0] + sign * nearest, from[1]};
 }
 
+// Lines along x. Where many of them cover one another, the union of all lines would take a time that grows
+// with their square.
+class LevelLines {
+ public:
+  using Stretch = std::array<double, 2>;  // from one x to another, in either direction
+
+  /// The parts of a new line that no earlier line at its y covers, in its direction.
+  std::vector<Stretch> add(const Stretch& line, double y) {
+    const auto [low, high] = std::minmax(line[0], line[1]);
+    std::map<double, double>& covered = covered_[std::llround(y / map_grid)];  // by low end: high end
+    std::vector<Stretch> parts;
+    double from = low, end = high;
+    auto next = covered.upper_bound(low);
+    if (next != covered.begin() && std::prev(next)->second >= low) --next;
+    double begin = low;
+    while (next != covered.end() && next->first <= high) {
+      if (next->first > from) parts.push_back({from, next->first});
+      from = std::max(from, next->second);
+      begin = std::min(begin, next->first);
+      end = std::max(end, next->second);
+      next = covered.erase(next);
+    }
+    if (from < high) parts.push_back({from, high});
+    covered.emplace(begin, end);
+    if (line[0] > line[1]) {
+      std::reverse(parts.begin(), parts.end());
+      for (auto& [a, b] : parts) std::swap(a, b);
+    }
+    return parts;
+  }
+
+ private:
+  std::map<long long, std::map<double, double>> covered_;
+};
+
 class Mapper {
  public:
   PlanarMap map(std::span<const Polygon> polygons, std::span<const std::array<Vec2, 2>> lines) {
@@ -115,10 +152,16 @@ class Mapper {
     for (const auto& line : lines) draw(line, false);
     // Lines from the sides of each polygon connect it with its surroundings, so that no face has a hole:
     // GEOS 3.11 cannot triangulate faces whose holes touch each other.
+    LevelLines connections;
+    const auto connect = [&](const Vec2& from, const std::optional<Vec2>& end) {
+      if (!end) return;
+      for (const auto& [begin, stop] : connections.add({from[0], (*end)[0]}, from[1]))
+        draw(std::array{Vec2{begin, from[1]}, Vec2{stop, from[1]}}, false);
+    };
     for (std::size_t p = 0; p < polygons.size(); ++p) {
       const auto [low, high] = std::minmax_element(polygons[p].begin(), polygons[p].end());
-      if (const auto end = beyond(polygons, p, *low, -1)) draw(std::array{*low, *end}, false);
-      if (const auto end = beyond(polygons, p, *high, 1)) draw(std::array{*high, *end}, false);
+      connect(*low, beyond(polygons, p, *low, -1));
+      connect(*high, beyond(polygons, p, *high, 1));
     }
     const auto drawn = geos_.own(GEOSGeom_createCollection_r(
         geos_.handle(), GEOS_GEOMETRYCOLLECTION, edges.data(), static_cast<unsigned>(edges.size())));

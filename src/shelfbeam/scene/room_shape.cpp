@@ -119,8 +119,8 @@ std::string RoomShape::beyond(const Vec3& p, double slack) const {
   if (is_box) {
     // Zones are judged below.
     const double height_here = zones.empty() ? height.level : HUGE_VAL;
-    const Vec3 size = upper();
-    std::string side = beyond_box({size.x, size.y, height_here}, p, slack);
+    const Vec2 size = bounds_of(outline).high;
+    std::string side = beyond_box({size[0], size[1], height_here}, p, slack);
     if (!side.empty() || zones.empty()) return side;
   } else {
     if (p.z < -slack) return fmt::format("below the floor ({:.6g} m < 0 m)", p.z);
@@ -131,8 +131,9 @@ std::string RoomShape::beyond(const Vec3& p, double slack) const {
   const CeilingZone* highest = zone_over(plan);
   double top = (highest == nullptr ? height : highest->height).at(plan);
   bool is_on_border = false;
+  const PlanBounds nearby{{p.x - slack, p.y - slack}, {p.x + slack, p.y + slack}};
   for (const CeilingZone& zone : zones) {
-    if (distance_to_border(zone.polygon, plan) > slack) continue;
+    if (!bounds_of(zone.polygon).meets(nearby) || distance_to_border(zone.polygon, plan) > slack) continue;
     is_on_border = true;
     if (highest != nullptr && zone.height.at(plan) <= top) continue;
     highest = &zone;

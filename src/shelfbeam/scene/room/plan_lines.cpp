@@ -66,6 +66,9 @@ class PlanReader {
 
   void add_creases(PlanLines& lines) const {
     const std::vector<Surface> all = surfaces(lines);
+    if (std::none_of(all.begin(), all.end(),
+                     [](const Surface& one) { return one.height.points.has_value(); }))
+      return;
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         if (all[i].height.points || all[j].height.points) add_crease(all[i], all[j], lines.creases);
@@ -121,17 +124,42 @@ std::size_t PlanLines::count() const {
 }
 
 std::size_t PlanLines::crossings(std::size_t most) const {
-  std::vector<Line> lines = creases;
-  for (const Polygon& polygon : polygons)
+  struct Edge {
+    Line line;
+    PlanBounds bounds;
+    std::size_t polygon;
+    std::size_t wall;  // which its footprints share; 0: none
+    bool is_opening;
+  };
+  std::vector<Edge> edges;
+  std::size_t number = 0, footprints = 0;
+  const auto add = [&](const Line& line, std::size_t wall, bool is_opening) {
+    edges.push_back({line, bounds_of(line), number, wall, is_opening});
+  };
+  const auto add_polygon = [&](const Polygon& polygon, std::size_t wall, bool is_opening) {
+    ++number;
     for (std::size_t k = 0; k < polygon.size(); ++k)
-      lines.push_back({polygon[k], polygon[(k + 1) % polygon.size()]});
-  std::vector<PlanBounds> bounds;
-  bounds.reserve(lines.size());
-  for (const Line& line : lines) bounds.push_back(bounds_of(line));
+      add({polygon[k], polygon[(k + 1) % polygon.size()]}, wall, is_opening);
+  };
+  for (std::size_t w = 0; w < inner_walls.size(); ++w) {
+    const auto& [whole, openings] = inner_walls[w];
+    footprints += 1 + openings.size();
+    add_polygon(whole, w + 1, false);
+    for (const Polygon& opening : openings) add_polygon(opening, w + 1, true);
+  }
+  for (std::size_t p = 0; p + footprints < polygons.size(); ++p) add_polygon(polygons[p], 0, false);
+  for (const Line& crease : creases) {
+    ++number;
+    add(crease, 0, false);
+  }
+  const auto counts = [](const Edge& a, const Edge& b) {
+    return a.bounds.meets(b.bounds) && a.polygon != b.polygon &&
+           (a.wall == 0 || a.wall != b.wall || a.is_opening == b.is_opening) && cross(a.line, b.line);
+  };
   std::size_t count = 0;
-  for (std::size_t i = 0; i < lines.size() && count <= most; ++i)
+  for (std::size_t i = 0; i < edges.size() && count <= most; ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (bounds[i].meets(bounds[j]) && cross(lines[i], lines[j])) ++count;
+      if (counts(edges[i], edges[j])) ++count;
   return count;
 }
 

@@ -23,11 +23,12 @@ struct PlanLines {
 
   /// Edges and creases.
   std::size_t count() const;
-  /// The points in which they cross; counting ends above `most`.
+  /// The points in which lines of different polygons meet, except those of an opening with its own wall;
+  /// counting ends above `most`.
   std::size_t crossings(std::size_t most) const;
 
-  // Limits for which a room is built within seconds. With more lines than that, `of` omits creases.
-  static constexpr std::size_t max_count = 20'000, max_crossings = 100'000;
+  // Limits for which a room is built within two seconds. With more lines than that, `of` omits creases.
+  static constexpr std::size_t max_count = 20'000, max_crossings = 20'000;
 };
 
 }  // namespace shelfbeam

@@ -10,6 +10,7 @@
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/plan_parts.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/room/plan_effort.hpp"
 #include "shelfbeam/scene/room/plan_lines.hpp"
 #include "shelfbeam/scene/room/room.hpp"
 #include "shelfbeam/scene/store_names.hpp"
@@ -65,8 +66,12 @@ double distance_outside(const Polygon& polygon, const RoomShape& room) {
 }
 
 // A part beyond the outline is cut off. It may result from rounded corners.
-void expect_within_outline(const JsonCursor& json, const Polygon& polygon, const RoomShape& room) {
+void expect_within_outline(const JsonCursor& json, const Polygon& polygon, const RoomShape& room,
+                           PlanEffort& effort) {
   constexpr double rounded = 0.01;
+  RoomShape outer;
+  outer.outline = room.outline;
+  effort.divide(outer, polygon, json);
   if (const double far = distance_outside(polygon, room); far > rounded)
     json.fail(fmt::format("extends {} outside the room", length_text(far, json.unit())),
               room.is_box ? "keep it within the walls" : "keep it within 'outline'");
@@ -101,16 +106,16 @@ void expect_few_lines(const JsonCursor& json, const RoomShape& shape) {
               remedy);
 }
 
-void read_holes(const JsonCursor& json, RoomShape& shape) {
+void read_holes(const JsonCursor& json, RoomShape& shape, PlanEffort& effort) {
   expect_few_parts(json);
   double free = std::abs(signed_area(shape.outline));
   for (const JsonCursor& cursor : json.elements()) {
     Polygon hole = read_polygon(cursor);
-    expect_within_outline(cursor, hole, shape);
+    expect_within_outline(cursor, hole, shape, effort);
     for (std::size_t k = 0; k < shape.holes.size(); ++k)
-      if (shared_area(hole, shape.holes[k]) > negligible)
+      if (effort.shared_area(hole, shape.holes[k], cursor) > negligible)
         cursor.fail(fmt::format("overlaps hole {}", k), "join the two, or move one");
-    free -= shared_area(hole, shape.outline);
+    free -= effort.shared_area(hole, shape.outline, cursor);
     shape.holes.push_back(std::move(hole));
     expect_few_corners(cursor, shape);
   }
@@ -124,7 +129,7 @@ std::string read_new_id(const JsonCursor& json, std::set<std::string>& ids) {
   return id;
 }
 
-void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
+void read_zones(const JsonCursor& json, const StoreNames& names, Room& room, PlanEffort& effort) {
   expect_few_parts(json);
   std::set<std::string> ids;
   for (const JsonCursor& cursor : json.elements()) {
@@ -133,9 +138,9 @@ void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
     zone.id = read_new_id(cursor["id"], ids);
     if (zone.id == "room") cursor["id"].fail("is the name of the whole room", "use another name");
     zone.polygon = read_polygon(cursor["polygon"]);
-    expect_within_outline(cursor["polygon"], zone.polygon, room.shape);
+    expect_within_outline(cursor["polygon"], zone.polygon, room.shape, effort);
     for (const CeilingZone& other : room.shape.zones)
-      if (shared_area(zone.polygon, other.polygon) > negligible)
+      if (effort.shared_area(zone.polygon, other.polygon, cursor["polygon"]) > negligible)
         cursor["polygon"].fail(fmt::format("overlaps zone {}", in_quotes(other.id)),
                                "zones must not overlap");
     zone.height = read_height(cursor["height"]);
@@ -154,10 +159,14 @@ void read_zones(const JsonCursor& json, const StoreNames& names, Room& room) {
 // room, so the middle of the wall decides, where panes are.
 bool is_cut_off(const RoomShape& shape, InnerWall wall, const WallOpening& opening) {
   wall.thickness = 1e-3;
-  return leave_room(plan_parts(shape, wall.footprint(opening.at, opening.at + opening.width)));
+  RoomShape walls;
+  walls.outline = shape.outline;
+  walls.holes = shape.holes;
+  return leave_room(plan_parts(walls, wall.footprint(opening.at, opening.at + opening.width)));
 }
 
-WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const RoomShape& shape) {
+WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const RoomShape& shape,
+                         PlanEffort& effort) {
   json.expect_keys({"at", "width", "bottom", "top", "pane"});
   WallOpening opening;
   opening.at = json["at"].metres(0, 1e3);
@@ -174,10 +183,11 @@ WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const Ro
   if (wall.height && opening.top > *wall.height + slack)
     json["top"].fail(fmt::format("is above the wall of {}", text(*wall.height)),
                      "lower it, or raise the wall");
+  const Polygon footprint = wall.footprint(opening.at, opening.at + opening.width);
+  effort.divide(shape, footprint, json);
   if (is_cut_off(shape, wall, opening))
     json.fail("is in a part of its wall that is outside the room and cut off", "keep it within the room");
-  const double ceiling =
-      lowest_ceiling(plan_parts(shape, wall.footprint(opening.at, opening.at + opening.width)));
+  const double ceiling = lowest_ceiling(plan_parts(shape, footprint));
   if (opening.top > ceiling + slack)
     json["top"].fail(fmt::format("is above the ceiling of {}", text(ceiling)), "lower it");
   for (const WallOpening& other : wall.openings)
@@ -188,14 +198,15 @@ WallOpening read_opening(const JsonCursor& json, const InnerWall& wall, const Ro
 }
 
 // Whether some of a wall stands in the room; the rest is cut off.
-bool stands_in(const RoomShape& shape, const InnerWall& wall) {
+bool stands_in(const RoomShape& shape, const InnerWall& wall, const JsonCursor& json, PlanEffort& effort) {
   const Polygon footprint = wall.footprint(0, wall.length());
-  double area = shared_area(footprint, shape.outline);
-  for (const Polygon& hole : shape.holes) area -= shared_area(footprint, hole);
+  double area = effort.shared_area(footprint, shape.outline, json);
+  for (const Polygon& hole : shape.holes) area -= effort.shared_area(footprint, hole, json);
   return area > negligible;
 }
 
-void read_inner_walls(const JsonCursor& json, const StoreNames& names, MaterialId usual, Room& room) {
+void read_inner_walls(const JsonCursor& json, const StoreNames& names, MaterialId usual, Room& room,
+                      PlanEffort& effort) {
   expect_few_parts(json);
   std::set<std::string> ids;
   for (const JsonCursor& cursor : json.elements()) {
@@ -213,13 +224,13 @@ void read_inner_walls(const JsonCursor& json, const StoreNames& names, MaterialI
       else
         wall.height = read_length(*height);
     }
-    if (!stands_in(room.shape, wall)) cursor.fail("is outside the room", "move it inside");
+    if (!stands_in(room.shape, wall, cursor, effort)) cursor.fail("is outside the room", "move it inside");
     Room::WallMaterials materials{usual, {}};
     if (const auto material = cursor.find("material")) materials.wall = names.material(*material);
     if (const auto openings = cursor.find("openings")) {
       expect_few_parts(*openings);
       for (const JsonCursor& opening : openings->elements()) {
-        wall.openings.push_back(read_opening(opening, wall, room.shape));
+        wall.openings.push_back(read_opening(opening, wall, room.shape, effort));
         const auto pane = opening.find("pane");
         materials.panes.push_back(pane ? std::optional(names.material(*pane)) : std::nullopt);
         wall.openings.back().has_pane = pane.has_value();
@@ -244,7 +255,7 @@ void read_box(const JsonCursor& json, const StoreNames& names, Room& room) {
   room.usual_wall = room.walls.back();
 }
 
-void read_outline(const JsonCursor& json, const StoreNames& names, Room& room) {
+void read_outline(const JsonCursor& json, const StoreNames& names, Room& room, PlanEffort& effort) {
   room.shape.outline = read_polygon(json["outline"]);
   const std::size_t walls = room.shape.outline.size();
   room.walls.assign(walls, names.material(json["walls"]));
@@ -256,7 +267,7 @@ void read_outline(const JsonCursor& json, const StoreNames& names, Room& room) {
         name.fail("is not the number of a wall", fmt::format("the outline has the walls 0 to {}", walls - 1));
       room.walls[*wall] = names.material(name);
     }
-  if (const auto holes = json.find("holes")) read_holes(*holes, room.shape);
+  if (const auto holes = json.find("holes")) read_holes(*holes, room.shape, effort);
   room.shape.height = read_height(json["height"]);
   expect_headroom(json["height"], room.shape.height, room.shape.outline);
 }
@@ -279,14 +290,16 @@ Room read_room(const JsonCursor& json, const StoreNames& names) {
     json.expect_keys({"outline", "holes", "height", "floor", "ceiling", "walls", "wall_materials", "zones",
                       "inner_walls"});
   Room room;
+  PlanEffort effort;
   room.floor = names.material(json["floor"]);
   room.ceiling = names.material(json["ceiling"]);
   if (is_box)
     read_box(json, names, room);
   else
-    read_outline(json, names, room);
-  if (const auto zones = json.find("zones")) read_zones(*zones, names, room);
-  if (const auto walls = json.find("inner_walls")) read_inner_walls(*walls, names, room.usual_wall, room);
+    read_outline(json, names, room, effort);
+  if (const auto zones = json.find("zones")) read_zones(*zones, names, room, effort);
+  if (const auto walls = json.find("inner_walls"))
+    read_inner_walls(*walls, names, room.usual_wall, room, effort);
   expect_few_lines(json, room.shape);
   return room;
 }

@@ -339,7 +339,7 @@ TEST(RoomReader, RefusesTooManyEdgesAndCrossings) {
   for (int k = 0; k < 1000; ++k)
     walls.push_back({{"id", std::to_string(k)}, {"from", {0.01 * k, 0.1}}, {"to", {10 - 0.01 * k, 13.9}}});
   test::expect_input_error([&] { test::read_text(store.dump()); },
-                           std::string_view("room: has edges that meet in more than 100,000 points"));
+                           std::string_view("room: has edges that meet in more than 20,000 points"));
   for (Json& wall : walls)
     for (int k = 0; k < 10; ++k) wall["openings"].push_back({{"at", k}, {"width", 0.5}, {"top", 2}});
   test::expect_input_error([&] { test::read_text(store.dump()); },
