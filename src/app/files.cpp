@@ -14,8 +14,8 @@
 namespace shelfbeam::app {
 
 Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory,
-                 const std::filesystem::path& output) {
-  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output});
+                 const std::filesystem::path& output, const CancelToken* cancel) {
+  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output, cancel});
 }
 
 void protect_store(const std::filesystem::path& folder, const std::filesystem::path& file,

@@ -220,7 +220,7 @@ std::uint32_t states_of(const Options& options, const Store& store) {
 
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
-  const Store store = load_store(options.store, options.allow_outside, options.simulation.memory);
+  Store store = load_store(options.store, options.allow_outside, options.simulation.memory, {}, &cancel);
   const std::uint32_t states = states_of(options, store);
   const Scene scene = make_inspected_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
@@ -293,6 +293,7 @@ int run_plan(const Options& options) {
     for (std::string& warning : plan.warnings)
       if (warning.starts_with(home)) warning.erase(0, home.size());
   }
+  store.cancel = nullptr;  // the results of an interrupted run are written, too
   const SimulationSummary& summary = plan.simulation.summary;
   const SignalTable table = table_of(options, plan.simulation.matrix);
   const std::string answer = plan_json(plan, table);

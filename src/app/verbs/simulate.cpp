@@ -84,14 +84,14 @@ int simulate_states_to_file(const Options& options, const Store& store, const Sc
 Scene exported_state(const Store& store, const Scene& nominal, const Options& options) {
   const Store state = StoreStates(store, nominal, options.common.seed).state(*options.state);
   const std::string text = resolved_store_json(state, make_scene(state));
-  return make_scene(parse_store(text, state.file, options.store.parent_path()));
+  return make_scene(parse_store(text, state.file, options.store.parent_path(), {.cancel = state.cancel}));
 }
 
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
   protect_input(options.output, options.store);
   const Store store =
-      load_store(options.store, options.allow_outside, options.simulation.memory, options.output);
+      load_store(options.store, options.allow_outside, options.simulation.memory, options.output, &cancel);
   const Scene nominal = make_inspected_scene(store);
   const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
   SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
@@ -141,7 +141,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
                                   "Simulate the shop in this many states of its 'variation', with few "
                                   "samples each: their mean, their deviation, and the hardest labels in each")
                      ->option_text("N")
-                     ->check(CLI::Range(1, 100'000))
+                     ->check(whole_number(1, 100'000))
                      ->group(group::states);
   for (const char* other : {"--by-bounce", "--by-length", "--relative-error", "--time"})
     states->excludes(verb->get_option(other));
@@ -150,7 +150,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
                                "default {}",
                                options->hard_labels))
       ->option_text("N")
-      ->check(CLI::Range(1, 10'000'000))
+      ->check(whole_number(1, 10'000'000))
       ->needs(states)
       ->group(group::states);
   verb->add_flag(
@@ -162,6 +162,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->group(group::states);
   verb->add_option("--state", options->state,
                    "Simulate the shop in this state, from 0, as 'inspect --state K -o' writes it")
+      ->check(whole_number(0))
       ->option_text("K")
       ->excludes(states)
       ->group(group::states);

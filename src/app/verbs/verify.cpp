@@ -63,8 +63,8 @@ bool is_json(const std::filesystem::path& path) {
 
 Installation load_installation(const Options& options) {
   const std::filesystem::path& units = options.placement;
-  const Store store =
-      load_store(options.store, options.allow_outside, options.simulation.memory, options.output);
+  const Store store = load_store(options.store, options.allow_outside, options.simulation.memory,
+                                 options.output, &cancel_on_signal());
   if (!is_json(units)) return {store, scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));

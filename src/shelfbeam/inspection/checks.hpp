@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/scene/build/blocks.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
 #include "shelfbeam/transport/world/ray_scene.hpp"
@@ -18,7 +19,7 @@ struct Inspected {
         scene(its_scene),
         sources(its_sources),
         rays(scene),
-        blocks(scene),
+        blocks(scene, 5 * Blocks::usual_visits(scene.labels.size() + scene.transceivers.size())),
         is_mesh(scene.mesh.triangles.size()) {
     const std::size_t stride = (scene.labels.size() + max_labels - 1) / max_labels;
     for (std::size_t i = 0; i < scene.labels.size(); i += stride)
@@ -36,6 +37,9 @@ struct Inspected {
   static constexpr std::size_t max_labels = 250'000;
   std::vector<std::uint32_t> labels;
   std::vector<bool> is_mesh;  ///< for each triangle, whether it belongs to a mesh fixture
+
+  /// Throws Interrupted if the work on the store is cancelled.
+  void expect_running() const { shelfbeam::expect_running(store.cancel); }
 
   double floor() const { return scene.room ? 0 : scene.lower.z; }
 };

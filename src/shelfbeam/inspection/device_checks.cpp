@@ -25,15 +25,20 @@ BoxIndex index_of(const Devices& devices) {
   return BoxIndex(std::move(points));
 }
 
+// Of the devices around a place, as many as all checks of a shop with a few at each place visit: there may be
+// thousands at one place.
+constexpr std::size_t most_neighbours = 1000;
+
 // An earlier device for which `is_same` holds, at most `distance` away along each axis.
 template <class Devices, class Same>
 std::optional<std::size_t> earlier(const Devices& devices, const BoxIndex& index, std::size_t i,
                                    double distance, const Same& is_same) {
   std::optional<std::size_t> found;
+  std::size_t visited = 0;
   const Vec3& p = devices[i].position;
   index.any(Bounds{p, p}.wider_by(distance), [&](std::uint32_t k) {
     if (k < i && is_same(devices[k])) found = k;
-    return found.has_value();
+    return found.has_value() || ++visited == most_neighbours;
   });
   return found;
 }
@@ -101,6 +106,7 @@ class LabelChecks {
 
   void check() {
     for (const std::uint32_t i : store_.labels) {
+      store_.expect_running();
       check_neighbours(i);
       check_direction(i);
       if (store_.blocks.contain(labels_[i].position)) continue;  // make_scene warns of it
@@ -126,9 +132,11 @@ class LabelChecks {
   // The other label of a sign with a label on either side.
   bool has_back_to_back(std::size_t i) const {
     constexpr double thickest = 0.1;
+    std::size_t visited = 0;
     const Vec3& p = labels_[i].position;
-    return index_.any(Bounds{p, p}.wider_by(thickest),
-                      [&](std::uint32_t k) { return dot(labels_[k].normal, labels_[i].normal) < -0.5; });
+    return index_.any(Bounds{p, p}.wider_by(thickest), [&](std::uint32_t k) {
+      return dot(labels_[k].normal, labels_[i].normal) < -0.5 || ++visited == most_neighbours;
+    });
   }
 
   void check_neighbours(std::size_t i) {
@@ -195,6 +203,7 @@ class UnitChecks {
 
   void check() {
     for (std::size_t j = 0; j < units_.size(); ++j) {
+      store_.expect_running();
       check_twins(j);
       if (store_.blocks.contain(units_[j].position)) continue;  // make_scene warns of it
       check_axis(j);

@@ -29,8 +29,8 @@ double overlap(const Part& one, const Part& other) {
                   overlap_depth(one.footprint, other.footprint));
 }
 
-// The share of the smaller of two upright boxes that is inside the other.
-double shared_volume(const Part& one, const Part& other) {
+// The share of the smaller or the larger of two upright boxes that is inside the other.
+double shared_volume(const Part& one, const Part& other, bool of_larger) {
   const Bounds a = bounds_of(one), b = bounds_of(other);
   double shared = 1, first = 1, second = 1;
   for (int axis = 0; axis < 3; ++axis) {
@@ -38,7 +38,7 @@ double shared_volume(const Part& one, const Part& other) {
     first *= a.high[axis] - a.low[axis];
     second *= b.high[axis] - b.low[axis];
   }
-  return shared / std::min(first, second);
+  return shared / (of_larger ? std::max(first, second) : std::min(first, second));
 }
 
 class Overlaps {
@@ -50,7 +50,7 @@ class Overlaps {
     for (const Part* block : store_.blocks.all()) check_block(*block);
     for (const Part& part : store_.scene.parts)
       if (part.kind == PartKind::mesh) check_mesh(part);
-    if (budget_ == 0)
+    if (budget_ == 0 || store_.blocks.is_exhausted())
       warnings_.add("overlaps that were not checked",
                     fmt::format("{}: fixtures: too many fixtures lie close together to check all of them for "
                                 "overlaps; check their positions on the floor plan",
@@ -62,28 +62,44 @@ class Overlaps {
   static constexpr std::size_t max_pairs = 20'000'000;
 
   bool is_box(const Part& part) const {
-    const std::string& type = store_.scene.fixtures[part.fixture].type;
+    const std::string& type = type_of(part);
     return type == "box" || type == "wall" || type == "prism" || type == "cylinder";
   }
 
-  bool is_inner_wall(const Part& part) const { return store_.scene.fixtures[part.fixture].type == "wall"; }
+  const std::string& type_of(const Part& part) const { return store_.scene.fixtures[part.fixture].type; }
 
-  // Shelves stand on plinths and around columns, and walls and columns that are drawn as boxes cross.
+  bool is_plinth(const Part& part) const {
+    constexpr double highest = 0.2;  // m
+    return part.top - store_.floor() <= highest;
+  }
+
+  // Up to the ceiling over it, which may be lower than others.
+  bool is_column(const Part& part) const {
+    constexpr double largest = 1.5, reach = 0.8;  // m^2
+    if (type_of(part) == "wall" || std::abs(signed_area(part.footprint)) > largest) return false;
+    const Bounds box = bounds_of(part);
+    const Vec2 middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
+    const auto& room = store_.scene.room;
+    const double ceiling = room ? room->ceiling_over(middle).at(middle) : store_.scene.upper.z;
+    return part.top - part.bottom > reach * (ceiling - store_.floor());
+  }
+
+  // Shelves stand on plinths and around columns, walls and columns that are drawn as boxes cross, and columns
+  // stand in walls.
   bool may_overlap(const Part& one, const Part& other) const {
-    if (is_box(one) && is_box(other)) return shared_volume(one, other) < 0.5;
-    constexpr double plinth = 0.2, column = 1;  // m, m^2
+    if (is_box(one) && is_box(other))
+      return shared_volume(one, other, false) < 0.5 ||
+             ((is_column(one) || is_column(other)) && shared_volume(one, other, true) < 0.5);
     const auto is_part_of_building = [&](const Part& part) {
-      const Bounds box = bounds_of(part);
-      const Vec3 size = box.high - box.low;
-      return is_box(part) && (box.high.z - store_.floor() <= plinth ||
-                              (!is_inner_wall(part) && size.x * size.y < column &&
-                               size.z > 0.8 * (store_.scene.upper.z - store_.floor())));
+      return (is_box(part) || type_of(part) == MeshFixture::type_name) &&
+             (is_plinth(part) || is_column(part));
     };
     return is_part_of_building(one) || is_part_of_building(other);
   }
 
   // Whether a pair may still be checked.
   bool takes_pair(const Part& one, const Part& other) {
+    store_.expect_running();
     if (one.fixture == other.fixture || is_reported_[one.fixture] || budget_ == 0) return false;
     --budget_;
     return true;
@@ -216,7 +232,16 @@ std::string_view height_keys(const Fixture& fixture) {
 void warn_of_floating(const Inspected& store, WarningList& warnings) {
   constexpr double largest_sign = 0.3, headroom = 2;
   const Scene& scene = store.scene;
+  std::vector<const Part*> meshes;
+  std::vector<Bounds> bounds;
+  for (const Part& part : scene.parts)
+    if (part.kind == PartKind::mesh) {
+      meshes.push_back(&part);
+      bounds.push_back(bounds_of(part));
+    }
+  const BoxIndex mesh_index(std::move(bounds));
   for (const Part& block : scene.parts) {
+    store.expect_running();
     // Inner walls follow the fixtures of the store.
     if (block.fixture >= store.store.fixtures.size()) break;
     const std::string_view keys = height_keys(store.store.fixtures[block.fixture].value);
@@ -227,10 +252,9 @@ void warn_of_floating(const Inspected& store, WarningList& warnings) {
       continue;
     const Bounds near = bounds_of(block).wider_by(contact);
     const auto touches = [&](const Part& other) { return other.fixture != block.fixture; };
-    const bool at_mesh = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
-      return part.kind == PartKind::mesh && touches(part) && bounds_of(part).meets(near);
-    });
-    if (at_mesh || touches_room(scene, block) || store.blocks.any(near, touches)) continue;
+    if (mesh_index.any(near, [&](std::uint32_t k) { return touches(*meshes[k]); }) ||
+        touches_room(scene, block) || store.blocks.any(near, touches) || store.blocks.is_exhausted())
+      continue;
     const std::string& where = store.sources.fixtures[block.fixture];
     warnings.add(
         "fixtures that float",
@@ -254,7 +278,8 @@ void warn_of_copies(const Inspected& store, WarningList& warnings) {
   std::vector<Bounds> meshes = bounds_of_meshes(store.scene);
   const auto is_mesh = [&](std::size_t f) { return meshes[f].low.x <= meshes[f].high.x; };
   const auto differs = [&](const Vec3& a, const Vec3& b) { return length(a - b) > same; };
-  for (std::size_t f = 0; f < meshes.size(); ++f)
+  for (std::size_t f = 0; f < meshes.size(); ++f) {
+    store.expect_running();
     for (std::size_t first = 0; is_mesh(f) && first < f; ++first) {
       if (!is_mesh(first) || differs(meshes[first].low, meshes[f].low) ||
           differs(meshes[first].high, meshes[f].high))
@@ -267,6 +292,7 @@ void warn_of_copies(const Inspected& store, WarningList& warnings) {
               store.sources.fixtures[f], store.scene.fixtures[f].id, store.scene.fixtures[first].id));
       break;
     }
+  }
 }
 
 void warn_of_scale(const Inspected& store, WarningList& warnings) {

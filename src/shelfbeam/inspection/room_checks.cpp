@@ -67,6 +67,7 @@ void warn_of_keep_out(const Inspected& store, WarningList& warnings) {
   const auto& areas = store.store.keep_out;
   const Vec3 &low = store.scene.lower, &high = store.scene.upper;
   for (std::size_t k = 0; k < areas.size(); ++k) {
+    store.expect_running();
     const Vec2 &min = areas[k].min, &max = areas[k].max;
     if (max[0] >= low.x && max[1] >= low.y && min[0] <= high.x && min[1] <= high.y) {
       if (store.scene.room && !meets_room(areas[k], *store.scene.room))

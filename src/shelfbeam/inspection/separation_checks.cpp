@@ -128,6 +128,7 @@ class LightGroups {
   }
 
   bool joins_directly(std::uint32_t label) {
+    store_.expect_running();
     const SurfacePoint from = origin(label);
     return any_near(from.position, [&](std::uint32_t j) {
       if (!may_join(j) || !sees(from, j)) return false;
@@ -145,6 +146,7 @@ class LightGroups {
       return false;
     }
     for (std::uint32_t walk = 0; walk < walks; ++walk) {
+      store_.expect_running();
       SurfacePoint at = origin(node);
       for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
         ++steps_;

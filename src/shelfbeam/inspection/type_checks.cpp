@@ -55,9 +55,20 @@ class TypeChecks {
         farthest_(std::max(usual_range, length(store.scene.upper - store.scene.lower))),
         warnings_(warnings),
         labels_(scene_.label_types.size()),
-        units_(scene_.transceiver_types.size()) {
+        units_(scene_.transceiver_types.size()),
+        new_units_(units_.size()) {
     for (const Label& label : scene_.labels) ++labels_[label.type.value];
-    for (const Transceiver& unit : scene_.transceivers) ++units_[unit.type.value];
+    for (const Transceiver& unit : scene_.transceivers) {
+      ++units_[unit.type.value];
+      new_units_[unit.type.value] += unit.installed ? 0 : 1;
+    }
+    double peak = 0;
+    for (std::size_t k = 0; k < units_.size(); ++k) {
+      const TransceiverType& unit = scene_.transceiver_types[k];
+      if (units_[k] == 0 || peak_intensity(unit.emission) <= peak) continue;
+      peak = peak_intensity(unit.emission);
+      strongest_ = &unit;
+    }
   }
 
   void check() {
@@ -94,16 +105,10 @@ class TypeChecks {
 
   // `threshold`: with or without the safety factor.
   Range range(const LabelType& type, double threshold) const {
-    Range best;
+    if (strongest_ == nullptr) return {};
     const double ahead = peak_response(type.responsivity);
-    for (std::size_t k = 0; k < units_.size(); ++k) {
-      if (units_[k] == 0) continue;
-      const TransceiverType& unit = scene_.transceiver_types[k];
-      const double peak = std::sqrt(peak_intensity(unit.emission) * ahead / threshold);
-      if (peak <= best.peak) continue;
-      best = {unit.name, peak, std::sqrt(power(unit.emission) / (2 * pi) * ahead / threshold)};
-    }
-    return best;
+    return {strongest_->name, std::sqrt(peak_intensity(strongest_->emission) * ahead / threshold),
+            std::sqrt(power(strongest_->emission) / (2 * pi) * ahead / threshold)};
   }
 
   void check_requirement(const LabelType& type) {
@@ -208,8 +213,7 @@ class TypeChecks {
       warnings_.add("unusual radii of transceivers",
                     fmt::format("{}: is {} m; up to 0.1 m is usual; correct it",
                                 at("transceiver_types", type.name, ".radius"), plain(type.radius)));
-    const auto is_new = [&](const Transceiver& unit) { return unit.type.value == k && !unit.installed; };
-    if (type.cost == 0 && std::any_of(scene_.transceivers.begin(), scene_.transceivers.end(), is_new))
+    if (type.cost == 0 && new_units_[k] > 0)
       warnings_.add("units that cost nothing",
                     fmt::format("{}: is 0, so a plan may have many of them; a price above 0 is usual; "
                                 "give a price",
@@ -246,7 +250,8 @@ class TypeChecks {
   const Scene& scene_;
   double farthest_;  // m, up to which a unit may be heard: the diagonal of the shop
   WarningList& warnings_;
-  std::vector<std::size_t> labels_, units_;  // by type
+  std::vector<std::size_t> labels_, units_, new_units_;  // by type
+  const TransceiverType* strongest_ = nullptr;           // of those with units, in its strongest direction
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 namespace shelfbeam {
 
+class CancelToken;
+
 /// Limits on a store file, which may come from an untrusted source.
 struct StoreLimits {
   /// Whether the store may name files outside its folder.
@@ -16,6 +18,8 @@ struct StoreLimits {
   std::size_t memory = std::numeric_limits<std::size_t>::max();
   /// A file that the store must not name, because it will be overwritten.
   std::filesystem::path output = {};
+  /// Ends the reading of the store, and later all work on it, with Interrupted.
+  const CancelToken* cancel = nullptr;
 };
 
 /// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with

@@ -16,8 +16,9 @@ class StoreFolder {
  public:
   explicit StoreFolder(std::filesystem::path folder, const StoreLimits& trust = {});
 
-  /// StoreTrust::memory, but at least the memory that the program itself requires.
+  /// StoreLimits::memory, but at least the memory that the program itself requires.
   std::size_t memory() const { return std::max(trust_.memory, min_memory); }
+  const CancelToken* cancel() const { return trust_.cancel; }
 
   /// The path of a file named relative to the folder. Throws InputError at the JSON position if the file does
   /// not exist, is a folder, is StoreLimits::output, or lies outside this folder: by "..", an absolute path

@@ -59,12 +59,13 @@ void add_closed_room(Json& store) {
   store["fixtures"].push_back(box("east", {5.05, 0, 0}, {5.1, 1, 3.2}));
 }
 
-// A closed column as a mesh, of which the program knows triangles only, and no block.
-Json mesh_column(double x, double y) {
+// A closed column or wall as a mesh, of which the program knows triangles only, and no block.
+Json mesh_column(double x, double y, double half_length = 0.2) {
   constexpr double r = 0.2, height = 3.2;
+  const double l = half_length;
   Json vertices = Json::array(), faces = Json::array();
   for (const double z : {0.0, height})
-    for (const auto& [dx, dy] : {std::pair(-r, -r), std::pair(r, -r), std::pair(r, r), std::pair(-r, r)})
+    for (const auto& [dx, dy] : {std::pair(-r, -l), std::pair(r, -l), std::pair(r, l), std::pair(-r, l)})
       vertices.push_back({dx, dy, z});
   for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{
            {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {3, 2, 1, 0}, {4, 5, 6, 7}}) {
@@ -177,7 +178,7 @@ std::vector<Mistake> expected_mistakes() {
          fixture(s, "till")["at"] = {3.5, 3.3, 0};
        }},
       {"a gondola through a wall that is a mesh",
-       [](Json& s) { s["fixtures"].push_back(mesh_column(6.8, 3.5)); }},
+       [](Json& s) { s["fixtures"].push_back(mesh_column(6.8, 3.5, 2)); }},
       {"a room of 32 m height", [](Json& s) { s["room"]["size"][2] = 32; }},
       {"a room of 1.9 m height",
        [](Json& s) {
@@ -299,6 +300,18 @@ std::vector<Mistake> plausible_changes() {
          s["label_types"].erase("cooler");
        }},
       {"a column between the aisles", [](Json& s) { s["fixtures"].push_back(mesh_column(7.9, 2.6)); }},
+      {"a column in a shelf, as a mesh", [](Json& s) { s["fixtures"].push_back(mesh_column(6.8, 3.5)); }},
+      {"a column in a shelf, below a ceiling that is lower than others",
+       [](Json& s) {
+         s["room"]["zones"] = {
+             {{"id", "high"}, {"polygon", {{0, 0}, {2, 0}, {2, 1}, {0, 1}}}, {"height", 5}}};
+         s["fixtures"].push_back(column("column", 6.8, 3.5));
+       }},
+      {"a column in a wall",
+       [](Json& s) {
+         s["fixtures"].push_back(box("partition", {10.22, 6.05, 0}, {10.32, 7.55, 3.2}));
+         s["fixtures"].push_back(box("column", {10.24, 6.4, 0}, {10.32, 6.6, 3.2}));
+       }},
       {"a stronger unit", [](Json& s) { s["transceiver_types"]["ring"]["emission"]["flux"] = 3; }},
       {"less sensitive labels", [](Json& s) { s["label_types"]["shelf"]["threshold"]["at_m"] = 4; }},
       {"two prices", [](Json& s) { s["transceiver_types"]["spot"]["cost"] = 25.5; }},

@@ -8,9 +8,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/inspection/checks.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+
+#include "support/processor_time.hpp"
 
 // Stores with one mistake each. A planner must hear of it before any simulation.
 
@@ -80,6 +84,47 @@ TEST(Mistakes, SpacingsOfAllGeneratedCandidatesAreChecked) {
 TEST(Mistakes, PlausibleChangesAreAccepted) {
   for (const Mistake& change : test::plausible_changes())
     for (const std::string& objection : objections(change)) ADD_FAILURE() << change.name << ": " << objection;
+}
+
+TEST(Mistakes, ChecksCanBeCancelled) {
+  CancelToken token;
+  const std::string folder = SHELFBEAM_SOURCE_DIR "/examples/chiller";
+  Store store = parse_store(test::good_store().dump(), "store.json", folder);
+  store.cancel = &token;
+  const Scene scene = make_scene(store);
+  const DeviceSources sources{std::vector<std::string>(scene.fixtures.size()),
+                              std::vector<std::string>(scene.labels.size()),
+                              std::vector<std::string>(scene.transceivers.size())};
+  const Inspected inspected(store, scene, sources);
+  token.request();
+  WarningList warnings;
+  EXPECT_THROW(warn_of_fixtures(inspected, warnings), Interrupted);
+  EXPECT_THROW(warn_of_labels(inspected, warnings), Interrupted);
+  EXPECT_THROW(warn_of_units(inspected, warnings), Interrupted);
+  EXPECT_THROW(warn_of_separated(inspected, warnings), Interrupted);
+}
+
+// Ten thousand boxes at one place, and labels beside them.
+TEST(Mistakes, ChecksOfCrowdedPlacesEnd) {
+  test::Json store = test::good_store();
+  store["fixtures"].push_back({{"type", "box"},
+                               {"id", "crowd {n}"},
+                               {"at", {9, 6, 0}},
+                               {"size", {0.5, 0.5, 0.5}},
+                               {"rotation_deg", 45},
+                               {"material", "wall"},
+                               {"repeat", {{"count", 10'000}, {"step", {1e-5, 0}}}}});
+  for (int k = 0; k < 20'000; ++k)
+    store["labels"].push_back({{"id", std::to_string(k)},
+                               {"position", {9.0, 5.99, 0.3}},
+                               {"normal", {0, -1, 0}},
+                               {"type", "shelf"}});
+  const test::ProcessorTime time;
+  const std::vector<std::string> warnings =
+      make_inspected_scene(parse_store(store.dump(), "store.json", SHELFBEAM_SOURCE_DIR "/examples/chiller"))
+          .warnings;
+  EXPECT_THAT(warnings, testing::Contains(testing::HasSubstr("too many fixtures lie")));
+  EXPECT_LT(time.seconds(), 60);  // 5 s; minutes before
 }
 
 TEST(Mistakes, ExamplesHaveNone) {

@@ -59,7 +59,12 @@ Stretch stretch_within(const Part& block, const Vec3& p, const Vec3& direction, 
   return stretch;
 }
 
-Blocks::Blocks(const Scene& scene) : scene_(scene), blocks_(blocks_of(scene)), index_(bounds_of(blocks_)) {}
+Blocks::Blocks(const Scene& scene, std::size_t max_visits)
+    : scene_(scene),
+      blocks_(blocks_of(scene)),
+      index_(bounds_of(blocks_)),
+      max_visits_(max_visits),
+      has_limit_(max_visits < std::numeric_limits<std::size_t>::max()) {}
 
 std::optional<Blocks::Hit> Blocks::next(const Vec3& p, const Vec3& direction) const {
   std::optional<Hit> nearest;
@@ -79,10 +84,12 @@ std::optional<Blocks::Hit> Blocks::next(const Vec3& p, const Vec3& direction) co
 }
 
 bool Blocks::contain(const Vec3& p) const {
-  return any(Bounds{p, p}, [&](const Part& part) {
-    const Stretch stretch = stretch_within(part, p, {0, 0, 1});
-    return stretch.begin < -rounding && stretch.end > rounding;
-  });
+  return any(Bounds{p, p},
+             [&](const Part& part) {
+               const Stretch stretch = stretch_within(part, p, {0, 0, 1});
+               return stretch.begin < -rounding && stretch.end > rounding;
+             }) ||
+         is_exhausted();
 }
 
 }  // namespace shelfbeam

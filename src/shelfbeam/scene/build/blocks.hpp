@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -31,8 +33,15 @@ class Blocks {
   static constexpr double rounding = 1e-6;  ///< m
   static constexpr double too_near = 0.05;  ///< m in front of a label
 
-  /// The scene must outlive this object.
-  explicit Blocks(const Scene& scene);
+  /// The scene must outlive this object. With `max_visits`, for use on one thread, it finds no more blocks
+  /// after that many have met the boxes of all searches: thousands of blocks may be at one place.
+  explicit Blocks(const Scene& scene, std::size_t max_visits = std::numeric_limits<std::size_t>::max());
+  /// The visits for as many devices in a shop whose fixtures stand side by side.
+  static std::size_t usual_visits(std::size_t devices) {
+    constexpr std::size_t least = 20'000'000, each = 100;
+    return std::max(least, each * devices);
+  }
+  bool is_exhausted() const { return visits_ >= max_visits_; }
 
   struct Hit {
     const std::string* fixture;
@@ -41,12 +50,19 @@ class Blocks {
   };
   /// The first block along the direction within 5 cm, or the block that contains the point.
   std::optional<Hit> next(const Vec3& p, const Vec3& direction) const;
+  /// Also true after `max_visits`.
   bool contain(const Vec3& p) const;
 
   /// Calls `use(part)` for the blocks whose bounds meet a box, until it returns true. Returns whether it did.
   template <class Use>
   bool any(const Bounds& box, const Use& use) const {
-    return index_.any(box, [&](std::uint32_t k) { return use(*blocks_[k]); });
+    bool is_found = false;
+    index_.any(box, [&](std::uint32_t k) {
+      if (has_limit_ && visits_++ >= max_visits_) return true;
+      is_found = use(*blocks_[k]);
+      return is_found;
+    });
+    return is_found;
   }
   const std::vector<const Part*>& all() const { return blocks_; }
 
@@ -54,6 +70,9 @@ class Blocks {
   const Scene& scene_;
   std::vector<const Part*> blocks_;
   BoxIndex index_;
+  std::size_t max_visits_;
+  bool has_limit_;
+  mutable std::size_t visits_ = 0;
 };
 
 }  // namespace shelfbeam

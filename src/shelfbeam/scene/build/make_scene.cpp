@@ -16,6 +16,7 @@
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/build/mount_points.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
@@ -79,7 +80,7 @@ class SceneMaker {
     add_transceivers();
     mark_installed();
     warn_of_bright_materials();
-    warn_of_misplaced(scene_, sources_, warnings_);
+    warn_of_misplaced(scene_, sources_, warnings_, store_.cancel);
     scene_.warnings = warnings_.texts();
     scene_.store_hash = content_hash(resolved_store_json(store_, scene_));
     return std::move(scene_);
@@ -95,8 +96,8 @@ class SceneMaker {
       memory_.add(static_cast<double>(scene_bytes(fixture)), where);
     for (std::size_t g = 0; g < store_.grids.size(); ++g)
       memory_.add(scene_bytes(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
-    for (const auto& [label, where] : store_.labels) memory_.add(device_bytes, where);
-    for (const auto& [unit, where] : store_.transceivers) memory_.add(device_bytes, where);
+    for (const auto& [label, where] : store_.labels) memory_.add(device_bytes_of(label.id), where);
+    for (const auto& [unit, where] : store_.transceivers) memory_.add(device_bytes_of(unit.id), where);
   }
 
   // The faces of fixtures, on which candidates are mounted, are known only after these are built.
@@ -118,6 +119,7 @@ class SceneMaker {
 
   void add_fixtures() {
     for (const auto& [fixture, where] : store_.fixtures) {
+      expect_running(store_.cancel);
       const std::string& id = id_of(fixture);
       expect_new_fixture(id, where);
       const std::size_t first_vertex = scene_.mesh.vertices.size(), first_part = scene_.parts.size();
@@ -140,6 +142,7 @@ class SceneMaker {
   void add_inner_walls() {
     if (!store_.room) return;
     for (std::size_t w = 0; w < store_.room->inner_walls.size(); ++w) {
+      expect_running(store_.cancel);
       const std::string where = fmt::format("{}: room.inner_walls[{}]", store_.file, w);
       expect_new_fixture(store_.room->shape.inner_walls[w].id, where);
       const auto& panes = store_.room->inner_walls[w].panes;
@@ -210,6 +213,7 @@ class SceneMaker {
     std::unordered_map<std::string_view, std::size_t> seen;
     seen.reserve(scene_.labels.size());
     for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
+      expect_running(store_.cancel);
       const Label& label = scene_.labels[i];
       if (label.id.empty())
         throw InputError(sources_.labels[i], "has a label without an id", "give it an id");
@@ -233,6 +237,7 @@ class SceneMaker {
   }
 
   void add_transceiver(const Transceiver& unit, const std::string& where) {
+    expect_running(store_.cancel);
     if (unit.id.empty()) throw InputError(where, "has a transceiver without an id", "give it an id");
     if (is_kept_out(unit.position)) {
       kept_out_ids_.insert(unit.id);

@@ -17,6 +17,7 @@
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/build/blocks.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/fixture/prism.hpp"
 #include "shelfbeam/scene/plan_parts.hpp"
 
@@ -123,8 +124,9 @@ bool crosses_border(const Scene& scene, const Part& part) {
 }
 
 void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& sources,
-                    WarningList& warnings) {
+                    WarningList& warnings, const CancelToken* cancel) {
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    expect_running(cancel);
     const Label& label = scene.labels[i];
     const auto looks_at = [&](const std::string& what, double distance) {
       warnings.add("labels that face a surface right in front of them",
@@ -160,9 +162,10 @@ bool is_within_bounds(const Scene& scene, const Vec3& p) {
 }
 
 void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::vector<std::string>& sources,
-                          WarningList& warnings) {
+                          WarningList& warnings, const CancelToken* cancel) {
   const Vec3 &low = scene.lower, &high = scene.upper;
   for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
+    expect_running(cancel);
     const Transceiver& unit = scene.transceivers[j];
     const Vec3& p = unit.position;
     const auto hit = blocks.next(p, unit.axis);
@@ -237,10 +240,16 @@ std::string remedy_outside(const RoomShape& room, const std::vector<Vec3>& liste
   return room.is_box ? "move it inside, or correct the room's size" : "move it inside, or correct the room";
 }
 
-void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings) {
-  const Blocks blocks(scene);
-  warn_of_labels(scene, blocks, sources.labels, warnings);
-  warn_of_transceivers(scene, blocks, sources.transceivers, warnings);
+void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings,
+                       const CancelToken* cancel) {
+  const Blocks blocks(scene, Blocks::usual_visits(scene.labels.size() + scene.transceivers.size()));
+  warn_of_labels(scene, blocks, sources.labels, warnings, cancel);
+  warn_of_transceivers(scene, blocks, sources.transceivers, warnings, cancel);
+  if (blocks.is_exhausted())
+    warnings.add("places that were not checked",
+                 fmt::format("{}: too many fixtures lie at one place to check whether labels and units are "
+                             "inside them; check their positions on the floor plan",
+                             sources.fixtures.front()));
 }
 
 }  // namespace shelfbeam

@@ -26,7 +26,8 @@ std::string remedy_outside(const RoomShape& room, const std::vector<Vec3>& liste
 /// Adds warnings about implausible positions: labels and transceivers inside or partly inside a fixture or
 /// partly outside the room, labels that face a fixture or wall closer than 5 cm and, without a room,
 /// transceivers outside the bounds of all surfaces. Panes are not checked. Neither are meshes, because only
-/// their hull is known here, which may contain devices that are outside the mesh itself.
-void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings);
+/// their hull is known here, which may contain devices that are outside the mesh itself. Throws Interrupted.
+void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, WarningList& warnings,
+                       const CancelToken* cancel);
 
 }  // namespace shelfbeam

@@ -5,6 +5,7 @@
 
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/material/material_json.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
@@ -87,10 +88,12 @@ std::string hash_of(const std::vector<T>& numbers) {
 // Appends a list at this level of nesting as Json::dump(1) writes it. The list never exists as Json, which
 // would take several times the memory of the scene.
 template <class Items, class ToJson>
-void append_list(std::string& text, std::size_t level, const Items& items, ToJson to_json) {
+void append_list(std::string& text, std::size_t level, const Items& items, const CancelToken* cancel,
+                 ToJson to_json) {
   const std::string line = "\n" + std::string(level + 1, ' ');
   const char* separator = "[";
   for (const auto& item : items) {
+    expect_running(cancel);
     text += separator + line;
     for (const char c : to_json(item).dump(1)) {
       if (c == '\n')
@@ -123,14 +126,14 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   std::string text = json.dump(1);
   text.resize(text.size() - 2);  // without "\n}"
   text += ",\n \"fixtures\": ";
-  append_list(text, 1, store.fixtures, [&](const auto& listed) {
+  append_list(text, 1, store.fixtures, store.cancel, [&](const auto& listed) {
     Json object;
     FixtureWriter writer{object, store.materials};
     write(listed.value, writer);
     return object;
   });
   text += ",\n \"labels\": ";
-  append_list(text, 1, scene.labels, [&](const Label& label) {
+  append_list(text, 1, scene.labels, store.cancel, [&](const Label& label) {
     Json one{{"id", label.id},
              {"position", array_of(label.position)},
              {"normal", array_of(label.normal)},
@@ -139,7 +142,7 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
     return one;
   });
   text += ",\n \"transceivers\": {\n  \"list\": ";
-  append_list(text, 2, scene.transceivers, [&](const Transceiver& unit) {
+  append_list(text, 2, scene.transceivers, store.cancel, [&](const Transceiver& unit) {
     Json one{{"id", unit.id},
              {"position", array_of(unit.position)},
              {"axis", array_of(unit.axis)},
@@ -152,7 +155,7 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   for (const Transceiver& unit : scene.transceivers)
     if (unit.installed) installed.push_back(unit.id);
   text += ",\n  \"installed\": ";
-  append_list(text, 2, installed, [](const std::string& id) { return Json(id); });
+  append_list(text, 2, installed, store.cancel, [](const std::string& id) { return Json(id); });
   return text + "\n }\n}\n";
 }
 

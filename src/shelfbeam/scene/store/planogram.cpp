@@ -16,9 +16,12 @@
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/fixture/edge_place.hpp"
+#include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
@@ -56,9 +59,12 @@ class Planogram {
     const std::string text = read_file(path);
     CsvReader csv(text, path.string());
     const Columns columns = read_header(csv, path.string());
+    SceneMemory memory(store_.memory);
     while (csv.next()) {
+      expect_running(store_.cancel);
       csv.expect_fields(columns.required, columns.width);
       places_.push_back(read_place(csv, columns));
+      memory.add(device_bytes_of(places_.back().article), csv.where());
     }
     if (std::string warning = csv.warning_of_ids(); !warning.empty())
       store_.warnings.push_back(std::move(warning));

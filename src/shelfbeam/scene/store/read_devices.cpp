@@ -11,7 +11,10 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
+#include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
@@ -120,9 +123,12 @@ void each_record(const std::filesystem::path& path, const Columns& known, Store&
   const std::size_t required = split(header, ',').size(), width = csv.fields().size();
   Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : store.unit};
   const std::string meaning = fmt::format(": {}", header);
+  SceneMemory memory(store.memory);
   while (csv.next()) {
+    expect_running(store.cancel);
     csv.expect_fields(required, width, meaning);
     use(record);
+    memory.add(device_bytes, csv.where());
   }
   expect_unit(record, path.string());
   if (std::string warning = csv.warning_of_ids(); !warning.empty())
@@ -140,8 +146,10 @@ Label read_label(const JsonCursor& json, const StoreNames& names) {
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                  Store& store) {
   if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store);
-  for (const JsonCursor& cursor : section.elements())
+  for (const JsonCursor& cursor : section.elements()) {
+    expect_running(store.cancel);
     store.labels.push_back({read_label(cursor, names), cursor.where()});
+  }
 }
 
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
@@ -154,8 +162,10 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
     if (list->is_object()) {
       read_transceivers_csv(csv_path(*list, folder), names, store);
     } else {
-      for (const JsonCursor& cursor : list->elements())
+      for (const JsonCursor& cursor : list->elements()) {
+        expect_running(store.cancel);
         store.transceivers.push_back({read_transceiver(cursor, names), cursor.where()});
+      }
     }
   }
   if (const auto areas = section.find("keep_out"))

@@ -58,8 +58,10 @@ struct Store {
   std::vector<Listed<std::string>> installed;
   std::optional<StoreVariation> variation;
   std::vector<std::string> warnings;  ///< about the ids in its CSV files
-  /// Memory limit of its scene, bytes (StoreTrust::memory).
+  /// Memory limit of its scene, bytes (StoreLimits::memory).
   std::size_t memory = StoreLimits{}.memory;
+  /// Ends making and checking its scene and drawing its states with Interrupted (StoreLimits::cancel).
+  const CancelToken* cancel = nullptr;
 };
 
 /// Version of the store format (key "format").

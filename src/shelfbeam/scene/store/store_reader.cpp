@@ -75,6 +75,7 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   store.file = name;
   store.unit = root.unit();
   store.memory = folder.memory();
+  store.cancel = folder.cancel();
   if (const auto schema = root.find("$schema")) schema->text();
   if (const auto title = root.find("name")) {
     store.name = title->text();
