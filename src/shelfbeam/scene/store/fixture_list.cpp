@@ -12,6 +12,9 @@
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
+#include "shelfbeam/scene/fixture/edge_place.hpp"
+#include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
@@ -99,10 +102,11 @@ std::optional<Frame> frame_of(const Fixture& fixture) {
 
 class FixtureList {
  public:
-  FixtureList(const StoreNames& names, const StoreFolder& folder, const Presets& presets, Store& store)
+  FixtureList(const StoreNames& names, const StoreFolder& folder, Presets& presets, Store& store)
       : names_(names), folder_(folder), presets_(presets), store_(store), memory_(folder.memory()) {}
 
   void read(const JsonCursor& given) {
+    expect_running(store_.cancel);
     JsonCursor json = presets_.complete(given);
     expect_fixture_keys(json);
     const auto repeat = json.find("repeat");
@@ -122,20 +126,25 @@ class FixtureList {
     }
     if (repeat || has_places || against) json = json.replaced(std::move(value));
     const Fixture fixture = read_fixture(json, {names_, folder_});
-    const std::size_t first = store_.fixtures.size();
+    std::optional<Repeat> copies;
     if (repeat) {
       const bool is_by_wall = against && against->find("wall");
       const auto forwards = is_by_wall ? edge->direction() : length_direction(fixture);
-      add_copies(json, fixture, read_repeat(*repeat, forwards, json["type"].text()), *repeat);
+      copies = read_repeat(*repeat, forwards, json["type"].text());
+    }
+    expect_few_labels(labels, fixture, copies ? copies->count() : 1);
+    const std::size_t first = store_.fixtures.size();
+    if (copies) {
+      add_copies(json, fixture, *copies, *repeat);
     } else {
       if (id_of(fixture).find(number_place) != std::string::npos)
         json["id"].fail("has the number {n} of a copy, but there is no 'repeat'",
                         "add 'repeat', or remove {n}");
-      add(fixture, json.where());
+      add(fixture, json.where(), json.where());
     }
     if (has_places)
       for (std::size_t k = first; k < store_.fixtures.size(); ++k)
-        add_labels(*labels, store_.fixtures[k].value);
+        add_labels(*labels, store_.fixtures[k].value, copies.has_value());
   }
 
  private:
@@ -146,8 +155,8 @@ class FixtureList {
     Vec3 shift(std::int64_t k) const { return Vec3{step[0], step[1], 0} * static_cast<double>(k); }
   };
   // Copies are counted before they are made, because each has its own mesh.
-  void add(Fixture fixture, const std::string& where) {
-    memory_.add(static_cast<double>(scene_bytes(fixture) + 4 * id_of(fixture).size()), where);
+  void add(Fixture fixture, const std::string& where, const std::string& entry) {
+    memory_.add(static_cast<double>(scene_bytes(fixture) + 4 * id_of(fixture).size()), entry);
     index_.emplace(id_of(fixture), store_.fixtures.size());
     store_.fixtures.push_back({std::move(fixture), where});
   }
@@ -156,7 +165,45 @@ class FixtureList {
     Row row, rows;
     std::int64_t first = 1;
     bool turns = false;
+
+    std::int64_t count() const { return row.count * rows.count; }
   };
+
+  // Labels are counted before they are made. `labels`: the key, a list or the labels on edges.
+  void expect_few_labels(const std::optional<JsonCursor>& labels, const Fixture& fixture,
+                         std::int64_t copies) {
+    if (!labels) return;
+    constexpr double most = 1e6;
+    const bool is_list = labels->is_array();
+    const double each = is_list ? static_cast<double>(labels->size()) : label_count(fixture);
+    const double all = each * static_cast<double>(copies);
+    if (all > most)
+      labels->fail(fmt::format("produces {:.0f} labels{}", all,
+                               copies > 1 ? fmt::format(", {:.0f} for each of {} copies", each, copies) : ""),
+                   fmt::format("at most {:.0f} are allowed for a fixture and its copies", most));
+    if (is_list) memory_.add(all * device_bytes_of(id_of(fixture)), labels->where());
+  }
+
+  // The labels on edges.
+  static double label_count(const Fixture& fixture) {
+    const Shelving* shelves = shelving_of(fixture);
+    if (shelves == nullptr || !shelves->labels) return 0;
+    const auto* gondola = std::get_if<Gondola>(&fixture);
+    const auto levels = static_cast<double>(gondola != nullptr ? gondola->shelves.size() : 1);
+    double count = 0;
+    for (const Face face : shelves->labels->faces)
+      count += levels * static_cast<double>(shelves->labels->along(edge_length(*shelves, face)).size());
+    return count;
+  }
+
+  // "store.json: copy 'A3' of fixtures[2]": all copies have one place in the file.
+  static std::string copy_of(const JsonCursor& json, const std::string& id) {
+    constexpr std::size_t longest = 60;
+    const std::string where = json.where();
+    const std::size_t path = json.file().size() + 2;
+    return fmt::format("{}copy {} of {}", where.substr(0, path), in_quotes(shortened(id, longest)),
+                       where.substr(path));
+  }
 
   // A number moves copies `forwards`.
   static Repeat read_repeat(const JsonCursor& json, const std::optional<Vec2>& forwards,
@@ -179,8 +226,8 @@ class FixtureList {
     else if (const auto step = json.find("step2"))
       step->fail("has no effect without 'count2'", "add 'count2', or remove it");
     if (const auto mirror = json.find("mirror")) repeat.turns = mirror->boolean();
-    if (repeat.row.count * repeat.rows.count > max_count)
-      json.fail(fmt::format("produces {} fixtures", repeat.row.count * repeat.rows.count),
+    if (repeat.count() > max_count)
+      json.fail(fmt::format("produces {} fixtures", repeat.count()),
                 fmt::format("at most {} are allowed", max_count));
     return repeat;
   }
@@ -189,11 +236,12 @@ class FixtureList {
                   const JsonCursor& given) {
     constexpr double farthest = 1e4;  // m, as for coordinates
     const std::string& pattern = id_of(fixture);
-    if (repeat.row.count * repeat.rows.count > 1 && pattern.find(number_place) == std::string::npos)
+    if (repeat.count() > 1 && pattern.find(number_place) == std::string::npos)
       json["id"].fail(fmt::format("is {} for all copies", in_quotes(pattern)),
                       "write {n} for the number of the copy: \"A{n}\"");
     for (std::int64_t j = 0; j < repeat.rows.count; ++j)
       for (std::int64_t k = 0; k < repeat.row.count; ++k) {
+        expect_running(store_.cancel);
         Fixture copy = fixture;
         const std::int64_t number = repeat.first + j * repeat.row.count + k;
         const Vec3 by = repeat.row.shift(k) + repeat.rows.shift(j);
@@ -207,7 +255,8 @@ class FixtureList {
               one.move(by);
             },
             copy);
-        add(std::move(copy), json.where());
+        const std::string where = copy_of(json, id_of(copy));
+        add(std::move(copy), where, json.where());
       }
   }
 
@@ -222,7 +271,7 @@ class FixtureList {
   }
 
   // Labels at given places of a fixture, which move and turn with it.
-  void add_labels(const JsonCursor& labels, const Fixture& fixture) {
+  void add_labels(const JsonCursor& labels, const Fixture& fixture, bool is_copy) {
     const auto frame = frame_of(fixture);
     if (!frame)
       labels.fail("lists labels of a fixture that is neither a mesh nor a box with 'at'",
@@ -231,11 +280,13 @@ class FixtureList {
       labels.fail("lists labels of a mesh in map coordinates",
                   "list them in 'labels' of the store, with their positions in the store");
     for (const JsonCursor& json : labels.elements()) {
+      expect_running(store_.cancel);
       Label label = read_label(json, names_);
       label.id = fmt::format("{}-{}", id_of(fixture), label.id);
       label.position = frame->at + frame->in_store(label.position);
       label.normal = frame->in_store(label.normal);
-      store_.labels.push_back({std::move(label), json.where()});
+      const std::string where = is_copy ? copy_of(json, id_of(fixture)) : json.where();
+      store_.labels.push_back({std::move(label), where});
     }
   }
 
@@ -325,7 +376,7 @@ class FixtureList {
 
   const StoreNames& names_;
   const StoreFolder& folder_;
-  const Presets& presets_;
+  Presets& presets_;
   Store& store_;
   SceneMemory memory_;
   std::unordered_map<std::string, std::size_t> index_;
@@ -334,7 +385,7 @@ class FixtureList {
 }  // namespace
 
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
-                   const Presets& presets, Store& store) {
+                   Presets& presets, Store& store) {
   FixtureList list(names, folder, presets, store);
   for (const JsonCursor& cursor : section.elements()) list.read(cursor);
 }

@@ -34,6 +34,13 @@ const std::vector<Alternatives>& alternatives() {
   return all;
 }
 
+std::size_t count_values(const Json& json) {
+  std::size_t count = 1;
+  if (json.is_structured())
+    for (const Json& part : json) count += count_values(part);
+  return count;
+}
+
 // Removes the alternatives to the keys of a layer from the layers below.
 void drop_alternatives(Json& whole, const JsonCursor& layer, const std::string& path) {
   const auto replace = [&](const std::vector<std::string_view>& own,
@@ -82,6 +89,7 @@ void Presets::add(const JsonCursor& section) {
     preset.expect_keys(known);
     if (const auto [other, is_new] = presets_.emplace(name, preset); !is_new)
       preset.fail(fmt::format("is the duplicate of {}", other->second.where()), "rename one of the two");
+    sizes_.emplace(name, count_values(preset.value()));
   }
 }
 
@@ -120,9 +128,16 @@ std::vector<Presets::Named> Presets::chain_of(const JsonCursor& json, const std:
   return chain;
 }
 
-JsonCursor Presets::complete(const JsonCursor& fixture) const {
-  if (!fixture.find("preset")) return fixture;
+JsonCursor Presets::complete(const JsonCursor& fixture) {
+  const auto reference = fixture.find("preset");
+  if (!reference) return fixture;
   const std::vector<Named> chain = chain_of(fixture);
+  constexpr std::size_t most = 5'000'000;
+  for (const auto& [name, preset] : chain) copied_ += sizes_.at(name);
+  if (copied_ > most)
+    reference->fail(fmt::format("takes more than {} values from presets, together with the fixtures before",
+                                grouped(most)),
+                    "shorten the lists in presets, or use 'repeat'");
   const auto note = [&](const Named& preset) {
     const std::string& file = preset.second.file();
     return fmt::format("preset {}{}", in_quotes(preset.first),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <utility>
@@ -21,8 +22,8 @@ class Presets {
 
   /// The fixture with the keys of its preset that it lacks; objects within it are completed in the same way.
   /// Errors in a key of a preset name the preset. A fixture without "preset" is returned unchanged. Throws
-  /// InputError for an unknown preset.
-  JsonCursor complete(const JsonCursor& fixture) const;
+  /// InputError for an unknown preset, and if all fixtures so far take too many values from presets.
+  JsonCursor complete(const JsonCursor& fixture);
 
  private:
   using Named = std::pair<std::string, JsonCursor>;
@@ -32,6 +33,8 @@ class Presets {
   [[noreturn]] void fail_unknown(const JsonCursor& reference, const std::string& name) const;
 
   std::map<std::string, JsonCursor, std::less<>> presets_;
+  std::map<std::string, std::size_t, std::less<>> sizes_;  ///< number of values, by preset
+  std::size_t copied_ = 0;                                 ///< values, into all fixtures
 };
 
 }  // namespace shelfbeam

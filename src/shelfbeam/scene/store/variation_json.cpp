@@ -1,14 +1,17 @@
+#include <algorithm>
 #include <cstddef>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -37,8 +40,7 @@ class VariationReader {
     if (const auto correlation = json.find("correlation")) variation.correlation = correlation->number(0, 1);
     if (const auto people = json.find("people")) read_people(*people, variation);
     if (const auto objects = json.find("objects")) read_objects(*objects, variation);
-    if (const auto doors = json.find("doors"))
-      for (const JsonCursor& member : doors->elements()) variation.doors.push_back(read_doors(member));
+    if (const auto doors = json.find("doors")) read_doors(*doors, variation);
     if (const auto mounting = json.find("mounting")) {
       mounting->expect_keys({"position", "tilt_deg"});
       if (const auto position = mounting->find("position")) variation.position = position->metres(0, 1);
@@ -75,7 +77,7 @@ class VariationReader {
         if (mean) people.number = PoissonNumber{mean->number(0, max_mean)};
         if (ends) people.number = read_whole_range(*ends);
       }
-      variation.boxes.push_back(std::move(people));
+      add(std::move(people), number, variation);
     }
   }
 
@@ -85,8 +87,23 @@ class VariationReader {
       StandingBoxes object = read_boxes(json);
       object.id = read_new_id(json["id"]);
       object.number = Presence{json["present"].number(0, 1)};
-      variation.boxes.push_back(std::move(object));
+      add(std::move(object), json, variation);
     }
+  }
+
+  // Where boxes do not fit, each of them takes many attempts.
+  void add(StandingBoxes boxes, const JsonCursor& json, StoreVariation& variation) {
+    constexpr double most = 5000;
+    if (const auto* poisson = std::get_if<PoissonNumber>(&boxes.number))
+      boxes_ += poisson->mean;
+    else if (const auto* uniform = std::get_if<UniformNumber>(&boxes.number))
+      boxes_ += static_cast<double>(uniform->high);
+    else
+      ++boxes_;
+    if (boxes_ > most)
+      json.fail(fmt::format("makes {:.0f} people and objects, together with those before", boxes_),
+                fmt::format("at most {:.0f} are allowed", most));
+    variation.boxes.push_back(std::move(boxes));
   }
 
   // Everything except id and number.
@@ -100,16 +117,37 @@ class VariationReader {
     return boxes;
   }
 
-  OpenDoors read_doors(const JsonCursor& json) const {
-    json.expect_keys({"fixtures", "open"});
-    OpenDoors doors{json["fixtures"].text(), json["open"].number(0, 1)};
-    bool is_found = false;
-    for (const auto& [fixture, where] : store_.fixtures) {
-      const Shelving* shelves = shelving_of(fixture);
-      is_found |= shelves != nullptr && shelves->doors && matches_glob(shelves->id, doors.fixtures);
+  void read_doors(const JsonCursor& list, StoreVariation& variation) const {
+    std::vector<std::string_view> ids;
+    for (const auto& [fixture, where] : store_.fixtures)
+      if (const Shelving* shelves = shelving_of(fixture); shelves != nullptr && shelves->doors)
+        ids.push_back(shelves->id);
+    for (const JsonCursor& json : list.elements()) {
+      json.expect_keys({"fixtures", "open"});
+      variation.doors.push_back({json["fixtures"].text(), json["open"].number(0, 1)});
     }
-    if (!is_found) json["fixtures"].fail("matches no fixture with doors", "correct it, or remove the member");
-    return doors;
+    expect_few_comparisons(list, ids, variation.doors);
+    for (std::size_t k = 0; k < variation.doors.size(); ++k) {
+      expect_running(store_.cancel);
+      if (std::none_of(ids.begin(), ids.end(),
+                       [&](std::string_view id) { return matches_glob(id, variation.doors[k].fixtures); }))
+        list.element(k)["fixtures"].fail("matches no fixture with doors", "correct it, or remove the member");
+    }
+  }
+
+  // Each pattern is compared with each id, in a time of up to the product of their lengths.
+  static void expect_few_comparisons(const JsonCursor& list, const std::vector<std::string_view>& ids,
+                                     const std::vector<OpenDoors>& doors) {
+    constexpr std::size_t most = 100'000'000;
+    std::size_t patterns = 0, names = 0;
+    for (const OpenDoors& one : doors) patterns += one.fixtures.size() + 1;
+    for (const std::string_view id : ids) names += id.size() + 1;
+    if (names > 0 && patterns > most / names)
+      list.fail(
+          fmt::format("has patterns with {} characters for the {} characters of the ids of fixtures with "
+                      "doors",
+                      grouped(patterns), grouped(names)),
+          fmt::format("the product of both is at most {}", grouped(most)));
   }
 
   std::string read_new_id(const JsonCursor& json) {
@@ -131,6 +169,7 @@ class VariationReader {
   const StoreNames& names_;
   const Store& store_;
   std::set<std::string> ids_;
+  double boxes_ = 0;  ///< people and objects so far: the largest number, or the mean
 };
 
 Json json_of(const PlanArea& area) {

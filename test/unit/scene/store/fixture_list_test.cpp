@@ -5,11 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/math/warp.hpp"
 
 #include "support/expect_input_error.hpp"
+#include "support/processor_time.hpp"
 #include "unit/scene/store/list_store.hpp"
 
 namespace shelfbeam {
@@ -215,6 +217,52 @@ TEST(FixtureList, CountsTheMemoryOfCopies) {
         parse_store(store.dump(), "store.json", {}, {false, memory});
       },
       std::string_view("store.json: fixtures[0]: the store up to here requires about 0.1"));
+}
+
+// A text of a few hundred bytes could produce any number of labels.
+TEST(FixtureList, CountsTheLabelsOfCopiesBeforeItMakesThem) {
+  Json store = store_with(R"([{"type": "box", "id": "T{n}", "at": [1, 1, 0], "size": [0.5, 0.5, 0.5],
+    "material": "steel", "labels": [], "repeat": {"count": 100, "step": [0.01, 0], "count2": 100, "step2": [0, 0.01]}}])");
+  for (int k = 0; k < 101; ++k)
+    store["fixtures"][0]["labels"].push_back(
+        {{"id", std::to_string(k)}, {"position", {0, 0, 0.6}}, {"normal", {0, -1, 0}}, {"type", "small"}});
+  const test::ProcessorTime time;
+  test::expect_input_error(
+      [&] { read(store); },
+      std::string_view("fixtures[0].labels: produces 1010000 labels, 101 for each of 10000 "
+                       "copies; at most 1000000 are allowed"));
+  store["fixtures"][0]["preset"] = "many";
+  store["presets"]["many"]["labels"] = std::exchange(store["fixtures"][0]["labels"], nullptr);
+  store["fixtures"][0].erase("labels");
+  test::expect_input_error([&] { read(store); },
+                           std::string_view("fixtures[0].labels (preset 'many'): produces"));
+  const Json gondola = Json::parse(std::string("{") + run + "}");
+  store["presets"]["many"] = gondola;
+  store["presets"]["many"]["labels"]["spacing"] = 0.01;
+  store["fixtures"] = Json::parse(
+      R"([{"preset": "many", "id": "T{n}", "at": [1, 1], "repeat": {"count": 5000, "step": 0}}])");
+  test::expect_input_error(
+      [&] { read(store); },
+      std::string_view("labels (preset 'many'): produces 1330000 labels, 266 for each of 5000"));
+  EXPECT_LT(time.seconds(), 2);
+}
+
+TEST(FixtureList, NamesEachCopyInMessages) {
+  const std::string copies = std::string(R"([{"id": "A{n}", "at": [1, 1], )") + run +
+                             R"(, "repeat": {"count": 3, "step": 9.7}},
+    {"type": "box", "id": "T{n}", "at": [1, 4, 0], "size": [1, 1, 1], "material": "steel",
+     "labels": [{"id": "L", "position": [0.5, 0, 1.1], "normal": [0, -1, 0], "type": "small"}],
+     "repeat": {"count": 2, "step": 3, "first": 7}}])";
+  const Store store = read(store_with(copies));
+  std::vector<std::string> places;
+  for (const auto& [fixture, where] : store.fixtures) places.push_back(where);
+  for (const auto& [label, where] : store.labels) places.push_back(where);
+  EXPECT_THAT(places,
+              testing::ElementsAre(
+                  "store.json: copy 'A1' of fixtures[0]", "store.json: copy 'A2' of fixtures[0]",
+                  "store.json: copy 'A3' of fixtures[0]", "store.json: copy 'T7' of fixtures[1]",
+                  "store.json: copy 'T8' of fixtures[1]", "store.json: copy 'T7' of fixtures[1].labels[0]",
+                  "store.json: copy 'T8' of fixtures[1].labels[0]", "store.json: labels[0]"));
 }
 
 // Closed surfaces that face outwards: the volume by the theorem of Gauss.

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -6,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/warp.hpp"
+
 #include "support/expect_input_error.hpp"
+#include "support/processor_time.hpp"
 #include "support/temp_folder.hpp"
 #include "unit/scene/store/list_store.hpp"
 
@@ -117,6 +121,24 @@ TEST(Presets, NamesThePresetThatHasTheFault) {
       expected.replace(at, 4, file.string());
     test::expect_input_error([&] { read(store, folder.path()); }, std::string_view(expected));
   }
+}
+
+// Each fixture has a copy of the values of its preset.
+TEST(Presets, LimitsTheValuesOfAllFixtures) {
+  Json store = store_with("[]");
+  Json& polygon = store["presets"]["round"]["polygon"] = Json::array();
+  for (int k = 0; k < 1000; ++k)
+    polygon.push_back({10 + std::cos(pi * k / 500), 10 + std::sin(pi * k / 500)});
+  store["presets"]["round"]["type"] = "prism";
+  store["presets"]["column"] = {{"preset", "round"}, {"top", 1}, {"material", "steel"}};
+  for (int k = 0; k < 2000; ++k)
+    store["fixtures"].push_back({{"preset", "column"}, {"id", std::to_string(k)}});
+  const test::ProcessorTime time;
+  test::expect_input_error(
+      [&] { read(store); },
+      std::string_view(
+          "fixtures[1661].preset: takes more than 5,000,000 values from presets, together with"));
+  EXPECT_LT(time.seconds(), 10);
 }
 
 TEST(Presets, RefusesLongChainsOfPresets) {
