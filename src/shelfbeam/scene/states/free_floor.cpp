@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
@@ -61,13 +60,24 @@ std::vector<Bounds> FreeFloor::bounds_of(const std::vector<Obstacle>& obstacles)
 
 bool FreeFloor::is_free(const Polygon& plan, double height) const {
   constexpr double kerb = 0.02;  // m: carpets, thresholds
-  if (scene_.room && !is_within_room(*scene_.room, plan, height)) return false;
   Bounds block;
   for (const Vec2& p : plan) {
     block.include(Vec3{p[0], p[1], kerb});
     block.include(Vec3{p[0], p[1], height});
   }
-  return !index_.any(block, [&](std::uint32_t k) { return overlap(obstacles_[k].plan, plan); });
+  if (index_.any(block, [&](std::uint32_t k) { return overlap(obstacles_[k].plan, plan); })) return false;
+  return !scene_.room || is_within_room(*scene_.room, plan, height);
+}
+
+bool TakenFloor::take(const Polygon& plan, double height) {
+  const PlanBounds bounds = bounds_of(plan);
+  for (auto other = taken_.lower_bound(bounds.low[0] - longest_);
+       other != taken_.end() && other->first <= bounds.high[0]; ++other)
+    if (other->second.bounds.meets(bounds) && overlap(other->second.plan, plan)) return false;
+  if (!floor_.is_free(plan, height)) return false;
+  longest_ = std::max(longest_, bounds.high[0] - bounds.low[0]);
+  taken_.emplace(bounds.low[0], Taken{bounds, plan});
+  return true;
 }
 
 }  // namespace shelfbeam

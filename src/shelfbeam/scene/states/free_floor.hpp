@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
@@ -29,6 +31,25 @@ class FreeFloor {
   const Scene& scene_;
   std::vector<Obstacle> obstacles_;
   BoxIndex index_;
+};
+
+/// Free floor on which blocks stand one after the other.
+class TakenFloor {
+ public:
+  /// `floor` must outlive the object.
+  explicit TakenFloor(const FreeFloor& floor) : floor_(floor) {}
+
+  /// Takes a convex part of the plan for a block if it is free. Returns whether it is.
+  bool take(const Polygon& plan, double height);
+
+ private:
+  const FreeFloor& floor_;
+  struct Taken {
+    PlanBounds bounds;
+    Polygon plan;
+  };
+  std::multimap<double, Taken> taken_;  ///< by their smallest x
+  double longest_ = 0;                  ///< along x
 };
 
 }  // namespace shelfbeam

@@ -16,6 +16,7 @@
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/states/draws.hpp"
 
@@ -24,6 +25,7 @@ namespace shelfbeam {
 namespace {
 
 double share_open(const StoreVariation& variation, const Shelving& shelves) {
+  if (!shelves.doors) return 0;
   if (shelves.variation.open) return *shelves.variation.open;
   double open = variation.open_doors;
   for (const OpenDoors& doors : variation.doors)
@@ -67,7 +69,8 @@ class StoreStates::Drawing {
         variation_(*states.store_.variation),
         numbers_(numbers),
         state_(states.store_),
-        where_(state_.file + ": state") {
+        where_(state_.file + ": state"),
+        taken_(states.floor_) {
     if (const auto k = numbers.of(Cause::stock)) where_ += fmt::format(" {}", *k);
   }
 
@@ -76,7 +79,8 @@ class StoreStates::Drawing {
     if (const auto k = numbers_.of(Cause::stock); k && !state_.name.empty())
       state_.name += fmt::format(", state {}", *k);
     list_devices();
-    for (Listed<Fixture>& fixture : state_.fixtures) vary(fixture.value);
+    for (std::size_t f = 0; f < state_.fixtures.size(); ++f)
+      vary(state_.fixtures[f].value, states_.open_doors_[f]);
     for (const StandingBoxes& boxes : variation_.boxes)
       if (varies(boxes.is_person ? Cause::people : Cause::objects)) stand(boxes);
     return std::move(state_);
@@ -91,6 +95,7 @@ class StoreStates::Drawing {
   void list_devices() {
     state_.labels.clear();
     for (const Label& label : devices_.labels) {
+      expect_running(state_.cancel);
       state_.labels.push_back({label, where_});
       if (varies(Cause::labels) && variation_.label_sensitivity_db > 0)
         state_.labels.back().value.relative_sensitivity *=
@@ -104,6 +109,7 @@ class StoreStates::Drawing {
     state_.transceivers.clear();
     state_.installed.clear();
     for (Transceiver unit : devices_.transceivers) {
+      expect_running(state_.cancel);
       if (varies(Cause::mounting)) move(unit);
       if (unit.installed) state_.installed.push_back({unit.id, where_});
       state_.transceivers.push_back({std::move(unit), where_});
@@ -121,18 +127,9 @@ class StoreStates::Drawing {
     if (variation_.unit_power_db > 0)
       unit.relative_power *= factor(variation_.unit_power_db, draws(Cause::mounting, "power", mount));
     const Draws draws = this->draws(Cause::mounting, "mount", mount);
-    if (variation_.position > 0) {
-      constexpr int attempts = 20;
-      for (std::uint32_t a = 0; a < attempts; ++a) {
-        const double x = variation_.position * draws.normal(2 * a),
-                     y = variation_.position * draws.normal(2 * a + 1);
-        const Vec3 moved{rounded(px + x, 1e6), rounded(py + y, 1e6), rounded(pz, 1e6)};
-        if (states_.scene_.room && !states_.scene_.room->beyond(moved, 0).empty()) continue;
-        if (is_blocked(unit.position, moved)) continue;
-        unit.position = moved;
-        break;
-      }
-    }
+    if (variation_.position > 0)
+      unit.position = states_.mounting_.moved(
+          unit.position, {variation_.position * draws.normal(0), variation_.position * draws.normal(1)});
     if (variation_.tilt_deg > 0) {
       const Frame frame = Frame::about(unit.axis);
       constexpr std::uint32_t first = 1000;
@@ -143,24 +140,14 @@ class StoreStates::Drawing {
     }
   }
 
-  // Whether a fixture or an inner wall is between two points.
-  bool is_blocked(const Vec3& from, const Vec3& to) const {
-    Bounds path;
-    path.include(from);
-    path.include(to);
-    return states_.blocks_.any(path, [&](const Part& part) {
-      const Stretch within = stretch_within(part, from, to - from);
-      return within.begin < within.end && within.begin < 1 && within.end > 0;
-    });
-  }
-
-  void vary(Fixture& fixture) const {
+  void vary(Fixture& fixture, double open_doors) const {
+    expect_running(state_.cancel);
     std::visit(
         [&]<class T>(T& one) {
           if constexpr (std::is_base_of_v<Shelving, T>) {
             if (varies(Cause::stock)) vary_stock(one);
             if (varies(Cause::doors) && one.doors &&
-                draws(Cause::doors, "doors", one.id).uniform(0) < share_open(variation_, one))
+                draws(Cause::doors, "doors", one.id).uniform(0) < open_doors)
               one.doors_open = true;
             one.variation = {};
             one.labels.reset();  // the state lists them
@@ -206,6 +193,7 @@ class StoreStates::Drawing {
     const std::int64_t number = number_of(boxes, draws(cause, "number", boxes.id).uniform(0));
     const bool is_single = std::holds_alternative<Presence>(boxes.number);
     for (std::int64_t n = 1; n <= number; ++n) {
+      expect_running(state_.cancel);
       const std::string id = is_single ? boxes.id : fmt::format("{} {}", boxes.id, n);
       const Draws draws = this->draws(cause, "place", id);
       constexpr std::uint32_t attempts = 1000;
@@ -219,21 +207,21 @@ class StoreStates::Drawing {
         const double rotation_deg = rounded(360 * draws.uniform(4 * a + 2), 10);
         const Vec2 half = turned({boxes.size.x / 2, boxes.size.y / 2}, rotation_deg);
         const Vec2 at{rounded(middle[0] - half[0], 1e3), rounded(middle[1] - half[1], 1e3)};
-        Polygon plan;
-        for (const auto& [x, y] :
-             {Vec2{0, 0}, {boxes.size.x, 0}, {boxes.size.x, boxes.size.y}, {0, boxes.size.y}}) {
-          const Vec2 corner = turned({x, y}, rotation_deg);
-          plan.push_back({at[0] + corner[0], at[1] + corner[1]});
-        }
-        if (!states_.floor_.is_free(plan, boxes.size.z) ||
-            std::any_of(taken_.begin(), taken_.end(),
-                        [&](const Polygon& other) { return overlap(other, plan); }))
-          continue;
+        if (!taken_.take(plan_of(boxes, at, rotation_deg), boxes.size.z)) continue;
         add_box(boxes, id, {at[0], at[1], 0}, rotation_deg);
-        taken_.push_back(std::move(plan));
         break;
       }
     }
+  }
+
+  static Polygon plan_of(const StandingBoxes& boxes, const Vec2& at, double rotation_deg) {
+    Polygon plan;
+    for (const auto& [x, y] :
+         {Vec2{0, 0}, {boxes.size.x, 0}, {boxes.size.x, boxes.size.y}, {0, boxes.size.y}}) {
+      const Vec2 corner = turned({x, y}, rotation_deg);
+      plan.push_back({at[0] + corner[0], at[1] + corner[1]});
+    }
+    return plan;
   }
 
   void add_box(const StandingBoxes& boxes, const std::string& id, const Vec3& at, double rotation_deg) {
@@ -255,8 +243,8 @@ class StoreStates::Drawing {
   const StoreVariation& variation_;
   const StateNumbers& numbers_;
   Store state_;
-  std::string where_;           ///< for messages
-  std::vector<Polygon> taken_;  ///< by people and objects
+  std::string where_;  ///< for messages
+  TakenFloor taken_;   ///< by people and objects
   std::set<std::string> ids_;
 };
 
@@ -267,8 +255,12 @@ void expect_variation(const Store& store) {
 }
 
 StoreStates::StoreStates(const Store& store, const Scene& scene, std::uint64_t seed)
-    : store_(store), scene_(scene), seed_(seed), floor_(scene), blocks_(scene) {
+    : store_(store), scene_(scene), seed_(seed), floor_(scene), mounting_(scene) {
   expect_variation(store);
+  for (const auto& [fixture, where] : store.fixtures) {
+    const Shelving* shelves = shelving_of(fixture);
+    open_doors_.push_back(shelves == nullptr ? 0 : share_open(*store.variation, *shelves));
+  }
 }
 
 Store StoreStates::state(const StateNumbers& numbers, const Scene& devices) const {

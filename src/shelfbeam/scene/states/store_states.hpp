@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "shelfbeam/scene/build/blocks.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/states/cause.hpp"
 #include "shelfbeam/scene/states/free_floor.hpp"
+#include "shelfbeam/scene/states/mounting_error.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam {
@@ -38,7 +38,8 @@ class StoreStates {
   const Scene& scene_;
   std::uint64_t seed_;
   FreeFloor floor_;
-  Blocks blocks_;
+  MountingError mounting_;
+  std::vector<double> open_doors_;  ///< share of the time, by fixture
 };
 
 }  // namespace shelfbeam

@@ -10,11 +10,14 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/stats/moments.hpp"
 
 #include "support/expect_input_error.hpp"
+#include "support/processor_time.hpp"
 #include "unit/scene/sample_store.hpp"
 
 namespace shelfbeam {
@@ -174,6 +177,42 @@ TEST(StoreStates, StandPeopleAndObjectsOnFreeFloor) {
   }
 }
 
+// Boxes that fit nowhere, or not all at once, cost as many draws as any others.
+TEST(StoreStates, OmitPeopleWithoutAPlace) {
+  Json full = shop();
+  const auto people_of = [&](const char* area, double length, double width) {
+    full["variation"]["people"][0]["number"] = 100;
+    full["variation"]["people"][0]["size"] = {length, width, 1.75};
+    full["variation"]["people"][0]["area"] = Json::parse(area);
+    const Shop one(full);
+    const Store state = one.states.state(0);
+    return std::count_if(state.fixtures.begin(), state.fixtures.end(),
+                         [](const auto& fixture) { return id_of(fixture.value).starts_with("person"); });
+  };
+  const test::ProcessorTime time;
+  EXPECT_EQ(people_of(R"("room")", 14, 13), 0) << "wider than the room between its walls";
+  EXPECT_EQ(people_of(R"("room")", 40, 30), 0) << "larger than the room";
+  EXPECT_EQ(people_of(R"("low")", 0.5, 0.3), 0) << "below a ceiling of 1.7 m";
+  EXPECT_EQ(people_of("[[8.1, 8.1], [8.9, 8.1], [8.9, 8.9], [8.1, 8.9]]", 0.5, 0.3), 0) << "in a hole";
+  const auto many = people_of(R"("room")", 0.5, 0.3);
+  EXPECT_GT(many, 60);
+  EXPECT_LT(time.seconds(), 20);  // 0.5 s; 60 s when each draw divided the plan
+}
+
+TEST(StoreStates, AndScenesAndChecksCanBeCancelled) {
+  CancelToken token;
+  const std::string text = shop().dump();
+  const Store store = parse_store(text, "store.json", {}, {.cancel = &token});
+  const Scene scene = make_scene(store);
+  const StoreStates states(store, scene, 1);
+  EXPECT_NO_THROW(make_scene(states.state(1)));
+  token.request();
+  EXPECT_THROW(parse_store(text, "store.json", {}, {.cancel = &token}), Interrupted);
+  EXPECT_THROW(make_scene(store), Interrupted);
+  EXPECT_THROW(states.state(1), Interrupted);
+  EXPECT_THROW(resolved_store_json(store, scene), Interrupted);
+}
+
 TEST(StoreStates, OptionsOfAMountingPointMoveTogether) {
   const Shop one;
   const Scene scene = make_scene(one.states.state(0));
@@ -214,6 +253,7 @@ TEST(Variation, RefusesFaultsWithTheirPlace) {
             "variation.stocking.uniform: has its second"},
            {"/variation/objects/0/id", R"("person")",
             "variation.objects[0].id: is the duplicate id 'person'"},
+           {"/variation/objects/0/present", "1.5", "variation.objects[0].present: is 1.5"},
            {"/fixtures/0/variation", R"({"open": 0.1})", "fixtures[0].variation.open: requires doors"},
            {"/fixtures/0/stocking", R"({"front": [0.4, 0.5]})",
             "fixtures[0].stocking: does not have 4 numbers for 'front'"}}) {
@@ -221,6 +261,30 @@ TEST(Variation, RefusesFaultsWithTheirPlace) {
     store[Json::json_pointer(pointer)] = Json::parse(value);
     test::expect_input_error([&] { test::read_text(store.dump()); }, std::string_view(message));
   }
+}
+
+TEST(Variation, LimitsPeopleAndPatterns) {
+  Json store = shop();
+  Json& people = store["variation"]["people"];
+  for (int k = 1; k < 6; ++k) {
+    people.push_back(people[0]);
+    people.back()["id"] = std::to_string(k);
+    people.back()["number"] = {{"uniform", {0, 1000}}};
+  }
+  test::expect_input_error(
+      [&] { test::read_text(store.dump()); },
+      std::string_view("variation.people[5].number: makes 5004 people and objects, together "
+                       "with those before; at most 5000 are allowed"));
+  store = shop();
+  store["fixtures"][1]["id"] = "chill" + std::string(100'000, 'a');
+  const std::string pattern = "chill*" + std::string(500, 'a') + "*" + std::string(600, 'a') + "b*";
+  store["variation"]["doors"][0]["fixtures"] = pattern;
+  const test::ProcessorTime time;
+  test::expect_input_error(
+      [&] { test::read_text(store.dump()); },
+      std::string_view("variation.doors: has patterns with 1,110 characters for the 100,006 "
+                       "characters of the ids of fixtures with doors"));
+  EXPECT_LT(time.seconds(), 2);
 }
 
 }  // namespace
