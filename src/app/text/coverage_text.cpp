@@ -7,6 +7,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 
@@ -23,6 +24,14 @@ double percentage(double part, double whole) {
 
 double percentage(std::size_t labels, const SignalTable& table) {
   return percentage(static_cast<double>(labels), static_cast<double>(table.rows()));
+}
+
+/// Shares in percent that claim no more than is proven: "62.3".
+std::string proven_most(double part, double whole) {
+  return fmt::format("{:.1f}", rounded_up(percentage(part, whole), 1));
+}
+std::string proven_least(double part, double whole) {
+  return fmt::format("{:.1f}", rounded_down(percentage(part, whole), 1));
 }
 
 /// "199 of 390 labels, 51.0 %" or "199 of 390 labels, 62.3 % of the weight"; no share for all labels.
@@ -52,16 +61,24 @@ std::string better_bound(const MaxCoverage& reach, const SignalTable& table) {
   text += reach.at_most == 1 ? "single transceiver reaches more"
                              : fmt::format("{} reach more", counted(reach.at_most, "transceiver"));
   if (reach.status == Status::optimal) return text;
-  return text + (reach.weight ? fmt::format(" than {:.1f} %",
-                                            percentage(reach.weight->upper_bound, reach.weight->total))
-                              : fmt::format(" than {}, {:.1f} %", grouped(reach.upper_bound),
-                                            percentage(reach.upper_bound, table)));
+  return text + (reach.weight
+                     ? fmt::format(" than {} %", proven_most(reach.weight->upper_bound, reach.weight->total))
+                     : fmt::format(" than {}, {:.1f} %", grouped(reach.upper_bound),
+                                   percentage(reach.upper_bound, table)));
 }
 
 /// "95 % of the 390 labels", "95 % of the weight of the 390 labels"
 std::string required_part(const FewestUnits& fewest, const SignalTable& table) {
   return fmt::format("{:.6g} % of the {}{}", 100 * fewest.share, has_weights(table) ? "weight of the " : "",
                      counted(table.rows(), "label"));
+}
+
+/// The share that no selection exceeds, with as many digits as separate it from the required share.
+std::string most_below_share(const FewestUnits& fewest) {
+  const double most = percentage(fewest.weight.upper_bound, fewest.weight.total);
+  int decimals = 1;
+  while (decimals < 6 && rounded_up(most, decimals) >= 100 * fewest.share) ++decimals;
+  return fmt::format("{:.{}f}", rounded_up(most, decimals), decimals);
 }
 
 /// The sentences about counts are those of a placement.
@@ -76,9 +93,8 @@ Placement as_placement(const FewestUnits& fewest) {
 std::string answer(const FewestUnits& fewest, const SignalTable& table) {
   const std::string required = required_part(fewest, table);
   if (fewest.status == Status::infeasible)
-    return fmt::format("No selection reaches {} ({}); it is proven that none reaches more than {:.1f} %.\n",
-                       required, model_of(fewest.problem),
-                       percentage(fewest.weight.upper_bound, fewest.weight.total));
+    return fmt::format("No selection reaches {} ({}); it is proven that none reaches more than {} %.\n",
+                       required, model_of(fewest.problem), most_below_share(fewest));
   if (!fewest.has_selection)
     return fmt::format("No selection that reaches {} was found; {}.\n", required,
                        units_needed(fewest.count_lower_bound));
@@ -126,8 +142,8 @@ std::string describe(const CoverageCurve& curve, const SignalTable& table) {
   for (const CurvePoint& point : curve.points) {
     const double at_least = weighs ? point.weight->at_least : static_cast<double>(point.at_least);
     const double at_most = weighs ? point.weight->at_most : static_cast<double>(point.at_most);
-    text += fmt::format("  {:5}                  {:7.1f} % {:7.1f} %\n", point.units,
-                        percentage(at_least, total), percentage(at_most, total));
+    text += fmt::format("  {:5}                  {:>7} % {:>7} %\n", point.units,
+                        proven_least(at_least, total), proven_most(at_most, total));
   }
   if (!curve.is_complete) text += "  the curve was stopped early; more time may narrow its bounds\n";
   return text;

@@ -42,9 +42,11 @@ const std::initializer_list<std::string_view> keys = {
     "total_weight"};
 constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
-// Integers without ".0", as readers expect of counts.
-Json count(double value) {
-  return std::isfinite(value) ? Json(std::llround(value)) : Json(nullptr);
+// A lower bound on a count, as an integer without ".0".
+Json count_bound(double value) {
+  constexpr double rounding = 1e-6;
+  return std::isfinite(value) ? Json(static_cast<std::uint64_t>(std::max(0.0, std::ceil(value - rounding))))
+                              : Json(nullptr);
 }
 
 std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalTable& table) {
@@ -150,7 +152,7 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
                {"labels", table.rows()},
                {"selected", ids_of(table.transceivers, placement.selected)},
                {"count", placement.count()},
-               {"count_lower_bound", count(placement.count_lower_bound)},
+               {"count_lower_bound", count_bound(placement.count_lower_bound)},
                {"objective_value", number(placement.objective_value)},
                {"lower_bound", number(placement.lower_bound)},
                {"gap", number(placement.gap())},

@@ -84,6 +84,28 @@ std::string percent(double share, int decimals) {
   return fixed(100 * share, decimals) + "\u00A0%";
 }
 
+double rounded_down(double value, int decimals) {
+  constexpr double rounding = 1e-9;
+  const double scale = std::pow(10, decimals);
+  return std::floor(scale * value + rounding * std::max(1.0, std::abs(scale * value))) / scale;
+}
+
+double rounded_up(double value, int decimals) {
+  return -rounded_down(-value, decimals);
+}
+
+std::string plain_down(double value) {
+  constexpr int digits = 6;
+  if (value == 0 || !std::isfinite(value)) return plain(value);
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  return plain(rounded_down(value, digits - 1 - exponent));
+}
+
+std::string confidence_text(double confidence) {
+  constexpr int decimals = 4;
+  return plain(rounded_down(100 * confidence, decimals));
+}
+
 std::string with_joined_percent(std::string text) {
   for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 2, "\u00A0%");
   return text;

@@ -31,6 +31,17 @@ std::string csv_number(double value);
 /// A share in percent: 0.166 -> "16.6 %".
 std::string percent(double share, int decimals = 1);
 
+/// Rounded so that a bound claims no more than was proven. Differences of 1e-9 of the value are errors of
+/// floating point.
+double rounded_down(double value, int decimals);
+double rounded_up(double value, int decimals);
+
+/// As `plain`, rounded down.
+std::string plain_down(double value);
+
+/// A confidence in percent, rounded down: 0.999 -> "99.9".
+std::string confidence_text(double confidence);
+
 /// Replaces " %" with a non-breaking space and "%", for sentences on a page.
 std::string with_joined_percent(std::string text);
 

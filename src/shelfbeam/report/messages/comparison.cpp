@@ -24,7 +24,7 @@ std::string_view shared_errors(SharedErrors shared) {
 }
 
 std::string factor_statement(const Comparison& c) {
-  return say("comparison.factor", significant(c.factor, 4), plain(100 * c.confidence),
+  return say("comparison.factor", significant(c.factor, 4), confidence_text(c.confidence),
              significant(c.factor_interval.low, 4), significant(c.factor_interval.high, 4),
              shared_errors(c.shared));
 }

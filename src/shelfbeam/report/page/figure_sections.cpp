@@ -149,13 +149,16 @@ std::string curve_section(const ReportData& data) {
   const auto share = [&](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(labels);
   };
+  const auto at_least = [&](const CurvePoint& point) {
+    return percent(rounded_down(share(point.at_least), 3));
+  };
+  const auto at_most = [&](const CurvePoint& point) { return percent(rounded_up(share(point.at_most), 3)); };
   CurveChart chart;
   chart.description = say("curve.description");
   for (const CurvePoint& point : points)
     chart.points.push_back({static_cast<double>(point.units), 100 * share(point.at_least),
                             100 * share(point.at_most),
-                            say_count("curve.point", point.units, percent(share(point.at_least)),
-                                      percent(share(point.at_most)))});
+                            say_count("curve.point", point.units, at_least(point), at_most(point))});
   chart.x_title = say("curve.x");
   chart.y_title = say("curve.y");
 
@@ -167,8 +170,8 @@ std::string curve_section(const ReportData& data) {
                    {say("curve.at_most")},
                    {say("curve.labels")}});
   for (std::size_t k = (points.size() - 1) % step; k < points.size(); k += step)
-    table.add_row({grouped(points[k].units), percent(share(points[k].at_least)), grouped(points[k].at_least),
-                   percent(share(points[k].at_most)), grouped(points[k].at_most)});
+    table.add_row({grouped(points[k].units), at_least(points[k]), grouped(points[k].at_least),
+                   at_most(points[k]), grouped(points[k].at_most)});
   std::string note = say("curve.note");
   if (!data.input.plan.curve.is_complete) note += " " + say("curve.stopped");
   const std::string text = table.html() + paragraph(note, "note");

@@ -168,7 +168,7 @@ Json add_certificate(PageData& page, const ReportData& data) {
     for (const LabelVerdict& label : certificate->labels)
       verdicts.push_back(static_cast<std::uint8_t>(label.verdict));
   page.add("label_verdict", verdicts);
-  return certificate ? Json{{"confidence", certificate->confidence}} : Json();
+  return certificate ? Json{{"confidence", rounded_down(certificate->confidence, 6)}} : Json();
 }
 
 Json levels_of(const ReportData& data) {

@@ -58,6 +58,25 @@ TEST(TextFormat, WritesRoundNumbersWithoutZeros) {
 
 using Ids = std::vector<std::string>;
 
+TEST(TextFormat, RoundsBoundsToTheSafeSide) {
+  EXPECT_EQ(rounded_down(94.97, 1), 94.9);
+  EXPECT_EQ(rounded_up(94.91, 1), 95);
+  EXPECT_EQ(rounded_down(1020, 2), 1020);
+  EXPECT_EQ(rounded_down(0.1 + 0.2, 1), 0.3) << "errors of floating point";
+  EXPECT_EQ(rounded_up(0.1 + 0.2, 1), 0.3);
+  EXPECT_EQ(rounded_down(-0.25, 1), -0.3);
+  EXPECT_EQ(plain_down(1234567.8), "1.23456e+06");
+  EXPECT_EQ(plain(1234567.8), "1.23457e+06") << "the control";
+  EXPECT_EQ(plain_down(123.45678), "123.456");
+  EXPECT_EQ(plain_down(1070), "1070");
+  EXPECT_EQ(plain_down(0), "0");
+  EXPECT_EQ(plain_down(infinite), plain(infinite));
+  EXPECT_EQ(confidence_text(0.99), "99");
+  EXPECT_EQ(confidence_text(0.999), "99.9");
+  EXPECT_EQ(confidence_text(0.999999), "99.9999");
+  EXPECT_EQ(confidence_text(0.99999995), "99.9999");
+}
+
 TEST(IdRanges, JoinsOnlyConsecutiveIds) {
   EXPECT_EQ(id_ranges(Ids{"A1-front-1-1", "A1-front-1-2", "A1-front-1-3", "A1-front-2-4", "A1-front-2-6"}),
             (Ids{"A1-front-1-1…3", "A1-front-2-4", "A1-front-2-6"}));
