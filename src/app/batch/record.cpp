@@ -63,14 +63,23 @@ StoreStatus status_of(int exit_code) {
   }
 }
 
+// The object that has the bound of the answer: if labels are verified, the certificate.
+const Json& bound_source(const Json& plan) {
+  const auto certificate = plan.find("certificate");
+  return certificate != plan.end() && !certificate->at("reached").is_null() ? *certificate : plan;
+}
+
 // The numbers of placement.json.
 void read_plan(const BatchFolder& folder, StoreResult& result) {
   const fs::path plan = folder.plan(result.name);
   const Json json = Json::parse(read_file(plan / placement_name));
   result.labels = json.at("labels");
-  if (const auto count = json.find("count"); count != json.end() && *count > 0) result.units = *count;
-  if (json.contains("count_lower_bound") && json["count_lower_bound"].is_number_unsigned())
-    result.lower_bound = json["count_lower_bound"];
+  // Without an answer, units and bound are those of the shop as the file gives it.
+  const bool is_answer = result.status != StoreStatus::infeasible;
+  if (const std::uint64_t count = json.at("count"); is_answer && count > 0) result.units = count;
+  if (const Json& bound = bound_source(json)["count_lower_bound"];
+      is_answer && bound.is_number_unsigned() && bound > 0)
+    result.lower_bound = bound;
   if (const auto price = json.find("price"); price != json.end() && price->is_object()) {
     result.price = price->at("new");
     if (const auto& currency = price->at("currency"); currency.is_string()) result.currency = currency;
