@@ -1,6 +1,5 @@
 #include "shelfbeam/plan/plan.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -84,11 +83,6 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
   return text;
 }
 
-// No placement keeps to the goal in the sampled states.
-bool is_impossible(const Availability& availability) {
-  return std::isinf(availability.sample_lower_bound);
-}
-
 // The answer comes first, then the page that shows it, then the details.
 std::string result(const Options& options, const Plan& plan, const SignalTable& table, bool follows_decision,
                    bool is_kept) {
@@ -97,9 +91,11 @@ std::string result(const Options& options, const Plan& plan, const SignalTable& 
                                          : certificate_sentence(plan);
   if (plan.availability) {
     placed = availability_details(*plan.availability, plan.placement);
-    if (!is_impossible(*plan.availability)) placed += chosen(plan.placement.selected, table);
-    if (const std::string price = price_sentence(plan.placement); !price.empty())
-      placed += fmt::format("  {}\n", price);
+    if (!plan.availability->is_impossible()) {
+      placed += chosen(plan.placement.selected, table);
+      if (const std::string price = price_sentence(plan.placement); !price.empty())
+        placed += fmt::format("  {}\n", price);
+    }
   } else if (answer.empty()) {
     const std::size_t end = placed.find('\n');
     answer = placed.substr(0, end);
@@ -130,7 +126,7 @@ bool is_imprecise(const Plan& plan) {
 bool is_open(const Options& options, const Plan& plan) {
   const auto& availability = plan.availability;
   if (availability)
-    return !is_impossible(*availability) &&
+    return !availability->is_impossible() &&
            (options.no_certificate ? availability->sample_selected.empty() : !availability->certified);
   return is_imprecise(plan) || (plan.certificate && !plan.certificate->open.empty()) ||
          !plan.curve.is_complete ||
@@ -318,9 +314,9 @@ int run_plan(const Options& options) {
   if (options.common.json && !options.common.quiet && is_imprecise(plan))
     print_message(
         "the requested relative error was not reached; without '--json' the program lists the entries\n");
-  if (plan.complete && plan.availability && is_impossible(*plan.availability)) return answer_is_no;
+  if (plan.complete && plan.availability && plan.availability->is_impossible()) return answer_is_no;
   if (plan.complete && !is_open(options, plan))
-    return plan.availability ? done : exit_code(plan.placement.status);
+    return plan.availability || is_certified_minimum(plan) ? done : exit_code(plan.placement.status);
   if (plan.complete) return stopped_early;
   if (!options.common.quiet || elsewhere)
     print_message("stopped early: {}\n", remark_on_interruption(options, summary, is_kept, elsewhere));

@@ -79,6 +79,9 @@ class Certifier {
     }
     restore();
     return_to_kept();
+    // No selection has to cost more than one that reaches all labels.
+    if (!placement_.has_selection() || certificate_.all_reached())
+      certificate_.limit_bounds(placement_.count(), cost_of(placement_));
     certificate_.seconds = rounds_.seconds();
     return {std::move(matrix_), std::move(placement_), std::move(certificate_)};
   }
@@ -168,7 +171,8 @@ class Certifier {
 
   // The goal holds, but the search has proven no more than it.
   std::string unproven_bound() const {
-    return bound_.is_tight() ? "" : "the search proved no larger lower bound on the simulated signals";
+    const bool is_minimum = bound_.is_tight() || is_proven(placement_);
+    return is_minimum ? "" : "the search proved no larger lower bound on the simulated signals";
   }
 
   // Verdicts and bound refer to the placement.
@@ -324,10 +328,6 @@ class Certifier {
     kept_->placement.seconds = placement_.seconds;
     placement_ = std::move(kept_->placement);
     certificate_.labels = std::move(kept_->labels);
-    // The bound is that of any selection, and one of this cost reaches all labels.
-    certificate_.count_lower_bound = std::min(certificate_.count_lower_bound, placement_.count());
-    if (minimises_cost(placement_.problem))
-      certificate_.cost_lower_bound = std::min(certificate_.cost_lower_bound, placement_.objective_value);
     if (is_proven(placement_))
       certificate_.open.clear();
     else if (certificate_.open != interrupted)

@@ -235,7 +235,9 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
     planned = simulate(scene, options.simulation, control).matrix.mean;
   CertifiedPlan plan;
   Placement& placement = plan.placement;
-  placement.problem = problem;
+  // The units hang already, so that no objective chooses them.
+  placement.problem.model = problem.model;
+  placement.problem.redundant = problem.redundant;
   placement.selected.resize(scene.transceivers.size());
   std::iota(placement.selected.begin(), placement.selected.end(), 0U);
   placement.objective_value = static_cast<double>(placement.count());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -126,6 +127,10 @@ struct Availability {
   std::vector<std::string> assumed;  ///< values of the variation that the store file does not give
   std::string open;                  ///< reason for an end before all was decided; empty otherwise
 
+  /// No placement keeps to the goal in the sampled states.
+  bool is_impossible() const { return !unreachable.empty() || std::isinf(sample_lower_bound); }
+  /// The selection for the sampled states is proven to be the best for these.
+  bool is_sample_minimum() const { return sample_value <= sample_lower_bound * (1 + 1e-9); }
   bool has_answer() const { return !examined.empty(); }
   const StateOutcome& answer() const { return examined.back(); }
 };

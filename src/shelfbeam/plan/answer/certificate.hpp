@@ -49,10 +49,13 @@ struct LabelVerdict {
 /// for the given geometry, materials and candidates.
 struct Certificate {
   double confidence = 0.99;
-  std::vector<LabelVerdict> labels;   ///< one per label of the matrix
-  std::size_t count_lower_bound = 0;  ///< certified bound on the count; 0: not examined
-  double cost_lower_bound = 0;        ///< certified bound on the sum of prices (weighted); 0: not examined
-  std::size_t bound_labels = 0;       ///< number of core rows behind the bound
+  std::vector<LabelVerdict> labels;  ///< one per label of the matrix
+  /// Certified bounds on the count, and on the cost where has_known_prices; 0: not examined, or no selection.
+  /// At most the value of a selection all of whose labels are reached; independent of the bounds on the
+  /// matrix, which may be lower or higher.
+  std::size_t count_lower_bound = 0;
+  double cost_lower_bound = 0;
+  std::size_t bound_labels = 0;  ///< number of core rows behind the bound; 0: it needs no samples
   std::uint32_t rounds = 0;
   double seconds = 0;
   std::string open;  ///< reason for an end before all was decided; empty otherwise
@@ -65,6 +68,12 @@ struct Certificate {
   void mark_unverified() {
     for (LabelVerdict& label : labels)
       if (label.verdict == Verdict::undecided && label.samples == 0) label.verdict = Verdict::unverified;
+  }
+  /// Lowers the bounds to those of a selection. Without units nothing is bounded.
+  void limit_bounds(std::size_t units, double cost) {
+    count_lower_bound = std::min(count_lower_bound, units);
+    cost_lower_bound = units == 0 ? 0 : std::min(cost_lower_bound, cost);
+    if (count_lower_bound == 0 && cost_lower_bound == 0) bound_labels = 0;
   }
   bool none_verified() const { return count(Verdict::unverified) == labels.size(); }
   bool all_reached() const { return count(Verdict::reached) == labels.size(); }

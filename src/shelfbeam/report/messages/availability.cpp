@@ -16,7 +16,7 @@ namespace shelfbeam {
 namespace {
 
 std::string confidence_of(const Availability& availability) {
-  return fmt::format("{:.6g}", 100 * availability.confidence);
+  return confidence_text(availability.confidence);
 }
 
 bool is_by_price(const Placement& placement) {
@@ -27,15 +27,20 @@ bool is_by_price(const Placement& placement) {
 std::string sample_text(const Availability& availability, const Placement& placement) {
   const StateOutcome& sample = availability.sample;
   if (sample.states == 0) return {};
-  const bool is_proven = availability.sample_value <= availability.sample_lower_bound * (1 + 1e-9);
+  const double bound = availability.sample_lower_bound;
+  const bool by_price = is_by_price(placement), has_bound = bound > 0;
   const std::string states = grouped(sample.states);
-  std::string text = say_count("availability.sample", sample.units, states);
-  if (!is_proven && availability.sample_lower_bound > 0 && !is_by_price(placement))
+  std::string text =
+      say_count(by_price ? "availability.sample_spend" : "availability.sample", sample.units, states);
+  if (availability.is_sample_minimum())
+    text = say_count(by_price ? "availability.sample_cheapest" : "availability.sample_fewest", sample.units,
+                     states);
+  else if (has_bound && by_price)
+    text = say_count("availability.sample_spend_at_least", sample.units, states,
+                     at_least(bound, placement.price));
+  else if (has_bound)
     text = say_count("availability.sample_at_least", sample.units, states,
-                     grouped(static_cast<std::size_t>(std::ceil(availability.sample_lower_bound - 1e-6))));
-  if (is_proven)
-    text = say_count(is_by_price(placement) ? "availability.sample_cheapest" : "availability.sample_fewest",
-                     sample.units, states);
+                     grouped(static_cast<std::size_t>(std::ceil(bound - 1e-6))));
   if (availability.certified && availability.answer().units > sample.units)
     text += " " + say_count("availability.price", availability.answer().units - sample.units);
   return text;
@@ -84,8 +89,7 @@ std::string assumed_text(const Availability& availability) {
 }  // namespace
 
 std::string time_share(double share) {
-  constexpr double tenths = 1000;
-  return fmt::format("{:g} %", std::floor(share * tenths + 1e-6) / (tenths / 100));
+  return fmt::format("{:g} %", rounded_down(100 * share, 1));
 }
 
 std::string goal_text(const Availability& availability) {

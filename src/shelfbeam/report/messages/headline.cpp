@@ -22,9 +22,11 @@ Headline with_selection(const ReportData& data) {
   Headline result;
   const std::size_t labels = data.outcome.labels.size();
   const bool all_met = data.outcome.met == labels;
-  result.tone = !all_met                                                            ? Headline::Tone::no
-                : placement.status == Status::optimal || count_is_proven(placement) ? Headline::Tone::yes
-                                                                                    : Headline::Tone::open;
+  const bool is_proven =
+      minimises_cost(placement.problem) ? cost_is_proven(placement) : count_is_proven(placement);
+  result.tone = !all_met                                           ? Headline::Tone::no
+                : placement.status == Status::optimal || is_proven ? Headline::Tone::yes
+                                                                   : Headline::Tone::open;
   result.answer =
       say("headline.reach", units_reach(placement.count()), labels_reached(data.outcome.met, labels),
           failure_clause(placement.problem),
@@ -37,7 +39,8 @@ Headline with_selection(const ReportData& data) {
   if (installed > 0)
     result.remarks.push_back(installed == placement.count() ? say("headline.installed.all")
                                                             : say_count("headline.installed", installed));
-  if (placement.status == Status::stopped)
+  // Over states, `stopped` says that the bound with its confidence is lower than the value.
+  if (placement.status == Status::stopped && !data.input.plan.availability)
     result.remarks.push_back(say("headline.stopped", time_text(placement.seconds)));
   if (placement.status == Status::feasible) result.remarks.push_back(say("headline.greedy"));
   return result;
@@ -101,9 +104,9 @@ void lead_with_availability(const ReportData& data, Headline& headline) {
     headline.remarks.push_back(with_joined_percent(std::move(remark)));
   headline.answer = with_joined_percent(availability_sentence(
       availability, plan.placement, [&](std::uint32_t label) { return data.label(label).id; }));
-  headline.tone = !availability.unreachable.empty() ? Headline::Tone::no
-                  : availability.certified          ? Headline::Tone::yes
-                                                    : Headline::Tone::open;
+  headline.tone = availability.is_impossible() ? Headline::Tone::no
+                  : availability.certified     ? Headline::Tone::yes
+                                               : Headline::Tone::open;
 }
 
 std::string sampling_remark(const ReportData& data) {
@@ -132,7 +135,9 @@ Headline headline(const ReportData& data) {
   if (data.has_selection()) {
     if (std::string close = closeness_remark(data); !close.empty() && !plan.certificate && !plan.availability)
       result.remarks.insert(result.remarks.begin(), std::move(close));
-    remark(objective_sentence(placement));
+    // Its bound is that of the matrix, whatever independent samples say.
+    const std::string objective = objective_sentence(placement);
+    remark(plan.certificate && !objective.empty() ? say("headline.simulated", objective) : objective);
     remark(price_sentence(placement));
   }
   if (plan.certificate) lead_with_certificate(plan, result);

@@ -22,7 +22,7 @@ std::string objective_text(const PlacementProblem& problem) {
 }
 
 std::string joint_confidence(double confidence) {
-  return say("certificate.confidence", fmt::format("{:.6g}", 100 * confidence));
+  return say("certificate.confidence", confidence_text(confidence));
 }
 
 // " 3 labels are missed."
@@ -36,27 +36,25 @@ std::string fewer_are_not_enough(std::string_view key, std::size_t count) {
   return count <= 1 ? say(fmt::format("{}.any", key)) : say_count(key, count - 1);
 }
 
-// ", and 3 are not enough", or the certified lower bound on the count or the cost.
-std::string certified_bound(const Placement& placement, const Certificate& certificate) {
-  if (has_known_prices(placement.problem)) {
-    const double cost = placement.objective_value, bound = std::min(certificate.cost_lower_bound, cost);
-    // `verify` knows no prices.
-    const std::string spend =
-        placement.price ? say("certificate.spend", money(placement.price->to_spend, placement.price)) : "";
-    std::string total =
-        placement.problem.combination == Combination::spend ? spend : say("certificate.cost", plain(cost));
-    if (bound <= 0) return total;
-    return total +
-           (bound < cost * (1 - rounding_of_costs)
-                ? say("certificate.costs_at_least",
-                      at_least(bound, placement.problem.combination == Combination::spend ? placement.price
-                                                                                          : std::nullopt))
-                : say("certificate.no_cheaper"));
+// ", and 3 are not enough", or the certified lower bound on the count or the cost. A selection that is not
+// certain to reach all labels may be below the bound.
+std::string certified_bound(const CertifiedPlan& plan) {
+  const Placement& placement = plan.placement;
+  const auto [value, simulated, bound] = value_bounds(plan);
+  const bool is_exact = std::abs(bound - value) <= rounding_of_costs * value;
+  if (!has_known_prices(placement.problem)) {
+    if (bound == 0) return {};
+    return is_exact ? fewer_are_not_enough("certificate.fewer", placement.count())
+                    : say_count("certificate.at_least", static_cast<std::size_t>(bound));
   }
-  const std::size_t count = placement.count(), bound = std::min(certificate.count_lower_bound, count);
-  if (bound == 0) return {};
-  if (bound < count) return say(bound == 1 ? "certificate.at_least.one" : "certificate.at_least.many", bound);
-  return fewer_are_not_enough("certificate.fewer", count);
+  const bool is_spend = placement.problem.combination == Combination::spend;
+  std::string total = !is_spend         ? say("certificate.cost", plain(value))
+                      : placement.price ? say("certificate.spend", money(value, placement.price))
+                                        : std::string();
+  if (bound == 0) return total;
+  return total + (is_exact ? say("certificate.no_cheaper")
+                           : say("certificate.costs_at_least",
+                                 at_least(bound, is_spend ? placement.price : std::nullopt)));
 }
 
 std::string uncertified_objective(const PlacementProblem& problem) {
@@ -66,13 +64,15 @@ std::string uncertified_objective(const PlacementProblem& problem) {
                     : say("certificate.without_objective", objective_text(problem)));
 }
 
-std::string reached_sentence(const Placement& placement, const Certificate& certificate) {
+std::string reached_sentence(const CertifiedPlan& plan) {
+  const Placement& placement = plan.placement;
+  const Certificate& certificate = *plan.certificate;
   if (certificate.none_verified())
     return say("certificate.not_yet", units_reach(placement.count()), all_labels(certificate.labels.size()),
                failure_clause(placement.problem));
   return say("certificate.reached", units_reach(placement.count()),
              labels_reached(certificate.count(Verdict::reached), certificate.labels.size()),
-             failure_clause(placement.problem), certified_bound(placement, certificate),
+             failure_clause(placement.problem), certified_bound(plan),
              joint_confidence(certificate.confidence)) +
          other_labels("certificate.missed", certificate, Verdict::missed) +
          other_labels("certificate.undecided", certificate, Verdict::undecided) +
@@ -114,6 +114,32 @@ bool cost_is_proven(const Placement& placement) {
            placement.lower_bound >= placement.objective_value * (1 - rounding_of_costs)));
 }
 
+bool ValueBounds::is_minimum(double bound) const {
+  return bound >= value * (1 - rounding_of_costs);
+}
+
+ValueBounds value_bounds(const CertifiedPlan& plan) {
+  const Placement& placement = plan.placement;
+  const bool is_verified = plan.certificate && !plan.certificate->none_verified();
+  if (!minimises_cost(placement.problem))
+    return {static_cast<double>(placement.count()), static_cast<double>(proven_count(placement)),
+            is_verified ? static_cast<double>(plan.certificate->count_lower_bound) : 0};
+  const bool is_covered = is_verified && has_known_prices(placement.problem);
+  return {placement.objective_value,
+          cost_is_proven(placement) ? placement.objective_value : placement.lower_bound,
+          is_covered ? plan.certificate->cost_lower_bound : 0};
+}
+
+bool is_certified_minimum(const CertifiedPlan& plan) {
+  const PlacementProblem& problem = plan.placement.problem;
+  const bool is_single =
+      problem.combination == Combination::weighted ||
+      (problem.combination == Combination::lexicographic && problem.objective == Objective::count);
+  const ValueBounds bounds = value_bounds(plan);
+  return is_single && plan.certificate && plan.certificate->all_reached() &&
+         bounds.is_minimum(bounds.certified);
+}
+
 std::string money(double amount, const std::optional<Price>& price) {
   constexpr double hundredths = 100, rounding = 1e-6, max_exact = 1e15;
   const double scaled = std::round(hundredths * amount);
@@ -129,8 +155,7 @@ std::string money(double amount, const std::optional<Price>& price) {
 }
 
 std::string at_least(double bound, const std::optional<Price>& price) {
-  constexpr double hundredths = 100;
-  const double rounded = std::floor(hundredths * bound * (1 + rounding_of_costs)) / hundredths;
+  const double rounded = rounded_down(bound, 2);
   return money(rounded > 0 ? rounded : bound * (1 - 1e-6), price);
 }
 
@@ -205,7 +230,7 @@ std::string objective_sentence(const Placement& placement) {
       is_weighted ? fmt::format("objective.total.{}", state) : fmt::format("objective.secondary.{}", state);
   const std::string text =
       say(key, is_weighted ? "" : objective_text(problem), plain(placement.objective_value),
-          plain(placement.lower_bound), percent(placement.gap()));
+          plain_down(placement.lower_bound), percent(placement.gap()));
   return placement.unit_costs ? fmt::format("{} {}", text, words("objective.unit_costs")) : text;
 }
 
@@ -216,8 +241,7 @@ std::string_view status_name(Status status) {
 std::string certificate_sentence(const CertifiedPlan& plan) {
   if (!plan.certificate) return {};
   const Certificate& certificate = *plan.certificate;
-  return (plan.placement.has_selection() ? reached_sentence(plan.placement, certificate)
-                                         : out_of_reach_sentence(certificate)) +
+  return (plan.placement.has_selection() ? reached_sentence(plan) : out_of_reach_sentence(certificate)) +
          (certificate.open.empty() ? "" : " " + say("certificate.ended", certificate.open));
 }
 

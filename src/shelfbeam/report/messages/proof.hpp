@@ -24,6 +24,21 @@ bool count_is_proven(const Placement& placement);
 /// The minimised cost equals its proven lower bound.
 bool cost_is_proven(const Placement& placement);
 
+/// The value of a selection, its count or the minimised cost, with its lower bounds; 0: none.
+struct ValueBounds {
+  double value = 0;
+  double simulated = 0;  ///< proven for the simulated signals
+  double certified = 0;  ///< proven by independent samples, with the confidence of the certificate
+
+  /// A bound excludes any lower value.
+  bool is_minimum(double bound) const;
+};
+ValueBounds value_bounds(const CertifiedPlan& plan);
+
+/// The certificate leaves nothing open: all labels are reached, and the minimum is certified. No second
+/// objective remains.
+bool is_certified_minimum(const CertifiedPlan& plan);
+
 /// "1,800 EUR", "1,799.50": with two decimals unless whole (six digits if these are not enough), and the
 /// currency if there is one.
 std::string money(double amount, const std::optional<Price>& price);

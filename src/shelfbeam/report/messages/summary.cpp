@@ -8,6 +8,7 @@
 
 #include "shelfbeam/report/messages/availability.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
@@ -40,12 +41,6 @@ std::string named(const ReportData& data, const std::vector<std::uint32_t>& rows
   return is_cut ? say("summary.and_others", list) : list;
 }
 
-// On one line.
-std::string joined(std::string text) {
-  for (std::size_t at = 0; (at = text.find(' ', at)) != std::string::npos;) text.replace(at, 1, "\u00A0");
-  return text;
-}
-
 class Writer {
  public:
   explicit Writer(const ReportData& data)
@@ -56,13 +51,14 @@ class Writer {
 
   Summary with_selection() {
     summary_.answer = answer();
-    add_price();
+    if (!plan_.availability || !plan_.availability->is_impossible()) add_price();
     if (plan_.availability) {
       add_availability(*plan_.availability);
       return std::move(summary_);
     }
-    add_proof();
-    summary_.remarks.push_back(confirmation());
+    ProofRemarks proof = proof_remarks(data_);
+    if (!proof.bound.empty()) summary_.remarks.push_back(std::move(proof.bound));
+    summary_.remarks.push_back(std::move(proof.confirmation));
     if (!plan_.sensitivity) summary_.remarks.push_back(say("summary.not_examined"));
     add_achievements();
     add_risks();
@@ -101,14 +97,14 @@ class Writer {
   }
 
   std::string answer() const {
-    const std::size_t fresh = new_units(), installed = placement_.count() - fresh;
+    const std::size_t fresh = new_units(data_), installed = placement_.count() - fresh;
     std::string mount = fresh == 0 ? say_count("summary.answer.nothing", installed)
                                    : say_count("summary.answer.mount", fresh);
     if (fresh > 0 && installed > 0) mount = say_count("summary.answer.beside", installed, mount);
     const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
     if (const auto& availability = plan_.availability)
       return with_joined_percent(
-          !availability->unreachable.empty()
+          availability->is_impossible()
               ? availability_sentence(*availability, placement_, label_name())
               : say(availability->certified ? "summary.answer.often" : "summary.answer.not_certain", mount,
                     goal_text(*availability), failure));
@@ -127,21 +123,16 @@ class Writer {
   }
 
   std::string confirmation_of_obstacle() const {
-    const std::size_t missed = verified_ ? plan_.certificate->count(Verdict::missed) : 0;
-    return missed == 0 ? say("summary.unchecked") : say_count("summary.none.checked", missed, certainty());
+    if (!verified_) return say("summary.unchecked");
+    const std::size_t missed = plan_.certificate->count(Verdict::missed);
+    return missed == 0 ? say("summary.none.undecided")
+                       : say_count("summary.none.checked", missed, certainty(plan_.certificate->confidence));
   }
 
-  std::string certainty() const { return fmt::format("{:.6g}\u00A0%", 100 * plan_.certificate->confidence); }
   std::string search_time() const { return significant(placement_.seconds, 2) + "\u00A0s"; }
 
-  std::size_t new_units() const {
-    return static_cast<std::size_t>(
-        std::count_if(placement_.selected.begin(), placement_.selected.end(),
-                      [&](std::uint32_t column) { return !data_.transceiver(column).installed; }));
-  }
-
   void add_price() {
-    const std::size_t fresh = new_units();
+    const std::size_t fresh = new_units(data_);
     if (!placement_.price || fresh == 0) return;
     const Price& price = *placement_.price;
     const std::string spend = joined(money(price.to_spend, price));
@@ -157,8 +148,8 @@ class Writer {
   void add_availability(const Availability& availability) {
     if (availability.certified)
       summary_.remarks.push_back(say_count("summary.checked_states", availability.answer().states,
-                                           fmt::format("{:.6g}\u00A0%", 100 * availability.confidence)));
-    else if (availability.unreachable.empty())
+                                           certainty(availability.confidence)));
+    else if (!availability.is_impossible())
       summary_.remarks.push_back(
           with_joined_percent(availability_sentence(availability, placement_, label_name())));
     for (std::string& remark : availability_remarks(availability, placement_))
@@ -170,54 +161,6 @@ class Writer {
       summary_.risks.push_back(
           say("summary.risks.rarest", labels_by_cause(availability, rarest, label_name())));
     add_risks();
-  }
-
-  // Nothing is proven, and nothing has to be, if all units are there already.
-  void add_proof() {
-    if (data_.outcome.met < labels() || new_units() == 0 || !with(Verdict::missed).empty()) return;
-    const std::string text = minimises_cost(placement_.problem) ? proof_of_cost() : proof_of_count();
-    if (!text.empty()) summary_.remarks.push_back(text);
-  }
-
-  std::string proof_of_count() const {
-    const bool is_mixed = new_units() < placement_.count();
-    if (count_is_proven(placement_))
-      return say(is_confirmed(false)
-                     ? is_mixed ? "summary.bound.confirmed_fewer_new" : "summary.bound.confirmed_fewer"
-                 : is_mixed ? "summary.bound.fewer_new"
-                            : "summary.bound.fewer");
-    if (placement_.status == Status::feasible) return say("summary.bound.greedy");
-    const std::size_t bound = proven_count(placement_);
-    return bound == 0 ? "" : say("summary.bound.some_fewer", grouped(bound));
-  }
-
-  // The cost of `--weighted` includes installed units, and may include links or signals.
-  std::string proof_of_cost() const {
-    const bool is_spend = placement_.problem.combination == Combination::spend;
-    if (cost_is_proven(placement_))
-      return say(!is_spend            ? "summary.bound.sum"
-                 : is_confirmed(true) ? "summary.bound.confirmed_cheaper"
-                                      : "summary.bound.cheaper");
-    if (placement_.status == Status::feasible) return say("summary.bound.greedy");
-    if (!(placement_.lower_bound > 0)) return {};
-    return is_spend
-               ? say("summary.bound.some_cheaper", joined(at_least(placement_.lower_bound, placement_.price)))
-               : say("summary.bound.some_sum", at_least(placement_.lower_bound, std::nullopt));
-  }
-
-  // The independent samples prove the same bound.
-  bool is_confirmed(bool by_cost) const {
-    if (!plan_.certificate) return false;
-    constexpr double rounding = 1e-9;
-    return by_cost ? plan_.certificate->cost_lower_bound >= placement_.objective_value * (1 - rounding)
-                   : plan_.certificate->count_lower_bound >= placement_.count();
-  }
-
-  std::string confirmation() const {
-    if (!verified_) return say("summary.unchecked");
-    return plan_.certificate->all_reached() ? say("summary.checked", certainty())
-                                            : say("summary.checked_open", grouped(reached()),
-                                                  say_count("noun.label", labels()), certainty());
   }
 
   void add_achievements() {
@@ -262,7 +205,7 @@ class Writer {
       summary_.risks.push_back(
           say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
     add_materials();
-    if (placement_.status == Status::stopped && !plan_.availability)
+    if (placement_.status == Status::stopped && !plan_.availability && !is_certified_minimum(plan_))
       summary_.risks.push_back(say("summary.risks.stopped", search_time()));
     risk("summary.risks.flagged", data_.outcome.flagged_labels);
     risk("summary.risks.warnings", plan_.warnings.size());

@@ -11,7 +11,7 @@ namespace shelfbeam {
 
 namespace {
 
-std::string plan_table(const Availability& availability) {
+std::string plan_table(const Availability& availability, const PlacementProblem& problem) {
   HtmlTable table({{say("availability.column.plan"), false},
                    {say("availability.column.units")},
                    {say("availability.column.states")},
@@ -26,7 +26,10 @@ std::string plan_table(const Availability& availability) {
                    time_share(outcome.all_reached()), fixed(outcome.mean_missed(), 2)});
   };
   add(say("availability.plan.nominal"), availability.nominal);
-  add(say("availability.plan.sample"), availability.sample);
+  const char* const sample = !availability.is_sample_minimum() ? "found"
+                             : minimises_cost(problem)         ? "cheapest"
+                                                               : "fewest";
+  add(say(fmt::format("availability.plan.sample.{}", sample)), availability.sample);
   for (std::size_t k = 0; k < availability.examined.size(); ++k) {
     const bool is_certified = availability.certified && k + 1 == availability.examined.size();
     add(say(is_certified ? "availability.plan.certified" : "availability.plan.examined"),
@@ -75,7 +78,7 @@ std::string availability_section(const ReportData& data) {
   for (std::string& remark : availability_remarks(*availability, placement))
     html += paragraph(with_joined_percent(std::move(remark)));
   return html_section("availability", say("availability.title"),
-                      html + plan_table(*availability) + risk_table(data, *availability));
+                      html + plan_table(*availability, placement.problem) + risk_table(data, *availability));
 }
 
 }  // namespace shelfbeam

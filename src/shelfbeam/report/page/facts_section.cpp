@@ -7,6 +7,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/headline.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
@@ -43,15 +44,21 @@ std::string part_and_share(std::size_t part, std::size_t all) {
   return say("facts.part_share", grouped(part), grouped(all), percent(share_of(part, all)));
 }
 
+// Over states, the bounds hold with a confidence.
+std::string bound_text(const ReportData& data, const std::string& bound) {
+  const auto& availability = data.input.plan.availability;
+  return availability ? say("facts.with_confidence", bound, certainty(availability->confidence)) : bound;
+}
+
 void add_bounds(Facts& facts, const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   facts.add("facts.placement.units", grouped(placement.count()));
-  facts.add("facts.count_bound", grouped(proven_count(placement)));
+  facts.add("facts.count_bound", bound_text(data, grouped(proven_count(placement))));
   facts.add("facts.placement.count_gap", percent(count_gap(placement)));
   // With the count as the only objective, these rows would repeat the rows above.
   if (placement.problem.objective != Objective::count || minimises_cost(placement.problem)) {
     facts.add("facts.placement.value", plain(placement.objective_value));
-    facts.add("facts.placement.bound", plain(placement.lower_bound));
+    facts.add("facts.placement.bound", bound_text(data, plain_down(placement.lower_bound)));
     facts.add("facts.placement.gap", percent(placement.gap()));
   }
   facts.add("facts.placement.twice", part_and_share(data.outcome.redundant, data.outcome.labels.size()));
@@ -104,7 +111,7 @@ std::string certificate_facts(const ReportData& data) {
   if (!data.input.plan.certificate) return {};
   const Certificate& certificate = *data.input.plan.certificate;
   Facts facts("facts.certificate.title");
-  facts.add("facts.certificate.confidence", plain(100 * certificate.confidence) + "\u00A0%");
+  facts.add("facts.certificate.confidence", certainty(certificate.confidence));
   facts.add("facts.certificate.reached", certificate.none_verified()
                                              ? say("facts.certificate.not_yet")
                                              : say("facts.part", grouped(certificate.count(Verdict::reached)),
@@ -114,7 +121,7 @@ std::string certificate_facts(const ReportData& data) {
   if (certificate.count(Verdict::unverified) > 0)
     facts.add("facts.certificate.unverified", named_labels(data, Verdict::unverified));
   if (certificate.cost_lower_bound > 0)
-    facts.add("facts.certificate.cost_bound", plain(certificate.cost_lower_bound));
+    facts.add("facts.certificate.cost_bound", plain_down(certificate.cost_lower_bound));
   if (certificate.count_lower_bound > 0)
     facts.add("facts.count_bound", grouped(certificate.count_lower_bound));
   if (certificate.bound_labels > 0)

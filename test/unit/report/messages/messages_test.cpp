@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 
 #include "shelfbeam/report/messages/headline.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 
 #include "support/snapshot.hpp"
@@ -191,6 +193,48 @@ void say_certificates(Sentences& to) {
   }
 }
 
+// The remarks of the first page where the certificate proves less than the search, as much, and more, by
+// count and by price.
+void say_proofs_of_the_first_page(Sentences& to) {
+  to.heading("first page");
+  const PlacementProblem spend{.combination = Combination::spend}, sum{.combination = weighted};
+  const auto say = [&](const std::function<void(Supermarket&)>& change) {
+    Supermarket s;
+    certify(s);
+    for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::reached;
+    change(s);
+    const auto [bound, confirmation] = proof_remarks(ReportData(s.input));
+    to.say(fmt::format("{}{}{}", bound, bound.empty() ? "" : " ", confirmation));
+  };
+  for (const double simulated : {8.0, 6.0})
+    for (const std::size_t certified : {8U, 7U, 6U, 5U})
+      say([=](Supermarket& s) {
+        if (simulated < 8) s.placement.status = Status::stopped;
+        s.placement.count_lower_bound = simulated;
+        s.plan.certificate->count_lower_bound = certified;
+      });
+  for (const PlacementProblem& problem : {spend, sum})
+    for (const auto& [simulated, certified] :
+         {std::pair(1100.0, 1020.0), {1070.0, 1020.0}, {1020.0, 1070.0}, {1070.0, 1100.0}})
+      say([=](Supermarket& s) {
+        s.placement.problem = problem;
+        s.placement.status = Status::stopped;
+        s.placement.objective_value = 1100;
+        s.placement.lower_bound = simulated;
+        s.placement.price = Price{"EUR", 1100, 1100};
+        s.plan.certificate->cost_lower_bound = certified;
+        s.plan.certificate->count_lower_bound = 0;
+      });
+  say([](Supermarket& s) { s.placement.status = Status::feasible, s.placement.count_lower_bound = 3; });
+  say([](Supermarket& s) { s.plan.certificate->labels[3].verdict = Verdict::undecided; });
+  say([](Supermarket& s) { s.plan.certificate->labels[3].verdict = Verdict::missed; });
+  say([](Supermarket& s) { s.matrix.transceivers[s.placement.selected[0]].installed = true; });
+  say([](Supermarket& s) {
+    s.plan.certificate.reset();
+    s.placement.status = Status::stopped, s.placement.count_lower_bound = 6;
+  });
+}
+
 void find_nothing(Supermarket& s, Status status, std::vector<Unreachable> unreachable = {}) {
   s.placement = {};
   s.placement.status = status;
@@ -250,6 +294,7 @@ TEST(Messages, EqualTheSnapshot) {
   say_prices(said);
   say_what_is_out_of_reach(said);
   say_certificates(said);
+  say_proofs_of_the_first_page(said);
   say_headlines(said);
   test::expect_snapshot(said.text(), "messages.txt");
 }

@@ -122,9 +122,12 @@ TEST(Summary, StatesPriceProofAndVerification) {
   EXPECT_TRUE(
       contains(s, "A second, independent simulation confirms 888 of 926 labels with 95\u00A0% certainty"));
   for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::reached;
-  EXPECT_TRUE(contains(s, "A second, independent simulation confirms this with 95\u00A0% certainty."));
+  EXPECT_TRUE(contains(s, "A second, independent simulation confirms all 926 labels, and that at least " +
+                              std::to_string(s.placement.count() - 1) +
+                              " transceivers are necessary, with 95\u00A0% certainty."));
   s.plan.certificate->count_lower_bound = s.placement.count();
   EXPECT_TRUE(contains(s, "Fewer are not enough.\n"));
+  EXPECT_TRUE(contains(s, "A second, independent simulation confirms this with 95\u00A0% certainty."));
   for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::unverified;
   EXPECT_TRUE(contains(s, "Not verified yet"));
   EXPECT_FALSE(contains(s, "0 of 926"));
