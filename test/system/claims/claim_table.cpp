@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "system/claims/sentences.hpp"
+#include "system/claims/claim_conditions.hpp"
 
 namespace shelfbeam::test {
 
