@@ -157,9 +157,17 @@ std::vector<Claim> first_page() {
   const auto all = [](T t) { return t("confirmed") == t("labels"); };
   const auto some = [](T t) { return t("confirmed") < t("labels"); };
   std::vector<Claim> claims{
-      {"verdict.certified.yes", {}, [](T t) { return is(t, "certificate") && is(t, "settled"); }},
-      {"verdict.certified.open", {}, [](T t) { return is(t, "certificate") && t("missed") == 0; }},
-      {"verdict.certified.no", {}, [](T t) { return t("missed") > 0 || !is(t, "certificate"); }},
+      {"verdict.certified.yes",
+       {},
+       [](T t) { return is(t, is(t, "over states") ? "certified states" : "settled"); }},
+      {"verdict.certified.open",
+       {},
+       [](T t) {
+         return is(t, "over states") ? !is(t, "certified states") : !is(t, "settled") && t("missed") == 0;
+       }},
+      {"verdict.certified.no",
+       {},
+       [](T t) { return is(t, "over states") ? is(t, "impossible") : t("missed") > 0; }},
       {"verdict.uncertified.yes", {}, [](T t) { return !is(t, "certificate") && is(t, "simulated holds"); }},
       {"verdict.uncertified.uncertain",
        {"?"},

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/placement/problem/spend.hpp"
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/plan/plan.hpp"
 #include "shelfbeam/transport/run/prepared_scene.hpp"
@@ -105,25 +106,33 @@ PlannedStore planned_store(std::uint32_t number) {
   return planned;
 }
 
-PlannedStore planned_for_states(std::uint32_t number) {
-  const KnownStates shop(number % 2 == 0 ? KnownStates::Pallets{{{0.03, 0.03}, {0.055, 0.055}, {0.01, 0.2}}}
-                                         : KnownStates::Pallets{{{0.03, 0.03}, {0.4, 0.4}, {0.01, 0.2}}});
-  PlannedStore planned{fmt::format("shop {}", number), make_scene(shop.store()), {}, {}, {}};
-  const SimulationOptions simulation = KnownStates::simulation(number);
-  planned.matrix = simulate(planned.scene, simulation).matrix;
-  planned.table = make_signal_table(planned.matrix);
-  if (number % 4 >= 2) set_prices(planned.table);
+PlannedStore planned_for_states() {
+  const KnownStates shop({{{0.03, 0.03}, {0.055, 0.055}, {0.01, 0.2}}});
+  PlannedStore planned{"shop", make_scene(shop.store()), {}, {}, {}};
   StatesOptions options;
-  options.simulation = simulation;
-  options.confidence = number % 3 == 0 ? 0.95 : 0.99;
-  PlacementProblem problem;
-  if (number % 4 >= 2) problem.combination = Combination::spend;
+  options.simulation = KnownStates::simulation(1);
+  options.confidence = 0.95;
+  // A share that few states decide.
+  options.sample = 30;
+  options.goal = {AvailabilityRule::labels, 0.8};
+  planned.matrix = simulate(planned.scene, options.simulation).matrix;
+  planned.table = make_signal_table(planned.matrix);
   ResultLog log({}, {}, false, 0);
   PlanOverStates found = plan_over_states(shop.store(), planned.scene, planned.table,
-                                          place(planned.table, problem, {}), options, log);
+                                          place(planned.table, {}, {}), options, log);
   planned.plan.placement = std::move(found.placement);
   planned.plan.availability = std::move(found.availability);
   return planned;
+}
+
+void put_prices(PlannedStore& store) {
+  set_prices(store.table);
+  Placement& placement = store.plan.placement;
+  placement.problem.combination = Combination::spend;
+  placement.price = price_of(store.table, placement.selected);
+  placement.objective_value = placement.price->to_spend;
+  Availability& found = *store.plan.availability;
+  found.sample_value = price_of(store.table, found.sample_selected).to_spend;
 }
 
 }  // namespace shelfbeam::test

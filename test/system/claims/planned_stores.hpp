@@ -14,6 +14,9 @@ namespace shelfbeam::test {
 PlannedStore planned_store(std::uint32_t number);
 
 /// A plan for a shop that changes.
-PlannedStore planned_for_states(std::uint32_t number);
+PlannedStore planned_for_states();
+
+/// Makes it a plan by spend, with the same units.
+void put_prices(PlannedStore& store);
 
 }  // namespace shelfbeam::test
