@@ -14,8 +14,6 @@
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
-#include "support/processor_time.hpp"
-
 // Stores with one mistake each. A planner must hear of it before any simulation.
 
 namespace shelfbeam {
@@ -102,29 +100,6 @@ TEST(Mistakes, ChecksCanBeCancelled) {
   EXPECT_THROW(warn_of_labels(inspected, warnings), Interrupted);
   EXPECT_THROW(warn_of_units(inspected, warnings), Interrupted);
   EXPECT_THROW(warn_of_separated(inspected, warnings), Interrupted);
-}
-
-// Ten thousand boxes at one place, and labels beside them.
-TEST(Mistakes, ChecksOfCrowdedPlacesEnd) {
-  test::Json store = test::good_store();
-  store["fixtures"].push_back({{"type", "box"},
-                               {"id", "crowd {n}"},
-                               {"at", {9, 6, 0}},
-                               {"size", {0.5, 0.5, 0.5}},
-                               {"rotation_deg", 45},
-                               {"material", "wall"},
-                               {"repeat", {{"count", 10'000}, {"step", {1e-5, 0}}}}});
-  for (int k = 0; k < 20'000; ++k)
-    store["labels"].push_back({{"id", std::to_string(k)},
-                               {"position", {9.0, 5.99, 0.3}},
-                               {"normal", {0, -1, 0}},
-                               {"type", "shelf"}});
-  const test::ProcessorTime time;
-  const std::vector<std::string> warnings =
-      make_inspected_scene(parse_store(store.dump(), "store.json", SHELFBEAM_SOURCE_DIR "/examples/chiller"))
-          .warnings;
-  EXPECT_THAT(warnings, testing::Contains(testing::HasSubstr("too many fixtures lie")));
-  EXPECT_LT(time.seconds(), 60);  // 5 s; minutes before
 }
 
 TEST(Mistakes, ExamplesHaveNone) {

@@ -1,0 +1,28 @@
+#include "shelfbeam/scene/build/blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/scene/store/list_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+// Checks of thousands of labels beside thousands of blocks at one place would take minutes.
+TEST(Blocks, EndAfterAGivenNumberOfVisits) {
+  const test::Json store = test::store_with(R"([{"type": "box", "id": "B{n}", "at": [1, 1, 0],
+    "size": [0.5, 0.5, 0.5], "rotation_deg": 45, "material": "steel", "repeat": {"count": 1000, "step": 0.00001}}])");
+  const Scene scene = make_scene(test::read(store));
+  const Vec3 within{1, 1.3, 0.2}, beside{0.8, 1.02, 0.2};
+  const Blocks all(scene), few(scene, 5000);
+  for (int k = 0; k < 20; ++k) {
+    EXPECT_TRUE(all.next(within, {0, 0, 1}));
+    EXPECT_FALSE(all.contain(beside)) << "within the bounds of all blocks only";
+    EXPECT_EQ(few.next(within, {0, 0, 1}).has_value(), k < 5);
+    EXPECT_EQ(few.is_exhausted(), k >= 4);
+  }
+  EXPECT_FALSE(all.is_exhausted());
+  EXPECT_TRUE(few.contain(beside)) << "so that no check reports anything";
+}
+
+}  // namespace
+}  // namespace shelfbeam
