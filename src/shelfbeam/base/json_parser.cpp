@@ -164,11 +164,19 @@ std::string first_line(std::string_view text, const std::string& name, const Pre
   return fmt::format("{}: line {}", name, line);
 }
 
+// A picture or an HDF5 file is not a text with a fault to correct.
+bool begins_like_json(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos &&
+         std::string_view("{[/").find(text[first]) != std::string_view::npos;
+}
+
 // The parser would take a null character for the end. Null characters at the end are those of padding.
 std::string_view without_nulls(std::string_view text, const std::string& name) {
   text = text.substr(0, text.find_last_not_of(std::string_view("\0 \t\r\n", 5)) + 1);
   const auto has_null = [](std::string_view part) { return part.find('\0') != std::string_view::npos; };
-  if (has_null(text)) throw InputError(first_line(text, name, has_null), "has a null character", "remove it");
+  if (begins_like_json(text) && has_null(text))
+    throw InputError(first_line(text, name, has_null), "has a null character", "remove it");
   return text;
 }
 
@@ -189,7 +197,8 @@ Node parse_strictly(std::string_view text, const std::string& name) {
         "correct the number");
   } catch (const Node::exception& error) {
     const auto is_foreign = [](std::string_view line) { return !is_utf8(line); };
-    if (is_foreign(text)) throw InputError(first_line(text, name, is_foreign), "is not UTF-8", save_as_utf8);
+    if (begins_like_json(text) && is_foreign(text))
+      throw InputError(first_line(text, name, is_foreign), "is not UTF-8", save_as_utf8);
     throw InputError(name, "is not valid JSON (" + shortened(parser_message(error), longest_message) + ")",
                      "correct the syntax");
   }

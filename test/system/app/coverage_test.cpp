@@ -53,7 +53,7 @@ TEST_F(Coverage, IsDescribed) {
        "that none reaches more than 66.7 %.\n  infeasible; "},
       1);
   expect("--curve --weights @weights.csv", {"  units   weight reached: at least   at most\n",
-                                            "      1                     73.7 %    73.7 %\n"});
+                                            "      1                     73.6 %    73.7 %\n"});
 }
 
 TEST_F(Coverage, IsWritten) {

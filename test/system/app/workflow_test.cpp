@@ -277,7 +277,7 @@ TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
   // The curve contains a better placement than the greedy one, and proves that none is better.
   expect("@m.csv --solver greedy --curve",
          {"2 transceivers reach all 6 labels (cooperative); it is proven that 1 is not enough.\n",
-          "      1                     66.7 %    66.7 %\n"});
+          "      1                     66.6 %    66.7 %\n"});
   expect("@m.csv --threshold 2 --curve", {"'--at-most K'"}, 1);
   expect("@m.csv --at-most 1",
          {"1 transceiver reaches 4 of 6 labels, 66.7 % (cooperative); it is proven that no single "
