@@ -138,7 +138,8 @@ function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
   );
   equal(curve.length, placement.curve.length, "points of the curve");
   placement.curve.forEach(({ units, at_least, at_most }, k) => {
-    const ends = [at_least, at_most].flatMap((met) => [(100 * met) / labels.length, String(met)]);
+    const tenths = (met, round) => round((1000 * met) / labels.length) / 10; // to the safe side
+    const ends = [tenths(at_least, Math.floor), String(at_least), tenths(at_most, Math.ceil), String(at_most)];
     cellsAre(curve[k], [String(units), ...ends], "point of the curve");
   });
 }

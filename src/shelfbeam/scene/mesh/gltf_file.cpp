@@ -39,16 +39,16 @@ struct Component {
   double largest = 0;  // represents 1 in normalized numbers; 0: never normalized
 };
 constexpr std::int64_t first_component = 5120;
-constexpr std::array<Component, 7> components{{{1, number_at<std::int8_t>, 127},
-                                               {1, number_at<std::uint8_t>, 255},
-                                               {2, number_at<std::int16_t>, 32767},
-                                               {2, number_at<std::uint16_t>, 65535},
-                                               {},
-                                               {4, number_at<std::uint32_t>},
-                                               {4, number_at<float>}}};
+constexpr std::array<Component, 7> component_types{{{1, number_at<std::int8_t>, 127},
+                                                    {1, number_at<std::uint8_t>, 255},
+                                                    {2, number_at<std::int16_t>, 32767},
+                                                    {2, number_at<std::uint16_t>, 65535},
+                                                    {},
+                                                    {4, number_at<std::uint32_t>},
+                                                    {4, number_at<float>}}};
 
 const Component& component_of(std::int64_t type) {
-  return components[static_cast<std::size_t>(type - first_component)];
+  return component_types[static_cast<std::size_t>(type - first_component)];
 }
 
 struct Chunks {

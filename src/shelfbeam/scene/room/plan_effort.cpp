@@ -24,7 +24,7 @@ bool is_beyond_an_edge(const Polygon& one, const Polygon& other) {
   const double turn = signed_area(one) > 0 ? 1 : -1;
   bool is_beyond = false;
   each_edge(one, [&](const Edge& edge) {
-    const auto& [a, b] = edge;
+    const Vec2 &a = edge[0], &b = edge[1];
     is_beyond = is_beyond || std::all_of(other.begin(), other.end(), [&](const Vec2& p) {
                   return turn * ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])) <= 0;
                 });
