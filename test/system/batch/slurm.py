@@ -124,12 +124,12 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         lines = self.run("squeue", "-h", "-r", "-o", "%i %T").splitlines()
         return [tuple(line.split()) for line in lines]
 
-    def wait(self, is_true, purpose, seconds=60):
+    def wait(self, is_true, purpose, seconds=60, pause=0.1):
         end = time.monotonic() + seconds
         while not is_true():
             if time.monotonic() > end:
                 raise TimeoutError(f"{purpose}: nothing within {seconds} s\n{self.logs()}")
-            time.sleep(0.1)
+            time.sleep(pause)
 
     def logs(self):
         return "\n".join(f"{path.name}:\n{path.read_text(errors='replace')[-3000:]}" for path in self.folder.glob("*.out"))

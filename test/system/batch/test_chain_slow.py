@@ -85,7 +85,8 @@ class Disturbed(unittest.TestCase):
             logs = "".join(path.read_text() for path in (results / "slurm").glob("*.log"))
             return "stopped early: repeat the command with '--resume' to continue" in logs
 
-        cluster.wait(has_stopped, "a task that is stopped", 300)
+        # A task that is stopped again and again before it can handle signals would use up its restarts.
+        cluster.wait(has_stopped, "a task that is stopped", 300, pause=0.7)
         cluster.wait(lambda: not cluster.jobs(), "the results", 600)
         self.assertEqual(chain.differences(results, self.whole), [], cluster.logs())
 
