@@ -152,13 +152,9 @@ class EulumdatReader {
   std::vector<double> intensities(double c, std::size_t count, double factor) {
     std::vector<double> values;
     values.reserve(std::min(count, lines_.remaining()));
-    for (std::size_t k = 0; k < count; ++k) {
-      const double value = number(fmt::format("an intensity of the C-plane {}", std::fmod(c, 360)));
-      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "it must not be negative");
-      values.push_back(value * factor);
-      if (!std::isfinite(values.back()))
-        lines_.fail("an intensity is not finite", "check the intensities and the conversion factor");
-    }
+    for (std::size_t k = 0; k < count; ++k)
+      values.push_back(
+          lines_.intensity(number(fmt::format("an intensity of the C-plane {}", std::fmod(c, 360))), factor));
     return values;
   }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -176,12 +175,7 @@ class IesReader {
   std::vector<double> read_intensities(double horizontal) {
     std::vector<double> values =
         record(verticals_, fmt::format("the intensities at horizontal angle {}", horizontal));
-    for (double& value : values) {
-      if (value < 0) lines_.fail(fmt::format("an intensity is {}", value), "it must not be negative");
-      value *= factor_;
-      if (!std::isfinite(value))
-        lines_.fail("an intensity is not finite", "check the intensities and the multiplier");
-    }
+    for (double& value : values) value = lines_.intensity(value, factor_);
     return values;
   }
 

@@ -17,6 +17,7 @@ constexpr std::size_t max_text_bytes = 64'000'000;  // measured files have a few
 
 // A table beyond these limits is not a measurement, and scaling it could overflow.
 constexpr double min_integral = 1e-15, largest_integral = 1e15;
+constexpr double largest_intensity = 1e30;  // the integral of a table is finite
 
 }  // namespace
 
@@ -63,6 +64,15 @@ void PhotometricLines::expect_end(std::string_view rest) {
   }
   fail(next_, fmt::format("the file continues after its last intensity with {}", in_quotes(rest)),
        "check its counts; a file contains one luminaire");
+}
+
+double PhotometricLines::intensity(double value, double factor) const {
+  if (value < 0) fail(fmt::format("an intensity is {}", value), "it must not be negative");
+  const double scaled = value * factor;
+  if (!(scaled <= largest_intensity))
+    fail(fmt::format("an intensity is {:.3g}", scaled),
+         "check the intensities and the factors in the head of the file");
+  return scaled;
 }
 
 DirectionTable PhotometricLines::checked(DirectionTable table) const {

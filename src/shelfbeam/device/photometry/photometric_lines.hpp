@@ -41,6 +41,9 @@ class PhotometricLines {
   /// the current line that has not been read.
   void expect_end(std::string_view rest = {});
 
+  /// An intensity of the file times the factors of its head. Throws if it is negative or too large.
+  double intensity(double value, double factor) const;
+
   /// Throws unless the table can be scaled to a flux.
   DirectionTable checked(DirectionTable table) const;
 
