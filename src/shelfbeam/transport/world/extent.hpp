@@ -21,7 +21,17 @@ inline Bounds extent(const Scene& scene) {
 struct RayCoordinates {
   Vec3 centre;
   double largest = 0;
+
+  /// Rounding error of the largest coordinate.
+  double rounding() const { return largest / (1 << 24); }
+  /// Offsets of rays: at the start from a surface, and at the end from the target, whose surface a ray may
+  /// meet at a grazing angle. A quarter of either suffices in all tests.
+  double start() const { return 16 * rounding(); }
+  double end() const { return 64 * rounding(); }
 };
+
+/// Two solids that overlap by up to this length count as touching, m; a solid and a sheet by half of it.
+constexpr double max_overlap = 3e-5;
 
 inline RayCoordinates ray_coordinates(const Scene& scene) {
   const Bounds box = extent(scene);

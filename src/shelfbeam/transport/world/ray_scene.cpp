@@ -31,14 +31,9 @@ struct Release {
 using Device = std::unique_ptr<std::remove_pointer_t<RTCDevice>, Release>;
 using EmbreeScene = std::unique_ptr<std::remove_pointer_t<RTCScene>, Release>;
 
-// Single-precision rounding error of a coordinate, relative to the largest coordinate.
-constexpr double rounding = 1.0 / (1 << 24);
-// Offsets of rays in multiples of this error: at the start from a surface, and at the end from the target,
-// whose surface a ray may meet at a grazing angle. A quarter of either suffices in all tests.
-constexpr double steps = 16, end_steps = 64;
-// Surfaces within this reach of glass are ordered by Contacts: in multiples of this error, and at least.
+// Surfaces within this reach of glass are ordered by Contacts: in multiples of the rounding error of rays,
+// and at least.
 constexpr double reach_steps = 200, min_reach = 5e-5;  // m
-constexpr double max_overlap = 3e-5;                   // m, of two solids that count as touching
 
 using Stack = std::vector<Contacts::Crossing>;
 
@@ -260,14 +255,13 @@ struct RayScene::Impl {
 };
 
 RayScene::RayScene(const Scene& scene, double enlargement) {
-  const auto [centre, largest] = ray_coordinates(scene);
-  const double unit = rounding * largest;
-  auto impl = std::make_unique<Impl>(
-      Impl{.centre = centre,
-           .step = steps * unit,
-           .end = end_steps * unit,
-           .contacts = Contacts(
-               scene, {std::max(min_reach * enlargement, reach_steps * unit), max_overlap * enlargement})});
+  const RayCoordinates coordinates = ray_coordinates(scene);
+  auto impl = std::make_unique<Impl>(Impl{
+      .centre = coordinates.centre,
+      .step = coordinates.start(),
+      .end = coordinates.end(),
+      .contacts = Contacts(scene, {std::max(min_reach * enlargement, reach_steps * coordinates.rounding()),
+                                   max_overlap * enlargement})});
   end_ = impl->end;
   for (const NamedMaterial& named : scene.materials) {
     const auto* pane = std::get_if<ThinDielectric>(&named.material);
@@ -279,9 +273,9 @@ RayScene::RayScene(const Scene& scene, double enlargement) {
   if (!impl->device) throw std::runtime_error("Embree does not support this processor");
   for (std::uint32_t t = 0; t < scene.mesh.triangles.size(); ++t)
     (impl->pane[scene.mesh.materials[t].value] ? impl->panes : impl->opaque).add(scene.mesh, t);
-  impl->opaque.scene = build(impl->device.get(), scene.mesh, centre, impl->opaque.triangles);
+  impl->opaque.scene = build(impl->device.get(), scene.mesh, impl->centre, impl->opaque.triangles);
   if (!impl->panes.triangles.empty())
-    impl->panes.scene = build(impl->device.get(), scene.mesh, centre, impl->panes.triangles);
+    impl->panes.scene = build(impl->device.get(), scene.mesh, impl->centre, impl->panes.triangles);
   impl_ = std::move(impl);
 }
 

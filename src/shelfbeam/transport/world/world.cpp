@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
 
 #include "shelfbeam/transport/world/extent.hpp"
+#include "shelfbeam/transport/world/pane_devices.hpp"
 
 namespace shelfbeam {
 
@@ -33,17 +35,7 @@ double largest_extent(const Scene& scene) {
   return std::max({size.x, size.y, size.z});
 }
 
-}  // namespace
-
-double enlargement(const Scene& scene) {
-  const double extent = largest_extent(scene);
-  if (!(extent > 0) || extent >= large_enough) return 1;
-  return std::ldexp(1.0, exponent_wanted - std::ilogb(extent));
-}
-
-std::optional<Scene> enlarged(const Scene& scene) {
-  const double factor = enlargement(scene);
-  if (factor == 1) return std::nullopt;
+Scene times(const Scene& scene, double factor) {
   Scene large = scene;
   large.lower = large.lower * factor;
   large.upper = large.upper * factor;
@@ -59,6 +51,28 @@ std::optional<Scene> enlarged(const Scene& scene) {
   }
   large.parts.clear();  // for drawings only
   return large;
+}
+
+}  // namespace
+
+double enlargement(const Scene& scene) {
+  const double extent = largest_extent(scene);
+  if (!(extent > 0) || extent >= large_enough) return 1;
+  return std::ldexp(1.0, exponent_wanted - std::ilogb(extent));
+}
+
+std::optional<Scene> enlarged(const Scene& scene) {
+  std::optional<Scene> own;
+  const double factor = enlargement(scene);
+  if (factor != 1) own = times(scene, factor);
+  const Scene& now = own ? *own : scene;
+  constexpr double margin = 1.25;
+  if (auto devices = devices_off_panes(now, margin * ray_coordinates(now).end(), max_overlap / 2 * factor)) {
+    if (!own) own = scene;
+    own->labels = std::move(devices->labels);
+    own->transceivers = std::move(devices->transceivers);
+  }
+  return own;
 }
 
 }  // namespace shelfbeam

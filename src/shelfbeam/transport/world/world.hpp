@@ -13,12 +13,12 @@
 
 namespace shelfbeam {
 
-/// A scene smaller than 1 m, enlarged to 4 to 8 m, with all intensities multiplied by the square of the
-/// factor. Every signal stays the same, because (2.14) is a sum of I cos cos / d^2 over surfaces whose areas
-/// scale as d^2. The factor is a power of two, so nothing is rounded. No value for a scene of 1 m or more.
+/// A scene smaller than 1 m, enlarged to 4 to 8 m by a power of two, with all intensities multiplied by its
+/// square: signals stay the same, because (2.14) is a sum of I cos cos / d^2 over surfaces whose areas scale
+/// as d^2. Lengths that estimators choose for stores, such as the half-metre cells of the radiance cache,
+/// then also suit a box of some millimetres.
 ///
-/// Lengths that estimators choose for stores, such as the half-metre cells of the radiance cache, then also
-/// suit a box of some millimetres.
+/// Labels and units are off panes (devices_off_panes). No value for a scene that remains as it is.
 std::optional<Scene> enlarged(const Scene& scene);
 
 /// This factor, 1 for a scene of 1 m or more.

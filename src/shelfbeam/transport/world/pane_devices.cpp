@@ -1,0 +1,79 @@
+#include "shelfbeam/transport/world/pane_devices.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "shelfbeam/math/box_index.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+class Panes {
+ public:
+  Panes(const Scene& scene, double distance, double overlap) : distance_(distance), overlap_(overlap) {
+    const TriangleMesh& mesh = scene.mesh;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (!std::holds_alternative<ThinDielectric>(scene.materials[mesh.materials[t].value].material))
+        continue;
+      auto& corners = triangles_.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.vertices[mesh.triangles[t][k]];
+    }
+    std::vector<Bounds> boxes(triangles_.size());
+    for (std::size_t t = 0; t < boxes.size(); ++t)
+      for (const Vec3& corner : triangles_[t]) boxes[t].include(corner);
+    index_ = BoxIndex(std::move(boxes));
+  }
+
+  bool is_empty() const { return triangles_.empty(); }
+
+  /// Moves a position off the panes near it. Returns whether there are any.
+  bool clear(Vec3& position, const Vec3& axis) const {
+    bool is_moved = false;
+    index_.any(Bounds{position, position}.wider_by(distance_), [&](std::uint32_t t) {
+      is_moved = clear(triangles_[t], position, axis) || is_moved;
+      return false;
+    });
+    return is_moved;
+  }
+
+ private:
+  using Triangle = std::array<Vec3, 3>;
+
+  bool clear(const Triangle& pane, Vec3& position, const Vec3& axis) const {
+    const auto& [a, b, c] = pane;
+    const Vec3 whole = cross(b - a, c - a), p = position - a;
+    const double u = dot(cross(p, c - a), whole), v = dot(cross(b - a, p), whole);
+    constexpr double rounding = 1e-9;
+    const double area = length_squared(whole), slack = rounding * area;
+    if (!(area > 0) || u < -slack || v < -slack || u + v > area + slack) return false;
+    Vec3 ahead = whole / std::sqrt(area);
+    const double facing = dot(ahead, axis);
+    if (facing < 0) ahead = -ahead;
+    const double beyond = std::abs(facing) > rounding ? overlap_ : 0, height = dot(p, ahead);
+    if (!(std::abs(height) < distance_)) return false;
+    position = position + ahead * ((height < -beyond ? -distance_ : distance_) - height);
+    return true;
+  }
+
+  double distance_, overlap_;
+  std::vector<Triangle> triangles_;
+  BoxIndex index_{{}};
+};
+
+}  // namespace
+
+std::optional<Devices> devices_off_panes(const Scene& scene, double distance, double overlap) {
+  const Panes panes(scene, distance, overlap);
+  if (panes.is_empty()) return std::nullopt;
+  Devices devices{scene.labels, scene.transceivers};
+  bool is_moved = false;
+  for (Label& label : devices.labels) is_moved = panes.clear(label.position, label.normal) || is_moved;
+  for (Transceiver& unit : devices.transceivers) is_moved = panes.clear(unit.position, unit.axis) || is_moved;
+  return is_moved ? std::optional(std::move(devices)) : std::nullopt;
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// The labels and units of a scene.
+struct Devices {
+  std::vector<Label> labels;
+  std::vector<Transceiver> transceivers;
+};
+
+/// The devices with those that touch a pane moved away from it by `distance`, at which rays can tell on which
+/// side they are. A device on a pane, or beyond it by up to `overlap`, is in front of it: it looks away from
+/// the pane. No value if no device touches a pane.
+std::optional<Devices> devices_off_panes(const Scene& scene, double distance, double overlap);
+
+}  // namespace shelfbeam
