@@ -18,6 +18,7 @@
 #include "shelfbeam/transport/world/world.hpp"
 
 #include "physics/bare_scene.hpp"
+#include "support/processor_time.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -269,6 +270,27 @@ TEST(Contacts, NarrowGapsCount) {
       EXPECT_LE(best_difference(touching), 0.02) << describe(touching);
     }
   });
+}
+
+// A detailed mesh on a pane: 80,000 triangles, of which each would ask on which side its solid lies.
+TEST(Contacts, OfDetailedMeshesTakeLimitedTime) {
+  test::BareScene bare;
+  const MaterialId pane = bare.material(make_thin_dielectric(1.5, 0, 0)),
+                   paint = bare.material(Lambertian{0.5});
+  bare.quad(pane, {0, 0, 1}, {4, 0, 0}, {0, 4, 0});
+  constexpr int side = 200;
+  constexpr double size = 4.0 / side;
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y) bare.quad(paint, {x * size, y * size, 1}, {size, 0, 0}, {0, size, 0});
+  const test::ProcessorTime time;
+  const RayScene rays(bare.scene);
+  EXPECT_LT(time.seconds(), 20);  // 0.7 s; 60 s without a limit
+  for (const double z : {0.0, 2.0}) {
+    const Vec3 from{1.23, 2.34, z}, way{0, 0, z > 1 ? -1.0 : 1.0};
+    const auto first = rays.intersect({from, way}, way);
+    ASSERT_TRUE(first);
+    EXPECT_EQ(first->material, z > 1 ? paint : pane) << "the order of the scene, seen from below";
+  }
 }
 
 }  // namespace
