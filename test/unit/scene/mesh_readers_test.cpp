@@ -139,10 +139,36 @@ TEST(MeshReaders, MarksEncodingsAndLineEnds) {
 }
 
 TEST(MeshReaders, PlyTextBehindTheLastElementIsReported) {
-  const auto warnings =
-      test::file_warnings(read_mesh("a.ply", test::ply(test::tetrahedron(), false) + "\n3 0 1 2\n"));
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("'a.ply' continues after the last element"), std::string::npos) << warnings[0];
+  for (const bool is_binary : {false, true}) {
+    const auto warnings =
+        test::file_warnings(read_mesh("a.ply", test::ply(test::tetrahedron(), is_binary) + "\n3 0 1 2\n"));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("'a.ply' continues after the last element"), std::string::npos) << warnings[0];
+  }
+}
+
+// Surfaces in other forms than faces are refused, because the mesh would lack them.
+TEST(MeshReaders, OtherSurfacesAreRefused) {
+  const std::string good = test::obj(test::tetrahedron());
+  for (const std::string statement : {"surf 0 1 0 1 1 2 3 4", "call other.obj"})
+    expect_input_error([&] { read_mesh("a.obj", good + statement + "\n"); }, "a.obj'",
+                       "'" + statement.substr(0, 4) + "' adds surfaces");
+  EXPECT_NO_THROW(read_mesh("a.obj", good + "l 1 2\np 1\ncurv 0 1 1 2\n"));
+  std::string strips = test::ply(test::tetrahedron(), false);
+  strips.insert(strips.find("end_header"), "element tristrips 1\nproperty list int int vertex_indices\n");
+  expect_input_error([&] { read_mesh("a.ply", strips + "4 0 1 2 3\n"); }, "line 11", "triangle strips");
+}
+
+TEST(MeshReaders, PatternsAndNamesAreLimited) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  constexpr std::size_t count = 2000;
+  for (std::size_t k = 0; k < count; ++k)
+    text += "usemtl " + std::string(1000, 'a') + std::to_string(k) + "\nf 1 2 3\n";
+  test::Json patterns{{"*", "tile"}};
+  EXPECT_NO_THROW(read_mesh("a.obj", text, patterns));
+  patterns["*" + std::string(500, 'b')] = "tile";
+  expect_input_error([&] { read_mesh("a.obj", text, patterns); }, "patterns with 504 characters",
+                     "at most 1,000,000,000");
 }
 
 // Found by fuzzing: the previous library for these files ended the program.

@@ -39,6 +39,7 @@ constexpr auto harmless = std::to_array<std::string_view>({"ADOBE_materials_*",
                                                            "EXT_structural_metadata",
                                                            "EXT_texture_*",
                                                            "FB_geometry_metadata",
+                                                           "FB_ngon_encoding",
                                                            "GODOT_single_root",
                                                            "GRIFFEL_bim_data",
                                                            "KHR_animation*",
@@ -49,6 +50,7 @@ constexpr auto harmless = std::to_array<std::string_view>({"ADOBE_materials_*",
                                                            "KHR_data_sizes",
                                                            "KHR_environment_map",
                                                            "KHR_implicit_shapes",
+                                                           "KHR_interactivity",
                                                            "KHR_lights*",
                                                            "KHR_materials_*",
                                                            "KHR_node_hoverability",
@@ -72,9 +74,10 @@ constexpr auto harmless = std::to_array<std::string_view>({"ADOBE_materials_*",
 
 // They move or add surfaces, or store positions in another way.
 constexpr auto changing = std::to_array<std::string_view>(
-    {"AGI_articulations", "CESIUM_RTC", "CESIUM_tile_edges", "EXT_implicit_*", "EXT_mesh_primitive_restart",
-     "EXT_primitive_voxels", "KHR_accessor_float*", "KHR_billboard", "KHR_gaussian_splatting*",
-     "KHR_instancing", "KHR_mesh_primitive_restart", "MPEG_*", "WEB3D_quantized_attributes"});
+    {"AGI_articulations", "BENTLEY_primitive_restart", "CESIUM_RTC", "CESIUM_tile_edges", "EXT_implicit_*",
+     "EXT_mesh_primitive_restart", "EXT_primitive_voxels", "KHR_accessor_float*", "KHR_billboard",
+     "KHR_gaussian_splatting*", "KHR_instancing", "KHR_mesh_primitive_restart", "MPEG_*",
+     "WEB3D_quantized_attributes"});
 
 template <class List>
 bool has(const List& list, const std::string& name) {

@@ -58,6 +58,22 @@ MeshPiece piece_of(const MeshTriangles::OfMaterial& part, bool y_is_up) {
   return piece;
 }
 
+// Each pattern is compared with each name, in a time of up to the product of their lengths.
+void expect_few_comparisons(const MeshTriangles& triangles,
+                            const std::vector<std::pair<std::string, MaterialId>>& materials,
+                            const std::filesystem::path& file, const std::string& where) {
+  constexpr std::size_t most = 1'000'000'000;
+  std::size_t patterns = 0, names = 0;
+  for (const auto& [pattern, material] : materials) patterns += pattern.size() + 1;
+  for (const MeshTriangles::OfMaterial& part : triangles.all()) names += part.name.size() + 1;
+  if (names > 0 && patterns > most / names)
+    throw InputError(
+        where,
+        fmt::format("'materials' has patterns with {} characters for the {} characters of the names in '{}'",
+                    grouped(patterns), grouped(names), file.string()),
+        fmt::format("use fewer patterns; the product of both is at most {}", grouped(most)));
+}
+
 [[noreturn]] void fail_unmatched(const std::set<std::string>& names, const std::filesystem::path& file,
                                  const std::string& where) {
   std::vector<std::string_view> list(names.begin(), names.end());
@@ -94,6 +110,7 @@ ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& f
   if (extension == ".stl") read_stl(lines, triangles);
   if (extension == ".ply") read_ply(lines, triangles);
 
+  expect_few_comparisons(triangles, materials, file, where);
   ImportedMesh mesh;
   std::set<std::string> unmatched;
   for (const MeshTriangles::OfMaterial& part : triangles.all()) {

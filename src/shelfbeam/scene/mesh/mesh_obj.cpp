@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 
@@ -10,6 +11,12 @@
 namespace shelfbeam {
 
 namespace {
+
+// Statements that add free-form surfaces or the contents of another file.
+bool adds_other_surfaces(std::string_view keyword) {
+  constexpr std::array<std::string_view, 7> keywords{"surf", "call", "bzp", "bsp", "cdp", "res", "csh"};
+  return std::find(keywords.begin(), keywords.end(), keyword) != keywords.end();
+}
 
 class ObjReader {
  public:
@@ -25,6 +32,9 @@ class ObjReader {
         read_face();
       } else if (keyword == "usemtl") {
         triangles_.use(lines_.words().size() > 1 ? lines_.from(1) : "");
+      } else if (adds_other_surfaces(keyword)) {
+        lines_.fail(
+            fmt::format("{} adds surfaces that are not supported; only faces are read", in_quotes(keyword)));
       } else if (std::any_of(keyword.begin(), keyword.end(), [](char c) { return c < '!' || c > '~'; })) {
         // Such as a byte order mark where files were joined: the line may be a vertex.
         lines_.fail(fmt::format("the keyword {} has characters that are not printable", in_quotes(keyword)));

@@ -94,6 +94,8 @@ Header read_header(MeshLines& lines) {
       header.elements.push_back(
           {static_cast<std::uint64_t>(*count), words[1] == "vertex", words[1] == "face"});
       if (words[1] == "vertex") header.vertices += *count;
+      if (words[1] == "tristrips" && *count > 0)
+        lines.fail("triangle strips are not supported; only the element 'face' is read");
     } else if (words[0] == "property") {
       if (header.elements.empty()) lines.fail("a property belongs to no element");
       header.elements.back().properties.push_back(read_property(lines, header.elements.back()));
@@ -142,8 +144,8 @@ class Numbers {
     return *value;
   }
   bool is_ascii() const { return is_ascii_; }
-  /// Whether an ASCII file has further numbers behind its elements.
-  bool continues() const { return is_ascii_ && lines_.next(); }
+  /// Whether the file has more numbers or bytes behind its elements.
+  bool continues() const { return is_ascii_ ? lines_.next() : !bytes_.empty(); }
   void bad_length() const {
     if (is_ascii_) lines_.fail(fmt::format("value {} is not the length of a list", at_));
     lines_.fail_file("is corrupt: a list has a negative length");

@@ -205,10 +205,12 @@ TEST(Gltf, ExtensionsAreAppliedHarmlessOrRefused) {
   };
   for (const char* known :
        {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_node_visibility", "KHR_materials_unlit",
-        "KHR_texture_transform", "KHR_lights_punctual", "EXT_texture_webp", "MSFT_lod", "KHR_xmp_json_ld"})
+        "KHR_texture_transform", "KHR_lights_punctual", "EXT_texture_webp", "MSFT_lod", "KHR_xmp_json_ld",
+        "KHR_interactivity", "FB_ngon_encoding"})
     for (const char* list : {"extensionsUsed", "extensionsRequired"})
       EXPECT_TRUE(with(list, known)().empty()) << known;
-  for (const char* changing : {"CESIUM_RTC", "AGI_articulations", "KHR_gaussian_splatting", "KHR_billboard"})
+  for (const char* changing : {"CESIUM_RTC", "AGI_articulations", "KHR_gaussian_splatting", "KHR_billboard",
+                               "BENTLEY_primitive_restart"})
     expect_input_error(with("extensionsUsed", changing), "extensionsUsed[0]", "uses the unsupported '",
                        changing);
   for (const char* compression :
