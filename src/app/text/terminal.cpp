@@ -1,6 +1,7 @@
 #include "app/text/terminal.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -8,9 +9,12 @@
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
+#include <unistd.h>
 
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 
+#include "app/text/end_at_once.hpp"
 #include "app/text/style.hpp"
 #include "app/text/width.hpp"
 
@@ -19,9 +23,15 @@ namespace shelfbeam::app {
 namespace {
 
 CancelToken signal_token;
+std::atomic<int> code_to_end_at_once{0};  // 0: the work ends with its results so far
 
 // `timeout` signals the process and then its group, so a second signal counts only after a second.
 void on_signal(int number) {
+  if (const int code = code_to_end_at_once.load(std::memory_order_relaxed); code != 0) {
+    constexpr std::string_view message = "stopped: the work was stopped before it had a result\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
+    ::_exit(code);
+  }
   static timespec first = {};
   timespec now = {};
   ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -81,6 +91,15 @@ const CancelToken& cancel_on_signal() {
   std::signal(SIGTERM, on_signal);
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   return signal_token;
+}
+
+EndAtOnce::EndAtOnce(int exit_code) {
+  expect_running(&signal_token);
+  code_to_end_at_once = exit_code;
+}
+
+EndAtOnce::~EndAtOnce() {
+  code_to_end_at_once = 0;
 }
 
 std::string one_line(std::string_view message) {

@@ -30,6 +30,7 @@
 #include "app/options/simulation_options.hpp"
 #include "app/plan_folder.hpp"
 #include "app/text/coverage_text.hpp"
+#include "app/text/end_at_once.hpp"
 #include "app/text/placement_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
@@ -216,6 +217,7 @@ std::uint32_t states_of(const Options& options, const Store& store) {
 
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
+  std::optional<EndAtOnce> reading(stopped_early);
   Store store = load_store(options.store, options.allow_outside, options.simulation.memory, {}, &cancel);
   const std::uint32_t states = states_of(options, store);
   const Scene scene = make_inspected_scene(store);
@@ -236,6 +238,7 @@ int run_plan(const Options& options) {
     sampled->expect(scene.store_hash, options.common.seed, scene.labels.size(), scene.transceivers.size(),
                     states);
   }
+  reading.reset();
   const PlanFolder folder(options.folder, resolved, options.overwrite);
   // The report and the tables take at least as much again as the resolved store.
   constexpr std::size_t least_report = 600'000;

@@ -22,6 +22,7 @@
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/simulation_options.hpp"
+#include "app/text/end_at_once.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
@@ -89,6 +90,7 @@ Scene exported_state(const Store& store, const Scene& nominal, const Options& op
 
 int run_simulate(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
+  std::optional<EndAtOnce> reading(stopped_early);
   protect_input(options.output, options.store);
   const Store store =
       load_store(options.store, options.allow_outside, options.simulation.memory, options.output, &cancel);
@@ -96,6 +98,7 @@ int run_simulate(const Options& options) {
   const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
   SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   simulation.part = options.part;
+  reading.reset();
   const OutputLock lock(options.output, options.output.string());
   expect_writable(options.output);
   expect_room_for_matrix(options.output.has_parent_path() ? options.output.parent_path() : ".", scene,

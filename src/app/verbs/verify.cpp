@@ -27,6 +27,7 @@
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
+#include "app/text/end_at_once.hpp"
 #include "app/text/placement_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
@@ -63,8 +64,10 @@ bool is_json(const std::filesystem::path& path) {
 
 Installation load_installation(const Options& options) {
   const std::filesystem::path& units = options.placement;
-  const Store store = load_store(options.store, options.allow_outside, options.simulation.memory,
-                                 options.output, &cancel_on_signal());
+  const CancelToken& cancel = cancel_on_signal();
+  const EndAtOnce reading(stopped_early);
+  const Store store =
+      load_store(options.store, options.allow_outside, options.simulation.memory, options.output, &cancel);
   if (!is_json(units)) return {store, scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
