@@ -184,11 +184,15 @@ class StoreStates::Drawing {
       for (const Face face : {Face::front, Face::back}) add_rows(face, 1);
   }
 
-  // Boxes without a free place after many attempts are omitted: the area is full.
+  // Boxes without a free place after many attempts are omitted: the area is full. If a thousand do not fit,
+  // those after them have few attempts.
   void stand(const StandingBoxes& boxes) {
     const Scene& scene = states_.scene_;
     const Polygon& area = polygon_of(boxes.area, scene.room ? &*scene.room : nullptr);
     const PlanBounds bounds = bounds_of(area);
+    constexpr std::size_t edges_per_effort = 400;
+    const std::size_t room_edges = scene.room ? scene.room->outline.size() : 0;
+    const std::size_t effort = 1 + (area.size() + room_edges) / edges_per_effort;
     const Cause cause = boxes.is_person ? Cause::people : Cause::objects;
     const std::int64_t number = number_of(boxes, draws(cause, "number", boxes.id).uniform(0));
     const bool is_single = std::holds_alternative<Presence>(boxes.number);
@@ -196,8 +200,9 @@ class StoreStates::Drawing {
       expect_running(state_.cancel);
       const std::string id = is_single ? boxes.id : fmt::format("{} {}", boxes.id, n);
       const Draws draws = this->draws(cause, "place", id);
-      constexpr std::uint32_t attempts = 1000;
-      for (std::uint32_t a = 0; a < attempts; ++a) {
+      constexpr std::size_t max_effort = 1'000'000;
+      const std::uint32_t attempts = effort_ < max_effort ? 1000 : 10;
+      for (std::uint32_t a = 0; a < attempts; ++a, effort_ += effort) {
         const auto within = [&](std::size_t axis) {
           return bounds.low[axis] + draws.uniform(4 * a + static_cast<std::uint32_t>(axis)) *
                                         (bounds.high[axis] - bounds.low[axis]);
@@ -243,8 +248,9 @@ class StoreStates::Drawing {
   const StoreVariation& variation_;
   const StateNumbers& numbers_;
   Store state_;
-  std::string where_;  ///< for messages
-  TakenFloor taken_;   ///< by people and objects
+  std::string where_;       ///< for messages
+  TakenFloor taken_;        ///< by people and objects
+  std::size_t effort_ = 0;  ///< of attempts without a free place
   std::set<std::string> ids_;
 };
 

@@ -199,6 +199,26 @@ TEST(StoreStates, OmitPeopleWithoutAPlace) {
   EXPECT_LT(time.seconds(), 20);  // 0.5 s; 60 s when each draw divided the plan
 }
 
+// Objects behind people who do not fit still have a place.
+TEST(StoreStates, OverfullAreasTakeLimitedTime) {
+  Json full = shop();
+  full["variation"]["people"] = Json::array();
+  for (int k = 0; k < 4; ++k)
+    full["variation"]["people"].push_back({{"id", "group" + std::to_string(k)},
+                                           {"number", 1000},
+                                           {"size", {0.5, 0.3, 1.75}},
+                                           {"area", "low"},
+                                           {"material", full["variation"]["objects"][0]["material"]}});
+  full["variation"]["objects"][0]["present"] = 1;
+  const Shop one(full);
+  const std::string object = full["variation"]["objects"][0]["id"];
+  const test::ProcessorTime time;
+  const Store state = one.states.state(0);
+  EXPECT_LT(time.seconds(), 20);
+  EXPECT_TRUE(std::any_of(state.fixtures.begin(), state.fixtures.end(),
+                          [&](const auto& fixture) { return id_of(fixture.value) == object; }));
+}
+
 TEST(StoreStates, AndScenesAndChecksCanBeCancelled) {
   CancelToken token;
   const std::string text = shop().dump();
