@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <tuple>
 
 #include "shelfbeam/base/parallel.hpp"
@@ -59,50 +61,57 @@ struct Found {
 
 constexpr std::uint32_t bounces = 4;  // of a walk
 
-// Continues a walk on surfaces that all scatter like white paint.
-void walk(const World& world, SurfacePoint from, Vec3 direction, RandomStream& random,
-          std::vector<Found>& found) {
+struct Begin {
+  SurfacePoint from;
+  Vec3 direction;
+};
+
+// Walks from a device, of the given kind, on surfaces that all scatter like white paint. `begin` draws their
+// first ray from four random numbers.
+template <class Draw>
+std::vector<Found> explore(const World& world, const std::string& id, std::uint32_t kind, std::uint32_t walks,
+                           std::uint64_t seed, const Draw& begin) {
+  std::vector<Found> found;
+  const std::uint64_t stream = mix_key(seed, hash64(id));
   std::uint64_t rays = 0;
-  for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
-    const auto end =
-        follow_chain(world, from, direction, Departure::scattered, random, rays, [](std::size_t, double) {});
-    if (!end) break;
-    found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
-                     random.bits(), end->point});
-    from = end->point;
-    const double v1 = random.uniform(), v2 = random.uniform();
-    direction = Frame::about(from.normal).to_world(sample_cosine_hemisphere(v1, v2));
+  for (std::uint32_t w = 0; w < walks; ++w) {
+    RandomStream random(stream, w, kind, 0xCAC4E);
+    const double u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform(), u4 = random.uniform();
+    const auto first = begin({u1, u2, u3, u4});
+    if (!first) continue;
+    auto [from, direction] = *first;
+    for (std::uint32_t bounce = 0; bounce < bounces; ++bounce) {
+      const auto end = follow_chain(world, from, direction, Departure::scattered, random, rays,
+                                    [](std::size_t, double) {});
+      if (!end) break;
+      found.push_back({key_of(end->point), static_cast<std::uint32_t>(SurfaceCells::quadrant(end->point)),
+                       random.bits(), end->point});
+      from = end->point;
+      const double v1 = random.uniform(), v2 = random.uniform();
+      direction = Frame::about(from.normal).to_world(sample_cosine_hemisphere(v1, v2));
+    }
   }
+  return found;
 }
 
 std::vector<Found> walks_from_label(const World& world, std::size_t i, std::uint32_t walks,
                                     std::uint64_t seed) {
-  std::vector<Found> found;
-  const std::uint64_t stream = mix_key(seed, hash64(world.scene.labels[i].id));
-  for (std::uint32_t w = 0; w < walks; ++w) {
-    RandomStream random(stream, w, 0, 0xCAC4E);
-    const double u1 = random.uniform(), u2 = random.uniform();
-    const SurfacePoint from = world.receivers.point(i, u1, u2);
-    const double u3 = random.uniform(), u4 = random.uniform();
-    const auto first = sample(world.receivers.responsivity(i), u3, u4);
-    if (!first) continue;
-    walk(world, from, world.receivers.frame(i).to_world(first->direction), random, found);
-  }
-  return found;
+  const auto begin = [&](const std::array<double, 4>& u) -> std::optional<Begin> {
+    const auto first = sample(world.receivers.responsivity(i), u[2], u[3]);
+    if (!first) return std::nullopt;
+    return Begin{world.receivers.point(i, u[0], u[1]), world.receivers.frame(i).to_world(first->direction)};
+  };
+  return explore(world, world.scene.labels[i].id, 0, walks, seed, begin);
 }
 
 std::vector<Found> walks_from_unit(const World& world, std::size_t j, std::uint32_t walks,
                                    std::uint64_t seed) {
-  std::vector<Found> found;
-  const std::uint64_t stream = mix_key(seed, hash64(world.scene.transceivers[j].id));
-  for (std::uint32_t w = 0; w < walks; ++w) {
-    RandomStream random(stream, w, 1, 0xCAC4E);
-    const double u1 = random.uniform(), u2 = random.uniform(), u3 = random.uniform(), u4 = random.uniform();
-    const auto emitted = world.emitters.emit(j, {u1, u2, u3, u4});
-    if (!emitted) continue;
-    walk(world, {emitted->from.position, emitted->from.normal}, emitted->direction, random, found);
-  }
-  return found;
+  const auto begin = [&](const std::array<double, 4>& u) -> std::optional<Begin> {
+    const auto emitted = world.emitters.emit(j, u);
+    if (!emitted) return std::nullopt;
+    return Begin{{emitted->from.position, emitted->from.normal}, emitted->direction};
+  };
+  return explore(world, world.scene.transceivers[j].id, 1, walks, seed, begin);
 }
 
 // Calls walks(k) for k < count on all threads, and joins the points that it returns.
