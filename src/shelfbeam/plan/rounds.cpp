@@ -235,7 +235,7 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
     planned = simulate(scene, options.simulation, control).matrix.mean;
   CertifiedPlan plan;
   Placement& placement = plan.placement;
-  // The units hang already, so that no objective chooses them.
+  // These units are mounted, so no objective chooses them.
   placement.problem.model = problem.model;
   placement.problem.redundant = problem.redundant;
   placement.selected.resize(scene.transceivers.size());

@@ -116,7 +116,7 @@ class OwnFiles(unittest.TestCase):
             time.sleep(0.005)
         process.kill()
         process.wait()
-        # The record knows the checkpoint's input, of which the mesh is no part.
+        # The record names the input of the checkpoint, which does not include the mesh.
         mesh.write_text("v 1 1 0\nv 2 1 0\nv 1 1 2\nf 1 2 3\n", encoding="utf-8")
         record = self.results / "records/a.json"
         self.assertFalse(json.loads(record.read_text())["final"])
