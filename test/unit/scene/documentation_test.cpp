@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/inspection/plausibility.hpp"
 
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
@@ -59,7 +58,7 @@ TEST(Documentation, EveryExampleIsTested) {
 }
 
 TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
-  const Scene scene = make_inspected_scene(test::read_text(example_store()));
+  const Scene scene = make_scene(test::read_text(example_store()));
   EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
   const auto ids = ids_of(scene);
   ASSERT_EQ(ids.size(), 2u * 3 * 5 + 4 + 1);
@@ -126,7 +125,7 @@ TEST(Documentation, ExampleOfFixturesIsAccepted) {
   Json store = Json::parse(example_store(), nullptr, true, true);
   const Json part = Json::parse(fenced_blocks("store/fixtures.md", "jsonc").at(0), nullptr, true, true);
   for (const auto& [key, value] : part.items()) store[key] = value;
-  const Scene scene = make_inspected_scene(test::read_text(store.dump()));
+  const Scene scene = test::scene_of(store);
   EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
   std::string ids;
   for (const FixtureOutline& fixture : scene.fixtures) ids += fixture.id + " ";
@@ -140,8 +139,7 @@ TEST(Documentation, ExampleOfMountsIsAccepted) {
   Json store = Json::parse(example_store(), nullptr, true, true);
   store["transceivers"] =
       Json::parse(fenced_blocks("store/transceivers.md", "jsonc").at(0), nullptr, true, true);
-  const Scene scene = make_inspected_scene(test::read_text(store.dump()));
-  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+  const Scene scene = test::scene_of(store);
   std::set<std::string> ids;
   for (const Transceiver& unit : scene.transceivers) ids.insert(unit.id);
   for (const char* id : {"A1-1-1/a1", "A1-5-4/a2", "R1-1", "R1-13", "column-2/a2"})
