@@ -149,9 +149,9 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
       ->option_text("SIGNAL");
   add_choice(
       verb, "--read-as", input.reading,
-      "Reading of a CSV or OR-Library file that fits several. signals: CSV without ids; header: ids of "
-      "transceivers in the first row; labels: ids of labels in the first column; ids: both; scp, rail: "
-      "forms of OR-Library files; auto (default): refuse such a file")
+      "Reading of a text that fits several. signals: CSV without ids; header: ids of transceivers in the "
+      "first row; labels: ids of labels in the first column; ids: both; sparse: sparse text; scp, rail: "
+      "forms of OR-Library files; auto (default): refuse such a text")
       ->group(group::placement);
   add_requirement_options(verb, input.requirements);
 }

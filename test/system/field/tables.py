@@ -9,6 +9,14 @@ def place(file, *options):
     return lambda _: run("place", file, *options)
 
 
+def place_text(text, *options):
+    def measure(scratch):
+        (scratch / "matrix.csv").write_text(text, encoding="utf-8")
+        return run("place", "matrix.csv", "--threshold", "0.2", *options, folder=scratch)
+
+    return measure
+
+
 def says(*words):
     return lambda end: end.status == 0 and all(word in end.out for word in words)
 
@@ -49,6 +57,13 @@ ROWS = [
     Row("number_ids.csv, --read-as ids", "2 labels",
         place("number_ids.csv", "--threshold", "0.2", "--read-as", "ids"), TWO_LABELS),
     Row("number_ids.csv without its first row, --read-as labels", "2 labels", without_header, TWO_LABELS),
+    Row("article numbers beside signals, no header", "refused, with a choice",
+        place_text("4006381333931,0.5,0.2\n4006381333948,0.3,0.6\n"), refuses("may be ids or signals", "'labels'", "(--read-as)")),
+    Row("whole numbers below T1,T2,T3", "refused, with a choice", place_text("T1,T2,T3\n3,0,2\n1,1,4\n"), AMBIGUOUS),
+    Row("whole numbers between tabs", "refused, with a choice", place_text("2\t2\t1\n1\t0\t5\n1\t1\t7\n"),
+        refuses("CSV or sparse text", "'signals' or 'sparse'", "(--read-as)")),
+    Row("decimals between tabs", "read", place_text("0.5\t0.2\t0.1\n0.3\t0.6\t0.2\n"), says("2 labels")),
+    Row("an empty last column", "read", place_text("label,T1,\nA,0.5,\nB,0.5,\n"), says("2 labels")),
     Row("both_forms.scp", "refused, with a choice", place("both_forms.scp"),
         refuses("fits both forms", "'scp' or 'rail'", "(--read-as)")),
     Row("both_forms.scp, --read-as scp", "1 unit", place("both_forms.scp", "--read-as", "scp"), says("1 transceiver")),

@@ -1,9 +1,6 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -16,6 +13,7 @@
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/signal/tables/csv_readings.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/signal/text_file.hpp"
@@ -31,6 +29,13 @@ void read_row(SignalTable& table, CsvReader& csv, std::size_t first_value) {
     if (const double value = csv.amount(first_value + j); value > 0)
       table.entries.push_back({static_cast<std::uint32_t>(j), value});
   table.row_begin.push_back(table.entries.size());
+}
+
+/// The fields of the record without empty fields at its end.
+std::vector<std::string> filled_fields(const CsvReader& csv) {
+  std::size_t count = csv.fields().size();
+  while (count > 0 && csv.fields()[count - 1].empty()) --count;
+  return {csv.fields().begin(), csv.fields().begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
 /// Returns the first column.
@@ -51,13 +56,22 @@ void read_labelled_rows(SignalTable& table, CsvReader& csv) {
   } while (csv.next());
 }
 
-/// The fields of a header. Moves to the record after it.
-std::vector<std::string> read_header(CsvReader& csv) {
-  std::vector<std::string> header;
+struct Header {
+  std::vector<std::string> fields;
+  bool has_corner;  ///< a field above the ids of labels, if the rows have these
+};
+
+/// Reads a header, without fields at its end that are empty there and in the first row. Moves to this row.
+Header read_header(CsvReader& csv) {
+  std::vector<std::string> fields;
   for (std::size_t j = 0; j < csv.fields().size(); ++j)
-    header.push_back(j == 0 || csv.fields()[j].empty() ? csv.text(j) : csv.id(j));
+    fields.push_back(j == 0 || csv.fields()[j].empty() ? csv.text(j) : csv.id(j));
   if (!csv.next()) csv.fail("is a header without rows", "add a row for every label");
-  return header;
+  std::size_t row = csv.fields().size();
+  for (const std::size_t filled = filled_fields(csv).size(); row > filled && fields.back().empty(); --row)
+    fields.pop_back();
+  const bool has_corner = row != fields.size() + 1;
+  return {std::move(fields), has_corner};
 }
 
 void add_transceivers(SignalTable& table, const CsvReader& csv, const std::vector<std::string>& header,
@@ -75,96 +89,10 @@ void add_transceivers(SignalTable& table, const CsvReader& csv, const std::vecto
 
 /// Returns the title of the ids of labels; empty if there is none.
 std::string read_rows_with_ids(SignalTable& table, CsvReader& csv) {
-  const std::vector<std::string> header = read_header(csv);
-  // The header may or may not have a field above the ids of the labels.
-  const std::size_t corner = csv.fields().size() == header.size() + 1 ? 0 : 1;
-  add_transceivers(table, csv, header, corner);
+  Header header = read_header(csv);
+  add_transceivers(table, csv, header.fields, header.has_corner ? 1 : 0);
   read_labelled_rows(table, csv);
-  return corner == 1 ? header[0] : "";
-}
-
-using Numbers = std::vector<std::size_t>;
-
-// The fields as whole numbers; empty if one is not.
-Numbers whole_numbers(const std::vector<std::string>& fields) {
-  Numbers numbers;
-  for (std::string_view field : fields) {
-    field.remove_prefix(std::min(field.find_first_not_of('0'), field.size() - (field.empty() ? 0 : 1)));
-    const auto number = to_whole_number(field, std::numeric_limits<std::size_t>::max());
-    if (!number) return {};
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
-bool count_up(std::span<const std::size_t> numbers) {
-  constexpr std::size_t least = 3;
-  if (numbers.size() < least) return false;
-  for (std::size_t k = 1; k < numbers.size(); ++k)
-    if (numbers[k] != numbers[k - 1] + 1) return false;
-  return true;
-}
-
-// The signals behind the first row, or behind the first column, of a matrix.
-struct Rest {
-  double largest = 0;
-  bool has_fractions = false;
-
-  Rest(const SignalTable& table, std::size_t first_row, std::size_t first_column) {
-    for (std::size_t i = first_row; i < table.row_begin.size() - 1; ++i)
-      for (std::size_t k = table.row_begin[i]; k < table.row_begin[i + 1]; ++k) {
-        if (table.entries[k].transceiver < first_column) continue;
-        const double signal = table.entries[k].signal;
-        largest = std::max(largest, signal);
-        has_fractions = has_fractions || signal != std::floor(signal);
-      }
-  }
-};
-
-// Whether the first row of a matrix without ids may be a header: its numbers are whole, and they count up, or
-// are different above signals that are not all whole or are all much smaller. The first number may be above
-// the ids of labels.
-bool may_be_header(const std::vector<std::string>& row, const SignalTable& table) {
-  const Numbers numbers = whole_numbers(row);
-  if (numbers.empty()) return false;
-  for (const std::size_t first : {0U, 1U}) {
-    Numbers ids(numbers.begin() + static_cast<std::ptrdiff_t>(std::min(first, numbers.size())),
-                numbers.end());
-    if (count_up(ids)) return true;
-    std::sort(ids.begin(), ids.end());
-    if (ids.empty() || std::adjacent_find(ids.begin(), ids.end()) != ids.end()) continue;
-    const Rest rest(table, 1, first);
-    constexpr double much = 10;
-    const bool is_much_larger =
-        ids.size() > 1 && rest.largest > 0 && static_cast<double>(ids[0]) > much * rest.largest;
-    if ((first == 0 && rest.has_fractions) || is_much_larger) return true;
-  }
-  return false;
-}
-
-// Whether the first column of a matrix without ids may have the ids of labels: whole numbers that count up,
-// beside signals that are not all whole.
-bool may_be_labels(const std::vector<std::string>& column, const SignalTable& table) {
-  return count_up(whole_numbers(column)) && Rest(table, 0, 1).has_fractions;
-}
-
-// Whether the first column of a matrix with ids may contain signals: it has the title of a transceiver above
-// numbers, of which some are not whole, or all are 0 or 1.
-bool may_be_signals(const std::string& title, const SignalTable& table) {
-  constexpr std::array<std::string_view, 17> titles{
-      "",    "#",   "id",  "ids",  "index",   "name", "label", "labels",  "label_id",
-      "esl", "ean", "sku", "gtin", "article", "tag",  "shelf", "position"};
-  if (std::find(titles.begin(), titles.end(), lower_case(title)) != titles.end()) return false;
-  bool has_fractions = false, are_bits = true;
-  for (const SignalTable::Label& label : table.labels) {
-    std::string number = label.id;
-    std::replace(number.begin(), number.end(), ',', '.');
-    const auto value = to_number(number);
-    if (!value) return false;
-    has_fractions = has_fractions || *value != std::floor(*value);
-    are_bits = are_bits && (*value == 0 || *value == 1);
-  }
-  return has_fractions || are_bits;
+  return header.has_corner ? std::move(header.fields[0]) : "";
 }
 
 // Whether this separator splits the first two records into a header and a row, or into rows, of a matrix.
@@ -229,7 +157,7 @@ ReadTable read_csv_table(std::string_view text, const std::string& name, TableRe
   const bool is_chosen = reading != TableReading::automatic;
   // The first field of a header is not a number: it is an id or the title of the ids.
   if (!is_chosen) reading = csv.is_number(0) ? TableReading::signals : TableReading::ids;
-  const std::vector<std::string> first(csv.fields().begin(), csv.fields().end());
+  const std::vector<std::string> first = filled_fields(csv);
   if (reading == TableReading::signals) {
     number_transceivers(table, first.size());
     const std::vector<std::string> column = read_plain_rows(table, csv);
@@ -245,7 +173,7 @@ ReadTable read_csv_table(std::string_view text, const std::string& name, TableRe
     number_transceivers(table, first.size() - 1);
     read_labelled_rows(table, csv);
   } else if (reading == TableReading::header) {
-    add_transceivers(table, csv, read_header(csv), 0);
+    add_transceivers(table, csv, read_header(csv).fields, 0);
     read_plain_rows(table, csv);
   } else {
     const std::string title = read_rows_with_ids(table, csv);

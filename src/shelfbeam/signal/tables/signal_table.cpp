@@ -1,7 +1,14 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -41,7 +48,46 @@ void check_unique(const Rows& rows, std::string_view kind, const std::string& na
   for (const auto& row : rows)
     if (!seen.insert(row.id).second)
       throw InputError(name, fmt::format("has the duplicate {} id {}", kind, in_quotes(row.id)),
-                       "make ids unique");
+                       id_remedy(row.id, "make ids unique"));
+}
+
+// A table, or the error of its reader.
+struct Attempt {
+  std::optional<ReadTable> table = {};
+  std::optional<InputError> error = {};
+
+  bool fits() const { return table || error->setting() == Setting::reading; }
+};
+
+template <class Read>
+Attempt attempt(const Read& read) {
+  try {
+    return {read()};
+  } catch (const InputError& error) {
+    return {{}, error};
+  }
+}
+
+// Reads a text that begins with a line of two or three numbers: OR-Library or sparse text, but with tabs
+// between the numbers perhaps CSV.
+ReadTable read_numbers(std::string_view text, const std::string& name,
+                       const std::vector<std::string_view>& words, bool has_tabs) {
+  const bool is_sparse = words.size() == 3;
+  const auto read_form = [&] {
+    return ReadTable{is_sparse ? detail::read_sparse_text(text, name) : detail::read_or_library(text, name)};
+  };
+  if (!has_tabs) return read_form();
+  constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  if (!to_whole_number(words[0], any) || !to_whole_number(words[1], any))
+    return detail::read_csv_table(text, name);
+  Attempt form = attempt(read_form), csv = attempt([&] { return detail::read_csv_table(text, name); });
+  if (form.fits() && csv.fits())
+    throw InputError(
+        name, fmt::format("may be a matrix in CSV or {}", is_sparse ? "sparse text" : "an OR-Library file"),
+        is_sparse ? "choose 'signals' or 'sparse'" : "choose 'signals', 'scp' or 'rail'", Setting::reading);
+  if (form.table) return std::move(*form.table);
+  if (csv.table) return std::move(*csv.table);
+  throw csv.fits() ? *csv.error : *form.error;
 }
 
 // Without a given reading, the first line determines the format: "m n g" is sparse text, "m n" is OR-Library,
@@ -51,23 +97,21 @@ ReadTable read_text_table(std::string_view text, const std::string& name, TableR
   if (content.empty()) throw InputError(name, "is empty", "name a file with a signal matrix");
   if (reading == TableReading::scp || reading == TableReading::rail)
     return {detail::read_or_library(text, name, reading)};
+  if (reading == TableReading::sparse) return {detail::read_sparse_text(text, name)};
   if (reading != TableReading::automatic) return detail::read_csv_table(text, name, reading);
   const std::string_view first_line = trim(content.substr(0, content.find_first_of("\r\n")));
   if (first_line.find_first_of(",;") != std::string_view::npos) return detail::read_csv_table(text, name);
 
-  std::size_t words = 0, numbers = 0;
-  for (const std::string_view word : split(first_line, ' ')) {
-    for (const std::string_view part : split(word, '\t')) {
-      words += part.empty() ? 0 : 1;
-      numbers += to_number(part) ? 1 : 0;
-    }
-  }
-  if (numbers == words) {
-    if (words == 1) return detail::read_csv_table(text, name);
-    if (words == 2) return {detail::read_or_library(text, name)};
-    if (words == 3) return {detail::read_sparse_text(text, name)};
-  }
-  if (csv_separators(first_line) == "\t") return detail::read_csv_table(text, name);
+  std::vector<std::string_view> words;
+  for (const std::string_view word : split(first_line, ' '))
+    for (const std::string_view part : split(word, '\t'))
+      if (!part.empty()) words.push_back(part);
+  const bool are_numbers =
+      std::all_of(words.begin(), words.end(), [](std::string_view word) { return to_number(word); });
+  const bool has_tabs = csv_separators(first_line) == "\t";
+  if (are_numbers && (words.size() == 2 || words.size() == 3))
+    return read_numbers(text, name, words, has_tabs);
+  if ((are_numbers && words.size() == 1) || has_tabs) return detail::read_csv_table(text, name);
   throw InputError(name + ": line 1",
                    fmt::format("{} does not begin a known matrix format", in_quotes(first_line)),
                    "CSV (separated by commas, semicolons or tabs), sparse text ('m n g') and OR-Library ('m "
@@ -145,7 +189,7 @@ ReadTable read_table(const std::filesystem::path& path, TableReading reading) {
     throw InputError(path.string(),
                      fmt::format("is {}, which cannot be read as '{}'",
                                  is_npy ? "an NPY file" : "a signal file", to_text(reading)),
-                     "choose a reading only for CSV and OR-Library files", Setting::reading);
+                     "choose a reading only for CSV, sparse text and OR-Library files", Setting::reading);
   if (is_signal_file)
     result.table = make_signal_table(read_signal_file(path), path.string());
   else if (is_npy)

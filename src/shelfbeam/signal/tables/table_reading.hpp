@@ -17,17 +17,19 @@ enum class TableReading {
   header,     ///< CSV with the ids of transceivers in its first row
   labels,     ///< CSV with the ids of labels in its first column, without a header
   ids,        ///< CSV with the ids of transceivers in its first row and of labels in its first column
+  sparse,     ///< sparse text
   scp,        ///< OR-Library, row by row
   rail        ///< OR-Library, column by column
 };
 
 template <>
-inline constexpr std::array<Named<TableReading>, 7> names_of<TableReading>{
+inline constexpr std::array<Named<TableReading>, 8> names_of<TableReading>{
     {{"auto", TableReading::automatic},
      {"signals", TableReading::signals},
      {"header", TableReading::header},
      {"labels", TableReading::labels},
      {"ids", TableReading::ids},
+     {"sparse", TableReading::sparse},
      {"scp", TableReading::scp},
      {"rail", TableReading::rail}}};
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/signal/tables/table_reading.hpp"
@@ -88,7 +89,8 @@ TEST(CsvTable, RowsOfWholeNumbersMayBeIds) {
   for (const std::string_view text :
        {"0,1,2\n0.5,0.25,0\n0,0.125,0.75\n", "0,101,102\n1,0.5,0.25\n2,0,0.125\n",
         "17;4;99\n0,5;0,25;0\n0;0,125;3\n", "1\n0.5\n0.25\n", "0,1,2,3\n1,0,0,1\n0,1,1,0\n",
-        "0,11,12,13\n1,0,0,1\n2,1,1,0\n", "1\t2\t3\t4\n0\t1\t1\t0\n", "\"1\",\"2\"\n0.5,0.25\n"})
+        "0,11,12,13\n1,0,0,1\n2,1,1,0\n", "1\t2\t3\t4\n0\t1\t1\t0\n", "\"1\",\"2\"\n0.5,0.25\n",
+        "0.0,1.0,2.0\n0.5,0.25,0\n", "4.00638E+12,4.00639E+12\n0.5,0.25\n", "0,1,2,\n0.5,0.25,0,\n"})
     test::expect_file_refused(read_signal_table, text, "", "may be ids or signals");
   // Negative controls: signals that only one reading fits.
   for (const std::string_view text :
@@ -107,18 +109,56 @@ TEST(CsvTable, ColumnsOfWholeNumbersMayBeIds) {
   EXPECT_EQ(labels.row(0)[1].signal, 0.25);
   EXPECT_EQ(read_as(text, TableReading::signals).columns(), 3U);
   for (const std::string_view other :
-       {"1,0.5\n2,0.25\n", "1,0.5\n3,0.25\n2,0\n", "1\n2\n3\n", "1,1\n2,0\n3,1\n", "0.5,1\n1.5,2\n2.5,3\n"})
+       {"4006381333931,0.5\n4006381333948,0.25\n", "102,5\n101,3\n", "4,00639E+12;0,5\n4,00638E+12;0\n"})
+    test::expect_file_refused(read_signal_table, other, "", "first column, which may be ids or signals");
+  for (const std::string_view other :
+       {"102,5\n101,11\n", "102,5\n102,3\n", "102,5\n", "1,0.5\n2,0.25\n", "1,0.5\n3,0.25\n2,0\n",
+        "1\n2\n3\n", "1,1\n2,0\n3,1\n", "0.5,1\n1.5,2\n2.5,3\n"})
     EXPECT_NO_THROW(read(other)) << other;
 }
 
 TEST(CsvTable, ColumnsOfNumbersMayBeSignals) {
-  for (const std::string_view text :
-       {"T1,T2,T3\n0.5,0.25,0\n0,0.125,0.75\n", "T1;T2\n0,5;0,25\n1;0,125\n", "T1,T2\n1,0\n0,1\n"})
+  for (const std::string_view text : {"T1,T2,T3\n0.5,0.25,0\n0,0.125,0.75\n", "T1;T2\n0,5;0,25\n1;0,125\n",
+                                      "T1,T2\n1,0\n0,1\n", "T1,T2\n3,0\n4,5\n"})
     test::expect_file_refused(read_signal_table, text, "", "first column 'T1', which may be ids or signals");
+  for (const std::string_view title : {"T09,T10", "unit a,unit b", "T9,T10"})
+    test::expect_file_refused(read_signal_table, fmt::format("{}\n3,0\n4,5\n", title), "",
+                              "may be ids or signals");
   for (const std::string_view text :
-       {"label,T1\n0.5,0.25\n", ",T1\n1.1,1\n1.2,1\n", "id,T1\n0,1\n1,0\n", "EAN,T1\n4006381333931,1\n",
+       {"T1,T\n3,0\n4,5\n", "T2,U3\n3,0\n4,5\n", "a,c\n3,0\n4,5\n", "row,T1\n0,1\n1,0\n",
+        "label,T1\n0.5,0.25\n", ",T1\n1.1,1\n1.2,1\n", "id,T1\n0,1\n1,0\n", "EAN,T1\n4006381333931,1\n",
         "bay,T1\n1,1\n2,1\n", "bay,T1\n0.5,1\nA,0\n"})
     EXPECT_NO_THROW(read(text)) << text;
+}
+
+// Spreadsheets separate columns that have been in use.
+TEST(CsvTable, EmptyColumnsAtTheEndAreIgnored) {
+  for (const std::string_view text : {"label,T1,T2,\nA,0.5,0,\n", "T1;T2;;\nA;0,5;0;;\n"}) {
+    const SignalTable table = read(text);
+    ASSERT_EQ(table.columns(), 2U) << text;
+    EXPECT_EQ(table.transceivers[1].id, "T2");
+    EXPECT_EQ(table.labels[0].id, "A");
+    EXPECT_EQ(table.row(0)[0].signal, 0.5);
+  }
+  EXPECT_EQ(read("0.5,0,\n1,0.25,\n").columns(), 2U);
+  test::expect_file_refused(read_signal_table, "T1,T2\nA,0.5,\n", "line 2, field 3", "is empty");
+  test::expect_file_refused(read_signal_table, "label,T1,T2\nA,0.5,\n", "line 2, field 3", "is empty");
+  test::expect_file_refused(read_signal_table, "0.5,0,\n1,0.25,2\n", "line 2", "3 fields; 2 are expected");
+}
+
+// Two or three numbers between tabs also begin OR-Library files and sparse text.
+TEST(CsvTable, NumbersBetweenTabsMayBeAnotherFormat) {
+  EXPECT_EQ(read("0.5\t0.25\t0\n1\t0\t2\n").columns(), 3U);
+  EXPECT_EQ(read("2\t3\n4\t1\n").columns(), 2U);
+  EXPECT_EQ(read("2\t3\t0.5\n2\t0\t0.7\t2\t0.2\n0\n").columns(), 3U) << "sparse text";
+  const std::string_view three = "2\t2\t1\n1\t0\t5\n1\t1\t7\n", two = "2\t2\n1\t1\n1\t1\n1\t2\n";
+  test::expect_file_refused(read_signal_table, three, "", "CSV or sparse text", "'signals' or 'sparse'");
+  test::expect_file_refused(read_signal_table, two, "", "CSV or an OR-Library file");
+  EXPECT_EQ(read_as(three, TableReading::signals).rows(), 3U);
+  EXPECT_EQ(read_as(three, TableReading::sparse).rows(), 2U);
+  EXPECT_EQ(read_as(two, TableReading::scp).rows(), 2U);
+  test::expect_file_refused(read_signal_table, "2\t2\t0.5\n1\t0\tx\n0\n", "line 2, character 5", "'x'");
+  test::expect_file_refused(read_signal_table, "0.5\t0.25\n0.5\tx\n", "line 2, field 2", "'x'");
 }
 
 TEST(CsvTable, TheReadingIsChosen) {
@@ -136,8 +176,7 @@ TEST(CsvTable, TheReadingIsChosen) {
   EXPECT_EQ(ids.labels[1].id, "2");
   EXPECT_EQ(ids.transceivers[0].id, "101");
   EXPECT_EQ(read_as("T1,T2\n0.5,0.25\n", TableReading::header).columns(), 2U);
-  EXPECT_EQ(read_as("1\t2\n0.5\t0.25\n", TableReading::header).columns(), 2U)
-      << "as OR-Library it is refused";
+  EXPECT_EQ(read_as("1\t2\n0.5\t0.25\n", TableReading::header).columns(), 2U) << "alone, it is refused";
   EXPECT_EQ(read_as("1,2\n7,0.5,0.25\n", TableReading::ids).labels[0].id, "7");
   const auto refused = [&](std::string_view content, TableReading reading) {
     test::expect_input_error([&] { read_as(content, reading); }, "matrix.csv");
