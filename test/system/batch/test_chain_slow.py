@@ -18,9 +18,7 @@ OPTIONS = ["--", "--samples", "2000"]  # no decision depends on time
 class Disturbed(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.temporary.cleanup)
-        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         cls.shops, cls.whole = cls.folder / "shops", cls.folder / "whole"
         chain.make_chain(cls.shops, "--count", SHOPS)
         cls.ended = chain.shelfbeam("batch", cls.shops, "-o", cls.whole, *OPTIONS)

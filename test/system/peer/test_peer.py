@@ -85,9 +85,7 @@ def is_free(start, end, corners):
 class Conversion(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.scratch.cleanup)
-        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         cls.store = peer.prepare(cls.folder, "market-hall", 20, 10)
         cls.greys, cls.triangles, cls.units = read_scene(cls.folder / "scene.rad")
         cls.corners = np.array([corners for _, corners in cls.triangles])
