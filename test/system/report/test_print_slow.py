@@ -125,13 +125,39 @@ class Prints(unittest.TestCase):
                 self.assertEqual(int(row["distance_1_cm"]), round(100 * float(unit["x"])))
         self.assertEqual(sorted(int(row["number"]) for row in by_id.values()), list(range(1, len(by_id) + 1)))
 
-    def test_drawing_has_a_numbered_block_for_every_unit(self):
+    def ezdxf(self):
         try:
             import ezdxf
+            import ezdxf.lldxf.encoding
+            import ezdxf.tools.text
         except ImportError:
             if "CI" in os.environ:
                 raise
             self.skipTest("ezdxf is missing")
+        return ezdxf
+
+    def test_drawing_shows_names_and_its_unit(self):
+        ezdxf = self.ezdxf()
+
+        def shown(text):
+            return ezdxf.tools.text.plain_text(ezdxf.lldxf.encoding.decode_dxf_unicode(text)).replace("\u200b", "")
+
+        names = ["Kühl 1", "Köhl 1", "\\U+00DC1", "at 45%%d", "a^J", "%%c%%c", "50%"]
+        store = json.loads(pathlib.Path("test/data/field/plain_store.json").read_text(encoding="utf-8"))
+        store["transceivers"] = {"installed": names, "list": [
+            {"id": name, "position": [0.5 + 0.5 * k, 2, 2.9], "type": "unit"} for k, name in enumerate(names)]}
+        path = pathlib.Path(self.work.name) / "names.json"
+        path.write_text(json.dumps(store), encoding="utf-8")
+        drawing = ezdxf.readfile(plan_of(path.with_suffix(""), path) / "mounting.dxf")
+        self.assertEqual(drawing.audit().errors, [])
+        blocks = drawing.modelspace().query("INSERT")
+        ids = [attribute.dxf.text for block in blocks for attribute in block.attribs if attribute.dxf.tag == "ID"]
+        self.assertEqual(sorted(map(shown, ids)), sorted(names))
+        notes = [shown(text.dxf.text) for text in drawing.modelspace().query("TEXT[layer=='SHELFBEAM_NOTE']")]
+        self.assertEqual(notes, ["All lengths in metres: 1 drawing unit = 1 m"])
+
+    def test_drawing_has_a_numbered_block_for_every_unit(self):
+        ezdxf = self.ezdxf()
         for folder in (self.few, self.many):
             with (folder / "placement.csv").open(encoding="utf-8") as file:
                 at = {unit["id"]: tuple(float(unit[axis]) for axis in "xyz") for unit in csv.DictReader(file)}
