@@ -16,24 +16,47 @@ bool are_digits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-// 4,00638E+12. Ids such as 3E12 and 3E-12 may be those of a bay.
+// 4,00638E+12, and as Java writes it, 4.006381333931E12. Ids such as 3E12, 1.2E4 and 3E-12 may be those of a
+// bay.
 bool is_scientific(std::string_view id) {
   const std::size_t e = id.find_first_of("eE");
-  if (e == std::string_view::npos || id.size() < e + 4 || !are_digits(id.substr(e + 2))) return false;
-  const std::size_t mark = id.substr(0, e).find_first_of(".,");
-  const bool has_decimals = mark != std::string_view::npos && are_digits(id.substr(mark + 1, e - mark - 1));
-  return are_digits(id.substr(0, std::min(mark, e))) && (has_decimals || mark == std::string_view::npos) &&
-         (id[e + 1] == '+' || (id[e + 1] == '-' && has_decimals));
+  if (e == std::string_view::npos) return false;
+  const std::size_t mark = std::min(id.find_first_of(".,"), e);
+  const std::string_view decimals = id.substr(std::min(mark + 1, e), e - std::min(mark + 1, e));
+  std::string_view exponent = id.substr(e + 1);
+  const char sign = exponent.empty() ? ' ' : exponent.front();
+  if (sign == '+' || sign == '-') exponent.remove_prefix(1);
+  if (!are_digits(id.substr(0, mark)) || !are_digits(exponent) || (mark < e && !are_digits(decimals)))
+    return false;
+  constexpr std::size_t least_decimals = 3;
+  if (sign == '+' || sign == '-') return exponent.size() > 1 && (sign == '+' || mark < e);
+  return mark == 1 && decimals.size() >= least_decimals;
 }
 
 // 4,006,381,333,931, which has more groups than the path of a shelf.
 bool has_groups_of_thousands(std::string_view id) {
-  const std::size_t mark = std::min(id.find_first_of(".,' "), id.size());
-  const std::string_view rest = id.substr(mark);
-  bool are_groups = are_digits(id.substr(0, mark)) && mark <= 3 && rest.size() % 4 == 0 && rest.size() >= 12;
-  for (std::size_t k = 0; are_groups && k < rest.size(); k += 4)
-    are_groups = rest[k] == rest[0] && are_digits(rest.substr(k + 1, 3));
-  return are_groups;
+  const std::size_t head = std::min(id.find_first_not_of("0123456789"), id.size());
+  if (head == 0 || head > 3) return false;
+  for (const std::string_view mark : {".", " ", ",", "'", "\u2019", "\u00A0", "\u202F"}) {
+    const std::size_t least = mark == "." || mark == " " ? 3 : 2, step = mark.size() + 3;
+    std::string_view rest = id.substr(head);
+    std::size_t groups = 0;
+    for (; rest.starts_with(mark) && rest.size() >= step; ++groups) {
+      if (!are_digits(rest.substr(mark.size(), 3))) break;
+      rest.remove_prefix(step);
+    }
+    if (rest.empty() && groups >= least) return true;
+  }
+  return false;
+}
+
+// Spreadsheets keep 15 digits of a number, and write zeros for the others: 340123450000000000.
+bool is_long(std::string_view id) {
+  return id.size() > 16 && are_digits(id);
+}
+bool is_rounded(std::string_view id) {
+  constexpr std::size_t kept = 15;
+  return is_long(id) && id.find_first_not_of('0', kept) == std::string_view::npos;
 }
 
 // 2024-02-01, 1.2.2024, 01-Feb, 1. Feb, Feb-24, with or without a time.
@@ -63,9 +86,9 @@ bool is_date(std::string_view id) {
 }
 
 bool is_missing_or_wrong(std::string_view id) {
-  constexpr std::array<std::string_view, 13> known{"nan",  "-nan",   "<na>",         "nat", "none",
-                                                   "null", "(null)", "n/a",          "na",  "#n/a",
-                                                   "#nv",  "#n/d",   "#getting_data"};
+  constexpr std::array<std::string_view, 14> known{"nan",  "-nan",   "<na>",          "nat",      "none",
+                                                   "null", "(null)", "n/a",           "na",       "#n/a",
+                                                   "#nv",  "#n/d",   "#getting_data", "undefined"};
   if (std::find(known.begin(), known.end(), lower_case(id)) != known.end()) return true;
   if (id.size() > 2 && id.find_first_not_of('#') == std::string_view::npos) return true;
   return (id.size() > 2 && id[0] == '#' && (id.back() == '!' || id.back() == '?')) ||
@@ -73,8 +96,10 @@ bool is_missing_or_wrong(std::string_view id) {
 }
 
 bool is_changed(std::string_view id) {
-  return id.starts_with('=') || is_missing_or_wrong(id) || is_scientific(id) || has_groups_of_thousands(id) ||
-         is_date(id);
+  // An apostrophe marks texts in spreadsheets.
+  const bool is_marked = id.starts_with('\'') && are_digits(id.substr(1));
+  return is_marked || id.starts_with('=') || is_missing_or_wrong(id) || is_scientific(id) ||
+         has_groups_of_thousands(id) || is_date(id);
 }
 
 std::string lines_text(const std::vector<std::size_t>& lines, std::size_t count) {
@@ -103,12 +128,15 @@ void ChangedIds::note(std::string_view id, std::size_t line) {
   const bool is_whole = is_decimal && id.find_first_not_of('0', mark + 1) == std::string_view::npos;
   has_fractions_ = has_fractions_ || (is_decimal && !is_whole);
   if (is_whole) add(whole_, id, line);
+  has_long_ = has_long_ || (is_long(id) && !is_rounded(id));
+  if (is_rounded(id)) add(rounded_, id, line);
   if (is_changed(id)) add(changed_, id, line);
 }
 
 std::string ChangedIds::warning(const std::string& file) const {
   std::vector<Id> ids = changed_;
   if (!has_fractions_) ids.insert(ids.end(), whole_.begin(), whole_.end());
+  if (!has_long_) ids.insert(ids.end(), rounded_.begin(), rounded_.end());
   if (ids.empty()) return {};
   std::vector<std::string> shown;
   for (const Id& id : ids)

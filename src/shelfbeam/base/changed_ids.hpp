@@ -8,8 +8,8 @@
 namespace shelfbeam {
 
 /// Collects ids that a spreadsheet or another program has probably changed: numbers in scientific notation
-/// ("4,00638E+12"), with decimals ("123.0") or with thousands separators, dates, formulas, error values
-/// ("#N/A") and missing values ("NaN").
+/// ("4,00638E+12"), with decimals ("123.0"), with thousands separators or rounded to 15 digits, dates,
+/// formulas, error values ("#N/A") and missing values ("NaN").
 class ChangedIds {
  public:
   void note(std::string_view id, std::size_t line);
@@ -24,8 +24,10 @@ class ChangedIds {
   };
   static void add(std::vector<Id>& ids, std::string_view id, std::size_t line);
 
-  std::vector<Id> changed_, whole_;  ///< `whole_`: numbers such as "123.0"
-  bool has_fractions_ = false;       ///< ids such as "1.2", beside which "1.0" is no error
+  std::vector<Id> changed_;
+  std::vector<Id> whole_, rounded_;  ///< numbers such as "123.0", and those with zeros from the 16th digit on
+  bool has_fractions_ = false;       ///< there are ids such as "1.2", so "1.0" is one of them
+  bool has_long_ = false;            ///< there are longer numbers with other digits
 };
 
 /// What to do about an id that is wrong: `remedy`, or that its column has to be kept as text.

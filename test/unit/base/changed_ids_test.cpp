@@ -20,12 +20,21 @@ TEST(ChangedIds, AreRecognised) {
                          "1E+05",
                          "3.00E-12",
                          "4.006e+12",
+                         "4.006381333931E12",
+                         "1.2345678E7",
                          "123.0",
                          "4006381333931.00",
                          "12,0",
                          "4,006,381,333,931",
                          "4.006.381.333.931",
                          "4 006 381 333 931",
+                         "4\u00A0006\u00A0381\u00A0333\u00A0931",
+                         "4\u202F006\u202F381",
+                         "4\u2019006\u2019381\u2019333\u2019931",
+                         "4,006,381",
+                         "340123450000000000",
+                         "'4006381333931",
+                         "undefined",
                          "=\"4006381333948\"",
                          "=A1",
                          "#N/A",
@@ -66,13 +75,55 @@ TEST(ChangedIds, AreRecognised) {
 
 // Ids of real shelves, articles and labels.
 TEST(ChangedIds, OtherIdsAreNot) {
-  for (const char* id :
-       {"4006381333931", "A1-front-2", "3E12",   "3E-12",    "12E4",      "E+12",     "1.2",
-        "1.10",          "10.05.2",    "1.2.3",  "12.03.24", "1.234.567", "#1",       "#12",
-        "A#!",           "1-2",        "01-02",  "1-2-3",    "2024-1",    "2024",     "DEC-01",
-        "MAR-12",        "Marker-1",   "May",    "Decaf 2",  "Jan",       "Feb-A",    "10:30",
-        "NaN1",          "nanny",      "Nation", "-12",      "0.5",       "north, 3", "T1",
-        "1/2",           "Err",        "+49",    "@home",    "4.006.381", "1E+5"})
+  for (const char* id : {"4006381333931",
+                         "A1-front-2",
+                         "3E12",
+                         "3E-12",
+                         "12E4",
+                         "E+12",
+                         "1.2",
+                         "1.10",
+                         "10.05.2",
+                         "1.2.3",
+                         "12.03.24",
+                         "1.234.567",
+                         "#1",
+                         "#12",
+                         "A#!",
+                         "1-2",
+                         "01-02",
+                         "1-2-3",
+                         "2024-1",
+                         "2024",
+                         "DEC-01",
+                         "MAR-12",
+                         "Marker-1",
+                         "May",
+                         "Decaf 2",
+                         "Jan",
+                         "Feb-A",
+                         "10:30",
+                         "NaN1",
+                         "nanny",
+                         "Nation",
+                         "-12",
+                         "0.5",
+                         "north, 3",
+                         "T1",
+                         "1/2",
+                         "Err",
+                         "+49",
+                         "@home",
+                         "4.006.381",
+                         "1E+5",
+                         "1.2E4",
+                         "12.345E7",
+                         "1.E12",
+                         "4,006",
+                         "4,06,381",
+                         "4006381333931000",
+                         "340123456789012300",
+                         "'A'"})
     EXPECT_EQ(warning_about({id}), "") << id;
 }
 
@@ -82,6 +133,11 @@ TEST(ChangedIds, WholeDecimalsAreIdsBesideOtherDecimals) {
       warning_about({"1.0", "2.0"}),
       "a.csv: has ids that look as if a spreadsheet has changed them: '1.0' in line 2, '2.0' in line 3; "
       "format the column as text before the file is saved");
+}
+
+TEST(ChangedIds, LongNumbersAreIdsBesideOthersWithMoreDigits) {
+  EXPECT_EQ(warning_about({"340123450000000000", "340123450000000017"}), "");
+  EXPECT_NE(warning_about({"340123450000000000", "4006381333931"}), "");
 }
 
 TEST(ChangedIds, LinesAreCounted) {
