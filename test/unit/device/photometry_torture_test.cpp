@@ -9,25 +9,18 @@
 #include "shelfbeam/base/error.hpp"
 
 #include "support/expect_input_error.hpp"
+#include "support/line_ends.hpp"
 #include "unit/device/photometry_files.hpp"
 
 namespace shelfbeam {
 namespace {
 
+using test::with_line_ends;
+
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
   const auto at = text.find(from);
   if (at == std::string::npos) ADD_FAILURE() << "'" << from << "' is not in the text";
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
-std::string with_line_ends(const std::string& text, std::string_view end) {
-  std::string result;
-  for (const char c : text)
-    if (c == '\n')
-      result += end;
-    else
-      result += c;
-  return result;
 }
 
 void expect_same(const DirectionTable& a, const DirectionTable& b, const std::string& what) {
@@ -75,6 +68,9 @@ TEST(PhotometryTorture, LineBreaksBetweenNumbersDoNotMatterInIes) {
     for (const std::size_t count : {1U, 3U, 7U, 1000U})
       expect_same(test::parse_photometry(true, reflowed(text, count), name), expected,
                   fmt::format("{} in lines of {}", name, count));
+    std::string pages = reflowed(text, 7);
+    pages.insert(pages.find('\n', pages.find("TILT=")) + 1, "\f\v");
+    expect_same(test::parse_photometry(true, pages, name), expected, name + " with a form feed");
     // A number too many or too few is still an error, and names the first line that is suspicious.
     const std::string all = reflowed(text, 1000);
     test::expect_input_error([&] { test::parse_photometry(true, all + " 7", name); }, name, "'7'");

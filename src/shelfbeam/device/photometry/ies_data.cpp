@@ -17,7 +17,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::string_view separators = " \t,";
+constexpr std::string_view separators = " \t\f\v,";
 
 std::string upper(std::string_view text) {
   std::string result(text);
@@ -68,8 +68,7 @@ class IesReader {
     if (!rest_.empty() && crowded_.empty())
       crowded_ = fmt::format(
           "line {} has more than {} for {}: check the counts, and write decimals with a point, because "
-          "commas "
-          "separate numbers",
+          "commas separate numbers",
           lines_.line(), counted(count, "number"), what);
     return values;
   }

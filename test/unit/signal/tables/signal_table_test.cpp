@@ -10,6 +10,7 @@
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
 #include "support/expect_input_error.hpp"
+#include "support/line_ends.hpp"
 #include "support/temp_folder.hpp"
 #include "unit/signal/small_matrix.hpp"
 
@@ -20,6 +21,7 @@ using test::expect_file_refused;
 using test::expect_input_error;
 using test::small_matrix;
 using test::TempFolder;
+using test::with_line_ends;
 using Mounts = std::vector<std::vector<std::uint32_t>>;
 
 // Columns 0, 3 and 4 are at one point within rounding.
@@ -46,16 +48,6 @@ TEST(SignalTable, CandidatesAtOnePositionAreOptions) {
   // A matrix without positions has no mounting points.
   write_matrix_csv(with_options(), with_options().mean, folder / "signal.csv");
   EXPECT_EQ(read_signal_table(folder / "signal.csv").mounts, Mounts{});
-}
-
-std::string with_line_ends(std::string_view text, std::string_view end) {
-  std::string result;
-  for (const char c : text)
-    if (c == '\n')
-      result += end;
-    else
-      result += c;
-  return result;
 }
 
 TEST(SignalTable, MarksAndLineEndsDoNotMatter) {
