@@ -17,13 +17,6 @@ namespace shelfbeam {
 
 namespace {
 
-std::string printable(std::string name) {
-  if (!is_utf8(name))
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) > 127; }, '?');
-  return name;
-}
-
 std::optional<MaterialId> mapped(const std::string& name,
                                  const std::vector<std::pair<std::string, MaterialId>>& materials) {
   for (const auto& [pattern, material] : materials)
