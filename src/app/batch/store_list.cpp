@@ -44,12 +44,16 @@ std::string name_of(const fs::path& file) {
   return readable(relative.replace_extension().string());
 }
 
-// The path in a line. No file has a null character in its path: the system would read another, shorter path.
+// The path in a line, which may be in quotes and have backslashes, as Windows writes it. No file has a null
+// character in its path: the system would read another, shorter path.
 std::string path_in(std::string_view line, const fs::path& folder) {
   std::string text = line.find('\0') == std::string_view::npos ? std::string(line) : printable(line);
   std::error_code missing;
-  const bool is_quoted = text.size() > 2 && text.front() == '"' && text.back() == '"';
-  return is_quoted && !fs::exists(folder / text, missing) ? text.substr(1, text.size() - 2) : text;
+  if (fs::exists(folder / text, missing)) return text;
+  if (text.size() > 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+  std::string with_slashes = text;
+  std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');
+  return fs::exists(folder / with_slashes, missing) ? with_slashes : text;
 }
 
 StoreList from_list(const fs::path& list) {
@@ -149,7 +153,7 @@ void make_names_unique(std::vector<ListedStore>& stores) {
   }
 }
 
-// A step of a path that is no longer than `most` bytes, and another one for another step.
+// A step of a path, cut to at most `most` bytes. Different steps remain different.
 std::string fitted(const std::string& step, std::size_t most) {
   if (step.size() <= most) return step;
   constexpr std::size_t digits = 16;
@@ -158,7 +162,7 @@ std::string fitted(const std::string& step, std::size_t most) {
   return step.substr(0, head) + "~" + content_hash(step).substr(0, digits);
 }
 
-// Another step for another one, and none that a file needs, whose name or extension is `of_file`.
+// A step of a folder that does not end like a file, with `of_file`. Different steps remain different.
 std::string beside(const std::string& step, std::string_view of_file) {
   const std::size_t end = step.find_last_not_of('_') + 1;
   return std::string_view(step).substr(0, end).ends_with(of_file) ? step + "_" : step;

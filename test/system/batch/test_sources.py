@@ -95,6 +95,12 @@ class Sources(unittest.TestCase):
         self.assertEqual(self.statuses(), {"a": "planned", "b c": "planned", "-d": "planned", "a~2": "failed", "line 10": "failed",
                                            "no\\x00thing": "failed", "nowhere": "failed"})
         self.assertEqual(ended.stderr.count("lists the store"), 2)
+        # Backslashes, as Windows writes them, unless they are part of a name.
+        self.shop("north/12")
+        self.shop("east\\3")
+        (tree / "list.txt").write_bytes(b"north\\12\\store.json\r\n\".\\b c\\store.json\"\r\neast\\3/store.json\r\n")
+        self.batch("t/list.txt", "--overwrite", *QUICK)
+        self.assertEqual(self.statuses(), {"north/12": "planned", "b c": "planned", "east\\3": "planned"})
         # A store of an own list, whose path begins like an option.
         (self.folder / "list.txt").write_text("-e.json\n", encoding="utf-8")
         shutil.copy(TINY, self.folder / "-e.json")
