@@ -17,6 +17,7 @@
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
+#include "app/exit_details.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/usage.hpp"
 #include "app/text/flags.hpp"
@@ -92,7 +93,7 @@ int out_of_memory(const CLI::App& app) {
       fmt::format("{}: '{}' requires more than {:.3g} GB of memory, which is all that this process may use; "
                   "use a smaller input, or a machine with more memory",
                   input, verb->get_name(), 1.25e-9 * static_cast<double>(memory_limit())));
-  return wrong_input;
+  return lacks_memory;
 }
 
 int run(const CLI::App& app, const ChosenVerb& verb) {
@@ -100,10 +101,10 @@ int run(const CLI::App& app, const ChosenVerb& verb) {
     return ended(verb());
   } catch (const InputError& error) {
     print_line("error", with_flag(error.what(), error.setting()));
-    return wrong_input;
+    return exit_code_of(error);
   } catch (const Interrupted& stop) {
     print_line("stopped", with_flag(stop.what(), stop.setting()));
-    return stopped_early;
+    return interrupted;
   } catch (const std::bad_alloc&) {
     return out_of_memory(app);
   } catch (const std::exception& error) {
@@ -148,5 +149,5 @@ int main(int argc, char** argv) {
     print_line("error", error.what());
     return wrong_input;
   }
-  return run(app, chosen);
+  return public_exit_code(run(app, chosen));
 }

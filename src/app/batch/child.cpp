@@ -53,12 +53,15 @@ class Sink {
 };
 
 // Makes only calls that are safe between fork and exec.
-std::function<int()> execution(std::vector<std::string>& words) {
-  std::vector<char*> pointers;
+std::function<int()> execution(std::vector<std::string>& words, std::string& variable) {
+  std::vector<char*> pointers, environment;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  return [pointers = std::move(pointers)] {
-    ::execvp(pointers[0], pointers.data());
+  for (char** other = ::environ; *other != nullptr; ++other) environment.push_back(*other);
+  if (!variable.empty()) environment.push_back(variable.data());
+  environment.push_back(nullptr);
+  return [pointers = std::move(pointers), environment = std::move(environment)] {
+    ::execvpe(pointers[0], pointers.data(), environment.data());
     return 127;
   };
 }
@@ -71,7 +74,8 @@ struct Child::State {
   pid_t id = 0;
 };
 
-Child::Child(std::vector<std::string> words, std::uint64_t memory) : Child(execution(words), memory) {}
+Child::Child(std::vector<std::string> words, std::uint64_t memory, std::string variable)
+    : Child(execution(words, variable), memory) {}
 
 Child::Child(const std::function<int()>& work, std::uint64_t memory) : state_(std::make_unique<State>()) {
   std::fflush(nullptr);

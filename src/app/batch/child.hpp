@@ -22,9 +22,10 @@ inline constexpr auto own_program = "/proc/self/exe";
 /// Another process. It ends with its parent, however this ends.
 class Child {
  public:
-  /// `words`: the program and its arguments. `memory`: limit of its data in bytes; 0: none. A program that
-  /// cannot be run ends with code 127. Throws std::system_error.
-  explicit Child(std::vector<std::string> words, std::uint64_t memory = 0);
+  /// `words`: the program and its arguments. `memory`: limit of its data in bytes; 0: none. `variable`: an
+  /// addition to its environment ("NAME=value"). A program that cannot be run ends with code 127. Throws
+  /// std::system_error.
+  explicit Child(std::vector<std::string> words, std::uint64_t memory = 0, std::string variable = {});
   /// A copy of this process that runs `work`, which returns the exit code. Only for a process with one
   /// thread.
   explicit Child(const std::function<int()>& work, std::uint64_t memory = 0);

@@ -15,6 +15,7 @@
 #include "shelfbeam/base/error.hpp"
 
 #include "app/batch/child.hpp"
+#include "app/exit_details.hpp"
 #include "app/text/flags.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -32,7 +33,8 @@ int outcome_of(const std::function<void(const ListedStore&)>& read, const Listed
     return done;
   } catch (const InputError& error) {
     const std::string line = fmt::format("error: {}\n", one_line(with_flag(error.what(), error.setting())));
-    return ::write(STDERR_FILENO, line.data(), line.size()) < 0 ? internal_error : wrong_input;
+    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return internal_error;
+    return exit_code_of(error);
   } catch (const std::exception&) {
     return internal_error;
   }
@@ -52,7 +54,7 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
   std::vector<bool> is_unreadable(plans.size());
   std::list<Reading> running;
   const auto note = [&](std::size_t k, const ChildEnd& end) {
-    if (end.exit_code != wrong_input || lacks_memory(end)) return;
+    if (end.exit_code != wrong_input) return;
     StoreRecord record{failed_result(*plans[k].store, failure_of(end)), plans[k].input};
     record.result.effort = with_run(plans[k].effort, end);
     try {
@@ -68,7 +70,8 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
     control.report("reading the stores", static_cast<double>(next) / static_cast<double>(plans.size()));
     for (; next < plans.size() && running.size() < options.jobs; ++next) try {
         const ListedStore& store = *plans[next].store;
-        running.push_back({next, Child([&read, &store] { return outcome_of(read, store); }, options.memory / options.jobs)});
+        running.push_back({next, Child([&read, &store] { return outcome_of(read, store); },
+                                       options.memory / options.jobs)});
       } catch (const std::system_error&) {  // the plan will read it
       }
     if (!running.empty()) wait_for_children(poll_s);

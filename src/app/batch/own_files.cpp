@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The hash of a missing file is that of an empty one; no hash for what is not a file.
+// The hash of a missing file is that of an empty one. Nothing for folders, links and other entries.
 std::optional<std::string> present_hash(const fs::path& file) {
   std::error_code unknown;
   const fs::file_status status = fs::symlink_status(file, unknown);

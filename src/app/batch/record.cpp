@@ -14,6 +14,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
+#include "app/exit_details.hpp"
 #include "app/plan_folder.hpp"
 #include "app/verbs.hpp"
 
@@ -191,14 +192,10 @@ std::string failure_of(const ChildEnd& end) {
                              : fmt::format("the plan ended with exit code {}", end.exit_code);
 }
 
-bool lacks_memory(const ChildEnd& end) {
-  return end.exit_code == wrong_input && end.err.find("memory") != std::string::npos;
-}
-
 bool was_interrupted(const ChildEnd& end) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (end.exit_code == 128 + signal) return true;
-  return end.exit_code == stopped_early && ("\n" + end.err).find("\nstopped") != std::string::npos;
+  return end.exit_code == interrupted;
 }
 
 PlanEffort with_run(PlanEffort effort, const ChildEnd& end) {

@@ -48,9 +48,6 @@ StoreResult failed_result(const ListedStore& store, const std::string& reason);
 /// The reason for which a process of this program has failed, from its messages.
 std::string failure_of(const ChildEnd& end);
 
-/// Whether it has failed for lack of memory, by its own account.
-bool lacks_memory(const ChildEnd& end);
-
 /// Whether a signal has ended the plan, perhaps before it could handle the signal.
 bool was_interrupted(const ChildEnd& end);
 

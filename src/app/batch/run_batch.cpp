@@ -22,6 +22,7 @@
 #include "app/batch/child.hpp"
 #include "app/batch/database.hpp"
 #include "app/batch/own_files.hpp"
+#include "app/exit_details.hpp"
 #include "app/plan_folder.hpp"
 #include "app/verbs.hpp"
 
@@ -62,11 +63,6 @@ std::string wait_until_free(const std::filesystem::path& plan, const RunControl&
 bool is_finished(const BatchFolder& folder, const ListedStore& store, const std::string& input) {
   const auto record = read_record(folder, store);
   return record && record->is_final && record->input == input;
-}
-
-// The plan has an input, such as a mesh, that its checkpoint does not have.
-bool refuses_checkpoint(const ChildEnd& end) {
-  return end.exit_code == wrong_input && end.err.find("start again without resuming") != std::string::npos;
 }
 
 class Runner {
@@ -158,7 +154,7 @@ class Runner {
                                    fmt::format("{}", job.threads)};
     if (job.continues) words.emplace_back("--resume");
     words.insert(words.end(), options_.plan_options.begin(), options_.plan_options.end());
-    job.child.emplace(std::move(words), memory);
+    job.child.emplace(std::move(words), memory, fmt::format("{}=1", exit_detail_variable));
     return true;
   }
 
@@ -190,12 +186,13 @@ class Runner {
         is_interrupted ? without_result(*job.store) : result_of(options_.folder, *job.store, end), job.input};
     record.is_final = !is_interrupted && record.result.status != StoreStatus::failed;
     record.result.effort = job.effort = with_run(job.effort, end);
-    if (job.continues && refuses_checkpoint(end)) {
+    // A file that the store names, such as a mesh, may have changed.
+    if (job.continues && end.exit_code == other_checkpoint) {
       waiting_.push_front({{job.store, job.input, job.effort, false}});
       return;
     }
     // A signal from the system may have the same reason.
-    const bool may_lack_memory = lacks_memory(end) || end.exit_code > 128;
+    const bool may_lack_memory = end.exit_code == lacks_memory || end.exit_code > 128;
     if (!record.is_final && !is_interrupted && may_lack_memory && !job.is_alone && options_.jobs > 1) {
       alone_.push_back({{job.store, job.input, job.effort, true}, true});
       return;

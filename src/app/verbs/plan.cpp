@@ -24,6 +24,7 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
+#include "app/exit_details.hpp"
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
@@ -217,7 +218,7 @@ std::uint32_t states_of(const Options& options, const Store& store) {
 
 int run_plan(const Options& options) {
   const CancelToken& cancel = cancel_on_signal();
-  std::optional<EndAtOnce> reading(stopped_early);
+  std::optional<EndAtOnce> reading(public_exit_code(interrupted));
   Store store = load_store(options.store, options.allow_outside, options.simulation.memory, {}, &cancel);
   const std::uint32_t states = states_of(options, store);
   const Scene scene = make_inspected_scene(store);
@@ -323,7 +324,7 @@ int run_plan(const Options& options) {
   if (plan.complete) return stopped_early;
   if (!options.common.quiet || elsewhere)
     print_message("stopped early: {}\n", remark_on_interruption(options, summary, is_kept, elsewhere));
-  return stopped_early;
+  return interrupted;
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ Node parse_strictly(std::string_view text, const std::string& name) {
   try {
     Node::sax_parse(text, &keys, Node::input_format_t::json, true, true);
     if (keys.bytes() > memory_limit())
-      throw InputError(
+      throw MemoryError(
           name,
           fmt::format("requires {:.3g} GB of memory; the limit is {:.3g} GB",
                       1e-9 * static_cast<double>(keys.bytes()), 1e-9 * static_cast<double>(memory_limit())),

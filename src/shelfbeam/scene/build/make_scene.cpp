@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/changed_ids.hpp"
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/box_index.hpp"
@@ -53,8 +54,10 @@ class SceneMaker {
     try {
       return made();
     } catch (const std::bad_alloc&) {
-      fail(fmt::format("requires about {:.3g} GB of memory, more than is available", 1e-9 * memory_.bytes()),
-           "use wider spacings or simpler meshes, or a machine with more memory");
+      throw MemoryError(
+          store_.file,
+          fmt::format("requires about {:.3g} GB of memory, more than is available", 1e-9 * memory_.bytes()),
+          "use wider spacings or simpler meshes, or a machine with more memory");
     }
   }
 
