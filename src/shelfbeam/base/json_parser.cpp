@@ -47,22 +47,37 @@ constexpr std::size_t max_levels = 100;
 // Objects are searched key by key, so the time grows with the square of their keys.
 constexpr std::size_t max_keys = 10'000;
 
-// Checks the nesting and the keys before the document is parsed, in one pass and without keeping values. The
-// parser itself would silently use the last value of a duplicate key, and its callbacks take time that grows
-// with the square of the elements of a list.
-class KeyWatcher {
+// Makes the document from the events of the parser, which alone would silently use the last value of a
+// duplicate key. Elements are moved into their container when it is complete, because an object that grows
+// copies all its members.
+class DocumentBuilder {
  public:
-  explicit KeyWatcher(const std::string& name) : name_(name) {}
+  explicit DocumentBuilder(const std::string& name) : name_(name) {}
+
+  Node document() { return std::move(document_); }
 
   bool start_object(std::size_t) { return open(false); }
   bool start_array(std::size_t) { return open(true); }
-  bool end_object() { return close(); }
-  bool end_array() { return close(); }
+  bool end_object() {
+    Level level = std::move(open_.back());
+    open_.pop_back();
+    Node node = Node::object();
+    auto& members = node.get_ref<Node::object_t&>();
+    members.reserve(level.values.size());
+    for (std::size_t k = 0; k < level.values.size(); ++k)
+      members.emplace_back(std::move(level.keys[k]), std::move(level.values[k]));
+    return add(std::move(node));
+  }
+  bool end_array() {
+    Node node = std::move(open_.back().values);
+    open_.pop_back();
+    return add(std::move(node));
+  }
   bool key(std::string& key) {
     Level& level = open_.back();
-    level.key = key;
+    level.keys.push_back(key);
     bytes_ += sizeof(std::pair<std::string, Node>) + key.size();
-    if (!level.keys.insert(key).second)
+    if (!level.known.insert(key).second)
       throw InputError(name_ + ": " + path(), "is a duplicate key", "remove one of the two");
     if (level.keys.size() > max_keys) {
       open_.pop_back();
@@ -72,56 +87,62 @@ class KeyWatcher {
     }
     return true;
   }
-  bool null() { return value(); }
-  bool boolean(bool) { return value(); }
-  bool number_integer(Node::number_integer_t) { return value(); }
-  bool number_unsigned(Node::number_unsigned_t) { return value(); }
-  bool number_float(Node::number_float_t, const std::string&) { return value(); }
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(Node::number_integer_t value) { return add(value); }
+  bool number_unsigned(Node::number_unsigned_t value) { return add(value); }
+  bool number_float(Node::number_float_t value, const std::string&) { return add(value); }
   bool string(std::string& text) {
     bytes_ += sizeof(std::string) + text.size();
-    return value();
+    return add(std::move(text));
   }
-  bool binary(Node::binary_t&) { return value(); }
-  /// The memory of the document, counted without parsing it, bytes. Lists may reserve twice their elements.
-  std::size_t bytes() const { return bytes_; }
-  // The parser itself reports the error.
-  bool parse_error(std::size_t, const std::string&, const std::exception&) { return false; }
+  bool binary(Node::binary_t&) { return false; }  // not in JSON
+  template <class Error>
+  bool parse_error(std::size_t, const std::string&, const Error& error) {
+    throw Error(error);
+  }
 
  private:
   struct Level {
     bool is_array;
-    std::size_t index;
-    std::string key;
-    std::set<std::string> keys;
+    std::vector<std::string> keys = {};
+    std::set<std::string> known = {};  ///< the same keys
+    std::vector<Node> values = {};
   };
 
   bool open(bool is_array) {
     if (open_.size() >= max_levels)
       throw InputError(name_, fmt::format("has more than {} nested brackets", max_levels),
                        "check that it is the right file");
-    open_.push_back({is_array, 0, {}, {}});
+    open_.push_back({is_array});
     return true;
   }
-  bool close() {
-    open_.pop_back();
-    return value();
-  }
-  bool value() {
-    bytes_ += 2 * sizeof(Node);
-    if (!open_.empty()) ++open_.back().index;
+  bool add(Node value) {
+    bytes_ += 2 * sizeof(Node);  // a list may reserve twice its elements
+    if (bytes_ > limit_)
+      throw MemoryError(name_,
+                        fmt::format("requires more than {:.3g} GB of memory, the limit",
+                                    1e-9 * static_cast<double>(limit_)),
+                        "check that it is the right file, or use a machine with more memory");
+    if (open_.empty())
+      document_ = std::move(value);
+    else
+      open_.back().values.push_back(std::move(value));
     return true;
   }
   std::string path() const {
     std::string path;
     for (const Level& level : open_)
-      path += level.is_array ? fmt::format("[{}]", level.index)
-                             : (path.empty() ? "" : ".") + shortened(level.key, longest_key);
+      path += level.is_array ? fmt::format("[{}]", level.values.size())
+                             : (path.empty() ? "" : ".") + shortened(level.keys.back(), longest_key);
     return path;
   }
 
   const std::string& name_;
+  const std::size_t limit_ = memory_limit();
+  std::size_t bytes_ = 0;  ///< of the document
   std::vector<Level> open_;
-  std::size_t bytes_ = 0;
+  Node document_;
 };
 
 // Replaces characters that the parser does not accept by blanks and line breaks, so that positions remain as
@@ -180,25 +201,34 @@ std::string_view without_nulls(std::string_view text, const std::string& name) {
   return text;
 }
 
+// The character at which the parser has stopped, if it is one that JSON has in texts only.
+std::optional<Character> foreign_character(std::string_view text, const Node::parse_error& error) {
+  if (error.byte == 0 || error.byte > text.size()) return std::nullopt;
+  const Character character = character_at(text, error.byte - 1);
+  return character.bytes > 1 ? std::optional(character) : std::nullopt;
+}
+
 Node parse_strictly(std::string_view text, const std::string& name) {
-  KeyWatcher keys(name);
+  DocumentBuilder builder(name);
   try {
-    Node::sax_parse(text, &keys, Node::input_format_t::json, true, true);
-    if (keys.bytes() > memory_limit())
-      throw MemoryError(
-          name,
-          fmt::format("requires {:.3g} GB of memory; the limit is {:.3g} GB",
-                      1e-9 * static_cast<double>(keys.bytes()), 1e-9 * static_cast<double>(memory_limit())),
-          "check that it is the right file, or use a machine with more memory");
-    return Node::parse(text, nullptr, true, true);
+    Node::sax_parse(text, &builder, Node::input_format_t::json, true, true);
+    return builder.document();
   } catch (const Node::out_of_range& error) {
     throw InputError(
         name, "has a number out of range (" + shortened(overflow_message(error, text), longest_message) + ")",
         "correct the number");
-  } catch (const Node::exception& error) {
+  } catch (const Node::parse_error& error) {
     const auto is_foreign = [](std::string_view line) { return !is_utf8(line); };
     if (begins_like_json(text) && is_foreign(text))
       throw InputError(first_line(text, name, is_foreign), "is not UTF-8", save_as_utf8);
+    if (const auto found = foreign_character(text, error))
+      throw InputError(
+          fmt::format(
+              "{}: line {}", name,
+              1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(error.byte), '\n')),
+          fmt::format("has the character {} (U+{:04X}) outside of a text",
+                      in_quotes(text.substr(error.byte - 1, found->bytes)), found->code),
+          "write texts in straight double quotes, and plain blanks between them");
     throw InputError(name, "is not valid JSON (" + shortened(parser_message(error), longest_message) + ")",
                      "correct the syntax");
   }

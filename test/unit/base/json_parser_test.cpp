@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -48,6 +49,29 @@ TEST(JsonParser, MarksNullCharactersAndEncodings) {
   expect_input_error([] { parsed("\xFF\xFE{\0}\0"sv); }, "a.json: is UTF-16", "save it as UTF-8");
   expect_input_error([] { parsed("{\n\"a\": \"K\xFChl\"}"); }, "a.json: line 2", "is not UTF-8");
   EXPECT_EQ(parsed("{} // K\xFChl"), "{}") << "comments do not matter";
+}
+
+TEST(JsonParser, CharactersOutsideOfTextsAreNamed) {
+  expect_input_error([] { parsed("{\n \u201Ca\u201D: 1}"); }, "a.json: line 2", "'\u201C' (U+201C)",
+                     "straight double quotes");
+  expect_input_error([] { parsed("{\"a\":\u00A01}"); }, "a.json: line 1", "(U+00A0)");
+  EXPECT_EQ(parsed("[\"\u201C\"] // \u201C"), "[\"\u201C\"]");
+}
+
+TEST(JsonParser, KeepsOrderNumbersAndNesting) {
+  const std::string_view text =
+      R"({"z":[[],{},[{"b":[1,-2,2.5,1e+300,18446744073709551615]}]],"a":{"c":{"d":null}},"e":[true,false,"x"]})";
+  EXPECT_EQ(parsed(text), text);
+  EXPECT_EQ(parsed("null"), "null");
+  EXPECT_EQ(parsed("7"), "7");
+}
+
+TEST(JsonParser, ErrorsHavePaths) {
+  expect_input_error([] { parsed(R"({"a": [1, {"b": [[], {"c": 1, "c": 2}]}]})"); },
+                     "a.json: a[1].b[1].c: is a duplicate key");
+  std::string many = "[0, {\"a\": {";
+  for (int k = 0; k <= 10'000; ++k) many += fmt::format("\"{}\": 0,", k);
+  expect_input_error([&] { parsed(many + "}}]"); }, "a.json: [1].a: has more than 10,000 keys");
 }
 
 }  // namespace
