@@ -139,6 +139,7 @@ std::string ChangedIds::warning(const std::string& file) const {
   if (!has_long_) ids.insert(ids.end(), rounded_.begin(), rounded_.end());
   if (ids.empty()) return {};
   std::vector<std::string> shown;
+  shown.reserve(ids.size());
   for (const Id& id : ids)
     shown.push_back(
         fmt::format("{} in {}", id.id.empty() ? "others" : in_quotes(id.id), lines_text(id.lines, id.count)));
