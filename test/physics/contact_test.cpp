@@ -40,6 +40,8 @@ Scene room(double gap) {
   bare.quad(pane, {3.5, 3, 0.2}, {2, 0, 0}, {0, 0, 2.6});
   bare.quad(pane, {3.5, 3 + std::abs(gap), 0.2}, {2, 0, 0}, {0, 0, 2.6});
   bare.label({4.5, 3.6, 1.5}, {0, -1, 0});
+  bare.label({2.7, 1, 1.5 + gap}, {0, 0, -1});
+  bare.label({5 + gap, 1, 1}, {-1, 0, 0});
   bare.unit({2.8, 2.2, 2.9}, {0, 0, -1}, GeneralizedLambertian{1, 10});
   return bare.scene;
 }

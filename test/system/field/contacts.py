@@ -14,16 +14,26 @@ def warnings(store):
     return lambda scratch: "separate" in run("inspect", store).out
 
 
-def state_signal(name, scratch):
-    """The signal in a state of the shop in which units are mounted inexactly."""
+def changed_signal(name, scratch, change, *options):
     store = json.loads((INPUTS / name).read_text(encoding="utf-8"))
-    store["variation"] = {"mounting": {"position": 0.05, "tilt_deg": 2}, "unit_power_db": 0.5}
+    store.update(change)
     (scratch / name).write_text(json.dumps(store), encoding="utf-8")
-    return signals(scratch / name, scratch, "--state", 3)["L1", "U1"]
+    return signals(scratch / name, scratch, *options)["L1", "U1"]
 
 
 def state_ratio(scratch):
-    return state_signal("jar_on_table.json", scratch) / state_signal("jar_above_table.json", scratch)
+    """Of the signals in a state of the shop in which units are mounted inexactly."""
+    change = {"variation": {"mounting": {"position": 0.05, "tilt_deg": 2}, "unit_power_db": 0.5}}
+    on, above = (changed_signal(f"jar_{place}_table.json", scratch, change, "--state", 3) for place in ("on", "above"))
+    return on / above
+
+
+def label_ratio(scratch):
+    """Of the signals of a label that looks through a block of glass, on it and 1 mm in front of it."""
+    def at(z):
+        label = {"id": "L1", "position": [3, 2, z], "normal": [0, 0, -1], "type": "shelf label"}
+        return changed_signal("glass_on_pane.json", scratch, {"labels": [label]})
+    return at(1.2) / at(1.201)
 
 
 ROWS = [
@@ -33,6 +43,7 @@ ROWS = [
     Row("jar_on_table.json", "0.124 +- 0.005", signal("jar_on_table.json"), between(0.119, 0.129)),
     Row("jar_above_table.json", "0.124 +- 0.005", signal("jar_above_table.json"), between(0.119, 0.129)),
     Row("jar_on_table.json, state 3", "as jar_above_table.json, 1 +- 0.05", state_ratio, between(0.95, 1.05)),
+    Row("glass_on_pane.json, label on the block", "as 1 mm above it, 1 +- 0.05", label_ratio, between(0.95, 1.05)),
     Row("glass_touching.json", "0.112 to 0.116", signal("glass_touching.json"), between(0.110, 0.118)),
     Row("glass_on_pane.json", "0.113 +- 0.003", signal("glass_on_pane.json"), between(0.110, 0.116)),
     Row("glass_above_pane.json", "0.113 +- 0.003", signal("glass_above_pane.json"), between(0.110, 0.116)),

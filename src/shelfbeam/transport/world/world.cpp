@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "shelfbeam/transport/world/extent.hpp"
-#include "shelfbeam/transport/world/pane_devices.hpp"
+#include "shelfbeam/transport/world/glass_devices.hpp"
 
 namespace shelfbeam {
 
@@ -67,7 +67,7 @@ std::optional<Scene> enlarged(const Scene& scene) {
   if (factor != 1) own = times(scene, factor);
   const Scene& now = own ? *own : scene;
   constexpr double margin = 1.25;
-  if (auto devices = devices_off_panes(now, margin * ray_coordinates(now).end(), max_overlap / 2 * factor)) {
+  if (auto devices = devices_off_glass(now, margin * ray_coordinates(now).end(), max_overlap / 2 * factor)) {
     if (!own) own = scene;
     own->labels = std::move(devices->labels);
     own->transceivers = std::move(devices->transceivers);

@@ -18,7 +18,7 @@ namespace shelfbeam {
 /// as d^2. Lengths that estimators choose for stores, such as the half-metre cells of the radiance cache,
 /// then also suit a box of some millimetres.
 ///
-/// Labels and units are off panes (devices_off_panes). No value for a scene that remains as it is.
+/// Labels and units are off glass (devices_off_glass). No value for a scene that remains as it is.
 std::optional<Scene> enlarged(const Scene& scene);
 
 /// This factor, 1 for a scene of 1 m or more.

@@ -13,9 +13,10 @@ struct Devices {
   std::vector<Transceiver> transceivers;
 };
 
-/// The devices with those that touch a pane moved away from it by `distance`, at which rays can tell on which
+/// The devices with those that touch glass moved away from it by `distance`, at which rays can tell on which
 /// side they are. A device on a pane, or beyond it by up to `overlap`, is in front of it: it looks away from
-/// the pane. No value if no device touches a pane.
-std::optional<Devices> devices_off_panes(const Scene& scene, double distance, double overlap);
+/// the pane. A device on solid glass, or in it by up to `overlap`, is outside, in whichever direction it
+/// looks. No value if no device touches glass.
+std::optional<Devices> devices_off_glass(const Scene& scene, double distance, double overlap);
 
 }  // namespace shelfbeam

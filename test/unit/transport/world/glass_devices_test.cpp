@@ -1,6 +1,6 @@
-// Labels and units on panes, against the same devices 1 mm in front of or behind these.
+// Labels and units on glass, against the same devices 1 mm in front of or behind these.
 
-#include "shelfbeam/transport/world/pane_devices.hpp"
+#include "shelfbeam/transport/world/glass_devices.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ double largest_difference(const Arrangement& a, const Arrangement& b) {
 }
 
 // The housing of a unit may overlap the pane a little, and the rounding of either position must not matter.
-TEST(PaneDevices, CountAsInFront) {
+TEST(GlassDevices, CountAsInFront) {
   for (const Vec3& up : {Vec3{0, 0, 1}, Vec3{0, -1, 0}, Vec3{0.4, -0.7, 0.3}})
     for (const double distance : {0.0, 50.0, 900.0}) {
       const Vec3 place = Vec3{0.37, 0.21, 0.83} + Vec3{distance, 0.6 * distance, 0};
@@ -74,16 +74,32 @@ TEST(PaneDevices, CountAsInFront) {
     }
 }
 
-TEST(PaneDevices, AreOthersThanThoseBesideAPane) {
+TEST(GlassDevices, AreOthersThanThoseBesideAPane) {
   Scene scene = Arrangement{0.1}.scene();
-  EXPECT_FALSE(devices_off_panes(scene, 1e-4, 1e-5));
+  EXPECT_FALSE(devices_off_glass(scene, 1e-4, 1e-5));
   scene.transceivers[0].position = Vec3{5, 0, 0.83};  // in its plane
-  EXPECT_FALSE(devices_off_panes(scene, 1e-4, 1e-5));
+  EXPECT_FALSE(devices_off_glass(scene, 1e-4, 1e-5));
   scene.transceivers[0].position = Vec3{0.37, 0.21, 0.83};
-  const auto moved = devices_off_panes(scene, 1e-4, 1e-5);
+  const auto moved = devices_off_glass(scene, 1e-4, 1e-5);
   ASSERT_TRUE(moved);
   EXPECT_NEAR(moved->transceivers[0].position.z, 0.83 - 1e-4, 1e-15);
   EXPECT_EQ(moved->labels[2].position, scene.labels[2].position);
+}
+
+// SlowContact compares the signals of labels that look through glass.
+TEST(GlassDevices, AreOutsideOfSolidGlass) {
+  test::BareScene bare;
+  bare.box(bare.material(make_dielectric(1.5)), {0, 0, 0}, {1, 1, 1});
+  bare.label({0.3, 0.2, 1}, {0, 0, -1});
+  bare.label({0.3, 0.2, 1 - 1e-6}, {0, 0, 1});
+  bare.label({0.3, 0.2, 1 - 5e-5}, {0, 0, 1});
+  bare.label({0, 0.4, 0.5}, {0, 0, 1});
+  const auto moved = devices_off_glass(bare.scene, 1e-4, 1e-5);
+  ASSERT_TRUE(moved);
+  EXPECT_NEAR(moved->labels[0].position.z, 1 + 1e-4, 1e-15);
+  EXPECT_NEAR(moved->labels[1].position.z, 1 + 1e-4, 1e-15);
+  EXPECT_EQ(moved->labels[2].position, bare.scene.labels[2].position) << "embedded in the glass";
+  EXPECT_NEAR(moved->labels[3].position.x, -1e-4, 1e-15);
 }
 
 }  // namespace
