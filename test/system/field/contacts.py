@@ -1,8 +1,9 @@
 """Glass in contact with other surfaces: the signal of L1, W/m^2."""
 
+import csv
 import json
 
-from rows import INPUTS, Row, between, run, signals
+from rows import INPUTS, Row, between, expect_success, run, signals
 
 
 def signal(store):
@@ -28,6 +29,13 @@ def state_ratio(scratch):
     return on / above
 
 
+def verified_signal(scratch):
+    """The signal in the second simulation, which verifies the plan."""
+    expect_success(run("plan", "jar_on_table.json", "-o", scratch / "plan"))
+    with open(scratch / "plan/verification.csv", encoding="utf-8") as file:
+        return float(next(csv.DictReader(file))["signal"])
+
+
 def label_ratio(scratch):
     """Of the signals of a label that looks through a block of glass, on it and 1 mm in front of it."""
     def at(z):
@@ -43,6 +51,7 @@ ROWS = [
     Row("jar_on_table.json", "0.124 +- 0.005", signal("jar_on_table.json"), between(0.119, 0.129)),
     Row("jar_above_table.json", "0.124 +- 0.005", signal("jar_above_table.json"), between(0.119, 0.129)),
     Row("jar_on_table.json, state 3", "as jar_above_table.json, 1 +- 0.05", state_ratio, between(0.95, 1.05)),
+    Row("jar_on_table.json, verification", "0.124 +- 0.012", verified_signal, between(0.112, 0.136)),
     Row("glass_on_pane.json, label on the block", "as 1 mm above it, 1 +- 0.05", label_ratio, between(0.95, 1.05)),
     Row("glass_touching.json", "0.112 to 0.116", signal("glass_touching.json"), between(0.110, 0.118)),
     Row("glass_on_pane.json", "0.113 +- 0.003", signal("glass_on_pane.json"), between(0.110, 0.116)),
