@@ -191,8 +191,7 @@ void Contacts::find_solids(const Scene& scene) {
   }
 }
 
-bool Contacts::contain(std::uint32_t triangle, const Vec3& at) const {
-  if (!has_contact(triangle)) return false;
+bool Contacts::has_partner_at(std::uint32_t triangle, const Vec3& at) const {
   return index_.any(Bounds{at, at}.wider_by(2 * limits_.reach),
                     [&](std::uint32_t f) { return are_partners(triangle, faces_[f].triangle); });
 }

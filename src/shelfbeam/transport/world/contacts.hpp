@@ -27,7 +27,9 @@ class Contacts {
   Contacts(const Scene& scene, const Limits& limits);
 
   /// Whether a triangle is in contact with another one near a point on it.
-  bool contain(std::uint32_t triangle, const Vec3& at) const;
+  bool contain(std::uint32_t triangle, const Vec3& at) const {
+    return has_contact(triangle) && has_partner_at(triangle, at);
+  }
 
   /// A surface of a stack, where a line crosses it.
   struct Crossing {
@@ -58,6 +60,7 @@ class Contacts {
   bool has_contact(std::uint32_t triangle) const {
     return triangle < face_of_.size() && first_[triangle] != first_[triangle + 1];
   }
+  bool has_partner_at(std::uint32_t triangle, const Vec3& at) const;
   std::span<const std::uint32_t> partners(std::uint32_t triangle) const {
     return std::span(partners_).subspan(first_[triangle], first_[triangle + 1] - first_[triangle]);
   }
