@@ -6,25 +6,17 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/polygon_edges.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-using Edge = std::array<Vec2, 2>;
-
-template <class Use>
-void each_edge(const Polygon& polygon, Use use) {
-  for (std::size_t k = 0; k < polygon.size(); ++k) use(Edge{polygon[k], polygon[(k + 1) % polygon.size()]});
-}
-
 // Whether all corners of one are on the outer side of an edge of the other, or on it.
 bool is_beyond_an_edge(const Polygon& one, const Polygon& other) {
   const double turn = signed_area(one) > 0 ? 1 : -1;
   bool is_beyond = false;
-  each_edge(one, [&](const Edge& edge) {
-    const Vec2 &a = edge[0], &b = edge[1];
+  each_edge(one, [&](const Vec2& a, const Vec2& b) {
     is_beyond = is_beyond || std::all_of(other.begin(), other.end(), [&](const Vec2& p) {
                   return turn * ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])) <= 0;
                 });
@@ -43,7 +35,9 @@ void PlanEffort::divide(const RoomShape& shape, const Polygon& polygon, const Js
   constexpr std::size_t most = 12'000;
   const PlanBounds bounds = bounds_of(polygon);
   const auto count = [&](const Polygon& border) {
-    each_edge(border, [&](const Edge& edge) { divided_ += bounds_of(edge).meets(bounds) ? 1 : 0; });
+    each_edge(border, [&](const Vec2& a, const Vec2& b) {
+      divided_ += bounds_of(std::array{a, b}).meets(bounds) ? 1 : 0;
+    });
   };
   count(shape.outline);
   for (const Polygon& hole : shape.holes) count(hole);

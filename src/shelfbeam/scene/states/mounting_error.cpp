@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/polygon_edges.hpp"
 #include "shelfbeam/scene/states/draws.hpp"
 
 namespace shelfbeam {
@@ -14,11 +14,6 @@ namespace shelfbeam {
 namespace {
 
 constexpr double rounding = 1e-9;  // m
-
-template <class Use>
-void each_edge(const Polygon& polygon, Use use) {
-  for (std::size_t k = 0; k < polygon.size(); ++k) use(polygon[k], polygon[(k + 1) % polygon.size()]);
-}
 
 Vec2 nearest_point(const Vec2& a, const Vec2& b, const Vec2& p) {
   const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
