@@ -28,8 +28,8 @@ std::atomic<int> code_to_end_at_once{0};  // 0: the work ends with its results s
 // `timeout` signals the process and then its group, so a second signal counts only after a second.
 void on_signal(int number) {
   if (const int code = code_to_end_at_once.load(std::memory_order_relaxed); code != 0) {
-    constexpr std::string_view message = "stopped: the work was stopped before it had a result\n";
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
+    for (const std::string_view part : {"stopped: ", stopped_without_result, "\n"})
+      [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
     ::_exit(code);
   }
   static timespec first = {};
