@@ -145,7 +145,7 @@ def jumping_clock(trials, verb, count, shim, dice, jumps=1, quiet=False):
     """The wall clock jumps at every reading: the output stays the same, and time limits hold."""
     kind, lost = "clock jumps", 0
     environment = {"LD_PRELOAD": shim, "CLOCK_JUMPS": str(jumps)}
-    for trial in range(count):
+    for _ in range(count):
         with tempfile.TemporaryDirectory(dir=trials.base) as name:
             folder = Path(name)
             outcome = Outcome(start(verb.command(1, "--threads", str(dice.randint(1, 3))), folder, environment))

@@ -82,6 +82,7 @@ export class View {
       showList,
     );
     lists.show("units");
+    const boxed = { class: "v3-box", "aria-label": text.lists.title };
     labels.root.hidden = true;
     this.parts = [card, levels, thresholds, shop, units, labels];
     root.replaceChildren(
@@ -113,7 +114,7 @@ export class View {
             "div",
             { class: "v3-side" },
             card.root,
-            element("section", { class: "v3-box", "aria-label": text.lists.title }, lists.root, units.root, labels.root),
+            element("section", boxed, lists.root, units.root, labels.root),
           ),
           element("div", { class: "v3-pair" }, thresholds.root, levels.root),
         ),

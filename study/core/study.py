@@ -5,7 +5,7 @@ import os
 import re
 import subprocess
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 from study.core import paper
@@ -89,7 +89,7 @@ class Study:
     def uniform_file(self, samples):
         return self.tables_folder / f"{samples}.h5"
 
-    @lru_cache(maxsize=None)
+    @cache
     def uniform(self, samples):
         return read_signals(self.uniform_file(samples))
 
@@ -100,7 +100,7 @@ class Study:
             [STORE],
         )
 
-    @lru_cache(maxsize=None)
+    @cache
     def reuse(self, samples, seed=1):
         return read_signals(self.reuse_file(samples, seed))
 
@@ -113,7 +113,7 @@ class Study:
         """The most precise matrix, independent of all others."""
         return self.reuse(self.effort.reference_samples, 2)
 
-    @lru_cache(maxsize=None)
+    @cache
     def mirror(self):
         return Mirror(self.reference, self.width)
 

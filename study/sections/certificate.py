@@ -55,7 +55,7 @@ def section(study):
                 seconds(record["seconds"]),
             )
         )
-        facts = [fact for fact in _facts(answer.get("certificate") or {})]
+        facts = list(_facts(answer.get("certificate") or {}))
         result.tables[f"certificate_{model}"] = (("key", "value"), facts)
         if facts:
             result.add(

@@ -146,10 +146,10 @@ export async function readSignals(base64: string, store: Store): Promise<Signals
   const grains = grain > 0 ? page.get("grains", Uint32Array) : null;
   const mean = grains ? meansOf(grains, grain, begin, store) : page.get("mean", Float32Array);
   for (const at of page.get("negative", Uint32Array)) mean[at] *= -1;
-  const details = (codes: Uint16Array, valueOf: (code: number, at: number) => number) => {
+  const details = (codes: Uint16Array, toValue: (code: number, at: number) => number) => {
     const values = new Float32Array(codes.length === 0 ? 0 : mean.length);
     for (let at = 0, next = 0; at < values.length; ++at)
-      values[at] = grains && grains[at] < detailsFrom ? NaN : valueOf(codes[next++], at);
+      values[at] = grains && grains[at] < detailsFrom ? NaN : toValue(codes[next++], at);
     return values;
   };
   return {

@@ -146,7 +146,10 @@ export class Stage {
 
   /** Turns (in the plan: shifts) by steps of one key press. */
   turn(right: number, up: number): void {
-    if (this.isPlan) return this.shift(right, up);
+    if (this.isPlan) {
+      this.shift(right, up);
+      return;
+    }
     const way = this.perspective.position.clone().sub(this.orbit.target);
     const distance = way.length();
     const around = Math.atan2(way.y, way.x) + right * 0.12;

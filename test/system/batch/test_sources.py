@@ -42,7 +42,7 @@ class Sources(unittest.TestCase):
         for name in names:
             self.shop(name)
         self.batch("t", *QUICK)
-        self.assertEqual(self.statuses(), {name: "planned" for name in names.values()})
+        self.assertEqual(self.statuses(), dict.fromkeys(names.values(), "planned"))
         pages = [self.folder / "r" / row["report"] for row in chain.rows(self.folder / "r")]
         self.assertEqual(len(set(pages)), len(names))
         for page in pages:

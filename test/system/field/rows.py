@@ -10,7 +10,7 @@ import os
 import pathlib
 import subprocess
 from dataclasses import dataclass
-from typing import Callable
+from collections.abc import Callable
 
 ROOT = pathlib.Path(__file__).parents[3]
 PROGRAM = os.environ.get("SHELFBEAM", str(ROOT / "build/release/shelfbeam"))

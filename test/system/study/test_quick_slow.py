@@ -104,7 +104,7 @@ class QuickStudy(unittest.TestCase):
         self.assertEqual([row[2] for row in self.rows("table_3_2")[1:]], ["10", "9"])
         self.assertGreater(int(self.rows("table_3_2")[1][1]), int(table[1][1]))
 
-    # The z-tests run at 1 % each on fixed seeds; the controls pair labels with other transceivers than the opposite ones.
+    # The z-tests run at 1 % each on fixed seeds; the controls pair labels with transceivers that are not opposite.
     def test_symmetry_passes_and_its_control_does_not(self):
         for row in self.rows("symmetry")[1:]:
             self.assertEqual(row[-1], "rejected" if "displaced" in row[0] else "passes", row[0])

@@ -63,8 +63,8 @@ testReport("a click on a transceiver shows its reach", { of: "grocery" }, async 
   const id = units[await clickMark(page, "unit")];
   equal(await page.text(".v3-card h3"), id, "selected unit");
   const row = plan.chosen.find((unit) => unit.id === id);
-  equal(parseInt(await page.text(".v3-card [data-fact=alone]")), Number(row.reaches_alone), "labels reached alone");
-  equal(parseInt(await page.text(".v3-card [data-fact=decides]")), Number(row.needed_by), "labels lost");
+  equal(Number.parseInt(await page.text(".v3-card [data-fact=alone]"), 10), Number(row.reaches_alone), "labels reached alone");
+  equal(Number.parseInt(await page.text(".v3-card [data-fact=decides]"), 10), Number(row.needed_by), "labels lost");
   says(await page.text(".v3-legend"), `reached alone: ${row.reaches_alone}`);
   await picture(page, "unit");
 });
