@@ -14,14 +14,21 @@ def debian_packages():
 
 
 def npm_packages():
-    package = json.loads((TOP / "src/viewer/package.json").read_text(encoding="utf-8"))
-    return {*package["dependencies"], *package["devDependencies"]}
+    packages = [
+        json.loads((TOP / folder / "package.json").read_text(encoding="utf-8"))
+        for folder in ("src/viewer", "scripts/style")
+    ]
+    return {
+        name for package in packages for key in ("dependencies", "devDependencies") for name in package.get(key, {})
+    }
 
 
 class Dependencies(unittest.TestCase):
     def test_are_all_named(self):
         page = (TOP / "docs/dependencies.md").read_text(encoding="utf-8")
-        named = set(re.findall(r"[\w@/+.-]+", " ".join(line.split("|")[-2] for line in page.splitlines() if "|" in line)))
+        named = set(
+            re.findall(r"[\w@/+.-]+", " ".join(line.split("|")[-2] for line in page.splitlines() if "|" in line))
+        )
         self.assertGreater(len(debian_packages()), 15)
         self.assertIn("libhighs-dev", debian_packages())
         self.assertEqual((debian_packages() | npm_packages()) - named, set())
