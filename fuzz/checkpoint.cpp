@@ -36,9 +36,8 @@ std::vector<std::string> seeds() {
   CheckpointFile file = file_at(path);
   const std::array<double, 3> values{0.5, 1.5, 2.5};
   for (std::uint32_t batches = 1; batches <= 2; ++batches) {
-    file.save([&](std::uint32_t item) {
-      return CheckpointState{batches, std::span(values).first(item + 1)};
-    });
+    file.save(
+        [&](std::uint32_t item) { return CheckpointState{batches, std::span(values).first(item + 1)}; });
     files.push_back(read_file(path));
   }
   return files;

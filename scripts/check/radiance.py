@@ -30,8 +30,10 @@ unit_lambertian = unit_above(unit_cos)^A4;
 # interpolation replaces a path, and every unit is tested for shadow at every point. Paths have at most 28 bounces,
 # because Radiance has room for 32 dimensions (MAXDIM) and does not check it: in both examples, less than 0.02 % of the
 # light is reflected more often.
-OPTIONS = ("-h- -I+ -V+ -u+ -ab 28 -ad 1024 -lr -28 -lw 0.002 -as 0 -aa 0 -av 0 0 0 -aw 0 "
-           "-dt 0 -dc 1 -ds 0 -dj 0 -dr 0 -M ./units.txt").split()
+OPTIONS = (
+    "-h- -I+ -V+ -u+ -ab 28 -ad 1024 -lr -28 -lw 0.002 -as 0 -aa 0 -av 0 0 0 -aw 0 "
+    "-dt 0 -dc 1 -ds 0 -dj 0 -dr 0 -M ./units.txt"
+).split()
 
 
 def is_installed():
@@ -108,8 +110,14 @@ def signals(folder, repeats):
     probes, units = ((folder / name).read_text(encoding="ascii") for name in ("probes.txt", "units.txt"))
     with open(folder / "scene.oct", "wb") as octree:
         subprocess.run(["oconv", "-w", "scene.rad"], cwd=folder, stdout=octree, check=True)
-    printed = subprocess.run(["rcontrib", *OPTIONS, "scene.oct"], cwd=folder, input=probes * repeats, text=True,
-                             stdout=subprocess.PIPE, check=True).stdout
+    printed = subprocess.run(
+        ["rcontrib", *OPTIONS, "scene.oct"],
+        cwd=folder,
+        input=probes * repeats,
+        text=True,
+        stdout=subprocess.PIPE,
+        check=True,
+    ).stdout
     shape = repeats, probes.count("\n"), units.count("\n"), 3  # red, green and blue are equal
     values = np.array(printed.split(), dtype=float)
     if values.size != np.prod(shape):

@@ -35,7 +35,9 @@ class Batch:
         self.put("broken", "{")
         self.whole = base / "whole"
         begun = time.monotonic()
-        subprocess.run(self.command(self.whole), cwd=base, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        subprocess.run(
+            self.command(self.whole), cwd=base, check=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
         self.seconds = time.monotonic() - begun
         found = {row["name"]: row["status"] for row in chain.rows(self.whole)}
         expected = {"near": "planned", "far/out": "planned", "dim": "infeasible", "broken": "failed"}
@@ -48,8 +50,22 @@ class Batch:
         path.write_text(text)
 
     def command(self, results, *more):
-        return [PROGRAM, "batch", str(self.shops), "-o", str(results), "--threads", "2", *more,
-                "--", "--samples", "1000", "--checkpoint-interval", "0", "--no-certificate"]
+        return [
+            PROGRAM,
+            "batch",
+            str(self.shops),
+            "-o",
+            str(results),
+            "--threads",
+            "2",
+            *more,
+            "--",
+            "--samples",
+            "1000",
+            "--checkpoint-interval",
+            "0",
+            "--no-certificate",
+        ]
 
 
 def answers(results):
@@ -85,16 +101,19 @@ def look(batch, results, outcome):
 
 def signalled(batch, dice, number):
     """A signal at a random moment."""
+
     def inject(results):
         process = start(batch.command(results), batch.base)
         time.sleep(dice.uniform(0, batch.seconds))
         process.send_signal(number)
         return Outcome(process)
+
     return inject
 
 
 def at_start(batch, dice, number):
     """A signal while a plan starts: soon after the first record of a plan appears."""
+
     def inject(results):
         process = start(batch.command(results, "--jobs", str(dice.randint(1, 2))), batch.base)
         while process.poll() is None and all("broken" in path.name for path in (results / "records").rglob("*.json")):
@@ -102,11 +121,13 @@ def at_start(batch, dice, number):
         time.sleep(dice.uniform(0, 0.05))
         process.send_signal(number)
         return Outcome(process)
+
     return inject
 
 
 def to_plan(batch, dice, number):
     """A signal for a plan, not for its batch."""
+
     def inject(results):
         process = start(batch.command(results, "--jobs", "1"), batch.base)
         time.sleep(dice.uniform(0, batch.seconds))
@@ -116,15 +137,22 @@ def to_plan(batch, dice, number):
         except OSError:  # one of them has ended
             pass
         return Outcome(process)
+
     return inject
 
 
 def failing(batch, shim, dice, error, lasts):
     """File operations of the batch and of its plans fail, each from its own n-th on."""
+
     def inject(results):
-        environment = {"LD_PRELOAD": shim, "FAULT_AT": str(dice.randint(1, 150)), "FAULT_ERRNO": str(error),
-                       "FAULT_LASTS": str(10**9 if lasts else 0)}
+        environment = {
+            "LD_PRELOAD": shim,
+            "FAULT_AT": str(dice.randint(1, 150)),
+            "FAULT_ERRNO": str(error),
+            "FAULT_LASTS": str(10**9 if lasts else 0),
+        }
         return Outcome(start(batch.command(results), batch.base, environment))
+
     return inject
 
 

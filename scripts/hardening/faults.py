@@ -20,19 +20,27 @@ def signalled(verb, dice, number):
         process.send_signal(number)
         outcome = Outcome(process)
         return None if outcome.code == 0 else outcome
+
     return inject
 
 
 def at_operation(verb, shim, number, error, lasts):
     """Makes one file operation fail. The result is None if the run has fewer operations."""
+
     def inject(folder):
         count = folder.parent / "count"
         count.unlink(missing_ok=True)
-        environment = {"LD_PRELOAD": shim, "FAULT_AT": str(number()), "FAULT_ERRNO": str(error),
-                       "FAULT_LASTS": str(10**9 if lasts else 0), "FAULT_COUNT": str(count)}
+        environment = {
+            "LD_PRELOAD": shim,
+            "FAULT_AT": str(number()),
+            "FAULT_ERRNO": str(error),
+            "FAULT_LASTS": str(10**9 if lasts else 0),
+            "FAULT_COUNT": str(count),
+        }
         outcome = Outcome(start(verb.command(), folder, environment))
         struck = outcome.code == -signal.SIGKILL or int(count.read_text()) >= int(environment["FAULT_AT"])
         return outcome if struck else None
+
     return inject
 
 
@@ -56,9 +64,11 @@ def some_size(verb, dice):
 def beyond_file_size(verb, dice):
     def inject(folder):
         size = some_size(verb, dice)
-        outcome = Outcome(start(verb.command(), folder,
-                                before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))))
+        outcome = Outcome(
+            start(verb.command(), folder, before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size)))
+        )
         return None if outcome.code == 0 else outcome
+
     return inject
 
 
@@ -85,6 +95,7 @@ def on_full_disk(verb, dice):
         folder.mkdir()
         put(folder, after)
         return None if outcome.code == 0 else outcome
+
     return inject
 
 
@@ -103,6 +114,7 @@ def read_only(verb, has_mounts):
             else:
                 folder.chmod(0o755)
         return None if outcome.code == 0 else outcome
+
     return inject
 
 
@@ -154,9 +166,13 @@ def jumping_clock(trials, verb, count, shim, dice, jumps=1, quiet=False):
                 problems.append("other bytes")
             if verb.name == "simulate":
                 begun = time.monotonic()
-                told = subprocess.run([PROGRAM, "simulate", "../store.json", "-o", "timed.h5", "--time", "0.3", "--json"],
-                                      cwd=folder, env={**os.environ, **environment}, stdout=subprocess.PIPE,
-                                      timeout=PATIENCE).stdout
+                told = subprocess.run(
+                    [PROGRAM, "simulate", "../store.json", "-o", "timed.h5", "--time", "0.3", "--json"],
+                    cwd=folder,
+                    env={**os.environ, **environment},
+                    stdout=subprocess.PIPE,
+                    timeout=PATIENCE,
+                ).stdout
                 passed = time.monotonic() - begun
                 if not 0.2 < json.loads(told)["seconds"] <= passed:
                     problems.append(f"--time 0.3 took {json.loads(told)['seconds']} s, by our clock {passed:.2f} s")

@@ -20,8 +20,19 @@ STORE = {
     "materials": {"m": {"type": "lambertian", "reflectance": 0.3}},
     "label_types": {"standard": {"threshold": 0.03}},
     "transceiver_types": {"ceiling": {"emission": {"type": "sin2theta", "peak": 1}}},
-    "fixtures": [{"type": "gondola", "id": "A", "at": [2, 2.5], "length": 4, "depth": 0.9, "height": 1.8,
-                  "material": "m", "shelves": [0.5, 1.2], "labels": {"type": "standard", "spacing": 1}}],
+    "fixtures": [
+        {
+            "type": "gondola",
+            "id": "A",
+            "at": [2, 2.5],
+            "length": 4,
+            "depth": 0.9,
+            "height": 1.8,
+            "material": "m",
+            "shelves": [0.5, 1.2],
+            "labels": {"type": "standard", "spacing": 1},
+        }
+    ],
     "transceivers": {"grids": [{"type": "ceiling", "min": [1, 1], "max": [7, 5], "spacing": 2, "z": 2.9}]},
 }
 
@@ -38,8 +49,21 @@ class Verb:
         self.seconds = min(self.timed() for _ in range(3))
 
     def command(self, seed=1, *more):
-        return [PROGRAM, self.name, "../store.json", "-o", self.output, "--samples", str(self.samples),
-                "--checkpoint-interval", "0", "--seed", str(seed), *self.more, *more]
+        return [
+            PROGRAM,
+            self.name,
+            "../store.json",
+            "-o",
+            self.output,
+            "--samples",
+            str(self.samples),
+            "--checkpoint-interval",
+            "0",
+            "--seed",
+            str(seed),
+            *self.more,
+            *more,
+        ]
 
     def undisturbed(self, seed):
         folder = self.base / f"{self.name}-{seed}"
@@ -62,8 +86,11 @@ class Outcome:
 
 def contents(folder):
     """Names and bytes of all files below a folder, without running times."""
-    return {str(path.relative_to(folder)): untimed(path.read_bytes())
-            for path in sorted(folder.rglob("*")) if path.is_file()}
+    return {
+        str(path.relative_to(folder)): untimed(path.read_bytes())
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
 
 
 def put(folder, files):
@@ -78,9 +105,16 @@ def untimed(content):
 
 
 def start(command, folder, environment=None, before=None):
-    return subprocess.Popen(command, cwd=folder, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                            stderr=subprocess.PIPE, env={**os.environ, "TMPDIR": elsewhere(folder), **(environment or {})},
-                            preexec_fn=before)
+    return subprocess.Popen(
+        command,
+        cwd=folder,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        env={**os.environ, "TMPDIR": elsewhere(folder), **(environment or {})},
+        preexec_fn=before,
+    )
 
 
 def elsewhere(folder):
@@ -181,8 +215,10 @@ def look_at_resumption(verb, folder, seed=1, whole=None):
     found, whole = contents(folder), whole or verb.whole
     if found == whole:
         return []
-    return ["files differ after --resume: " + " ".join(sorted(
-        name for name in found.keys() | whole.keys() if found.get(name) != whole.get(name)))]
+    return [
+        "files differ after --resume: "
+        + " ".join(sorted(name for name in found.keys() | whole.keys() if found.get(name) != whole.get(name)))
+    ]
 
 
 class Trials:

@@ -48,7 +48,10 @@ export class View {
     this.dimension = new Choice(
       "v3-dimension",
       text.tools.view,
-      [["space", text.tools.space], ["plan", text.tools.plan]],
+      [
+        ["space", text.tools.space],
+        ["plan", text.tools.plan],
+      ],
       (value) => this.setPlan(value === "plan"),
     );
     this.colour = new Choice(
@@ -78,7 +81,10 @@ export class View {
     const lists = new Choice(
       "v3-lists",
       text.lists.choose,
-      [["units", text.lists.units.name], ["labels", text.lists.labels.name]],
+      [
+        ["units", text.lists.units.name],
+        ["labels", text.lists.labels.name],
+      ],
       showList,
     );
     lists.show("units");
@@ -248,7 +254,8 @@ export class View {
     const outlined = (path: string, colour: string) =>
       `<svg viewBox="-10 -10 20 20"><path d="${path}" style="fill:var(${colour});stroke:var(--strong);stroke-width:1.6"/></svg>`;
     const marks = {
-      disc: (colour: string) => `<svg viewBox="-10 -10 20 20"><circle r="7" style="fill:var(${colour});stroke:var(--edge)"/></svg>`,
+      disc: (colour: string) =>
+        `<svg viewBox="-10 -10 20 20"><circle r="7" style="fill:var(${colour});stroke:var(--edge)"/></svg>`,
       triangle: (colour: string) => outlined("M0-8 8 6H-8Z", colour),
       square: (colour: string) => outlined("M-6-6H6V6H-6Z", colour),
       block: (colour: string) => outlined("M-5-8H5V8H-5Z", colour),
@@ -275,7 +282,10 @@ export class View {
     if (this.model.shop?.blocks) items.push(key(marks.block("--people"), text.legend.people));
     items.push(
       key(`<svg viewBox="-10 -10 20 20"><circle r="8" style="fill:var(--unit)"/></svg>`, text.legend.unit),
-      key(`<svg viewBox="-10 -10 20 20"><path d="M-4 0h8M0-4v8" style="stroke:var(--cand);stroke-width:1.6"/></svg>`, text.legend.candidate),
+      key(
+        `<svg viewBox="-10 -10 20 20"><path d="M-4 0h8M0-4v8" style="stroke:var(--cand);stroke-width:1.6"/></svg>`,
+        text.legend.candidate,
+      ),
     );
     const title =
       state.selection?.kind === "unit"

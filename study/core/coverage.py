@@ -13,8 +13,7 @@ def missed(signals, selected, model):
 def noise(study):
     """A sentence on the entries that noise moves across the threshold with the fewest samples."""
     noisy, truth = (
-        one.mean >= one.requirement[:, None]
-        for one in (study.uniform(study.effort.samples[0]), study.reference)
+        one.mean >= one.requirement[:, None] for one in (study.uniform(study.effort.samples[0]), study.reference)
     )
     return (
         f"With {grouped(study.effort.samples[0])} samples, noise moves"

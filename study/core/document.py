@@ -60,11 +60,7 @@ def _cards(study):
             "ours; the paper says a few hundred",
         ),
         ("samples per label", f"{grouped(study.effort.samples[0])} – {grouped(last)}", "the paper's estimator"),
-        (
-            "cooperative",
-            coop.units,
-            f"transceivers at {grouped(last)} samples; paper {paper.COOPERATIVE[last][0]}",
-        ),
+        ("cooperative", coop.units, f"transceivers at {grouped(last)} samples; paper {paper.COOPERATIVE[last][0]}"),
         ("non-cooperative", alone.units, f"transceivers; paper {paper.OPTIMAL[last][0][0]}"),
         ("threshold", f"{reference.requirement[0]:g}", "W/m², fixed beforehand"),
     ]
@@ -90,9 +86,7 @@ def write(study, is_quick):
     ]
     write_text(
         study.folder / "findings.csv",
-        page.csv_text(
-            ("section", "reference", "claim", "paper", "ours", "verdict", "sentence", "why"), findings
-        ),
+        page.csv_text(("section", "reference", "claim", "paper", "ours", "verdict", "sentence", "why"), findings),
     )
     introduction = page.paragraph(
         "This page repeats the study of ‘Optimal Transceiver Placement in Retail Environments: A Path Tracing"
@@ -114,18 +108,9 @@ def write(study, is_quick):
         f" · {grouped(round(summary['rays_per_second']))} rays per second · time limit"
         f" {study.effort.time_limit:g} s per solver run"
     )
-    html = page.document(
-        "Reproduction of the paper’s study",
-        introduction,
-        _cards(study),
-        sections,
-        footer,
-    )
+    html = page.document("Reproduction of the paper’s study", introduction, _cards(study), sections, footer)
     path = study.folder / "study.html"
     write_text(path, html)
     judged = [one for section in sections for one in section.findings if one.verdict != OURS]
-    say(
-        f"{page.summary_sentence(judged)} {time.monotonic() - begun:.0f} s, {study.program.runs} runs of the"
-        " program"
-    )
+    say(f"{page.summary_sentence(judged)} {time.monotonic() - begun:.0f} s, {study.program.runs} runs of the program")
     return path

@@ -14,10 +14,7 @@ def partners(points, normals, axis):
     flip = np.array([-1.0, 1.0, 1.0])
     try:
         return np.array(
-            [
-                where[key(flip * point + [2 * axis, 0, 0], flip * normal)]
-                for point, normal in zip(points, normals)
-            ]
+            [where[key(flip * point + [2 * axis, 0, 0], flip * normal)] for point, normal in zip(points, normals)]
         )
     except KeyError as error:
         raise ValueError(f"{error} has no mirror image") from error

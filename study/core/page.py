@@ -24,10 +24,7 @@ def table(header, rows, numeric=(), paper=(), wide=(), caption=""):
         for row in rows
     )
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return (
-        "<div"
-        f' class="scroll"><table>{title}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody></table></div>\n'
-    )
+    return f'<div class="scroll"><table>{title}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}</tbody></table></div>\n'
 
 
 def figure(caption, content, note="", reference=""):
@@ -98,9 +95,7 @@ def _overview(rows):
 
 def summary_sentence(findings):
     """A sentence with the number of the paper's statements that hold here."""
-    count = {
-        verdict: sum(one.verdict == verdict for one in findings) for verdict in (AGREES, PARTLY, DIFFERS)
-    }
+    count = {verdict: sum(one.verdict == verdict for one in findings) for verdict in (AGREES, PARTLY, DIFFERS)}
     total = sum(count.values())
     parts = [f"{count[AGREES]} agree with our figures"]
     if count[PARTLY]:
@@ -112,22 +107,14 @@ def summary_sentence(findings):
 def document(title, introduction, cards, sections, footer):
     findings = [(number, one) for number, section in enumerate(sections, 1) for one in section.findings]
     contents = "".join(
-        f'<li><a href="#s{number}">{escape(section.title)}</a></li>\n'
-        for number, section in enumerate(sections, 1)
+        f'<li><a href="#s{number}">{escape(section.title)}</a></li>\n' for number, section in enumerate(sections, 1)
     )
     shown = "".join(
-        f'<div class="card"><dt>{escape(name)}</dt><dd>{escape(value)}<small>{escape(words)}</small>'
-        "</dd></div>\n"
+        f'<div class="card"><dt>{escape(name)}</dt><dd>{escape(value)}<small>{escape(words)}</small></dd></div>\n'
         for name, value, words in cards
     )
     rows = [
-        (
-            f'<a href="#s{number}">{escape(one.reference)}</a>',
-            one.claim,
-            one.paper,
-            one.ours,
-            _pill(one.verdict),
-        )
+        (f'<a href="#s{number}">{escape(one.reference)}</a>', one.claim, one.paper, one.ours, _pill(one.verdict))
         for number, one in findings
         if one.verdict != OURS
     ]
@@ -137,7 +124,7 @@ def document(title, introduction, cards, sections, footer):
         '<!DOCTYPE html>\n<html lang="en" xmlns="http://www.w3.org/1999/xhtml">\n<head>\n<meta'
         ' charset="utf-8"/>\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1"/>\n'
-        f'<title>{escape(title)}</title>\n<style>\n{STYLE.read_text(encoding="utf-8")}</style>\n</head>\n<body>\n'
+        f"<title>{escape(title)}</title>\n<style>\n{STYLE.read_text(encoding='utf-8')}</style>\n</head>\n<body>\n"
         '<main>\n<p class="kicker">shelfbeam ·'
         f" scripts/reproduce</p>\n<h1>{escape(title)}</h1>\n"
         f'<p class="answer">{escape(summary_sentence([one for _, one in findings]))}</p>\n'
@@ -154,9 +141,6 @@ def csv_text(header, rows):
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(header)
     writer.writerows(
-        [
-            [f"{cell:.9g}" if isinstance(cell, float) else re.sub(r"\s+", " ", str(cell)) for cell in row]
-            for row in rows
-        ]
+        [[f"{cell:.9g}" if isinstance(cell, float) else re.sub(r"\s+", " ", str(cell)) for cell in row] for row in rows]
     )
     return text.getvalue()

@@ -28,10 +28,7 @@ def print_tables(folder, samples):
         non_cooperative("auto", paper.OPTIMAL),
     )
     print_table(
-        "Table 3.2: non-cooperative, greedy",
-        samples,
-        ("count", "and links"),
-        non_cooperative("greedy", paper.GREEDY),
+        "Table 3.2: non-cooperative, greedy", samples, ("count", "and links"), non_cooperative("greedy", paper.GREEDY)
     )
     # In the cooperative model all links are a constant times the count, so they cannot rank selections.
     print_table(

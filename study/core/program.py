@@ -30,15 +30,11 @@ class Program:
         self.runs = 0
 
     def has_option(self, verb, option):
-        shown = subprocess.run(
-            [self.binary, verb, "--help"], capture_output=True, text=True, check=True
-        ).stdout
+        shown = subprocess.run([self.binary, verb, "--help"], capture_output=True, text=True, check=True).stdout
         return re.search(rf"(^|[\s,]){re.escape(option)}\b", shown) is not None
 
     def version(self):
-        return subprocess.run(
-            [self.binary, "--version"], capture_output=True, text=True, check=True
-        ).stdout.strip()
+        return subprocess.run([self.binary, "--version"], capture_output=True, text=True, check=True).stdout.strip()
 
     def run(self, name, arguments, inputs=(), accepted=(0,)):
         """Writes the file `name` of the folder (with `-o`) and returns its path.
@@ -63,9 +59,7 @@ class Program:
             write_text(self.folder / f"{name}.json", done.stdout)
         write_text(
             record,
-            json.dumps(
-                {"command": command[1:], "exit_code": done.returncode, "seconds": time.monotonic() - begun}
-            ),
+            json.dumps({"command": command[1:], "exit_code": done.returncode, "seconds": time.monotonic() - begun}),
         )
         return output
 

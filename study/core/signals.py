@@ -6,17 +6,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-LABEL_SETS = (
-    "id",
-    "type",
-    "position",
-    "normal",
-    "requirement",
-    "link_cost",
-    "signal_cost",
-    "batches",
-    "samples",
-)
+LABEL_SETS = ("id", "type", "position", "normal", "requirement", "link_cost", "signal_cost", "batches", "samples")
 UNIT_SETS = ("id", "type", "position", "axis", "cost", "installed")
 
 

@@ -58,9 +58,7 @@ def section(study):
         facts = list(_facts(answer.get("certificate") or {}))
         result.tables[f"certificate_{model}"] = (("key", "value"), facts)
         if facts:
-            result.add(
-                page.details(f"The certificate, {model}", page.table(("key", "value"), facts, wide=(1,)))
-            )
+            result.add(page.details(f"The certificate, {model}", page.table(("key", "value"), facts, wide=(1,))))
         equal = answer["count"] is not None and answer["count"] == answer["count_lower_bound"]
         result.tell(
             (

@@ -18,9 +18,7 @@ def grids(units):
         for dx in range(spacing):
             for dy in range(spacing):
                 if spacing == 2 or dx == dy:
-                    yield spacing, (dx, dy), np.flatnonzero(
-                        (index[0] % spacing == dx) & (index[1] % spacing == dy)
-                    )
+                    yield spacing, (dx, dy), np.flatnonzero((index[0] % spacing == dx) & (index[1] % spacing == dy))
 
 
 def interchangeable(reach):
@@ -55,8 +53,9 @@ def pair_files(study, signals):
     for model, join in ((MODELS[0], np.add), (MODELS[1], np.maximum)):
         mean = signals.mean.copy()
         mean[:, left] = join(signals.mean[:, left], signals.mean[:, mirror.units[left]])
-        yield model, write_variant(
-            signals.path, folder / f"pairs-{signals.samples}-{model}.h5", mean=mean, columns=left
+        yield (
+            model,
+            write_variant(signals.path, folder / f"pairs-{signals.samples}-{model}.h5", mean=mean, columns=left),
         )
 
 
@@ -73,9 +72,7 @@ def section(study):
     rows, coarse, full = [], {model: [] for model in MODELS}, {}
     for model in MODELS:
         full[model] = study.fewest_in_truth(model)
-        rows.append(
-            ("1 m", model, len(signals.units), full[model].units, "", seconds(full[model].seconds), "1.0")
-        )
+        rows.append(("1 m", model, len(signals.units), full[model].units, "", seconds(full[model].seconds), "1.0"))
     for spacing, (dx, dy), columns in grids(signals.units):
         variant = write_variant(
             path, study.program.folder / f"grid-{signals.samples}-{spacing}-{dx}{dy}.h5", columns=columns
@@ -148,11 +145,7 @@ def section(study):
         page.row_of(
             [
                 coverage_map(
-                    study,
-                    signals,
-                    full[model].selected,
-                    f"1 m grid, {model}",
-                    cooperative=model == "cooperative",
+                    study, signals, full[model].selected, f"1 m grid, {model}", cooperative=model == "cooperative"
                 )
                 for model in MODELS
             ]
@@ -194,8 +187,7 @@ def section(study):
             if all(s.count and 2 * s.count == full[m].count for m, s in symmetric.items())
             else "need not exist: mirrored pairs require "
             + " and ".join(
-                f"{'no finite number' if symmetric[m].count is None else 2 * symmetric[m].count} ({m})"
-                for m in MODELS
+                f"{'no finite number' if symmetric[m].count is None else 2 * symmetric[m].count} ({m})" for m in MODELS
             )
         )
         + ", but among equally good placements the program chooses the one with the largest minimum margin.",

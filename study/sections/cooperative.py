@@ -98,10 +98,7 @@ def section(study):
         ),
         reference="Fig. 3.4",
     )
-    fewer = [
-        c - study.table_answer(n, "non-cooperative", "count").count
-        for c, n in zip(single, study.effort.samples)
-    ]
+    fewer = [c - study.table_answer(n, "non-cooperative", "count").count for c, n in zip(single, study.effort.samples)]
     ours_pair = f"{single[-1]} against {single[-1] - fewer[-1]}"
     result.find(
         "Cooperation needs fewer transceivers",

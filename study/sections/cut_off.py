@@ -19,10 +19,7 @@ def cut_file(study, samples, cut):
 
 def answers(study, samples, cut, solvers):
     if cut == 0:
-        return {
-            solver: timed(study, samples, study.uniform_file(samples), "cooperative", solver)
-            for solver in solvers
-        }
+        return {solver: timed(study, samples, study.uniform_file(samples), "cooperative", solver) for solver in solvers}
     path = cut_file(study, samples, cut)
     return {solver: timed(study, f"{samples}-cut-{cut:g}", path, "cooperative", solver) for solver in solvers}
 
@@ -32,9 +29,7 @@ def section(study):
     result = Section(
         "A cut-off of small signals",
         "3.5.4",
-        (
-            "How much faster is the solver if small signals are set to zero, and is its placement still optimal?"
-        ),
+        ("How much faster is the solver if small signals are set to zero, and is its placement still optimal?"),
     )
     mip = effort.backends[0]
     rows, gains, kept, series = [], [], [], {}
@@ -78,10 +73,7 @@ def section(study):
         page.row_of([page.figure(f"Time of the MIP solver ({mip}) against the cut-off", chart)]),
         page.table(header, rows, numeric=range(1, 8)),
         page.paragraph(
-            (
-                f"Cooperative, fewest transceivers; a run ends at the time limit of {effort.time_limit:g} s."
-            ),
-            "note",
+            (f"Cooperative, fewest transceivers; a run ends at the time limit of {effort.time_limit:g} s."), "note"
         ),
     )
 

@@ -34,11 +34,7 @@ def section(study):
         ("freezer", "a freezer-like section", "one, 0.9 m high; its labels belong to level two"),
         ("labels", "a few hundred", f"{len(signals.labels)}"),
         ("candidates", "a grid at the ceiling, about 1 m apart", f"{len(signals.units)}, 1 m apart"),
-        (
-            "surfaces",
-            "Lambertian, albedo 0.7",
-            f"Lambertian, albedo {store['materials']['paper']['reflectance']:g}",
-        ),
+        ("surfaces", "Lambertian, albedo 0.7", f"Lambertian, albedo {store['materials']['paper']['reflectance']:g}"),
         ("emission", "maximum at an angle; arbitrary strength", "I sin 2θ, 1 W/sr at 45°"),
         ("threshold", "arbitrary", f"{signals.requirement[0]:g} W/m²"),
     ]
@@ -49,8 +45,6 @@ def section(study):
             "The paper describes its environment in words. The dimensions here are ours, so the counts of"
             " transceivers may differ from the paper's, but the trends should agree."
         ),
-        (
-            "`shelfbeam new thesis` writes this store. The threshold was fixed before any of these results."
-        ),
+        ("`shelfbeam new thesis` writes this store. The threshold was fixed before any of these results."),
     )
     return result

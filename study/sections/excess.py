@@ -79,13 +79,7 @@ def section(study):
         page.figure(
             title,
             histogram(
-                edges,
-                count,
-                "excess, % of the threshold",
-                "labels",
-                title,
-                ticks=range(0, 1100, 200),
-                most=most,
+                edges, count, "excess, % of the threshold", "labels", title, ticks=range(0, 1100, 200), most=most
             ),
             note,
             reference,
@@ -157,9 +151,7 @@ def section(study):
         (
             ""
             if share > 0.1
-            else (
-                "The excess depends on the strength of the transceivers, which the paper chose freely."
-            )
+            else ("The excess depends on the strength of the transceivers, which the paper chose freely.")
         ),
     )
     widths = [float(np.quantile(one, 0.75) - np.quantile(one, 0.25)) for one in values]
@@ -176,9 +168,7 @@ def section(study):
         ),
         verdict(all(lower) and all(narrower), all(lower) or all(narrower)),
         f"The median excess is {medians[0]:.0f} % without cooperation ({counts_of[0]} transceivers) and "
-        + " and ".join(
-            f"{median:.0f} % with it ({count})" for median, count in zip(medians[1:], counts_of[1:])
-        )
+        + " and ".join(f"{median:.0f} % with it ({count})" for median, count in zip(medians[1:], counts_of[1:]))
         + ".",
         (
             ""

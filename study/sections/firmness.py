@@ -13,9 +13,7 @@ FACTORS = (0.98, 1, 1.02)
 
 def _thresholds(study, result):
     threshold = study.reference.requirement[0]
-    files = [(grouped(n), study.uniform_file(n)) for n in study.effort.samples] + [
-        ("reference", study.reference_file)
-    ]
+    files = [(grouped(n), study.uniform_file(n)) for n in study.effort.samples] + [("reference", study.reference_file)]
     rows, moved = [], 0
     for words, path in files:
         row = [words]
@@ -37,9 +35,7 @@ def _thresholds(study, result):
     header = ("samples", *(f"{model}, {words}" for model in MODELS for words in ("−2 %", "unchanged", "+2 %")))
     result.tables["thresholds"] = (header, rows)
     result.add(
-        page.table(
-            header, rows, numeric=range(1, 7), caption="Transceivers for thresholds 2 % lower and higher"
-        )
+        page.table(header, rows, numeric=range(1, 7), caption="Transceivers for thresholds 2 % lower and higher")
     )
     result.tell(
         (

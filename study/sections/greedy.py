@@ -42,8 +42,7 @@ def section(study):
     for samples in study.effort.samples:
         row = [grouped(samples)]
         found = [
-            study.table_answer(samples, "non-cooperative", objective, "greedy")
-            for objective in ("count", "links")
+            study.table_answer(samples, "non-cooperative", objective, "greedy") for objective in ("count", "links")
         ]
         for k, answer in enumerate(found):
             units, share = paper.GREEDY[samples][k]
@@ -100,8 +99,7 @@ def section(study):
         axes.plot(choices[: len(gains)], gains, label=name)
     axes.set_ylim(bottom=0)
     table_rows = [
-        (name, len(values), f"{values.min():.1f}", f"{np.median(values):.1f}")
-        for name, values in near.items()
+        (name, len(values), f"{values.min():.1f}", f"{np.median(values):.1f}") for name, values in near.items()
     ]
     result.tables["clustering"] = (
         ("placement", "transceivers", "closest pair, m", "median distance to the nearest neighbour, m"),
@@ -115,9 +113,7 @@ def section(study):
         page.row_of(figures),
         page.row_of(
             [
-                page.figure(
-                    "What each choice adds", charts.chart(axes, "Labels newly reached by each greedy choice")
-                ),
+                page.figure("What each choice adds", charts.chart(axes, "Labels newly reached by each greedy choice")),
                 page.figure("Clustering", page.table(*result.tables["clustering"], numeric=(1, 2, 3))),
             ]
         ),

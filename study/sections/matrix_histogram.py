@@ -25,28 +25,13 @@ def section(study):
             [
                 page.figure(
                     "All entries",
-                    histogram(
-                        linear,
-                        counts,
-                        "signal, W/m²",
-                        "pairs",
-                        "Histogram of M",
-                        mark,
-                    ),
+                    histogram(linear, counts, "signal, W/m²", "pairs", "Histogram of M", mark),
                     f"{grouped(study.most_samples)} samples. Entries beyond the axis are in the last bar.",
                     "as Fig. 3.7",
                 ),
                 page.figure(
                     "The same on a logarithmic axis",
-                    histogram(
-                        log_edges,
-                        log_counts,
-                        "signal, W/m²",
-                        "pairs",
-                        "Histogram of M, logarithmic",
-                        mark,
-                        "x",
-                    ),
+                    histogram(log_edges, log_counts, "signal, W/m²", "pairs", "Histogram of M, logarithmic", mark, "x"),
                 ),
             ]
         )

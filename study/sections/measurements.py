@@ -28,10 +28,7 @@ def section(study):
     result = Section(
         "Signals of four transceivers",
         "2.11.1, Figs 2.9–2.12",
-        (
-            "How does the light of one transceiver spread over the three shelf levels, with and without a "
-            "threshold?"
-        ),
+        ("How does the light of one transceiver spread over the three shelf levels, with and without a threshold?"),
     )
     rows, correlations, ratios, shelf_ratios = [], [], [], []
     levels = study.levels(signals)
@@ -42,8 +39,7 @@ def section(study):
         means = [float(values[level].mean()) for level in levels]
         ratios.append(max(means) / min(means))
         shelves = [
-            float(values[[i for i in level if not signals.label_ids[i].startswith("F")]].mean())
-            for level in levels
+            float(values[[i for i in level if not signals.label_ids[i].startswith("F")]].mean()) for level in levels
         ]
         shelf_ratios.append(max(shelves) / min(shelves))
         reached = [int((values[level] >= signals.requirement[level]).sum()) for level in levels]
@@ -99,26 +95,12 @@ def section(study):
             ),
         )[1].append(study_row)
     result.tables["measurements"] = (
-        (
-            "figure",
-            "transceiver",
-            "id",
-            "level",
-            "label",
-            "x",
-            "y",
-            "z",
-            "signal",
-            "standard_error",
-            "above_threshold",
-        ),
+        ("figure", "transceiver", "id", "level", "label", "x", "y", "z", "signal", "standard_error", "above_threshold"),
         rows,
     )
     header, shown = result.tables["transceivers"]
     result.add(
-        page.table(
-            header, shown, numeric=range(2, 10), caption="Mean signal (W/m²) and labels reached, by level"
-        )
+        page.table(header, shown, numeric=range(2, 10), caption="Mean signal (W/m²) and labels reached, by level")
     )
     result.find(
         "Labels near the transceiver receive much more signal",

@@ -49,10 +49,7 @@ def section(study):
     )
     result.tables["table_3_1"] = (header, rows)
     signals = study.uniform(study.most_samples)
-    answers = [
-        study.table_answer(study.most_samples, "non-cooperative", objective)
-        for objective in ("count", "links")
-    ]
+    answers = [study.table_answer(study.most_samples, "non-cooperative", objective) for objective in ("count", "links")]
     result.add(
         page.table(header, rows, numeric=range(1, 11), paper=(2, 4, 7, 9), caption="Table 3.1"),
         page.paragraph(
@@ -66,11 +63,7 @@ def section(study):
         page.row_of(
             [
                 coverage_map(
-                    study,
-                    signals,
-                    answer.selected,
-                    f"{words}, {study.most_samples:,} samples",
-                    reference=reference,
+                    study, signals, answer.selected, f"{words}, {study.most_samples:,} samples", reference=reference
                 )
                 for answer, words, reference in zip(
                     answers, ("Transceivers only", "Transceivers and links"), ("as Fig. 3.2a", "as Fig. 3.2b")

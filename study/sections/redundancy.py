@@ -46,10 +46,7 @@ def section(study):
     corner = layouts[0]
     widest = max(
         layouts,
-        key=lambda layout: (
-            met(layout[1]).sum(),
-            (signals.mean[:, layout[1]].sum(axis=1) / signals.requirement).min(),
-        ),
+        key=lambda layout: (met(layout[1]).sum(), (signals.mean[:, layout[1]].sum(axis=1) / signals.requirement).min()),
     )
     names = [
         (f"fewest possible ({best.units})", signals.columns(best.selected)),
@@ -83,12 +80,7 @@ def section(study):
     result.tables["corners_and_centre"] = (
         ("from the left wall, m", "from the front wall, m", "labels reached", "smallest margin"),
         [
-            (
-                x,
-                y,
-                int(met(columns).sum()),
-                float((signals.mean[:, columns].sum(axis=1) / signals.requirement).min()),
-            )
+            (x, y, int(met(columns).sum()), float((signals.mean[:, columns].sum(axis=1) / signals.requirement).min()))
             for (x, y), columns in layouts
         ],
     )
@@ -104,10 +96,7 @@ def section(study):
         ),
         page.table(header, rows, numeric=range(1, 6), wide=(0,)),
         page.paragraph(
-            (
-                f"On the reference matrix. All {len(layouts)} rectangles about the centre that fit the grid"
-                " were tried."
-            ),
+            (f"On the reference matrix. All {len(layouts)} rectangles about the centre that fit the grid were tried."),
             "note",
         ),
     )
@@ -134,18 +123,12 @@ def section(study):
         "Corners and centre reduce redundancy, at the price of a transceiver",
         "5 instead of 4",
         f"corners: {corner_met} of {len(signals.labels)} reached, best rectangle: {widest_met}",
-        verdict(
-            corner_met == len(signals.labels) and corner_any <= any_one, widest_met == len(signals.labels)
-        ),
+        verdict(corner_met == len(signals.labels) and corner_any <= any_one, widest_met == len(signals.labels)),
         (
             f"Five transceivers at the corners of the grid and in the centre reach {corner_met} of"
             f" {len(signals.labels)} labels; the best rectangle with a centre reaches {widest_met}."
             f" The optimal placement has {best.units} transceivers."
         ),
-        (
-            ""
-            if "the very corners" in complete
-            else "A transceiver in a corner sends much of its light into the walls."
-        ),
+        ("" if "the very corners" in complete else "A transceiver in a corner sends much of its light into the walls."),
     )
     return result

@@ -55,9 +55,7 @@ def _wrong_side(study, truth):
 
 def section(study):
     reference = study.reference
-    result = Section(
-        "Number of samples", "2.11.2, Fig. 2.13", "What do more samples change, and how many suffice?"
-    )
+    result = Section("Number of samples", "2.11.2, Fig. 2.13", "What do more samples change, and how many suffice?")
     _, _, column = study.sources(reference)[2]
     level_two = study.levels(reference)[1]
     strongest = reference.mean[level_two, column].max()
@@ -78,15 +76,8 @@ def section(study):
         )
     columns.append(
         [
-            (
-                "Reference",
-                words,
-                study.map.signals(reference, level_two, column, strongest, threshold, words),
-            )
-            for words, threshold in (
-                ("path reuse, all", None),
-                ("above the threshold", reference.requirement),
-            )
+            ("Reference", words, study.map.signals(reference, level_two, column, strongest, threshold, words))
+            for words, threshold in (("path reuse, all", None), ("above the threshold", reference.requirement))
         ]
     )
     result.add(
@@ -115,9 +106,7 @@ def section(study):
                 percent(coverage(signals, reference)),
             )
         )
-    rows.append(
-        ("reference", int(truth[level_two, column].sum()), 0, 0, grouped(int(truth.sum())), 0, 0, "", "")
-    )
+    rows.append(("reference", int(truth[level_two, column].sum()), 0, 0, grouped(int(truth.sum())), 0, 0, "", ""))
     header = (
         "samples per label",
         "centre, level two: above",

@@ -47,9 +47,7 @@ class Runs:
             for model in MODELS
             for solver in self.solvers
         }
-        self.missed = {
-            key: missed(study.reference, answer.selected, key[1]) for key, answer in self.noisy.items()
-        }
+        self.missed = {key: missed(study.reference, answer.selected, key[1]) for key, answer in self.noisy.items()}
 
     def with_fewest_samples(self):
         return [self.noisy[self.samples[0], model, solver] for model in MODELS for solver in self.solvers]
@@ -134,8 +132,7 @@ def _judge_times(study, runs, result):
         f"{seconds(worst.seconds)} at most",
         verdict(worst.seconds > DAY, not ended),
         f"With {grouped(runs.samples[0])} samples the slowest of {len(noisy)} proofs takes"
-        f" {seconds(worst.seconds)}"
-        + ("." if ended else ", and some do not end within the time limit."),
+        f" {seconds(worst.seconds)}" + ("." if ended else ", and some do not end within the time limit."),
         (
             "The paper names neither its solver nor the weights of the two parts of its objective; here only"
             " the count is proven."
@@ -171,9 +168,7 @@ def _judge_times(study, runs, result):
         for n in runs.samples
         for solver in runs.solvers
     ]
-    search, ilp = (
-        [slower for solver, slower in pairs if (solver == "search") == ours] for ours in (True, False)
-    )
+    search, ilp = ([slower for solver, slower in pairs if (solver == "search") == ours] for ours in (True, False))
     result.find(
         "The cooperative model is harder to solve",
         "yes",
@@ -191,11 +186,7 @@ def _judge_placements(study, runs, result):
     second = [
         max(
             missed(study.reference, study.table_answer(n, model, objective).selected, model)
-            for model, objective in (
-                (MODELS[0], "signal"),
-                (MODELS[0], "effective-links"),
-                (MODELS[1], "links"),
-            )
+            for model, objective in ((MODELS[0], "signal"), (MODELS[0], "effective-links"), (MODELS[1], "links"))
         )
         for n in study.effort.samples
     ]

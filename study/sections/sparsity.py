@@ -26,8 +26,7 @@ def section(study):
     all_signals = [study.uniform(n) for n in samples] + [study.reference]
     names = [f"{grouped(n)} samples" for n in samples] + ["reference"]
     rows = [
-        (f"{100 * cut:g} %" if cut else "none", *(percent(zeros(one, cut), 1) for one in all_signals))
-        for cut in CUTS
+        (f"{100 * cut:g} %" if cut else "none", *(percent(zeros(one, cut), 1) for one in all_signals)) for cut in CUTS
     ]
     header = ("cut-off", *map(grouped, samples), "reference")
     result.tables["zeros"] = (header, rows)
@@ -39,8 +38,7 @@ def section(study):
         page.figure(
             f"{name}, cut at {100 * cut:g} %",
             matrix_picture.picture(
-                one.mean >= cut * one.requirement[:, None],
-                f"Entries of M above {100 * cut:g} % of the requirement",
+                one.mean >= cut * one.requirement[:, None], f"Entries of M above {100 * cut:g} % of the requirement"
             ),
             "",
             reference,
@@ -56,12 +54,8 @@ def section(study):
         page.row_of(figures, "quad"),
         page.row_of(
             [
-                page.figure(
-                    "Zeros against the cut-off", charts.chart(axes, "Share of zeros against the cut-off")
-                ),
-                page.figure(
-                    "Zeros by samples per label", page.table(header, rows, numeric=range(1, len(header)))
-                ),
+                page.figure("Zeros against the cut-off", charts.chart(axes, "Share of zeros against the cut-off")),
+                page.figure("Zeros by samples per label", page.table(header, rows, numeric=range(1, len(header)))),
             ]
         ),
         page.paragraph(

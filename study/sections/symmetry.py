@@ -30,9 +30,7 @@ def partner_test(study, left, right, shift=0):
         ea.append(left.error[pairs, column])
         b.append(right.mean[mirror.labels[pairs], other])
         eb.append(right.error[mirror.labels[pairs], other])
-    return pair_test(
-        np.array(a), np.array(b), np.array(ea), np.array(eb), min(left.batches, right.batches) - 1, LEVEL
-    )
+    return pair_test(np.array(a), np.array(b), np.array(ea), np.array(eb), min(left.batches, right.batches) - 1, LEVEL)
 
 
 def _row(words, test, is_spread_tested=True):

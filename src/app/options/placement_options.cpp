@@ -225,11 +225,7 @@ void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, con
   const auto add = [&](const char* name, AvailabilityRule rule, const char* help) {
     return verb
         .add_option_function<double>(
-            name,
-            [&goal, rule](double value) {
-              goal = {rule, value};
-            },
-            help)
+            name, [&goal, rule](double value) { goal = {rule, value}; }, help)
         ->group(group::states);
   };
   auto* labels = add("--availability", AvailabilityRule::labels,

@@ -28,8 +28,8 @@ std::atomic<int> code_to_end_at_once{0};  // 0: the work ends with its results s
 // `timeout` signals the process and then its group, so a second signal counts only after a second.
 void on_signal(int number) {
   if (const int code = code_to_end_at_once.load(std::memory_order_relaxed); code != 0) {
-    for (const std::string_view part : {"stopped: ", stopped_without_result, "\n"})
-      [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
+    for (const std::string_view part : {"stopped: ", stopped_without_result, "\n"}) [[maybe_unused]]
+      const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
     ::_exit(code);
   }
   static timespec first = {};

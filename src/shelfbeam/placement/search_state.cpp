@@ -133,8 +133,7 @@ Reduction SearchState::reduction_below(double cost) const {
 Reduction SearchState::reduction_without(std::span<const std::uint32_t> columns) const {
   std::vector<bool> pinned(table.conflicts.empty() ? 0 : table.columns(), false);
   for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
-  return reduce_cover(
-      table, problem, first_cost, pinned, [this] { return out_of_time(); }, columns);
+  return reduce_cover(table, problem, first_cost, pinned, [this] { return out_of_time(); }, columns);
 }
 
 bool SearchState::exclude(const DualBound& dual) {

@@ -21,8 +21,7 @@ export function significant(value: number, digits = 3): string {
   if (!Number.isFinite(value)) return value > 0 ? "∞" : value < 0 ? "−∞" : "–";
   const rounded = Number(value.toExponential(digits - 1));
   const exponent = Math.floor(Math.log10(Math.abs(rounded)) + 1e-12);
-  if (exponent < -4 || exponent > 6)
-    return `${fixed(rounded / 10 ** exponent, digits - 1)}·10^${exponent}`;
+  if (exponent < -4 || exponent > 6) return `${fixed(rounded / 10 ** exponent, digits - 1)}·10^${exponent}`;
   return fixed(rounded, Math.max(0, digits - 1 - exponent));
 }
 

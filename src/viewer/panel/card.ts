@@ -35,8 +35,15 @@ export class Card {
       "header",
       {},
       element("div", {}, element("small", { text: kind }), element("h3", { text: id })),
-      button(text.card.show, () => selection && this.show(selection), { class: "v3-small", "aria-label": say(text.card.look, id) }),
-      button("×", () => this.model.select(null), { class: "v3-small", "aria-label": text.card.close, "data-key": "close" }),
+      button(text.card.show, () => selection && this.show(selection), {
+        class: "v3-small",
+        "aria-label": say(text.card.look, id),
+      }),
+      button("×", () => this.model.select(null), {
+        class: "v3-small",
+        "aria-label": text.card.close,
+        "data-key": "close",
+      }),
     );
   }
 
@@ -71,15 +78,17 @@ export class Card {
       this.facts([
         ...this.certified(label),
         ...this.inShop(label),
-        [store.redundant ? text.card.signal_redundant : text.card.signal, `${this.signal(signal)}\u00a0${name}`, "signal"],
+        [
+          store.redundant ? text.card.signal_redundant : text.card.signal,
+          `${this.signal(signal)}\u00a0${name}`,
+          "signal",
+        ],
         [text.card.requirement, `${this.signal(coverage.requirement(label))}\u00a0${name}`, "requirement"],
         [text.card.serving, counted(text.numbers.units, coverage.serving[label]), "serving"],
         [text.card.level, String(store.label.level[label] + 1)],
         [text.card.position, place],
       ]),
-      found.length
-        ? this.table(rows, name)
-        : element("p", { class: "v3-note", text: text.card.nothing }),
+      found.length ? this.table(rows, name) : element("p", { class: "v3-note", text: text.card.nothing }),
       found.length > mostRows
         ? element("p", {
             class: "v3-note",
@@ -100,15 +109,22 @@ export class Card {
     const { shop } = this.model;
     if (!shop) return [];
     const missed = this.model.missedInShop();
-    const verdict = missed === null ? text.card.original_only : missed.has(label) ? text.shop.verdicts.missed : text.shop.verdicts.reached;
+    const verdict =
+      missed === null
+        ? text.card.original_only
+        : missed.has(label)
+          ? text.shop.verdicts.missed
+          : text.shop.verdicts.reached;
     return [[say(text.card.in_state, shop.number), verdict, "in-state"]];
   }
 
   private table(rows: HTMLElement[], unit: string): HTMLElement {
     const { signals } = this.model;
     const head = element("tr", {}, element("th", { text: text.card.unit }), element("th", { text: unit, class: "n" }));
-    if (signals.error.length) head.append(element("th", { text: text.card.error, class: "n", title: text.card.error_title }));
-    if (signals.directShare.length) head.append(element("th", { text: text.card.direct, title: text.card.direct_title }));
+    if (signals.error.length)
+      head.append(element("th", { text: text.card.error, class: "n", title: text.card.error_title }));
+    if (signals.directShare.length)
+      head.append(element("th", { text: text.card.direct, title: text.card.direct_title }));
     return element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows));
   }
 
@@ -131,13 +147,25 @@ export class Card {
     );
     const { signals } = this.model;
     if (signals.error.length)
-      row.append(element("td", { class: "n", text: error === null ? "–" : `±\u00a0${this.signal(error, 2)}`, "data-fact": "error" }));
-    if (signals.directShare.length && directShare === null) row.append(element("td", { text: "–", "data-fact": "direct" }));
+      row.append(
+        element("td", {
+          class: "n",
+          text: error === null ? "–" : `±\u00a0${this.signal(error, 2)}`,
+          "data-fact": "error",
+        }),
+      );
+    if (signals.directShare.length && directShare === null)
+      row.append(element("td", { text: "–", "data-fact": "direct" }));
     if (directShare !== null) {
       const bar = element("span", { class: "v3-bar", "aria-hidden": "true" });
       bar.style.setProperty("--share", percent(directShare, 1).replace("\u00a0", ""));
       row.append(
-        element("td", { class: "v3-share" }, bar, element("span", { text: percent(directShare, 0), "data-fact": "direct" })),
+        element(
+          "td",
+          { class: "v3-share" },
+          bar,
+          element("span", { text: percent(directShare, 0), "data-fact": "direct" }),
+        ),
       );
     }
     return row;

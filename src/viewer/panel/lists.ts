@@ -31,7 +31,13 @@ abstract class SearchList {
   protected abstract id(index: number): string;
   protected abstract row(index: number): HTMLElement;
 
-  protected entry(kind: "unit" | "label", index: number, marks: Node[], pressed: () => void, note: string): HTMLElement {
+  protected entry(
+    kind: "unit" | "label",
+    index: number,
+    marks: Node[],
+    pressed: () => void,
+    note: string,
+  ): HTMLElement {
     const link = button(this.id(index), pressed, { class: "v3-link", "data-key": `${kind}${index}` });
     return element(
       "li",
@@ -66,9 +72,7 @@ export class UnitList extends SearchList {
   protected order(): number[] {
     const { reach } = this.model.coverage;
     const rank = (unit: number) => this.model.numberOf(unit) ?? Infinity;
-    return [...reach.keys()].sort((a, b) =>
-      rank(a) === rank(b) ? reach[b] - reach[a] || a - b : rank(a) - rank(b),
-    );
+    return [...reach.keys()].sort((a, b) => (rank(a) === rank(b) ? reach[b] - reach[a] || a - b : rank(a) - rank(b)));
   }
 
   protected id(unit: number): string {
@@ -122,7 +126,9 @@ export class LabelList extends SearchList {
     const isMet = coverage.met[label] && !missed;
     const dot = element("span", { class: isMet ? "v3-dot" : "v3-dot unmet", "aria-hidden": "true" });
     const margin = decibels(coverage.margin(label));
-    const note = isMet ? margin : say(missed ? text.lists.labels.missed_in_state : text.lists.labels.not_reached, margin);
+    const note = isMet
+      ? margin
+      : say(missed ? text.lists.labels.missed_in_state : text.lists.labels.not_reached, margin);
     return this.entry("label", label, [dot], () => this.show(label), note);
   }
 }

@@ -29,7 +29,12 @@ export class Levels {
         element(
           "li",
           {},
-          element("label", {}, box, element("span", {}, element("strong", { text: String(level + 1) }), ` ${heights}\u00a0m`, share)),
+          element(
+            "label",
+            {},
+            box,
+            element("span", {}, element("strong", { text: String(level + 1) }), ` ${heights}\u00a0m`, share),
+          ),
           store.levels.length > 1
             ? button(text.levels.only, () => this.set((_, k) => k === level), {
                 class: "v3-small",
@@ -139,7 +144,8 @@ export class Thresholds {
       const shift = 10 * Math.log10(value / planned);
       slider.value = String(shift);
       slider.setAttribute("aria-valuetext", value === planned ? text.requirements.as_planned : decibels(shift));
-      change.textContent = value === planned ? text.requirements.as_planned : say(text.requirements.changed, decibels(shift));
+      change.textContent =
+        value === planned ? text.requirements.as_planned : say(text.requirements.changed, decibels(shift));
       const { met, all } = this.model.share((label) => store.label.kind[label] === kind);
       share.textContent = say(text.requirements.reached, percent(all ? met / all : 1), grouped(met), grouped(all));
     });

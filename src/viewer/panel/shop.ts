@@ -17,9 +17,15 @@ export class ShopChoice {
 
   constructor(private readonly model: Model) {
     const { states } = model.store;
-    for (const name of [text.shop.as_in_file, ...states.map((state) => say(text.shop.state, state.number, verdictOf(state)))])
+    for (const name of [
+      text.shop.as_in_file,
+      ...states.map((state) => say(text.shop.state, state.number, verdictOf(state))),
+    ])
       this.choice.append(element("option", { text: name }));
-    this.root.append(element("label", {}, element("span", { class: "v3-note", text: text.shop.title }), this.choice), this.note);
+    this.root.append(
+      element("label", {}, element("span", { class: "v3-note", text: text.shop.title }), this.choice),
+      this.note,
+    );
   }
 
   private choose(): void {

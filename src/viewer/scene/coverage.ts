@@ -117,7 +117,8 @@ export class Coverage {
       const unit = column[at];
       if ((on[unit] !== 0) !== met) continue;
       // A bound often decides without evaluating received().
-      if (cooperative && (met ? signal - mean[at] > requirement + slack : signal + mean[at] < requirement - slack)) continue;
+      if (cooperative && (met ? signal - mean[at] > requirement + slack : signal + mean[at] < requirement - slack))
+        continue;
       if (!cooperative && (met ? mean[at] < shown : !this.isMet(mean[at], requirement))) continue;
       if (this.isMet(this.received(label, on, unit) + whole, requirement) !== met) ++this.decides[unit];
     }

@@ -46,16 +46,36 @@ function addPrism(faces: Faces, edges: number[], outline: number[][], low: numbe
   for (let k = 0; k < count && count > 1; ++k) {
     const [a, b] = [outline[k], outline[(k + 1) % count]];
     const shade = tone * shadeOf(b[1] - a[1], a[0] - b[0], 0);
-    faces.triangle([[a[0], a[1], low], [b[0], b[1], low], [b[0], b[1], high]], shade);
-    faces.triangle([[a[0], a[1], low], [b[0], b[1], high], [a[0], a[1], high]], shade);
+    faces.triangle(
+      [
+        [a[0], a[1], low],
+        [b[0], b[1], low],
+        [b[0], b[1], high],
+      ],
+      shade,
+    );
+    faces.triangle(
+      [
+        [a[0], a[1], low],
+        [b[0], b[1], high],
+        [a[0], a[1], high],
+      ],
+      shade,
+    );
     edges.push(a[0], a[1], high, b[0], b[1], high, a[0], a[1], low, a[0], a[1], high);
     if (count === 2) break;
   }
   if (count < 3) return;
   const points = outline.map(([x, y]) => new Vector2(x, y));
   for (const corners of ShapeUtils.triangulateShape(points, [])) {
-    faces.triangle(corners.map((k) => [outline[k][0], outline[k][1], high]), tone);
-    faces.triangle(corners.map((k) => [outline[k][0], outline[k][1], low]), tone * shadeOf(0, 0, -1));
+    faces.triangle(
+      corners.map((k) => [outline[k][0], outline[k][1], high]),
+      tone,
+    );
+    faces.triangle(
+      corners.map((k) => [outline[k][0], outline[k][1], low]),
+      tone * shadeOf(0, 0, -1),
+    );
   }
 }
 
@@ -75,7 +95,10 @@ export class Fixtures {
   constructor(store: Store) {
     const faces = looks.map(() => new Faces());
     const edges: number[] = [];
-    const doors = [{ open: [] }, ...store.states].map(({ open }) => ({ faces: new Faces(), open: new Set<number>(open) }));
+    const doors = [{ open: [] }, ...store.states].map(({ open }) => ({
+      faces: new Faces(),
+      open: new Set<number>(open),
+    }));
     let door = 0;
     const { look, corners, outline, height } = store.part;
     for (let part = 0, at = 0; part < look.length; ++part) {

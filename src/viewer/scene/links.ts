@@ -101,9 +101,27 @@ export class Links {
     const corners = new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]);
     geometry.setAttribute("position", new BufferAttribute(corners, 3));
     const numbers = (of: (link: Link) => number[]) => new Float32Array(links.flatMap(of));
-    geometry.setAttribute("start", new InstancedBufferAttribute(numbers((link) => link.from), 3));
-    geometry.setAttribute("end", new InstancedBufferAttribute(numbers((link) => link.to), 3));
-    geometry.setAttribute("style", new InstancedBufferAttribute(numbers((link) => [link.solid ?? -1, link.width]), 2));
+    geometry.setAttribute(
+      "start",
+      new InstancedBufferAttribute(
+        numbers((link) => link.from),
+        3,
+      ),
+    );
+    geometry.setAttribute(
+      "end",
+      new InstancedBufferAttribute(
+        numbers((link) => link.to),
+        3,
+      ),
+    );
+    geometry.setAttribute(
+      "style",
+      new InstancedBufferAttribute(
+        numbers((link) => [link.solid ?? -1, link.width]),
+        2,
+      ),
+    );
     return geometry;
   }
 }

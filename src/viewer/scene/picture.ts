@@ -81,12 +81,18 @@ export class Picture {
     const [edge, strong, paper] = ["--edge", "--strong", "--floor"].map((name) => colourOf(element, name));
     const classes = this.classes();
     for (const { marks } of this.levels)
-      marks.setPalette(classes.map(({ colour }) => colourOf(element, colour)), { edge, strong, paper });
-    this.units.setPalette(unitColours.map((name) => colourOf(element, name)), {
-      edge,
-      strong: colourOf(element, "--accent"),
-      paper: colourOf(element, "--unit-ink"),
-    });
+      marks.setPalette(
+        classes.map(({ colour }) => colourOf(element, colour)),
+        { edge, strong, paper },
+      );
+    this.units.setPalette(
+      unitColours.map((name) => colourOf(element, name)),
+      {
+        edge,
+        strong: colourOf(element, "--accent"),
+        paper: colourOf(element, "--unit-ink"),
+      },
+    );
     this.stage.recolour();
   }
 
@@ -154,7 +160,12 @@ export class Picture {
     state.on.forEach((on, unit) => {
       const number = this.model.numberOf(unit);
       const selected = this.model.isSelected("unit", unit);
-      const shape = on || removed.has(unit) || selected ? (this.model.isInstalled(unit) ? shapes.square : shapes.disc) : shapes.cross;
+      const shape =
+        on || removed.has(unit) || selected
+          ? this.model.isInstalled(unit)
+            ? shapes.square
+            : shapes.disc
+          : shapes.cross;
       this.units.setLook(unit, on ? (number === undefined ? 1 : 0) : 2, shape, selected ? 2 : 1, 0);
       this.units.setNumber(unit, number !== undefined ? this.numbers.cellOf(number) : on ? plusCell : 0);
     });

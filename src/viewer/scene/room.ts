@@ -45,7 +45,11 @@ function creasesOf(triangles: number[][][]): number[] {
 function gridOn(corners: number[][], axis: number): number[] {
   const values = corners.map((corner) => corner[axis]);
   const lines: number[] = [];
-  for (let at = Math.ceil((Math.min(...values) + 1e-6) / floorGrid) * floorGrid; at < Math.max(...values); at += floorGrid)
+  for (
+    let at = Math.ceil((Math.min(...values) + 1e-6) / floorGrid) * floorGrid;
+    at < Math.max(...values);
+    at += floorGrid
+  )
     corners.forEach((a, k) => {
       const b = corners[(k + 1) % 3];
       if (a[axis] > at === b[axis] > at) return;
@@ -57,20 +61,34 @@ function gridOn(corners: number[][], axis: number): number[] {
 }
 
 function boxOf({ lower: a, upper: b }: Store): { floor: number[][][]; edges: number[] } {
-  const ring = [[a[0], a[1]], [b[0], a[1]], [b[0], b[1]], [a[0], b[1]]];
+  const ring = [
+    [a[0], a[1]],
+    [b[0], a[1]],
+    [b[0], b[1]],
+    [a[0], b[1]],
+  ];
   const corners = ring.map(([x, y]) => [x, y, a[2]]);
   const edges = ring.flatMap(([x, y], k) => {
     const [u, v] = ring[(k + 1) % 4];
     return [x, y, a[2], u, v, a[2], x, y, b[2], u, v, b[2], x, y, a[2], x, y, b[2]];
   });
-  return { floor: [[corners[0], corners[1], corners[2]], [corners[0], corners[2], corners[3]]], edges };
+  return {
+    floor: [
+      [corners[0], corners[1], corners[2]],
+      [corners[0], corners[2], corners[3]],
+    ],
+    edges,
+  };
 }
 
 export function roomOf(store: Store): RoomFaces {
   const faces = (triangles: number[][][], lift = 0, isShaded = true) => {
     const result = new Faces();
     for (const corners of triangles)
-      result.triangle(corners.map(([x, y, z]) => [x, y, z + lift]), isShaded ? shadeOfTriangle(corners) : 1);
+      result.triangle(
+        corners.map(([x, y, z]) => [x, y, z + lift]),
+        isShaded ? shadeOfTriangle(corners) : 1,
+      );
     return result;
   };
   const box = boxOf(store);

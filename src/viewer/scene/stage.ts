@@ -163,7 +163,10 @@ export class Stage {
     const [camera, controls] = this.current();
     const step = this.isPlan ? 0.08 / this.above.zoom : 0.06 * camera.position.distanceTo(controls.target);
     const x = new Vector3().setFromMatrixColumn(camera.matrix, 0).setZ(0).normalize();
-    const move = x.clone().multiplyScalar(right * step).addScaledVector(new Vector3(-x.y, x.x, 0), up * step);
+    const move = x
+      .clone()
+      .multiplyScalar(right * step)
+      .addScaledVector(new Vector3(-x.y, x.x, 0), up * step);
     camera.position.add(move);
     controls.target.add(move);
     this.moved();
@@ -171,8 +174,7 @@ export class Stage {
 
   zoom(factor: number): void {
     if (this.isPlan) this.above.zoom *= factor;
-    else
-      this.perspective.position.lerpVectors(this.orbit.target, this.perspective.position.clone(), 1 / factor);
+    else this.perspective.position.lerpVectors(this.orbit.target, this.perspective.position.clone(), 1 / factor);
     this.moved();
   }
 

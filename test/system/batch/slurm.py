@@ -57,7 +57,8 @@ class Cluster:
         key = self.folder / "munge.key"
         key.write_bytes(os.urandom(1024))
         key.chmod(0o400)
-        (self.folder / "slurm.conf").write_text(f"""
+        (self.folder / "slurm.conf").write_text(
+            f"""
 ClusterName=test
 SlurmctldHost={self.node}(127.0.0.1)
 SlurmUser=root
@@ -85,10 +86,19 @@ ReturnToService=2
 KillWait=5
 NodeName={self.node} NodeAddr=127.0.0.1 CPUs={os.cpu_count()} RealMemory=4000 State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
-""", encoding="utf-8")
-        self.daemon("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={self.folder}/munge.sock",
-                    f"--pid-file={self.folder}/munged.pid", f"--log-file={self.folder}/munged.log",
-                    f"--seed-file={self.folder}/munged.seed")
+""",
+            encoding="utf-8",
+        )
+        self.daemon(
+            "munged",
+            "--foreground",
+            "--force",
+            f"--key-file={key}",
+            f"--socket={self.folder}/munge.sock",
+            f"--pid-file={self.folder}/munged.pid",
+            f"--log-file={self.folder}/munged.log",
+            f"--seed-file={self.folder}/munged.seed",
+        )
         self.wait(lambda: (self.folder / "munge.sock").exists(), "munged")
         self.daemon("slurmctld", "-D", "-i")
         self.start_node()
@@ -96,8 +106,13 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
     def daemon(self, program, *arguments):
         log = open(self.folder / f"{program}.out", "ab")
         with log:
-            self.daemons[program] = subprocess.Popen([shutil.which(program, path=PATH), *arguments], env=self.environment,
-                                                     stdin=subprocess.DEVNULL, stdout=log, stderr=log)
+            self.daemons[program] = subprocess.Popen(
+                [shutil.which(program, path=PATH), *arguments],
+                env=self.environment,
+                stdin=subprocess.DEVNULL,
+                stdout=log,
+                stderr=log,
+            )
 
     def start_node(self):
         self.daemon("slurmd", "-D")
@@ -132,7 +147,9 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
             time.sleep(pause)
 
     def logs(self):
-        return "\n".join(f"{path.name}:\n{path.read_text(errors='replace')[-3000:]}" for path in self.folder.glob("*.out"))
+        return "\n".join(
+            f"{path.name}:\n{path.read_text(errors='replace')[-3000:]}" for path in self.folder.glob("*.out")
+        )
 
     def stop(self):
         self.run("scancel", "--user=root")

@@ -26,14 +26,20 @@ class Disturbed(unittest.TestCase):
     def setUp(self):
         self.assertEqual(self.ended.returncode, 1, self.ended.stderr)
         statuses = [row["status"] for row in chain.rows(self.whole)]
-        self.assertEqual({name: statuses.count(name) for name in sorted(set(statuses))},
-                         {"failed": 6, "infeasible": 6, "planned": 48})
+        self.assertEqual(
+            {name: statuses.count(name) for name in sorted(set(statuses))},
+            {"failed": 6, "infeasible": 6, "planned": 48},
+        )
 
     def test_a_batch_that_is_killed(self):
         killed, rng, kills = self.folder / "killed", random.Random(1), 0
         while True:
-            process = subprocess.Popen([chain.PROGRAM, "batch", self.shops, "-o", killed, "--resume", *OPTIONS],
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            process = subprocess.Popen(
+                [chain.PROGRAM, "batch", self.shops, "-o", killed, "--resume", *OPTIONS],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
             try:
                 _, err = process.communicate(timeout=rng.uniform(0.1, 2.5) if kills < KILLS else None)
                 self.assertEqual(process.returncode, 1, err)
@@ -60,8 +66,21 @@ class Disturbed(unittest.TestCase):
         self.addCleanup(cluster.stop)  # before the folder is removed
         cluster.start()
         results = self.folder / "cluster"
-        ended = chain.shelfbeam("batch", self.shops, "-o", results, "--slurm", "--tasks", SHOPS // 2, "--memory", "1G",
-                                "--task-time", "30", *OPTIONS, env=cluster.environment)
+        ended = chain.shelfbeam(
+            "batch",
+            self.shops,
+            "-o",
+            results,
+            "--slurm",
+            "--tasks",
+            SHOPS // 2,
+            "--memory",
+            "1G",
+            "--task-time",
+            "30",
+            *OPTIONS,
+            env=cluster.environment,
+        )
         self.assertEqual(ended.returncode, 0, ended.stderr)
         self.assertIn(f"{SHOPS} stores in {SHOPS // 2} tasks are queued as job ", ended.stdout)
 
@@ -75,6 +94,7 @@ class Disturbed(unittest.TestCase):
             # Some stores are planned, and tasks are running.
             cluster.wait(lambda: records() >= SHOPS * (kill + 1) // (NODE_KILLS + 2) and is_running(), "the plans", 300)
             cluster.kill_node()
+
         # The signal that Slurm sends before the time limit: the task saves its checkpoints and is queued again.
         def has_stopped():
             for job, state in cluster.jobs():

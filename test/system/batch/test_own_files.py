@@ -58,8 +58,12 @@ class OwnFiles(unittest.TestCase):
 
     def test_results_edited_during_the_batch(self):
         self.batch(*QUICK)
-        process = subprocess.Popen([chain.PROGRAM, "batch", "t", "-o", "r", "--overwrite", "--threads", "1", *QUICK[:2], "300000",
-                                    *QUICK[3:]], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(
+            [chain.PROGRAM, "batch", "t", "-o", "r", "--overwrite", "--threads", "1", *QUICK[:2], "300000", *QUICK[3:]],
+            cwd=self.folder,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         while (self.results / "records/b.json").exists():  # until the batch has begun
             time.sleep(0.001)
         edited = self.edit("results.csv")
@@ -76,7 +80,9 @@ class OwnFiles(unittest.TestCase):
         self.batch("--overwrite", *QUICK, code=1)
         self.assertEqual((self.results / "plans/a/labels.csv").read_bytes(), edited)
         answers = {row["name"]: row["answer"] for row in chain.rows(self.results)}
-        self.assertIn("labels.csv: was not written by an earlier run in this folder, or was changed since", answers["a"])
+        self.assertIn(
+            "labels.csv: was not written by an earlier run in this folder, or was changed since", answers["a"]
+        )
         (self.results / "plans/a/labels.csv").unlink()
         self.batch("--resume", *QUICK)
 
@@ -85,12 +91,21 @@ class OwnFiles(unittest.TestCase):
         whole = chain.contents(self.results)
         record = self.results / "records/b.json"
         text = record.read_text(encoding="utf-8")
-        for damaged in ("", text[:100], "null", "[]", text.replace('"format": 1', '"format": "1"'),
-                        text.replace('"name": "b"', '"name": "a"'), text.replace('"planned"', '"fine"')):
+        for damaged in (
+            "",
+            text[:100],
+            "null",
+            "[]",
+            text.replace('"format": 1', '"format": "1"'),
+            text.replace('"name": "b"', '"name": "a"'),
+            text.replace('"planned"', '"fine"'),
+        ):
             record.write_text(damaged, encoding="utf-8")
             ended = self.batch("--collect", code=2)
             self.assertIn("r/records/b.json", ended.stderr)
-            self.assertEqual({row["name"]: row["status"] for row in chain.rows(self.results)}, {"a": "planned", "b": "failed"})
+            self.assertEqual(
+                {row["name"]: row["status"] for row in chain.rows(self.results)}, {"a": "planned", "b": "failed"}
+            )
             self.batch("--resume", *QUICK)
             self.assertEqual(chain.contents(self.results), whole)
         record.write_text(text.replace('"format": 1', '"format": 9'), encoding="utf-8")
@@ -99,19 +114,26 @@ class OwnFiles(unittest.TestCase):
         record.unlink()
         record.mkdir()
         self.batch("--resume", *QUICK, code=1)
-        self.assertEqual({row["name"]: row["status"] for row in chain.rows(self.results)}, {"a": "planned", "b": "failed"})
+        self.assertEqual(
+            {row["name"]: row["status"] for row in chain.rows(self.results)}, {"a": "planned", "b": "failed"}
+        )
         self.assertIn("is not planned", self.batch("--part", "2/2", *QUICK, code=2).stderr)
 
     def test_checkpoints_of_other_inputs(self):
         self.batch(*QUICK)
         mesh = self.folder / "t/a/wall.obj"
         shop = json.loads(TINY.read_text(encoding="utf-8"))
-        shop["fixtures"].append({"type": "mesh", "id": "m", "file": "wall.obj", "at": [0, 0, 0], "materials": {"*": "w"}})
+        shop["fixtures"].append(
+            {"type": "mesh", "id": "m", "file": "wall.obj", "at": [0, 0, 0], "materials": {"*": "w"}}
+        )
         (self.folder / "t/a/store.json").write_text(json.dumps(shop), encoding="utf-8")
         mesh.write_text("v 1 1 0\nv 2 1 0\nv 1 1 1\nf 1 2 3\n", encoding="utf-8")
         slow = ["--", "--samples", "3000000", "--checkpoint-interval", "0", "--no-certificate"]
-        process = subprocess.Popen([chain.PROGRAM, "batch", "t", "-o", "r", "--resume", "--threads", "1", *slow], cwd=self.folder,
-                                   stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            [chain.PROGRAM, "batch", "t", "-o", "r", "--resume", "--threads", "1", *slow],
+            cwd=self.folder,
+            stderr=subprocess.DEVNULL,
+        )
         while not (self.results / "plans/a/signal.h5.checkpoint").exists():
             time.sleep(0.005)
         process.kill()
@@ -125,7 +147,9 @@ class OwnFiles(unittest.TestCase):
 
     def input_of_a(self):
         """The input of the store, which a batch in another folder records."""
-        subprocess.run([chain.PROGRAM, "batch", "t", "-o", "other", *QUICK], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [chain.PROGRAM, "batch", "t", "-o", "other", *QUICK], cwd=self.folder, check=True, stdout=subprocess.DEVNULL
+        )
         return json.loads((self.folder / "other/records/a.json").read_text())["input"]
 
     def test_edited_scripts_are_not_replaced(self):
@@ -147,8 +171,14 @@ class OwnFiles(unittest.TestCase):
         for name, text in (("sbatch", "echo 7"), ("scontrol", 'echo "$@" >>requeued'), ("slow", "exec sleep 60")):
             (self.folder / "bin" / name).write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
             (self.folder / "bin" / name).chmod(0o755)
-        path = {"env": {**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}", "SLURM_ARRAY_TASK_ID": "1",
-                        "SLURM_ARRAY_JOB_ID": "7"}}
+        path = {
+            "env": {
+                **os.environ,
+                "PATH": f"{self.folder}/bin:{os.environ['PATH']}",
+                "SLURM_ARRAY_TASK_ID": "1",
+                "SLURM_ARRAY_JOB_ID": "7",
+            }
+        }
         self.batch("--slurm", *QUICK, **path)
         script = (self.results / "slurm/plan.sh").read_text(encoding="utf-8")
         program = f"'{os.path.realpath(chain.PROGRAM)}'"

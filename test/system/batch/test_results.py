@@ -48,14 +48,18 @@ class Batch(unittest.TestCase):
         need = [(STATUSES.index(row["status"]), row["warnings"] == "0", -float(row["price"] or 0)) for row in rows]
         self.assertEqual(need, sorted(need))
         self.assertEqual(rows[0]["name"], "0004-broken")
-        self.assertEqual({row["name"] for row in rows if row["status"] == "infeasible"}, {"0003-infeasible", "0007-infeasible"})
+        self.assertEqual(
+            {row["name"] for row in rows if row["status"] == "infeasible"}, {"0003-infeasible", "0007-infeasible"}
+        )
         for row in rows:
             self.assertEqual(row["report"] != "", row["status"] != "failed")
             if row["report"]:
                 self.assertTrue((self.results / row["report"]).exists())
         with sqlite3.connect(self.results / "results.sqlite") as database:
-            self.assertEqual([name for (name,) in database.execute("SELECT name FROM stores ORDER BY position")],
-                             [row["name"] for row in rows])
+            self.assertEqual(
+                [name for (name,) in database.execute("SELECT name FROM stores ORDER BY position")],
+                [row["name"] for row in rows],
+            )
             effort = database.execute("SELECT runs, cpu_s, wall_s, peak_memory FROM effort").fetchall()
         for runs, cpu_s, wall_s, peak_memory in effort:
             self.assertEqual(runs, 1)
@@ -70,8 +74,14 @@ class Batch(unittest.TestCase):
         records = {path.name: path.stat().st_mtime_ns for path in (self.results / "records").iterdir()}
         (self.shops / "0004-broken/store.json").write_bytes((self.shops / "0001-valid/store.json").read_bytes())
         self.batch("--only", "failed", "--", *QUICK, code=1)
-        self.assertEqual({path.name for path in (self.results / "records").iterdir()
-                          if path.stat().st_mtime_ns != records[path.name]}, {"0004-broken.json"})
+        self.assertEqual(
+            {
+                path.name
+                for path in (self.results / "records").iterdir()
+                if path.stat().st_mtime_ns != records[path.name]
+            },
+            {"0004-broken.json"},
+        )
         self.assertNotIn("failed", {row["status"] for row in chain.rows(self.results)})
         # A changed file and changed options.
         (self.shops / "0004-broken/store.json").write_text("{}", encoding="utf-8")
@@ -79,11 +89,15 @@ class Batch(unittest.TestCase):
 
     def test_lists_and_folders(self):
         chain.make_chain(self.shops, "--count", 2, "--kinds", "broken")
-        (self.shops / "list.txt").write_text("# two shops\n\n 0001-broken/store.json\n0002-broken/store.json \n", encoding="utf-8")
+        (self.shops / "list.txt").write_text(
+            "# two shops\n\n 0001-broken/store.json\n0002-broken/store.json \n", encoding="utf-8"
+        )
         ended = chain.shelfbeam("batch", self.shops / "list.txt", "-o", self.shops / "results", "--json")
         self.assertEqual(ended.returncode, 1, ended.stderr)
-        self.assertEqual(json.loads(ended.stdout)["stores"],
-                         {"failed": 2, "unfinished": 0, "infeasible": 0, "undecided": 0, "planned": 0})
+        self.assertEqual(
+            json.loads(ended.stdout)["stores"],
+            {"failed": 2, "unfinished": 0, "infeasible": 0, "undecided": 0, "planned": 0},
+        )
         # The folder of the results and other plans are not stores.
         (self.shops / "plan").mkdir()
         for name in ("store.json", "placement.json"):
@@ -112,8 +126,12 @@ class Batch(unittest.TestCase):
 
     def stopped(self, *arguments):
         """The output of a batch that is stopped while plans save checkpoints."""
-        process = subprocess.Popen([chain.PROGRAM, "batch", self.shops, "-o", self.results, *arguments],
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(
+            [chain.PROGRAM, "batch", self.shops, "-o", self.results, *arguments],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         while not list(self.results.glob("plans/*/*.checkpoint")):
             time.sleep(0.02)
         process.send_signal(signal.SIGINT)

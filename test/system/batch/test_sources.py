@@ -27,7 +27,9 @@ class Sources(unittest.TestCase):
         shutil.copy(TINY, os.path.join(path, b"store.json"))
 
     def batch(self, source, *arguments, **options):
-        ended = chain.shelfbeam("batch", source, "-o", "r", *arguments, cwd=self.folder, errors="backslashreplace", **options)
+        ended = chain.shelfbeam(
+            "batch", source, "-o", "r", *arguments, cwd=self.folder, errors="backslashreplace", **options
+        )
         self.assertIn(ended.returncode, (0, 1), ended.stderr)
         return ended
 
@@ -35,10 +37,24 @@ class Sources(unittest.TestCase):
         return {row["name"]: row["status"] for row in chain.rows(self.folder / "r")}
 
     def test_odd_names(self):
-        names = {b"-dash": "-dash", b"new\nline": "new\\nline", b"\xff": "\\xff", b"\\xff": "\\xff~2", b"A": "A", b"a": "a",
-                 "caf\u00e9".encode(): "caf\u00e9", "cafe\u0301".encode(): "cafe\u0301", b"n" * 255: "n" * 255,
-                 b"quo\"te's": "quo\"te's", b"up": "up", b"up/report.html": "up/report.html",
-                 b"r": "r", b"r.json/y": "r.json/y", b"r.json_/y": "r.json_/y", b"/".join([b"d" * 200] * 18): "/".join(["d" * 200] * 18)}
+        names = {
+            b"-dash": "-dash",
+            b"new\nline": "new\\nline",
+            b"\xff": "\\xff",
+            b"\\xff": "\\xff~2",
+            b"A": "A",
+            b"a": "a",
+            "caf\u00e9".encode(): "caf\u00e9",
+            "cafe\u0301".encode(): "cafe\u0301",
+            b"n" * 255: "n" * 255,
+            b"quo\"te's": "quo\"te's",
+            b"up": "up",
+            b"up/report.html": "up/report.html",
+            b"r": "r",
+            b"r.json/y": "r.json/y",
+            b"r.json_/y": "r.json_/y",
+            b"/".join([b"d" * 200] * 18): "/".join(["d" * 200] * 18),
+        }
         for name in names:
             self.shop(name)
         self.batch("t", *QUICK)
@@ -65,8 +81,14 @@ class Sources(unittest.TestCase):
         (tree / "pipe").mkdir()
         os.mkfifo(tree / "pipe/store.json")
         self.batch("t", *QUICK)
-        expected = {"a": "planned", "same": "planned", "to-shop": "planned", "dangling": "failed", "loop": "failed",
-                    "pipe": "failed"}
+        expected = {
+            "a": "planned",
+            "same": "planned",
+            "to-shop": "planned",
+            "dangling": "failed",
+            "loop": "failed",
+            "pipe": "failed",
+        }
         self.assertEqual(self.statuses(), expected)
         # Results of another batch are not stores, even of plans that were interrupted.
         os.rename(self.folder / "r", tree / "earlier")
@@ -89,16 +111,28 @@ class Sources(unittest.TestCase):
         for name in ("a", "b c", "-d"):
             self.shop(name)
         tree = self.folder / "t"
-        (tree / "list.txt").write_bytes(b"\r\n# shops\r\na/store.json\r\n\"b c/store.json\"\r\n  -d/store.json  \r\n\n\n"
-                                        b"./a/store.json\na\n..\nno\0thing.json\nb c/../nowhere.json\n../t/a/store.json")
+        (tree / "list.txt").write_bytes(
+            b'\r\n# shops\r\na/store.json\r\n"b c/store.json"\r\n  -d/store.json  \r\n\n\n'
+            b"./a/store.json\na\n..\nno\0thing.json\nb c/../nowhere.json\n../t/a/store.json"
+        )
         ended = self.batch("t/list.txt", *QUICK)
-        self.assertEqual(self.statuses(), {"a": "planned", "b c": "planned", "-d": "planned", "a~2": "failed", "line 10": "failed",
-                                           "no\\x00thing": "failed", "nowhere": "failed"})
+        self.assertEqual(
+            self.statuses(),
+            {
+                "a": "planned",
+                "b c": "planned",
+                "-d": "planned",
+                "a~2": "failed",
+                "line 10": "failed",
+                "no\\x00thing": "failed",
+                "nowhere": "failed",
+            },
+        )
         self.assertEqual(ended.stderr.count("lists the store"), 2)
         # Backslashes, as Windows writes them, unless they are part of a name.
         self.shop("north/12")
         self.shop("east\\3")
-        (tree / "list.txt").write_bytes(b"north\\12\\store.json\r\n\".\\b c\\store.json\"\r\neast\\3/store.json\r\n")
+        (tree / "list.txt").write_bytes(b'north\\12\\store.json\r\n".\\b c\\store.json"\r\neast\\3/store.json\r\n')
         self.batch("t/list.txt", "--overwrite", *QUICK)
         self.assertEqual(self.statuses(), {"north/12": "planned", "b c": "planned", "east\\3": "planned"})
         # A store of an own list, whose path begins like an option.
@@ -109,12 +143,23 @@ class Sources(unittest.TestCase):
     def test_broken_stores_are_reported_before_the_first_plan(self):
         self.shop("a")
         shop = json.loads(TINY.read_text(encoding="utf-8"))
-        shop["fixtures"][0] = {"type": "mesh", "id": "m", "file": "missing.obj", "at": [1, 1, 0], "materials": {"*": "w"}}
+        shop["fixtures"][0] = {
+            "type": "mesh",
+            "id": "m",
+            "file": "missing.obj",
+            "at": [1, 1, 0],
+            "materials": {"*": "w"},
+        }
         for name, text in (("text", "{"), ("mesh", json.dumps(shop)), ("utf16", "{}".encode("utf-16"))):
             (self.folder / "t" / name).mkdir()
             (self.folder / "t" / name / "store.json").write_bytes(text if isinstance(text, bytes) else text.encode())
-        process = subprocess.Popen([chain.PROGRAM, "batch", "t", "-o", "r", *QUICK], cwd=self.folder, text=True,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        process = subprocess.Popen(
+            [chain.PROGRAM, "batch", "t", "-o", "r", *QUICK],
+            cwd=self.folder,
+            text=True,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+        )
         reported = [process.stderr.readline() for _ in range(3)]
         self.assertFalse((self.folder / "r/plans/a/placement.json").exists())
         process.communicate()

@@ -103,7 +103,7 @@ class Others(Kept):
             with h5py.File(kept / "plan/signal.h5", "r+") as file:
                 file.attrs.modify("format_version", version)
             content = (kept / "plan/signal.h5").read_bytes()  # without the checksum before the HDF5, which is now wrong
-            (kept / "plan/signal.h5").write_bytes(content[content.index(b"\x89HDF"):])
+            (kept / "plan/signal.h5").write_bytes(content[content.index(b"\x89HDF") :])
             self.refused(run("place", kept / "plan/signal.h5"), "signal.h5", f"format version {version}", words)
 
     def test_placements(self):
@@ -120,8 +120,11 @@ class Others(Kept):
         content = path.read_bytes()
         self.assertTrue(content.startswith(b"shelfbeam checkpoint 1\n"))
         path.write_bytes(content.replace(b"checkpoint 1\n", b"checkpoint 2\n", 1))
-        self.refused(run("simulate", kept / "store.json", "-o", kept / "interrupted.h5", *SAMPLES, "--resume"),
-                     "interrupted.h5.checkpoint", "version")
+        self.refused(
+            run("simulate", kept / "store.json", "-o", kept / "interrupted.h5", *SAMPLES, "--resume"),
+            "interrupted.h5.checkpoint",
+            "version",
+        )
         self.assertNotEqual(path.read_bytes(), content)
 
 

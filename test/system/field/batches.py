@@ -41,6 +41,7 @@ def from_list(name, *names):
     def measure(scratch):
         plan_list(scratch, name, *names)
         return statuses(scratch)
+
     return measure
 
 
@@ -82,8 +83,12 @@ def interrupt_at_start(scratch):
     lost = 0
     for trial in range(6):
         shutil.rmtree(scratch / "r", ignore_errors=True)
-        process = subprocess.Popen([PROGRAM, "batch", "t", "-o", "r", "--jobs", "1", "--threads", "1", *PLAN], cwd=scratch,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            [PROGRAM, "batch", "t", "-o", "r", "--jobs", "1", "--threads", "1", *PLAN],
+            cwd=scratch,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         while process.poll() is None and not list(scratch.glob("r/records/*.json")):
             time.sleep(0.001)
         time.sleep(0.015 * trial)
@@ -110,17 +115,33 @@ def equals(value):
 
 
 ROWS = [
-    Row("list_long_name.txt", "the long name failed, the other planned", from_list("list_long_name.txt", "a"),
-        equals({"failed": 1, "planned": 1})),
-    Row("list_utf16.txt", "is UTF-16; save it as UTF-8", lambda scratch: plan_list(scratch, "list_utf16.txt", "a"),
-        refuses("UTF-16", "UTF-8")),
+    Row(
+        "list_long_name.txt",
+        "the long name failed, the other planned",
+        from_list("list_long_name.txt", "a"),
+        equals({"failed": 1, "planned": 1}),
+    ),
+    Row(
+        "list_utf16.txt",
+        "is UTF-16; save it as UTF-8",
+        lambda scratch: plan_list(scratch, "list_utf16.txt", "a"),
+        refuses("UTF-16", "UTF-8"),
+    ),
     Row("list_bom.txt", "both planned", from_list("list_bom.txt", "a", "b"), equals({"planned": 2})),
     Row("list_mark.txt", "planned", list_mark, equals({"planned": 1})),
     Row("tree_record_file_and_folder.sh", "three planned", file_and_folder, equals({"planned": 3})),
     Row("tree_link_to_itself.sh", "b failed, a planned", link_to_itself, equals({"failed": 1, "planned": 1})),
-    Row("record_of_another_store.sh", "--collect names the record, --resume plans b again", record_of_another_store,
-        equals({"planned": 2})),
+    Row(
+        "record_of_another_store.sh",
+        "--collect names the record, --resume plans b again",
+        record_of_another_store,
+        equals({"planned": 2}),
+    ),
     Row("interrupt_at_start.py", "0 of 6 batches are lost", interrupt_at_start, equals(0), is_slow=True),
-    Row("% in the path of a Slurm batch", "%% in the paths of logs", percent_in_path,
-        equals(["sale 50%%off/slurm/%a.log", "sale 50%%off/slurm/collect.log"])),
+    Row(
+        "% in the path of a Slurm batch",
+        "%% in the paths of logs",
+        percent_in_path,
+        equals(["sale 50%%off/slurm/%a.log", "sale 50%%off/slurm/collect.log"]),
+    ),
 ]

@@ -69,9 +69,19 @@ def batch_bounds(scratch):
 ROWS = [
     Row("certified as for the matrix", "no fault", planned(), lambda end: end == "no fault", is_slow=True),
     Row("greedy selection", "no fault", planned("--solver", "greedy"), lambda end: end == "no fault", is_slow=True),
-    Row("budget for a part of the bound", "no fault", planned("--budget", "0.2", "--survive-failure"),
-        lambda end: end == "no fault", is_slow=True),
+    Row(
+        "budget for a part of the bound",
+        "no fault",
+        planned("--budget", "0.2", "--survive-failure"),
+        lambda end: end == "no fault",
+        is_slow=True,
+    ),
     Row("no budget", "no fault", planned("--budget", "0.001"), lambda end: end == "no fault", is_slow=True),
-    Row("bound in the results of a batch", "that of the certificate", batch_bounds,
-        lambda bounds: bounds[0] == bounds[1] > 0, is_slow=True),
+    Row(
+        "bound in the results of a batch",
+        "that of the certificate",
+        batch_bounds,
+        lambda bounds: bounds[0] == bounds[1] > 0,
+        is_slow=True,
+    ),
 ]

@@ -38,9 +38,11 @@ def verified_signal(scratch):
 
 def label_ratio(scratch):
     """Of the signals of a label that looks through a block of glass, on it and 1 mm in front of it."""
+
     def at(z):
         label = {"id": "L1", "position": [3, 2, z], "normal": [0, 0, -1], "type": "shelf label"}
         return changed_signal("glass_on_pane.json", scratch, {"labels": [label]})
+
     return at(1.2) / at(1.201)
 
 

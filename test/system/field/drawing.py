@@ -37,7 +37,11 @@ def shown(text):
 
 def ids(scratch):
     groups = drawn(scratch)
-    values = [shown(before[1]) for before, after in zip(groups, groups[1:]) if before[0] == 1 and after == (2, "ID") and before[1]]
+    values = [
+        shown(before[1])
+        for before, after in zip(groups, groups[1:])
+        if before[0] == 1 and after == (2, "ID") and before[1]
+    ]
     return sorted(values)
 
 

@@ -15,7 +15,16 @@ STORE = {
         "ldt": {"emission": {"type": "eulumdat", "file": "lamp.ldt", "flux": 1}},
     },
     "fixtures": [
-        {"type": "gondola", "id": "A1", "at": [1, 2], "length": 4, "depth": 0.9, "height": 1.8, "material": "steel", "shelves": [0.4]}
+        {
+            "type": "gondola",
+            "id": "A1",
+            "at": [1, 2],
+            "length": 4,
+            "depth": 0.9,
+            "height": 1.8,
+            "material": "steel",
+            "shelves": [0.4],
+        }
     ],
     "labels": {"csv": "labels.csv"},
     "planogram": {"file": "planogram.csv", "type": "shelf label"},
@@ -83,7 +92,11 @@ def read_as_without(change):
         plain = outputs(scratch)
         write_files(scratch, change)
         changed = outputs(scratch)
-        return [" ".join(command) for command in set(COMMANDS.values()) if not plain.get(command) or plain[command] != changed.get(command)]
+        return [
+            " ".join(command)
+            for command in set(COMMANDS.values())
+            if not plain.get(command) or plain[command] != changed.get(command)
+        ]
 
     return measure
 
@@ -115,7 +128,12 @@ def succeeds(end):
 
 
 ROWS = [
-    Row("utf16.json", "UTF-16 is named", lambda _: run("inspect", "utf16.json"), refuses("utf16.json: is UTF-16; save it as UTF-8")),
+    Row(
+        "utf16.json",
+        "UTF-16 is named",
+        lambda _: run("inspect", "utf16.json"),
+        refuses("utf16.json: is UTF-16; save it as UTF-8"),
+    ),
     Row(
         "null_in_name_obj.json",
         "the null byte is escaped, and the rest of the message follows",
@@ -123,7 +141,13 @@ ROWS = [
         refuses("wh\\x00ite", "add an entry"),
     ),
     Row("comma_behind_last.json", "read", lambda _: run("inspect", "comma_behind_last.json"), succeeds),
-    Row("marks in all texts", "no command differs", read_as_without(lambda text: text.encode("utf-8-sig")), nothing, True),
+    Row(
+        "marks in all texts",
+        "no command differs",
+        read_as_without(lambda text: text.encode("utf-8-sig")),
+        nothing,
+        True,
+    ),
     Row(
         "lines that end with CR",
         "no command differs",

@@ -89,8 +89,16 @@ def run_page(path, folder, environment):
         if needs and not shutil.which(needs, path=environment["PATH"]):
             missing.add(needs)
             continue
-        done = subprocess.run([*INTERPRETERS[kind], body], cwd=folder, env=environment, text=True, check=False,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        done = subprocess.run(
+            [*INTERPRETERS[kind], body],
+            cwd=folder,
+            env=environment,
+            text=True,
+            check=False,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+        )
         ran, output = ran + 1, done.stdout
         asked = EXIT_CODE.search(body)
         if done.returncode != (int(asked[1]) if asked else 0):

@@ -37,6 +37,7 @@ class Pages(unittest.TestCase):
             command = [os.environ["SHELFBEAM"], "simulate", "store.json", "-o", "signal.h5", "--samples", "64"]
             subprocess.run([*command, "--quiet"], cwd=folder, check=True)
             with h5py.File(pathlib.Path(folder) / "signal.h5") as file:
+
                 def encoding(name):
                     return h5py.check_string_dtype(file[name].dtype).encoding
 

@@ -46,7 +46,8 @@ class Installation(unittest.TestCase):
         project.mkdir()
         (project / "main.cpp").write_text(program, encoding="utf-8")
         (project / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.25)\nproject(planner LANGUAGES CXX)\nadd_executable(planner main.cpp)\n" + lists
+            "cmake_minimum_required(VERSION 3.25)\nproject(planner LANGUAGES CXX)\nadd_executable(planner main.cpp)\n"
+            + lists
         )
         run("cmake", "-S", project, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
         run("cmake", "--build", build)
@@ -64,7 +65,21 @@ class Installation(unittest.TestCase):
         self.assertIn(include / "shelfbeam/shelfbeam.hpp", headers)
         self.assertTrue(25 <= len(headers) <= 42, len(headers))
         for header in headers:
-            run("c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-x", "c++", "-include", header, "-I", include, "/dev/null")
+            run(
+                "c++",
+                "-std=c++20",
+                "-Wall",
+                "-Wextra",
+                "-Werror",
+                "-fsyntax-only",
+                "-x",
+                "c++",
+                "-include",
+                header,
+                "-I",
+                include,
+                "/dev/null",
+            )
 
     def test_another_minor_version_is_refused(self):
         (self.top / "future").mkdir()
@@ -72,7 +87,14 @@ class Installation(unittest.TestCase):
             "cmake_minimum_required(VERSION 3.25)\nproject(new LANGUAGES CXX)\nfind_package(shelfbeam 0.99 REQUIRED)\n"
         )
         with self.assertRaisesRegex(AssertionError, "version"):
-            run("cmake", "-S", self.top / "future", "-B", self.top / "future/build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+            run(
+                "cmake",
+                "-S",
+                self.top / "future",
+                "-B",
+                self.top / "future/build",
+                f"-DCMAKE_PREFIX_PATH={self.prefix}",
+            )
 
 
 if __name__ == "__main__":

@@ -58,8 +58,12 @@ def read_scene(path):
 
 def brightness(cal, variable, direction, arguments):
     """A variable of a .cal file for rays along the directions (n x 3)."""
-    known = {"sqrt": np.sqrt, "choose": lambda a, b, c: np.where(a > 0, b, c),
-             **dict(zip(("Dx", "Dy", "Dz"), direction.T)), **dict(zip(("A1", "A2", "A3", "A4"), [*arguments, 0]))}
+    known = {
+        "sqrt": np.sqrt,
+        "choose": lambda a, b, c: np.where(a > 0, b, c),
+        **dict(zip(("Dx", "Dy", "Dz"), direction.T)),
+        **dict(zip(("A1", "A2", "A3", "A4"), [*arguments, 0])),
+    }
     for definition in re.sub(r"{.*?}", "", cal).split(";")[:-1]:
         name, value = (side.strip() for side in definition.replace("if(", "choose(").replace("^", "**").split("=", 1))
         function = re.fullmatch(r"(\w+)\((\w+)\)", name)

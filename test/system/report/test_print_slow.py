@@ -45,8 +45,15 @@ def pages_of(folder, paper):
     rule = f"<style>@page{{size:{paper};margin:12mm}}</style></head>"
     page.write_text(report.read_text(encoding="utf-8").replace("</head>", rule, 1), encoding="utf-8")
     pdf = folder / f"{paper}.pdf"
-    run("chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
-        f"--print-to-pdf={pdf}", page.as_uri())
+    run(
+        "chromium",
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--no-pdf-header-footer",
+        f"--print-to-pdf={pdf}",
+        page.as_uri(),
+    )
     return run("pdftotext", "-layout", pdf, "-").split("\f")
 
 
@@ -96,7 +103,8 @@ class Prints(unittest.TestCase):
         words = run("pdftotext", "-bbox", "-f", "2", "-l", "2", self.few / "A4.pdf", "-")
         sizes = {}
         for x0, y0, x1, y1, word in re.findall(
-                r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">([^<]+)<', words):
+            r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">([^<]+)<', words
+        ):
             size = min(float(x1) - float(x0), float(y1) - float(y0))  # names are horizontal or vertical
             sizes.setdefault(word, []).append(size)
         fixtures = {scene["id"] for scene in json.loads((self.few / "store.json").read_text())["fixtures"]}
@@ -144,8 +152,10 @@ class Prints(unittest.TestCase):
 
         names = ["Kühl 1", "Köhl 1", "\\U+00DC1", "at 45%%d", "a^J", "%%c%%c", "50%"]
         store = json.loads(pathlib.Path("test/data/field/plain_store.json").read_text(encoding="utf-8"))
-        store["transceivers"] = {"installed": names, "list": [
-            {"id": name, "position": [0.5 + 0.5 * k, 2, 2.9], "type": "unit"} for k, name in enumerate(names)]}
+        store["transceivers"] = {
+            "installed": names,
+            "list": [{"id": name, "position": [0.5 + 0.5 * k, 2, 2.9], "type": "unit"} for k, name in enumerate(names)],
+        }
         path = pathlib.Path(self.work.name) / "names.json"
         path.write_text(json.dumps(store), encoding="utf-8")
         drawing = ezdxf.readfile(plan_of(path.with_suffix(""), path) / "mounting.dxf")

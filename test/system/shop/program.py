@@ -62,5 +62,9 @@ def simulate(store, output, *options):
         order = np.ix_(np.argsort(rows), np.argsort(columns))
         values = [file["labels"][key][:] for key in ("position", "normal")] + [file["labels/type"].asstr()[:]]
         units = zip(file["transceivers/position"][:], file["transceivers/axis"][:])
-        return Signals(dict(zip(rows, zip(*values))), dict(zip(columns, units)),
-                       file["mean"][:][order].astype(float), file["standard_error"][:][order].astype(float))
+        return Signals(
+            dict(zip(rows, zip(*values))),
+            dict(zip(columns, units)),
+            file["mean"][:][order].astype(float),
+            file["standard_error"][:][order].astype(float),
+        )

@@ -90,11 +90,13 @@ def inner_wall():
     sides = (-half, half)
     first = [cut(side, OUTLINE[0], OUTLINE[1]) for side in sides]
     last = [cut(side, OUTLINE[2], OUTLINE[3]) for side in sides]
-    spans = [(first, (1.8, 1.8), [(0, HEIGHT)]),
-             ((1.8, 1.8), (2.8, 2.8), [(2.1, HEIGHT)]),
-             ((2.8, 2.8), (4.1, 4.1), [(0, HEIGHT)]),
-             ((4.1, 4.1), (5.4, 5.4), [(0, 0.9), (2, HEIGHT)]),
-             ((5.4, 5.4), last, [(0, HEIGHT)])]
+    spans = [
+        (first, (1.8, 1.8), [(0, HEIGHT)]),
+        ((1.8, 1.8), (2.8, 2.8), [(2.1, HEIGHT)]),
+        ((2.8, 2.8), (4.1, 4.1), [(0, HEIGHT)]),
+        ((4.1, 4.1), (5.4, 5.4), [(0, 0.9), (2, HEIGHT)]),
+        ((5.4, 5.4), last, [(0, HEIGHT)]),
+    ]
     for begin, finish, heights in spans:
         corners = [(begin[0], sides[0]), (finish[0], sides[0]), (finish[1], sides[1]), (begin[1], sides[1])]
         outline = [tuple(start + distance * along + side * across) for distance, side in corners]
@@ -183,13 +185,24 @@ def store(of, shop=Shop()):
     parts = []
     for material, triangles in surfaces(shop):
         vertices = triangles.reshape(-1, 3).tolist()
-        parts.append({"name": f"{len(parts)}", "material": material, "vertices": vertices,
-                      "faces": [[k, k + 1, k + 2] for k in range(0, len(vertices), 3)]})
+        parts.append(
+            {
+                "name": f"{len(parts)}",
+                "material": material,
+                "vertices": vertices,
+                "faces": [[k, k + 1, k + 2] for k in range(0, len(vertices), 3)],
+            }
+        )
     return {
         **{key: of[key] for key in ("materials", "label_types", "transceiver_types")},
         "fixtures": [{"type": "mesh", "id": "shop", "at": [0, 0, 0], "parts": parts}],
-        "labels": [{"id": name, "position": list(position), "normal": list(normal), "type": kind}
-                   for name, (position, normal, kind) in labels().items()],
-        "transceivers": {"list": [{"id": name, "position": list(position), "type": "unit"}
-                                  for name, position in candidates().items()]},
+        "labels": [
+            {"id": name, "position": list(position), "normal": list(normal), "type": kind}
+            for name, (position, normal, kind) in labels().items()
+        ],
+        "transceivers": {
+            "list": [
+                {"id": name, "position": list(position), "type": "unit"} for name, position in candidates().items()
+            ]
+        },
     }

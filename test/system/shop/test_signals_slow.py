@@ -24,8 +24,9 @@ class Agreement:
         difference, error = np.abs(one.mean - other.mean), np.hypot(one.error, other.error)
         large, totals = one.mean > one.mean.max() / 10, one.mean.sum(axis=1)
         self.sigmas = np.max(difference / error)
-        self.share = max(np.max((difference / one.mean)[large]),
-                         np.max(np.abs(totals - other.mean.sum(axis=1)) / totals))
+        self.share = max(
+            np.max((difference / one.mean)[large]), np.max(np.abs(totals - other.mean.sum(axis=1)) / totals)
+        )
         # The entries of a row share paths; the sum of their standard errors is an upper bound for that of their sum.
         self.share_error = max(np.max((error / one.mean)[large]), np.max(error.sum(axis=1) / totals))
 

@@ -71,7 +71,12 @@ class Surfaces(unittest.TestCase):
             self.assertGreater(self.different_rays(shop_twin.surfaces(shop_twin.Shop(**change))), 5, change)
 
     def test_fixtures_have_equal_areas(self):
-        room = ("room", "ceiling", "ceiling bakery", "W")  # where these touch, the program leaves out what the others cover
+        room = (
+            "room",
+            "ceiling",
+            "ceiling bakery",
+            "W",
+        )  # where these touch, the program leaves out what the others cover
         model = areas(*joined(part[1:] for part in self.model if part[0] not in room))
         twin = areas(*joined(shop_twin.fixtures()))
         self.assertEqual(set(model), {"steel", "carton", "wood", "brick"})

@@ -51,9 +51,7 @@ def signal_file(path, mean, positions=None):
         file["labels/samples"] = np.full(m, 640, dtype="<u8")
         file["transceivers/id"] = np.array([f"T{j}" for j in range(n)], dtype="S4")
         file["transceivers/type"] = np.array(["t"] * n, dtype="S1")
-        file["transceivers/position"] = (
-            np.array([[j, 1.0, 3.0] for j in range(n)]) if positions is None else positions
-        )
+        file["transceivers/position"] = np.array([[j, 1.0, 3.0] for j in range(n)]) if positions is None else positions
         file["transceivers/axis"] = np.array([[0.0, 0.0, -1.0]] * n)
         file["transceivers/cost"] = np.ones(n)
         file["transceivers/installed"] = np.zeros(n, dtype="u1")
@@ -130,9 +128,7 @@ class Placements(unittest.TestCase):
             self.assertEqual(sorted(layouts[0.5, 0.5][:4]), [0, 5, 18, 23])
             coarse = {(spacing, start): list(columns) for spacing, start, columns in grids(signals.units)}
             self.assertEqual(coarse[2, (1, 0)], [1, 3, 5, 13, 15, 17])
-            self.assertEqual(
-                sum(len(columns) for (spacing, _), columns in coarse.items() if spacing == 2), 24
-            )
+            self.assertEqual(sum(len(columns) for (spacing, _), columns in coarse.items() if spacing == 2), 24)
 
     def test_interchangeable(self):
         reach = np.array([[1, 1, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]], dtype=bool)
@@ -180,8 +176,7 @@ class Files(unittest.TestCase):
     def test_program_goes_on_where_it_was(self):
         with tempfile.TemporaryDirectory() as folder:
             binary = fake_program(
-                folder,
-                'echo ran >>"$(dirname "$0")/log"\ncase $1 in fail) exit 4 ;; esac\nprintf x >"${@: -2:1}"',
+                folder, 'echo ran >>"$(dirname "$0")/log"\ncase $1 in fail) exit 4 ;; esac\nprintf x >"${@: -2:1}"'
             )
             source, log = Path(folder) / "in", Path(folder) / "log"
             source.write_text("1", encoding="utf-8")

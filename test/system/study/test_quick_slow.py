@@ -30,9 +30,7 @@ class QuickStudy(unittest.TestCase):
 
     @staticmethod
     def reproduce(*arguments):
-        done = subprocess.run(
-            [str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False
-        )
+        done = subprocess.run([str(TOP / "scripts/reproduce"), *arguments], capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise AssertionError(done.stderr)
         return done
@@ -68,17 +66,13 @@ class QuickStudy(unittest.TestCase):
             "Fig. 3.6",
             "Fig. 3.7",
         ):
-            found = [
-                figure for caption, figure in captions.items() if re.search(re.escape(name) + r"\b", caption)
-            ]
+            found = [figure for caption, figure in captions.items() if re.search(re.escape(name) + r"\b", caption)]
             self.assertTrue(found, name)
             for figure in found:
                 self.assertTrue(figure.findall(SVG) or figure.findall(".//{*}img"), name)
         for caption, figure in captions.items():
             if caption.startswith("Fig. 2."):
-                self.assertEqual(
-                    len([svg for svg in figure.findall(SVG) if svg.get("class") == "m"]), 6, caption
-                )
+                self.assertEqual(len([svg for svg in figure.findall(SVG) if svg.get("class") == "m"]), 6, caption)
 
     def test_references_lead_somewhere(self):
         ids = [element.get("id") for element in self.root.iter() if element.get("id")]
@@ -93,9 +87,7 @@ class QuickStudy(unittest.TestCase):
         self.assertEqual(table[1][4], "54 %")
         for row, samples in zip(table[1:], (5000, 25000)):
             answer = json.loads(
-                (self.folder / f"work/tables/{samples}-non-cooperative-count-auto.json").read_text(
-                    encoding="utf-8"
-                )
+                (self.folder / f"work/tables/{samples}-non-cooperative-count-auto.json").read_text(encoding="utf-8")
             )
             self.assertEqual(answer["status"], "optimal")
             self.assertEqual(row[1], str(answer["count"]))

@@ -12,9 +12,16 @@ export async function startBrowser(program) {
   const child = spawn(
     program,
     [
-      "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars",
-      "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--remote-debugging-port=0",
-      `--user-data-dir=${profile}`, "about:blank",
+      "--headless=new",
+      "--no-sandbox",
+      "--disable-dev-shm-usage",
+      "--no-first-run",
+      "--hide-scrollbars",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--remote-debugging-port=0",
+      `--user-data-dir=${profile}`,
+      "about:blank",
     ],
     { stdio: ["ignore", "ignore", "pipe"] },
   );

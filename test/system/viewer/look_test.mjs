@@ -23,7 +23,7 @@ const focused = (page) =>
   page.evaluate(() => {
     const { tagName, name, type, dataset, textContent } = document.activeElement;
     if (tagName === "CANVAS") return "canvas";
-    return name || (["search", "range", "number"].includes(type) ? type : dataset.key ?? textContent);
+    return name || (["search", "range", "number"].includes(type) ? type : (dataset.key ?? textContent));
   });
 
 testReport("every control is reached by Tab", { of: "grocery" }, async (page) => {
@@ -105,9 +105,14 @@ testReport("it follows dark and light", { of: "grocery", dark: true }, async (pa
 // Features that a browser may lack, the text of the page then, and the way to simulate this.
 const lacking = [
   ["scripts", "requires JavaScript", "Emulation.setScriptExecutionDisabled", { value: true }],
-  ["WebGL", "cannot be shown in this browser", "Page.addScriptToEvaluateOnNewDocument", {
-    source: "HTMLCanvasElement.prototype.getContext = () => null;",
-  }],
+  [
+    "WebGL",
+    "cannot be shown in this browser",
+    "Page.addScriptToEvaluateOnNewDocument",
+    {
+      source: "HTMLCanvasElement.prototype.getContext = () => null;",
+    },
+  ],
 ];
 for (const [name, told, ...message] of lacking) {
   const without = { of: "grocery", ready: false, before: (page) => page.send(...message) };

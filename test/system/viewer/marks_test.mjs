@@ -39,7 +39,11 @@ testReport("a click on a label shows what its transceivers give it", { of: "groc
     return rows.map((row) => [Number(row.dataset.unit), ...numbers(row)]);
   });
   const columns = columnsOf(plan, units);
-  equal(rows.map(([unit]) => unit).sort((a, b) => a - b), columns, "units");
+  equal(
+    rows.map(([unit]) => unit).sort((a, b) => a - b),
+    columns,
+    "units",
+  );
   const factor = await factorOf(page);
   for (const [unit, mean, error, direct] of rows) {
     const place = label * units.length + unit;
@@ -49,9 +53,19 @@ testReport("a click on a label shows what its transceivers give it", { of: "groc
     check(Math.abs(direct - share) < 0.6, "direct share");
   }
   const signals = rows.map(([, mean]) => mean);
-  equal(signals, [...signals].sort((a, b) => b - a), "order of signals");
+  equal(
+    signals,
+    [...signals].sort((a, b) => b - a),
+    "order of signals",
+  );
   says(await page.text(".v3-card [data-fact=margin]"), "dB");
-  const lines = await page.run(({ stage: { links: { mesh } } }) => mesh.visible && mesh.geometry.instanceCount);
+  const lines = await page.run(
+    ({
+      stage: {
+        links: { mesh },
+      },
+    }) => mesh.visible && mesh.geometry.instanceCount,
+  );
   equal(lines, columns.length, "lines");
   await given.picture(page, "label");
   await page.press("Escape");
@@ -63,7 +77,11 @@ testReport("a click on a transceiver shows its reach", { of: "grocery" }, async 
   const id = units[await clickMark(page, "unit")];
   equal(await page.text(".v3-card h3"), id, "selected unit");
   const row = plan.chosen.find((unit) => unit.id === id);
-  equal(Number.parseInt(await page.text(".v3-card [data-fact=alone]"), 10), Number(row.reaches_alone), "labels reached alone");
+  equal(
+    Number.parseInt(await page.text(".v3-card [data-fact=alone]"), 10),
+    Number(row.reaches_alone),
+    "labels reached alone",
+  );
   equal(Number.parseInt(await page.text(".v3-card [data-fact=decides]"), 10), Number(row.needed_by), "labels lost");
   says(await page.text(".v3-legend"), `reached alone: ${row.reaches_alone}`);
   await picture(page, "unit");

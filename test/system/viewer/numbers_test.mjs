@@ -27,14 +27,20 @@ const coverageOf = (page) =>
       margin: labels.map((label) => coverage.margin(label)),
       serving: [...coverage.serving],
       chosen: store.units.selected.map((unit) => ({
-        id: store.units.ids[unit], reach: coverage.reach[unit], decides: coverage.decides[unit],
+        id: store.units.ids[unit],
+        reach: coverage.reach[unit],
+        decides: coverage.decides[unit],
       })),
     };
   });
 
 /** Compares the counts with the files of the plan. */
 function coverageIs(shown, { labels, chosen, placement }) {
-  equal(shown.labels, labels.map(({ id }) => id), "ids of labels");
+  equal(
+    shown.labels,
+    labels.map(({ id }) => id),
+    "ids of labels",
+  );
   labels.forEach((row, label) => {
     near(shown.signal[label], Number(row.signal), 1e-8, `signal of ${row.id}`);
     near(shown.need[label], Number(row.requirement), 1e-8, `requirement of ${row.id}`);
@@ -42,7 +48,11 @@ function coverageIs(shown, { labels, chosen, placement }) {
     equal(shown.serving[label], row.serving.split(";").filter(Boolean).length, `serving units of ${row.id}`);
   });
   const ids = chosen.map(({ id }) => id);
-  equal(shown.chosen.map(({ id }) => id), ids, "chosen units");
+  equal(
+    shown.chosen.map(({ id }) => id),
+    ids,
+    "chosen units",
+  );
   if (placement) equal([...ids].sort(), [...placement.selected].sort(), "selected units");
   chosen.forEach((row, k) => {
     const { reach, decides } = shown.chosen[k];
@@ -57,8 +67,12 @@ function coverageIs(shown, { labels, chosen, placement }) {
 /** Every entry of signal.h5, by label. */
 const entriesOf = (page) =>
   page.run(({ model: { signals, store } }) => ({
-    units: store.units.ids, begin: [...signals.begin], column: [...signals.column],
-    mean: [...signals.mean], error: [...signals.error], direct: [...signals.directShare],
+    units: store.units.ids,
+    begin: [...signals.begin],
+    column: [...signals.column],
+    mean: [...signals.mean],
+    error: [...signals.error],
+    direct: [...signals.directShare],
   }));
 
 function entriesAre(shown, { labels, mean, error, direct }, rounding) {

@@ -37,9 +37,19 @@ testReport("states of the shop are shown", { of: "changing" }, async (page, plan
   const { shown_states: expected } = plan.placement.states;
   const states = await statesOf(page);
   const { ids } = await page.run(({ model }) => model.store.labels);
-  equal(states.map(({ number }) => number), expected.map(({ state }) => state), "numbers of the states");
-  equal(states.map(({ missed }) => missed.map((label) => ids[label])), expected.map(({ missed }) => missed), "missed labels");
-  const options = await page.evaluate(() => [...document.querySelectorAll("select[name=v3-shop] option")].map((e) => e.textContent));
+  equal(
+    states.map(({ number }) => number),
+    expected.map(({ state }) => state),
+    "numbers of the states",
+  );
+  equal(
+    states.map(({ missed }) => missed.map((label) => ids[label])),
+    expected.map(({ missed }) => missed),
+    "missed labels",
+  );
+  const options = await page.evaluate(() =>
+    [...document.querySelectorAll("select[name=v3-shop] option")].map((e) => e.textContent),
+  );
   const [, some] = expected.map(({ state, missed }) => `state ${state}: ${missed.length} labels out of reach`);
   equal(options, ["as in the store file", `state ${expected[0].state}: all labels reached`, some], "options");
   equal(await peopleDrawn(page), 0, "people in the shop as in the file");
@@ -49,12 +59,20 @@ testReport("states of the shop are shown", { of: "changing" }, async (page, plan
   const { blocks, open: doors, missed } = states[1];
   check(blocks > 0 && doors.length > 0 && missed.length > 1, "the example is too small");
   const opened = `${doors.length} fixture${doors.length > 1 ? "s" : ""} with open doors`;
-  says(await page.text(".v3-shop [role=status]"), `${blocks} people and objects; ${opened}; ${missed.length} labels out of reach.`);
+  says(
+    await page.text(".v3-shop [role=status]"),
+    `${blocks} people and objects; ${opened}; ${missed.length} labels out of reach.`,
+  );
   says(await page.text(".v3-legend"), `out of reach in this state: ${missed.length}`, "people and objects");
   await picture(page, "state");
   await page.run((view, label) => view.model.select({ kind: "label", index: label }), missed[0]);
   equal(await page.text(".v3-card [data-fact=in-state]"), "out of reach", "in the card");
-  await page.run(({ model }) => model.select({ kind: "label", index: [...model.store.labels.ids.keys()].find((k) => !model.shop.missed.includes(k)) }));
+  await page.run(({ model }) =>
+    model.select({
+      kind: "label",
+      index: [...model.store.labels.ids.keys()].find((k) => !model.shop.missed.includes(k)),
+    }),
+  );
   equal(await page.text(".v3-card [data-fact=in-state]"), "reached", "in the card");
 
   const again = await open(plan, { hash: await page.run((view) => view.link()), dark: true });

@@ -14,7 +14,10 @@ const tablesOf = (page) =>
     return {
       summary: words(document.querySelector(".first-page")),
       answer: words(document.querySelector("#facts")),
-      units: table("units"), weakest: table("weakest"), sensitivity: table("sensitivity"), curve: table("curve"),
+      units: table("units"),
+      weakest: table("weakest"),
+      sensitivity: table("sensitivity"),
+      curve: table("curve"),
       facts: Object.fromEntries(facts),
     };
   });
@@ -46,11 +49,17 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
   const { certificate, count, seconds, solver } = placement;
   const needed = Math.ceil(placement.count_lower_bound - 1e-6);
   const byMargin = [...labels].sort((a, b) => a.margin_db - b.margin_db);
-  const reached = certificate?.reached ?? metBy(plan, labels.map(({ signal }) => Number(signal)));
+  const reached =
+    certificate?.reached ??
+    metBy(
+      plan,
+      labels.map(({ signal }) => Number(signal)),
+    );
   const share = reached === labels.length ? `all ${reached}` : `${reached} of ${labels.length}`;
   const receive = certificate && reached < labels.length ? "are confirmed to receive" : "receive";
   says(
-    summary, `Mount ${count} new transceivers: ${share} labels ${receive} enough signal`,
+    summary,
+    `Mount ${count} new transceivers: ${share} labels ${receive} enough signal`,
     `The weakest label, ${byMargin[0].id}, receives ${(10 ** (byMargin[0].margin_db / 10)).toPrecision(3)} times`,
   );
   equal(units.length, chosen.length, "rows of units");
@@ -69,9 +78,17 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
   });
   const { Placement: found, "Certificate from independent samples": fresh } = facts;
   const gap = (100 * (count - needed)) / count;
-  cellsAre(found, {
-    Transceivers: count, "Lower bound on the count": needed, "Gap of the count": gap, Time: seconds, Solver: solver,
-  }, "facts");
+  cellsAre(
+    found,
+    {
+      Transceivers: count,
+      "Lower bound on the count": needed,
+      "Gap of the count": gap,
+      Time: seconds,
+      Solver: solver,
+    },
+    "facts",
+  );
   const [, redundant] = /\(([\d.]+)/.exec(found["Labels that at least two units each reach alone (redundant)"]);
   shows(redundant, 100 * placement.redundant_share, "redundant share");
   equal(fresh === undefined, certificate === undefined, "certificate");
@@ -79,19 +96,35 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
 
 function certificateIs({ answer, facts: { "Certificate from independent samples": fresh } }, { placement, labels }) {
   const { confidence, reached, missed, undecided, count_lower_bound, open, ...of } = placement.certificate;
-  cellsAre(fresh, {
-    "Joint confidence": 100 * confidence, "Labels reached": reached, "Lower bound on the count": count_lower_bound,
-    "Proven from": of.bound_labels, Rounds: of.rounds, Time: of.seconds, "Verification ended because": open,
-  }, "certificate");
-  for (const [name, ids] of [["Missed", missed], ["Undecided", undecided]]) {
+  cellsAre(
+    fresh,
+    {
+      "Joint confidence": 100 * confidence,
+      "Labels reached": reached,
+      "Lower bound on the count": count_lower_bound,
+      "Proven from": of.bound_labels,
+      Rounds: of.rounds,
+      Time: of.seconds,
+      "Verification ended because": open,
+    },
+    "certificate",
+  );
+  for (const [name, ids] of [
+    ["Missed", missed],
+    ["Undecided", undecided],
+  ]) {
     const [count, ranges] = fresh[name].split(": ");
     shows(count, ids.length, name);
     for (const range of ranges.replace(", …", "").split(", ")) check(ids.includes(range.replace(/….*/, "")), range);
   }
   says(
-    answer, `${placement.count} transceivers reach ${reached} of ${labels.length} labels`,
-    `at least ${count_lower_bound} `, `with ${100 * confidence} % confidence`,
-    `${missed.length} labels are missed`, `${undecided.length} labels are undecided`, open,
+    answer,
+    `${placement.count} transceivers reach ${reached} of ${labels.length} labels`,
+    `at least ${count_lower_bound} `,
+    `with ${100 * confidence} % confidence`,
+    `${missed.length} labels are missed`,
+    `${undecided.length} labels are undecided`,
+    open,
   );
 }
 
@@ -101,13 +134,20 @@ for (const name of ["grocery", "certified"])
     const { count, seconds, redundant_share, certificate } = plan.placement;
     answerIs(found, plan);
     noneIs(answerIs, found, plan, [
-      { count: count + 1 }, { seconds: 2 * seconds }, { redundant_share: redundant_share + 0.01 },
+      { count: count + 1 },
+      { seconds: 2 * seconds },
+      { redundant_share: redundant_share + 0.01 },
     ]);
     if (!certificate) return;
     certificateIs(found, plan);
     const keys = ["confidence", "reached", "count_lower_bound", "bound_labels", "rounds", "seconds"];
     const changed = keys.map((key) => ({ ...certificate, [key]: 1.5 * certificate[key] }));
-    noneIs(certificateIs, found, plan, changed.map((other) => ({ certificate: other })));
+    noneIs(
+      certificateIs,
+      found,
+      plan,
+      changed.map((other) => ({ certificate: other })),
+    );
   });
 
 const decibelsOf = (ratio) => 10 * Math.log10(ratio);
@@ -117,13 +157,28 @@ function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
   equal(sensitivity.length, of.materials.length, "materials");
   of.materials.forEach(({ name, reflectance, range: [least, most], assumed, low, high }, k) => {
     const cells = sensitivity[k];
-    cellsAre(cells, [
-      name, , decibelsOf(low.smallest_margin), low.label, 100 * low.change, String(low.labels_short),
-      100 * low.mean_change, decibelsOf(high.smallest_margin), 100 * high.mean_change,
-    ], name);
+    cellsAre(
+      cells,
+      [
+        name,
+        ,
+        decibelsOf(low.smallest_margin),
+        low.label,
+        100 * low.change,
+        String(low.labels_short),
+        100 * low.mean_change,
+        decibelsOf(high.smallest_margin),
+        100 * high.mean_change,
+      ],
+      name,
+    );
     shows(/± ([\d.]+)\)/.exec(cells[4])[1], 100 * low.change_standard_error, `error with ${name}`);
     const [, given, lower, upper, star] = /^([\d.]+) \(([\d.]+) to ([\d.]+)\)( \*)?$/.exec(cells[1]);
-    for (const [cell, value] of [[given, reflectance], [lower, least], [upper, most]])
+    for (const [cell, value] of [
+      [given, reflectance],
+      [lower, least],
+      [upper, most],
+    ])
       check(Math.abs(Number(cell) - value) <= 0.00051, `${name}: '${cell}' of ${value}`);
     equal(star !== undefined, assumed, "assumed");
   });
@@ -150,7 +205,9 @@ testReport("numbers on materials and fewer units are those of the files", { of: 
   const { sensitivity, curve } = plan.placement;
   const [first, ...rest] = sensitivity.materials;
   const ofFirst = [
-    { reflectance: 0.6 }, { low: { ...first.low, change: -0.43 } }, { low: { ...first.low, smallest_margin: 0.72 } },
+    { reflectance: 0.6 },
+    { low: { ...first.low, change: -0.43 } },
+    { low: { ...first.low, smallest_margin: 0.72 } },
     { high: { ...first.high, mean_change: 0.24 } },
   ];
   noneIs(sectionsAre, found, plan, [

@@ -17,7 +17,10 @@ const changes = {
 };
 
 testReport("verdicts are shown for the original plan", { of: "certified" }, async (page, plan, given) => {
-  const { labels, placement: { certificate } } = plan;
+  const {
+    labels,
+    placement: { certificate },
+  } = plan;
   const { reached, missed, undecided } = certificate;
   const { open, picture } = given;
   const expected = labels.map(({ id }) => verdictOf(certificate, id));
@@ -36,7 +39,11 @@ testReport("verdicts are shown for the original plan", { of: "certified" }, asyn
   }
   for (const [what, change] of Object.entries(changes)) {
     await page.run(change);
-    equal(await verdictsOf(page), expected.map(() => null), `verdicts with ${what}`);
+    equal(
+      await verdictsOf(page),
+      expected.map(() => null),
+      `verdicts with ${what}`,
+    );
     await inCard("for the original plan only");
     says(await page.text(".v3-legend"), `no verdict: ${labels.length}`);
     says(await page.text(".v3-head"), "The certificate does not cover these changes.");

@@ -67,11 +67,8 @@ TEST(Json, ErrorsNameFileAndPath) {
 
 TEST(Json, UnknownKeysNameTheNearest) {
   const JsonCursor root = parse(R"({ "reflectanse": 1 })");
-  expect_input_error(
-      [&] {
-        root.expect_keys({"roughness", "reflectance"});
-      },
-      "'reflectanse'", "'reflectance'");
+  expect_input_error([&] { root.expect_keys({"roughness", "reflectance"}); }, "'reflectanse'",
+                     "'reflectance'");
   expect_input_error([&] { root.expect_keys({"x", "y"}); }, "'reflectanse'", "x, y");
 }
 

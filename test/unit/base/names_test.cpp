@@ -10,8 +10,8 @@ namespace shelfbeam {
 
 enum class Fruit { apple, pear, quince };
 template <>
-inline constexpr auto names_of<Fruit> = std::to_array<Named<Fruit>>({{"apple", Fruit::apple},
-                                                                     {"pear", Fruit::pear}});
+inline constexpr auto names_of<Fruit> =
+    std::to_array<Named<Fruit>>({{"apple", Fruit::apple}, {"pear", Fruit::pear}});
 
 namespace {
 

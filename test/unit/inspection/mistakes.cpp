@@ -101,18 +101,10 @@ std::vector<Mistake> expected_mistakes() {
        [](Json& s) { s["label_types"]["cooler"]["threshold"] = 1.0; }},
       {"a flux in milliwatts", [](Json& s) { s["transceiver_types"]["ring"]["emission"]["flux"] = 1000; }},
       {"a flux in kilowatts", [](Json& s) { s["transceiver_types"]["ring"]["emission"]["flux"] = 5e-4; }},
-      {"a label in mid-air",
-       [](Json& s) {
-         s["labels"][0]["position"] = {6, 2.2, 1.2};
-       }},
+      {"a label in mid-air", [](Json& s) { s["labels"][0]["position"] = {6, 2.2, 1.2}; }},
       {"a label in mid-air within the hull of a mesh",
-       [](Json& s) {
-         s["labels"][0] = label("mid-air", {10.5, 2.3, 1.2}, {0, 0, 1});
-       }},
-      {"a label turned to its fixture",
-       [](Json& s) {
-         s["labels"][0]["normal"] = {0, 1, -0.3};
-       }},
+       [](Json& s) { s["labels"][0] = label("mid-air", {10.5, 2.3, 1.2}, {0, 0, 1}); }},
+      {"a label turned to its fixture", [](Json& s) { s["labels"][0]["normal"] = {0, 1, -0.3}; }},
       {"a label turned to a mesh",
        [](Json& s) {
          s["fixtures"].push_back(mesh_column(7.5, 2.2));
@@ -144,20 +136,13 @@ std::vector<Mistake> expected_mistakes() {
       {"labels in millimetres", [](Json& s) { scale_labels(s, 1000); }},
       {"labels in centimetres", [](Json& s) { scale_labels(s, 100); }},
       {"labels in feet", [](Json& s) { scale_labels(s, 1 / 0.3048); }},
-      {"units aimed up into the ceiling",
-       [](Json& s) {
-         s["transceivers"]["grids"][0]["axis"] = {0, 0, 1};
-       }},
+      {"units aimed up into the ceiling", [](Json& s) { s["transceivers"]["grids"][0]["axis"] = {0, 0, 1}; }},
       {"a unit aimed into the wall behind it",
-       [](Json& s) {
-         unit(s, "wall-west-2")["axis"] = {-0.819, 0, -0.574};
-       }},
+       [](Json& s) { unit(s, "wall-west-2")["axis"] = {-0.819, 0, -0.574}; }},
       {"a unit inside a column", [](Json& s) { s["fixtures"].push_back(column("column", 7.2, 2.4)); }},
       {"a unit inside a mesh column", [](Json& s) { s["fixtures"].push_back(mesh_column(7.2, 2.4)); }},
       {"a ceiling unit 1 m above the floor",
-       [](Json& s) {
-         unit(s, "over-till")["position"] = {10.6, 2.6, 1.0};
-       }},
+       [](Json& s) { unit(s, "over-till")["position"] = {10.6, 2.6, 1.0}; }},
       {"a grid of units at the height of a counter",
        [](Json& s) { s["transceivers"]["grids"][1]["z"] = 0.9; }},
       {"a unit in a closed store room",
@@ -165,18 +150,9 @@ std::vector<Mistake> expected_mistakes() {
          add_closed_room(s);
          unit(s, "over-till")["position"] = {4.5, 0.5, 3.15};
        }},
-      {"a gondola inside another",
-       [](Json& s) {
-         fixture(s, "A2")["at"] = {2.5, 3.3};
-       }},
-      {"a gondola through the wall",
-       [](Json& s) {
-         fixture(s, "A1")["at"] = {-1, 3.1};
-       }},
-      {"a mesh inside a gondola",
-       [](Json& s) {
-         fixture(s, "till")["at"] = {3.5, 3.3, 0};
-       }},
+      {"a gondola inside another", [](Json& s) { fixture(s, "A2")["at"] = {2.5, 3.3}; }},
+      {"a gondola through the wall", [](Json& s) { fixture(s, "A1")["at"] = {-1, 3.1}; }},
+      {"a mesh inside a gondola", [](Json& s) { fixture(s, "till")["at"] = {3.5, 3.3, 0}; }},
       {"a gondola through a wall that is a mesh",
        [](Json& s) { s["fixtures"].push_back(mesh_column(6.8, 3.5, 2)); }},
       {"a room of 32 m height", [](Json& s) { s["room"]["size"][2] = 32; }},
@@ -193,13 +169,8 @@ std::vector<Mistake> expected_mistakes() {
       {"a mesh a thousand times too small", [](Json& s) { fixture(s, "till")["scale"] = 0.001; }},
       {"a reflectance of 0.99", [](Json& s) { s["materials"]["wall"]["reflectance"] = 0.99; }},
       {"a material that nothing uses",
-       [](Json& s) {
-         s["materials"]["wood"] = {{"type", "lambertian"}, {"reflectance", 0.5}};
-       }},
-      {"a label type that nothing uses",
-       [](Json& s) {
-         s["label_types"]["old"] = {{"threshold", 0.01}};
-       }},
+       [](Json& s) { s["materials"]["wood"] = {{"type", "lambertian"}, {"reflectance", 0.5}}; }},
+      {"a label type that nothing uses", [](Json& s) { s["label_types"]["old"] = {{"threshold", 0.01}}; }},
       {"a transceiver type that nothing uses",
        [](Json& s) {
          s["transceiver_types"]["old"] = {{"emission", {{"type", "lambertian"}, {"flux", 1}}}};
@@ -212,10 +183,7 @@ std::vector<Mistake> other_mistakes() {
       {"a safety factor of 0.125 instead of 1.25",
        [](Json& s) { s["label_types"]["shelf"]["safety_factor"] = 0.125; }},
       {"the wavelength of visible light", [](Json& s) { s["wavelength_nm"] = 490; }},
-      {"a label of 6 x 3 m",
-       [](Json& s) {
-         s["label_types"]["cooler"]["size"] = {6, 3};
-       }},
+      {"a label of 6 x 3 m", [](Json& s) { s["label_types"]["cooler"]["size"] = {6, 3}; }},
       {"a unit with a radius of 3 m", [](Json& s) { s["transceiver_types"]["spot"]["radius"] = 3; }},
       {"the same candidate twice",
        [](Json& s) {
@@ -223,27 +191,17 @@ std::vector<Mistake> other_mistakes() {
          s["transceivers"]["list"].back()["id"] = "copy";
        }},
       {"a keep-out area in millimetres",
-       [](Json& s) {
-         s["transceivers"]["keep_out"][0] = {{"min", {5400, 0}}, {"max", {7800, 1500}}};
-       }},
+       [](Json& s) { s["transceivers"]["keep_out"][0] = {{"min", {5400, 0}}, {"max", {7800, 1500}}}; }},
       {"labels every 5 mm", [](Json& s) { fixture(s, "A1")["labels"]["spacing"] = 0.005; }},
-      {"a label that faces the floor",
-       [](Json& s) {
-         s["labels"][0]["normal"] = {0, 0, -1};
-       }},
+      {"a label that faces the floor", [](Json& s) { s["labels"][0]["normal"] = {0, 0, -1}; }},
       {"a label just below the ceiling",
-       [](Json& s) {
-         s["labels"].push_back(label("high", {0.01, 1.5, 3.1}, {1, 0, 0}));
-       }},
+       [](Json& s) { s["labels"].push_back(label("high", {0.01, 1.5, 3.1}, {1, 0, 0})); }},
       {"a grid with one candidate per corner of the shop",
        [](Json& s) {
          for (Json& grid : s["transceivers"]["grids"]) grid["spacing"] = 12;
          s["transceivers"]["list"] = {unit(s, "over-till")};
        }},
-      {"an aisle of 20 cm",
-       [](Json& s) {
-         fixture(s, "A2")["at"] = {2, 4.2};
-       }},
+      {"an aisle of 20 cm", [](Json& s) { fixture(s, "A2")["at"] = {2, 4.2}; }},
       {"units that cost nothing", [](Json& s) { s["transceiver_types"]["spot"]["cost"] = 0; }},
       {"reflectances in per cent of per cent",
        [](Json& s) { s["materials"]["wall"]["reflectance"] = 0.008; }},
@@ -257,9 +215,7 @@ std::vector<Mistake> other_mistakes() {
       {"a rotation in radians", [](Json& s) { fixture(s, "A3")["rotation_deg"] = 1.5708; }},
       {"panes with a thickness in millimetres", [](Json& s) { s["materials"]["door"]["thickness"] = 6; }},
       {"a label listed again, 4 mm beside",
-       [](Json& s) {
-         s["labels"].push_back(label("again", {11.598, 1.304, 1.55}, {-1, 0, 0}));
-       }},
+       [](Json& s) { s["labels"].push_back(label("again", {11.598, 1.304, 1.55}, {-1, 0, 0})); }},
   };
 }
 
@@ -287,9 +243,7 @@ std::vector<Mistake> plausible_changes() {
          s["fixtures"].push_back(box("sign", {8.9, 0.191, 1.3}, {9.1, 0.199, 1.5}));
        }},
       {"a label on a rail 20 cm in front of the shelf",
-       [](Json& s) {
-         s["labels"].push_back(label("rail", {3, 2.9, 1.0}, {0, -1, 0}));
-       }},
+       [](Json& s) { s["labels"].push_back(label("rail", {3, 2.9, 1.0}, {0, -1, 0})); }},
       {"columns and walls that meet in corners",
        [](Json& s) {
          s["fixtures"].push_back(box("office west", {8.8, 7.9, 0}, {8.9, 9, 3.2}));

@@ -20,11 +20,11 @@ enum class Verdict {
 };
 
 template <>
-inline constexpr auto names_of<Verdict> = std::to_array<Named<Verdict>>({{"reached", Verdict::reached},
-                                                                         {"missed", Verdict::missed},
-                                                                         {"undecided", Verdict::undecided},
-                                                                         {"not verified yet",
-                                                                          Verdict::unverified}});
+inline constexpr auto names_of<Verdict> =
+    std::to_array<Named<Verdict>>({{"reached", Verdict::reached},
+                                   {"missed", Verdict::missed},
+                                   {"undecided", Verdict::undecided},
+                                   {"not verified yet", Verdict::unverified}});
 
 /// Whether the samples decide the label.
 inline bool is_decided(Verdict verdict) {

@@ -183,7 +183,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
 std::string Maps::signal_maps(std::size_t level_index) const {
   const ShelfLevel& level = data_.levels[level_index];
   const std::vector<Point> at = positions(level.labels);
-  const auto marks = [&](double LabelOutcome::*signal) {
+  const auto marks = [&](double LabelOutcome::* signal) {
     SvgCanvas canvas;
     for (std::size_t k = 0; k < at.size(); ++k) {
       const std::uint32_t label = level.labels[k];

@@ -81,9 +81,8 @@ bool lies_within(const Rectangle& text, std::span<const Point> polygon) {
   if (is_crossed(text, polygon)) return false;
   const std::vector<Vec2> plan = in_plan(polygon);
   const auto corners = corners_of(text);
-  return std::all_of(corners.begin(), corners.end(), [&](const Point& corner) {
-    return contains(plan, {corner.x, corner.y});
-  });
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const Point& corner) { return contains(plan, {corner.x, corner.y}); });
 }
 
 double text_width(const std::string& text, double size) {

@@ -182,12 +182,9 @@ void read_mounts(const JsonCursor& section, const StoreNames& names, Store& stor
       for (const JsonCursor& json : found->elements()) list.push_back({read(json), json.where()});
   };
   MountReader reader(names, store);
-  each(
-      "areas", [&](const JsonCursor& json) { return reader.read_area(json); }, store.areas);
-  each(
-      "rails", [&](const JsonCursor& json) { return reader.read_rail(json); }, store.rails);
-  each(
-      "on", [&](const JsonCursor& json) { return reader.read_faces_mount(json); }, store.faces);
+  each("areas", [&](const JsonCursor& json) { return reader.read_area(json); }, store.areas);
+  each("rails", [&](const JsonCursor& json) { return reader.read_rail(json); }, store.rails);
+  each("on", [&](const JsonCursor& json) { return reader.read_faces_mount(json); }, store.faces);
 }
 
 }  // namespace shelfbeam

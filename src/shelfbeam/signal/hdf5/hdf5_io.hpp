@@ -20,7 +20,7 @@ using Shape = std::vector<std::size_t>;
 /// The number types of data sets and attributes.
 template <class T>
 concept Hdf5Number = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::uint8_t> ||
-    std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t>;
+                     std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t>;
 
 /// The type of an attribute or of an entry of a data set.
 struct Hdf5Type {
@@ -50,9 +50,8 @@ class Hdf5Writer {
   /// Writes a matrix row by row, with only a few rows in memory at a time.
   template <Hdf5Number T>
   void rows(const std::string& path, const Shape& shape, const FillRow<T>& fill) {
-    write_rows(path, hdf5_type<T>, shape, [&](std::size_t row, void* values) {
-      fill(row, {static_cast<T*>(values), shape[1]});
-    });
+    write_rows(path, hdf5_type<T>, shape,
+               [&](std::size_t row, void* values) { fill(row, {static_cast<T*>(values), shape[1]}); });
   }
   void texts(const std::string& path, std::span<const std::string> values);  ///< one-dimensional
 

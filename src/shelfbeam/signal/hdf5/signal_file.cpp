@@ -104,7 +104,7 @@ class MatrixReader {
   }
 
   template <class Row, class T>
-  void column(const std::string& path, std::size_t count, std::vector<Row>& rows, T Row::*member) const {
+  void column(const std::string& path, std::size_t count, std::vector<Row>& rows, T Row::* member) const {
     const auto set = [&](auto values) {
       rows.resize(count);
       for (std::size_t i = 0; i < count; ++i) rows[i].*member = static_cast<T>(std::move(values[i]));

@@ -52,7 +52,7 @@ class MatrixWriter {
 
  private:
   template <class Row, class T>
-  void column(const std::string& path, const std::vector<Row>& rows, T Row::*member) {
+  void column(const std::string& path, const std::vector<Row>& rows, T Row::* member) {
     if constexpr (std::is_same_v<T, Vec3>) {
       std::vector<double> values;
       for (const Row& row : rows)

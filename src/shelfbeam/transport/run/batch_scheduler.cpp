@@ -208,9 +208,8 @@ void BatchScheduler::resume() {
 void BatchScheduler::save_checkpoint() {
   if (!checkpoint_) return;
   const double begun = seconds();
-  checkpoint_->save([&](std::uint32_t item) {
-    return CheckpointState{sums_[item].batches, sums_[item].values};
-  });
+  checkpoint_->save(
+      [&](std::uint32_t item) { return CheckpointState{sums_[item].batches, sums_[item].values}; });
   saved_at_ = seconds();
   save_took_ = saved_at_ - begun;
 }

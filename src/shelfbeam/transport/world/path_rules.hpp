@@ -28,8 +28,8 @@ enum class Heuristic {
   power     ///< b = 2
 };
 template <>
-inline constexpr auto names_of<Heuristic> = std::to_array<Named<Heuristic>>({{"balance", Heuristic::balance},
-                                                                             {"power", Heuristic::power}});
+inline constexpr auto names_of<Heuristic> =
+    std::to_array<Named<Heuristic>>({{"balance", Heuristic::balance}, {"power", Heuristic::power}});
 
 /// How a ray left its last vertex, which determines whether connections also find the sources that it meets.
 enum class Departure {

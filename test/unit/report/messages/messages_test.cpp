@@ -264,9 +264,7 @@ void say_headlines(Sentences& to) {
              s.placement.problem = {.model = alone, .redundant = true};
            },
            // There is some light, but if one unit may fail, the light of a single unit counts as none.
-           [=](Supermarket& s) {
-             find_nothing(s, Status::infeasible, {weak, dark});
-           },
+           [=](Supermarket& s) { find_nothing(s, Status::infeasible, {weak, dark}); },
            [=](Supermarket& s) {
              find_nothing(s, Status::infeasible, {weak, dark});
              for (std::size_t j = 0; j < s.matrix.columns(); ++j)

@@ -87,11 +87,8 @@ TEST(MapCoordinates, OtherErrorsKeepTheirMessages) {
   Json near = store_at({20'000, 0, 0}, {{"scale", 1e-6}});
   expect_input_error([&] { scene(near); }, "fixtures[0].at[0]: is at 20000 m");
   const Json labels = {{{"id", "a"}, {"position", {0, 0, 0}}, {"normal", {0, 0, 1}}, {"type", "small"}}};
-  expect_input_error(
-      [&] {
-        scene(store_at({-498121, -5412343.75, -111}, {{"labels", labels}}));
-      },
-      "fixtures[0].labels: ", "'labels' of the store");
+  expect_input_error([&] { scene(store_at({-498121, -5412343.75, -111}, {{"labels", labels}})); },
+                     "fixtures[0].labels: ", "'labels' of the store");
 }
 
 }  // namespace

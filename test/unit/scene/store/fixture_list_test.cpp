@@ -213,9 +213,7 @@ TEST(FixtureList, CountsTheMemoryOfCopies) {
   }
   constexpr std::size_t memory = 100'000'000;
   test::expect_input_error(
-      [&] {
-        parse_store(store.dump(), "store.json", {}, {false, memory});
-      },
+      [&] { parse_store(store.dump(), "store.json", {}, {false, memory}); },
       std::string_view("store.json: fixtures[0]: the store up to here requires about 0.1"));
 }
 

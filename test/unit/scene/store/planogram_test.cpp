@@ -158,11 +158,9 @@ TEST(Planogram, CountsInTheMemoryOfTheScene) {
     "material": "steel", "shelves": [0.4]}])");
   store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
   constexpr std::size_t memory = 100'000'000;
-  test::expect_input_error(
-      [&] {
-        parse_store(store.dump(), "store.json", folder.path(), {false, memory});
-      },
-      std::string_view("p.csv: line "), std::string_view("the store up to here requires about 0.1 GB"));
+  test::expect_input_error([&] { parse_store(store.dump(), "store.json", folder.path(), {false, memory}); },
+                           std::string_view("p.csv: line "),
+                           std::string_view("the store up to here requires about 0.1 GB"));
 }
 
 }  // namespace

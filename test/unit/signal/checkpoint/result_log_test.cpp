@@ -52,12 +52,11 @@ TEST(ResultLog, DropsATruncatedRecord) {
 TEST(ResultLog, RefusesOtherRunsAndOtherFiles) {
   const test::TempFolder folder;
   const auto path = folder / "results";
-  { ResultLog(path, identity, false, 0).add(7, "seven"); }
-  test::expect_input_error(
-      [&] {
-        ResultLog(path, {{"store hash", "abc"}, {"seed", "2"}}, true, 0);
-      },
-      std::string_view("its seed is '1' instead of '2'"));
+  {
+    ResultLog(path, identity, false, 0).add(7, "seven");
+  }
+  test::expect_input_error([&] { ResultLog(path, {{"store hash", "abc"}, {"seed", "2"}}, true, 0); },
+                           std::string_view("its seed is '1' instead of '2'"));
   {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(-2, std::ios::end);
