@@ -1,9 +1,11 @@
 """Runs all commands of the guides with the program in $SHELFBEAM. A page counts as skipped if other programs that it
-uses (Octave, solvers) are not installed; continuous integration has none of them."""
+uses (Octave, solvers) are not installed; continuous integration has none of them. The pages of docs/howto continue the
+tutorial, each in a copy of its folder."""
 
 import json
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -13,19 +15,32 @@ import h5py
 import guide
 
 
-class Pages(unittest.TestCase):
-    def run_page(self, name, least):
-        with tempfile.TemporaryDirectory() as folder:
-            ran, missing = guide.run_page(guide.DOCS / name, folder, guide.environment(os.environ["SHELFBEAM"]))
-        self.assertGreaterEqual(ran, least)
-        if missing:
-            self.skipTest(f"{ran} blocks ran; those that need {', '.join(sorted(missing))} did not: not installed")
+def run_page(page, folder):
+    return guide.run_page(page, folder, guide.environment(os.environ["SHELFBEAM"]))
 
-    def test_tutorial(self):
-        self.run_page("tutorial.md", 12)
+
+class Pages(unittest.TestCase):
+    def test_tutorial_and_tasks(self):
+        with tempfile.TemporaryDirectory() as folder:
+            finished = pathlib.Path(folder) / "tutorial"
+            finished.mkdir()
+            ran, missing = run_page(guide.DOCS / "tutorial.md", finished)
+            self.assertGreaterEqual(ran, 7)
+            self.assertEqual(missing, set())
+            tasks = sorted((guide.DOCS / "howto").glob("*.md"))
+            self.assertGreaterEqual(len(tasks), 9)
+            for page in tasks:
+                with self.subTest(page=page.name):
+                    ran, missing = run_page(page, shutil.copytree(finished, pathlib.Path(folder) / page.stem))
+                    self.assertGreaterEqual(ran, 1)
+                    self.assertEqual(missing, set())
 
     def test_research(self):
-        self.run_page("research.md", 8)
+        with tempfile.TemporaryDirectory() as folder:
+            ran, missing = run_page(guide.DOCS / "research.md", folder)
+        self.assertGreaterEqual(ran, 8)
+        if missing:
+            self.skipTest(f"{ran} blocks ran; those that need {', '.join(sorted(missing))} did not: not installed")
 
     def test_octave_can_read_texts(self):
         """Octave cannot read texts that are marked as UTF-8, so only texts that need it are marked."""
