@@ -3,6 +3,7 @@
 import os
 import pathlib
 import re
+import runpy
 import subprocess
 import tempfile
 import unittest
@@ -60,8 +61,9 @@ class RunPage(unittest.TestCase):
 
         verbs = re.findall(r"^  ([a-z]+) ", helped().split("Verbs:")[1], re.MULTILINE)
         known = set(re.findall(r"--[a-z-]+", "".join(map(helped, verbs))))
-        guides = [guide.DOCS.parent / "README.md", guide.DOCS / "tutorial.md", guide.DOCS / "research.md"]
-        for page in [*guides, *guide.DOCS.glob("formats/**/*.md")]:
+        names = ("../README.md", "tutorial.md", "research.md", "cluster.md")
+        guides = [guide.DOCS / name for name in names]
+        for page in [*guides, *guide.DOCS.glob("howto/*.md"), *guide.DOCS.glob("formats/**/*.md")]:
             for option in guide.named_options(page.read_text(encoding="utf-8")):
                 self.assertIn(option, known, page.name)
         page = "`--samples N` and `shelfbeam plan a --curve`, not `scripts/test --all`\n```sh\n`--x`\n```\n"
@@ -95,6 +97,68 @@ class RunPage(unittest.TestCase):
         self.assertEqual(parts - {target for target, _ in guide.links(index)}, set())
         for page in parts:
             self.assertIn((index, ""), guide.links(page), page.name)
+
+
+def floors(page):
+    """The layers on each floor of the drawing in a page, top first."""
+    rows = re.findall(r"│(.*)│", page)
+    return [found for row in rows if (found := re.findall(r"[a-z]+", row))]
+
+
+def upward(levels, needs):
+    """The pairs of layers of which the first needs the second, which is not on a lower floor."""
+    floor = {layer: number for number, layers in enumerate(levels) for layer in layers}
+    pairs = {(room.split("/")[0], needed.split("/")[0]) for room, rooms in needs.items() for needed in rooms}
+    return [pair for pair in sorted(pairs) if pair[0] != pair[1] and floor[pair[0]] >= floor[pair[1]]]
+
+
+def missing_names(page, source):
+    """The names in rows "| ... | `names` | `file` |" that do not occur in the file, and the number of rows."""
+    rows = re.findall(r"\| (`[^|]*`) \| `([^`|]*)` \|$", page, re.MULTILINE)
+    return len(rows), [
+        f"{file}: {name}"
+        for code, file in rows
+        for name in re.findall(r"\w+", code)
+        if not re.search(rf"\b{name}\b", (source / file).read_text(encoding="utf-8"))
+    ]
+
+
+class Architecture(unittest.TestCase):
+    TOP = guide.DOCS.parent
+    SOURCE = TOP / "src/shelfbeam"
+    PAGE = (guide.DOCS / "architecture.md").read_text(encoding="utf-8")
+
+    def test_layers_include_only_lower_floors(self):
+        needs = runpy.run_path(str(self.TOP / "scripts/check/layers"))["NEEDS"]
+        needs = {room: needed for room, needed in needs.items() if room not in ("version", "shelfbeam")}
+        needs["base"] = []
+        needs["app"] = ["report", "inspection"]
+        levels = floors(self.PAGE)
+        self.assertEqual(sorted(sum(levels, [])), sorted({room.split("/")[0] for room in needs}))
+        self.assertEqual(upward(levels, needs), [])
+        self.assertEqual(upward([["a", "b"], ["c"]], {"a": ["b"], "b": ["c"], "c": ["a"]}), [("a", "b"), ("c", "a")])
+
+    def test_names_occur_in_their_files(self):
+        self.assertEqual(missing_names(self.PAGE, self.SOURCE), (12, []))
+        row = "| 1 | a | `place`, `Placement::nothing` | `placement/place.cpp` |\n"
+        self.assertEqual(missing_names(row, self.SOURCE), (1, ["placement/place.cpp: nothing"]))
+
+    def test_names_occur_in_their_headers(self):
+        rows = re.findall(r"^\| `([^`]+\.hpp)` \| (.*) \|$", self.PAGE, re.MULTILINE)
+        self.assertEqual(len(rows), 6)
+        for header, content in rows:
+            text = (self.SOURCE / header).read_text(encoding="utf-8")
+            for name in re.findall(r"`(\w+)`", content):
+                self.assertRegex(text, rf"\b{name}\b", header)
+            self.assertIn("`", content)
+
+    def test_paths_and_layers_exist(self):
+        paths = re.findall(r"`((?:\w+/)+[\w.-]*)`", self.PAGE)
+        self.assertGreaterEqual(len(paths), 25)
+        for path in paths:
+            self.assertTrue((self.TOP / path).exists() or (self.SOURCE / path).exists(), path)
+        described = re.findall(r"^- \*\*(.*?)\*\*", self.PAGE, re.MULTILINE)
+        self.assertEqual(sorted(", ".join(described).split(", ")), sorted(set(sum(floors(self.PAGE), [])) - {"app"}))
 
 
 if __name__ == "__main__":
