@@ -171,7 +171,7 @@ def section(study):
         f"{len(fits)} of {len(two)} 2 m grids need no more",
         verdict(len(fits) == len(two), bool(fits)),
         (
-            f"Of {len(two)} placements on 2 m grids with a quarter of the candidates, {len(fits)} need no more"
+            f"{len(fits)} of {len(two)} placements on 2 m grids with a quarter of the candidates need no more"
             f" transceivers{f'; the others need up to {more_at_most} more' if len(fits) < len(two) else ''}."
         ),
     )

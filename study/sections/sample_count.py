@@ -158,7 +158,7 @@ def _judge_outliers(study, result, rows, column, truth):
         verdict(everywhere[1] < everywhere[0] / 2, everywhere[1] < everywhere[0]),
         (
             f"With {grouped(first)} samples, {grouped(everywhere[0])} of {grouped(truth.size)} pairs are above"
-            f" the threshold only by chance; with {grouped(last)} samples, {grouped(everywhere[1])}."
+            f" the threshold only because of sampling errors; with {grouped(last)} samples, {grouped(everywhere[1])}."
         ),
     )
     if last == 100000:
@@ -170,7 +170,7 @@ def _judge_outliers(study, result, rows, column, truth):
             (
                 f"With 100,000 samples, {shown[1] or 'none'} of the {len(rows)} labels on level two"
                 f" {'is' if shown[1] == 1 else 'are'} wrongly above the threshold of the centre transceiver"
-                f" ({shown[0]} with {grouped(first)}). Of all pairs, {grouped(everywhere[1])} still are."
+                f" ({shown[0]} with {grouped(first)}). {grouped(everywhere[1])} of all pairs still are."
             ),
             reference="Fig. 2.13f",
         )
