@@ -140,6 +140,8 @@ class Architecture(unittest.TestCase):
 
     def test_names_occur_in_their_files(self):
         self.assertEqual(missing_names(self.PAGE, self.SOURCE), (12, []))
+        for name, file in re.findall(r"`(\w+)` in `(src/[^`]+)`", self.PAGE):
+            self.assertRegex((self.TOP / file).read_text(encoding="utf-8"), rf"\b{name}\b")
         row = "| 1 | a | `place`, `Placement::nothing` | `placement/place.cpp` |\n"
         self.assertEqual(missing_names(row, self.SOURCE), (1, ["placement/place.cpp: nothing"]))
 
