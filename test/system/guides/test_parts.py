@@ -78,6 +78,19 @@ class RunPage(unittest.TestCase):
                     self.assertIn(anchor, guide.anchors(target.read_text(encoding="utf-8")), f"{page.name}: {target}")
         self.assertGreaterEqual(len(list(guide.links(guide.DOCS / "tutorial.md"))), 5)
 
+    def test_sources_name_pages_and_sections_that_exist(self):
+        named = set()
+        for folder in ("src", "test", "bench", "study", "scripts"):
+            for file in (guide.DOCS.parent / folder).rglob("*.[chpt]*"):
+                if file.suffix in (".cpp", ".hpp", ".py", ".ts") and "node_modules" not in file.parts:
+                    text = file.read_text(encoding="utf-8")
+                    named.update(re.findall(r'(?<![/\w])(docs/[\w/]+\.md)(?:, "([^"]+)")?', text))
+        self.assertGreaterEqual(len(named), 20)
+        self.assertGreaterEqual(sum(bool(section) for _, section in named), 4)
+        for page, section in named:
+            text = (guide.DOCS.parent / page).read_text(encoding="utf-8")
+            self.assertRegex(text, rf"(?m)^#+ {re.escape(section)}", f"{page}, {section}")
+
     def test_anchors_are_those_of_headings(self):
         page = "# A `key`: its use\n```sh\n# no heading\n```\n## [Link](a.md), a_b\n## Again\n### Again\n# Again\n"
         self.assertEqual(guide.anchors(page), ["a-key-its-use", "link-a_b", "again", "again-1", "again-2"])
