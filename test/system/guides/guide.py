@@ -53,8 +53,9 @@ def holds(output, expected):
 
 
 def links(page):
-    """(file, anchor) of each link of a page to a file; the anchor is empty if the link has none."""
-    for target, anchor in re.findall(r"\]\((?!http)([^)#]*)(?:#([^)]*))?\)", page.read_text(encoding="utf-8")):
+    """(file, anchor) of each link of a page to a file, pictures included; the anchor is empty if the link has none."""
+    text = re.sub(r'<img src="([^"]*)"', r"](\1)", page.read_text(encoding="utf-8"))
+    for target, anchor in re.findall(r"\]\((?!http)([^)#]*)(?:#([^)]*))?\)", text):
         yield (page.parent / target).resolve() if target else page.resolve(), anchor
 
 

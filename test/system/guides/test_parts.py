@@ -61,7 +61,7 @@ class RunPage(unittest.TestCase):
 
         verbs = re.findall(r"^  ([a-z]+) ", helped().split("Verbs:")[1], re.MULTILINE)
         known = set(re.findall(r"--[a-z-]+", "".join(map(helped, verbs))))
-        names = ("../README.md", "tutorial.md", "research.md", "cluster.md")
+        names = ("../README.md", "command_line.md", "tutorial.md", "research.md", "cluster.md")
         guides = [guide.DOCS / name for name in names]
         for page in [*guides, *guide.DOCS.glob("howto/*.md"), *guide.DOCS.glob("formats/**/*.md")]:
             for option in guide.named_options(page.read_text(encoding="utf-8")):
