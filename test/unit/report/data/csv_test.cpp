@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +73,23 @@ TEST(LabelsCsv, AgreesWithThePlacement) {
     // Negative control: a signal that is off by one part in 10^7 differs.
     EXPECT_FALSE(same(row[9], signal * (1 + 1e-7)));
   }
+}
+
+TEST(LabelsCsv, DocumentationNamesAllColumns) {
+  const std::string page = read_file(SHELFBEAM_SOURCE_DIR "/docs/formats/report.md");
+  const std::size_t begin = page.find("## labels.csv"), end = page.find("\n## ", begin);
+  ASSERT_NE(end, std::string::npos);
+  std::istringstream section(page.substr(begin, end - begin));
+  std::vector<std::string> columns;
+  for (std::string line; std::getline(section, line);) {
+    if (!line.starts_with("| `")) continue;
+    std::istringstream names(line.substr(2, line.find('|', 1) - 2));
+    for (std::string name; std::getline(std::getline(names, name, '`'), name, '`');) columns.push_back(name);
+  }
+  ASSERT_FALSE(columns.empty());
+  EXPECT_EQ(columns.back(), "availability");  // only in plans for shops that change
+  columns.pop_back();
+  EXPECT_EQ(columns, test::read_csv(labels_csv(Kiosk().input))[0]);
 }
 
 TEST(LabelsCsv, MarksLabelsThatDependOnFlaggedSignals) {
