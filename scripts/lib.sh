@@ -23,3 +23,15 @@ bad_usage() {
 
 # need COMMAND [PACKAGE]
 need() { command -v "$1" >/dev/null || die "$1 is missing: apt-get install ${2-$1}"; }
+
+# find_changed BASE: puts the files, committed or not, that this branch has changed since it left BASE into the array
+# changed.
+find_changed() {
+  local base
+  base=$(git merge-base "$1" HEAD) || die "$1 and this branch have no commit in common"
+  # shellcheck disable=SC2034
+  mapfile -t changed < <({
+    git diff --name-only --diff-filter=d "$base"
+    git ls-files --others --exclude-standard
+  } | sort -u)
+}
