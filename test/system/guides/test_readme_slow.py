@@ -75,8 +75,9 @@ class Readme(unittest.TestCase):
         self.assertFalse(is_like(self.kept("floor-plan.png"), make_pictures.pixels(made)))
 
     def test_missing_paths_are_noticed(self):
-        made = make_pictures.screenshot(self.plan, make_pictures.VIEW, *make_pictures.VIEW_SIZE,
-                                        f"#view=1&camera={make_pictures.CAMERA}")
+        made = make_pictures.screenshot(
+            self.plan, make_pictures.VIEW, *make_pictures.VIEW_SIZE, f"#view=1&camera={make_pictures.CAMERA}"
+        )
         self.assertFalse(is_like(self.kept("view.png"), make_pictures.pixels(made)))
 
 
