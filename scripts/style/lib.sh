@@ -18,6 +18,7 @@ clang_format() {
 # TypeScript, JavaScript, CSS and JSON).
 find_sources() {
   local file first
+  (($#)) || { need git && git rev-parse --git-dir >/dev/null; } || die "git does not know the files of this checkout"
   cpp=() others=()
   while IFS= read -r -d '' file; do
     [[ -f $file && ! -L $file ]] || continue
