@@ -7,7 +7,7 @@
 //
 // known      many plans for a small shop whose availabilities are known: counts false statements. At 99 %
 //            confidence, more than 6 of 200 plans with one have a probability below 0.5 %. The control takes
-//            the availability of the sampled states at its word. Default: 200 repetitions, 2 at a time.
+//            the observed availability without correction. Default: 200 repetitions, 2 at a time.
 // shops      plans examples/NAME with people and stock that vary (default: thesis, grocery, supermarket), and
 //            compares the plan for the shop as the file gives it with the plan over states
 // cost       processor time of 100 states against a simulation with 2000 samples, all candidates of
@@ -84,7 +84,7 @@ void examine_known(const Settings& settings) {
   fmt::print(
       "{} plans: {} certified, {:.2f} units on average; the fewest that keep every label at 95 %: {}\n"
       "  with a false statement: {} (plan {}, bound {}); more than 6 of 200 reject the confidence of 99 %\n"
-      "  control, sampled availability at its word: {} false\n",
+      "  control, sampled availability without correction: {} false\n",
       settings.repetitions, certified, static_cast<double>(units) / static_cast<double>(settings.repetitions),
       shop.fewest(), wrong, wrong_plans, wrong_bounds, at_its_word);
 }
@@ -130,7 +130,7 @@ void plan_shop(const Settings& settings, const std::string& name) {
              states["lower_bound"].dump());
   fmt::print("  {:<34} {:>5} {:>6} {:>5} {:>8} {:>8} {:>7}\n", "plan", "units", "states", "below", "worst",
              "all", "missed");
-  print_outcome("for the shop as the file gives it", states["nominal"]);
+  print_outcome("for the shop as in the store file", states["nominal"]);
   print_outcome("fewest in the sampled states", states["sample"]);
   for (const Json& outcome : states["examined"]) print_outcome("examined in fresh states", outcome);
   fmt::print("  certified: {}; {}\n", states["certified"].dump(), states["open"].dump());

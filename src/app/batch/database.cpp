@@ -20,7 +20,7 @@ constexpr auto schema = R"(
 PRAGMA user_version = 1;
 BEGIN;
 CREATE TABLE stores (
-  position INTEGER PRIMARY KEY, -- in the order in which results need a person, from 1
+  position INTEGER PRIMARY KEY, -- most urgent first, from 1
   name TEXT NOT NULL UNIQUE,
   store TEXT NOT NULL,          -- path of the store file
   status TEXT NOT NULL,         -- failed, unfinished, infeasible, undecided or planned

@@ -53,7 +53,7 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
 }
 
 std::string objective_help() {
-  std::string help = "Objective besides the number of transceivers.";
+  std::string help = "Objective in addition to the number of transceivers.";
   for (const ObjectiveWords& words : objective_words)
     help += fmt::format(" {}: {}{}", words.name, words.help, &words == &objective_words.back() ? "" : ";");
   return help;
@@ -149,9 +149,9 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
       ->option_text("SIGNAL");
   add_choice(
       verb, "--read-as", input.reading,
-      "Reading of a text that fits several. signals: CSV without ids; header: ids of transceivers in the "
-      "first row; labels: ids of labels in the first column; ids: both; sparse: sparse text; scp, rail: "
-      "forms of OR-Library files; auto (default): refuse such a text")
+      "How to read a text file that fits several formats. signals: CSV without ids; header: ids of "
+      "transceivers in the first row; labels: ids of labels in the first column; ids: both; sparse: sparse "
+      "text; scp, rail: forms of OR-Library files; auto (default): reject such a file")
       ->group(group::placement);
   add_requirement_options(verb, input.requirements);
 }
@@ -234,11 +234,11 @@ void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, con
                      ->transform(a_share({0.5, 0.9999, true, true}))
                      ->option_text("SHARE");
   auto* shop = add("--all-at-once", AvailabilityRule::shop,
-                   "Minimum share of the states in which all labels are reached at once, instead")
+                   "Instead, minimum share of the states in which all labels are reached at once")
                    ->transform(a_share({0.01, 0.9999, true, true}))
                    ->option_text("SHARE")
                    ->excludes(labels);
-  add("--mean-missed", AvailabilityRule::misses, "Maximum mean number of missed labels, instead")
+  add("--mean-missed", AvailabilityRule::misses, "Instead, maximum mean number of missed labels")
       ->check(positive_number())
       ->option_text("LABELS")
       ->excludes(labels)

@@ -47,7 +47,7 @@ std::string reached_part(std::size_t reached, const std::optional<CoverageWeight
 std::string price_line(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
   if (!has_prices(table)) return {};
   const Price price = price_of(table, selected);
-  return fmt::format("  price: {} of new units, {} in total; prices play no part in this choice\n",
+  return fmt::format("  price: {} of new units, {} in total; prices are not considered in this choice\n",
                      money(price.to_spend, price), money(price.total, price));
 }
 

@@ -78,7 +78,7 @@ std::string solved(const Placement& placement, const SignalTable& table) {
   const bool has_choice =
       resolved({.combination = Combination::automatic}, table).combination == Combination::spend;
   if (has_choice && placement.problem.combination == Combination::lexicographic)
-    text += "  prices differ but play no part in this order of aims\n";
+    text += "  prices differ but are not considered in this order of objectives\n";
   if (!table.mounts.empty())
     text += fmt::format("  from {} at {}\n", counted(table.columns(), "candidate"),
                         counted(table.mounting_points(), "mounting point"));

@@ -176,7 +176,7 @@ void print_warnings(const CommonOptions& common, const Scene& scene, Strategy st
   if (common.json || common.quiet) return;
   print_warnings(scene);
   for (const std::string& light : chance_light(scene, strategy))
-    print_warning(light + " is sampled only by chance: use more samples and check the flagged entries");
+    print_warning(light + " is hard to sample: use more samples and check the flagged entries");
 }
 
 void print_summary(const Scene& scene, const std::string& written) {
@@ -191,7 +191,7 @@ void print_summary(const Scene& scene, const std::string& written) {
   fmt::print("\n");
   print_transceiver_types(scene, counts);
   print_list("not simulated unless the transceiver type has a radius", uncovered_light(scene));
-  print_list("sampled only by chance, with large errors", chance_light(scene));
+  print_list("hard to sample, with large standard errors", chance_light(scene));
 }
 
 nlohmann::ordered_json summary_json(const Scene& scene) {

@@ -277,7 +277,7 @@ int run_batch_verb(const Options& options) {
 }  // namespace
 
 void add_batch(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand("batch", "Plan many stores, and show which of them need a person");
+  CLI::App* verb = app.add_subcommand("batch", "Plan many stores, and list the results, most urgent first");
   auto options = std::make_shared<Options>();
   add_path(*verb, "STORES", options->source,
            "Text file with the path of a store file per line, or a folder with files called store.json")
@@ -355,7 +355,7 @@ void add_batch(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam batch shops/ -o results --memory 16G -- --samples 5000\n"
       "  shelfbeam batch shops/ -o results --only failed\n"
       "  shelfbeam batch shops/ -o results --slurm --task-time 2:00:00\n"
-      "Writes results.html (begin here), results.csv and results.sqlite, and the plan of\n"
+      "Writes results.html (start here), results.csv and results.sqlite, and the plan of\n"
       "each store below plans/.");
   verb->callback([options, &chosen] { chosen = [options] { return run_batch_verb(*options); }; });
 }

@@ -87,7 +87,7 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
            "File to write: .svg for the floor plan, .glb for a 3-D model, .json for the store without "
            "references");
   verb->add_option("--state", options->state,
-                   "Inspect the shop in this state, from 0, of its 'variation' and of --seed")
+                   "Inspect the shop in state K, counted from 0, of its 'variation' and --seed")
       ->check(whole_number(0))
       ->option_text("K");
   add_store_options(*verb, options->allow_outside);

@@ -206,7 +206,7 @@ std::uint32_t states_of(const Options& options, const Store& store) {
   }
   expect_variation(store);
   const auto refuse = [](const std::string& option, const std::string& problem) {
-    throw InputError(option, problem, "omit it, or plan the shop as the file gives it with '--states 0'");
+    throw InputError(option, problem, "omit it, or plan the shop as in the store file with '--states 0'");
   };
   if (options.curve) refuse("--curve", "does not apply to a shop that changes");
   if (options.sensitivity)
@@ -365,8 +365,8 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       ->needs(sensitivity);
   add_state_options(
       *verb, options->states,
-      "States of a shop with 'variation' on which units are placed; default 100; 0: the shop as "
-      "the file gives it",
+      "States of a shop with 'variation' on which units are placed; default 100; 0: the shop as in "
+      "the store file",
       options->goal);
   verb->add_option(
           "--sampled", options->sampled,
@@ -390,8 +390,9 @@ void add_plan(CLI::App& app, ChosenVerb& chosen) {
       "  shelfbeam plan store.json -o plan --survive-failure --min-spacing 2\n"
       "  shelfbeam plan store.json -o plan --confidence 99.9% --budget 1800\n"
       "  shelfbeam plan store.json -o plan --threads 8 --resume\n"
-      "Writes report.html (begin here), placement.csv (for the fitter), labels.csv,\n"
-      "verification.csv, placement.json, signal.h5 and the resolved store.json.");
+      "Writes report.html (start here), mounting.csv and mounting.dxf (for the fitter),\n"
+      "placement.csv, labels.csv, verification.csv, placement.json, signal.h5 and the\n"
+      "resolved store.json.");
   verb->callback([options, &chosen] { chosen = [options] { return run_plan(*options); }; });
 }
 

@@ -164,7 +164,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->excludes("--hard-labels")
       ->group(group::states);
   verb->add_option("--state", options->state,
-                   "Simulate the shop in this state, from 0, as 'inspect --state K -o' writes it")
+                   "Simulate the shop in state K, counted from 0, as 'inspect --state K -o' writes it")
       ->check(whole_number(0))
       ->option_text("K")
       ->excludes(states)

@@ -116,7 +116,7 @@ class LabelChecks {
              "from its shelf or wall; turn its normal");
       else if (!has_support(store_, labels_[i]) && !has_back_to_back(i))
         warn("labels in mid-air", i,
-             "has no surface within 0.3 m behind it; a label is usually mounted on a shelf, a wall or a "
+             "has no surface within 0.3 m behind it; a label is typically mounted on a shelf, a wall or a "
              "rail; correct its position or its normal");
       check_free_space(i);
     }
@@ -144,7 +144,7 @@ class LabelChecks {
     const auto faces_alike = [&](const Label& other) { return dot(other.normal, labels_[i].normal) > 0.5; };
     if (const auto other = earlier(labels_, index_, i, nearest, faces_alike))
       warn("labels at one place", i,
-           fmt::format("is {:.2g} mm from label '{}'; labels are usually at least 3 cm apart; remove one "
+           fmt::format("is {:.2g} mm from label '{}'; labels are typically at least 3 cm apart; remove one "
                        "of them, or correct its position",
                        1000 * length(labels_[*other].position - labels_[i].position), labels_[*other].id));
   }
@@ -159,7 +159,7 @@ class LabelChecks {
     const bool is_at_ceiling = height > standing && label.position.z > ceiling - below_ceiling;
     if (is_at_ceiling || height > highest || (height < lowest && std::abs(label.normal.z) < 0.5))
       warn("labels at an unusual height", i,
-           fmt::format("is {:.3g} m above the floor; 0.1 to 2.2 m are usual; correct its height", height));
+           fmt::format("is {:.3g} m above the floor; 0.1 to 2.2 m are typical; correct its height", height));
     if (label.normal.z < -0.8)
       warn("labels that face the floor", i,
            "faces the floor; a label usually faces the aisle; correct its normal, or 'tilt_deg' of its "
@@ -186,7 +186,7 @@ class LabelChecks {
       warn("labels without an aisle", i,
            fmt::format(
                "has {:.2g} cm of free space in front of it, up to a surface of '{}'; aisles of 0.9 m and "
-               "more are usual; move one of the fixtures",
+               "more are typical; move one of the fixtures",
                100 * before->metres, before->material->name));
   }
 
@@ -240,12 +240,12 @@ class UnitChecks {
     const auto before = opaque_before(store_, from, unit.axis, is_up ? below_ceiling : nearest);
     if (before && before->metres <= nearest)
       warn("transceivers aimed at a surface", j,
-           fmt::format("is aimed at a surface of '{}', {:.2g} cm in front of it; units are usually aimed "
+           fmt::format("is aimed at a surface of '{}', {:.2g} cm in front of it; units are typically aimed "
                        "at the shelves; correct 'axis' or the position",
                        before->material->name, 100 * before->metres));
     else if (before)
       warn("transceivers aimed at the ceiling", j,
-           "is aimed up at the ceiling; units are usually aimed at the shelves; correct 'axis', which is "
+           "is aimed up at the ceiling; units are typically aimed at the shelves; correct 'axis', which is "
            "[0, 0, -1] for straight down");
   }
 
@@ -256,7 +256,7 @@ class UnitChecks {
     if (units_[j].axis.z < -0.5 && height < lowest)
       warn("transceivers at an unusual height", j,
            fmt::format(
-               "is aimed down from {:.3g} m above the floor; 2.2 m and more are usual; correct its height",
+               "is aimed down from {:.3g} m above the floor; 2.2 m and more are typical; correct its height",
                height));
   }
 

@@ -304,9 +304,10 @@ void warn_of_scale(const Inspected& store, WarningList& warnings) {
     if (!std::isfinite(extent) || (extent >= smallest && extent <= largest)) continue;
     warnings.add(
         "meshes of an unusual size",
-        fmt::format("{}.scale: mesh '{}' extends {:.2g} m; 0.1 to 100 m are usual; give the metres per unit "
-                    "of length of its file, such as 0.001 for millimetres",
-                    store.sources.fixtures[f], store.scene.fixtures[f].id, extent));
+        fmt::format(
+            "{}.scale: mesh '{}' extends {:.2g} m; 0.1 to 100 m are typical; give the metres per unit "
+            "of length of its file, such as 0.001 for millimetres",
+            store.sources.fixtures[f], store.scene.fixtures[f].id, extent));
   }
 }
 
@@ -329,7 +330,7 @@ void warn_of_radians(const Inspected& store, WarningList& warnings) {
     warnings.add(
         "rotations in radians",
         fmt::format("{}.rotation_deg: is {:g}, which is {:g} degrees in radians; 0, 90, 180 and 270 are "
-                    "usual; give degrees",
+                    "typical; give degrees",
                     where, angle, eighths * 45));
   }
 }

@@ -48,7 +48,7 @@ void warn_of_materials(const Inspected& store, WarningList& warnings) {
     else if (const auto reflectance = given_reflectance(material); reflectance && *reflectance < 0.02)
       warnings.add(
           "materials that reflect almost nothing",
-          fmt::format("{}: materials.{}.reflectance: is {:.3g}; 0.03 (black paint) to 0.95 are usual; "
+          fmt::format("{}: materials.{}.reflectance: is {:.3g}; 0.03 (black paint) to 0.95 are typical; "
                       "give a fraction, such as 0.8 for 80 %",
                       store.store.file, name, *reflectance));
   }
@@ -94,12 +94,12 @@ void warn_of_spacing(double spacing, const std::string& where, const std::string
   if (spacing < narrowest)
     warnings.add("narrow " + kind,
                  fmt::format("{}.spacing: is {:.3g} m, which makes very many candidates; 0.5 to 3 m are "
-                             "usual; use a wider spacing",
+                             "typical; use a wider spacing",
                              where, spacing));
   if (spacing > widest)
     warnings.add("wide " + kind,
                  fmt::format("{}.spacing: is {:.3g} m, which leaves few candidates to choose from; 0.5 to 3 "
-                             "m are usual; use a narrower spacing",
+                             "m are typical; use a narrower spacing",
                              where, spacing));
 }
 
@@ -136,7 +136,7 @@ void warn_of_open_building(const Inspected& store, WarningList& warnings) {
       warnings.add(
           "buildings that are open",
           fmt::format(
-              "{}: fixtures: {:.0f} % of the {} have no surface {} them; a floor and a ceiling are usual; "
+              "{}: fixtures: {:.0f} % of the {} have no surface {} them; a floor and a ceiling are typical; "
               "add a 'room', or check which parts of the building the mesh contains and where it stands",
               store.store.file, 100 * share, devices, surface));
   };
@@ -154,9 +154,10 @@ void warn_of_heights(const Inspected& store, WarningList& warnings) {
   const auto check = [&](const std::string& key, const std::string& what, double height, bool has_least) {
     constexpr double least = 2, most = 15;
     if (height > most || (has_least && height < least))
-      warnings.add("unusual heights of rooms",
-                   fmt::format("{}: {}: {} is {:.3g} m high; 2.5 to 12 m are usual; check its unit of length",
-                               store.store.file, key, what, height));
+      warnings.add(
+          "unusual heights of rooms",
+          fmt::format("{}: {}: {} is {:.3g} m high; 2.5 to 12 m are typical; check its unit of length",
+                      store.store.file, key, what, height));
   };
   const Scene& scene = store.scene;
   if (!scene.room) {
@@ -179,7 +180,7 @@ void warn_of_room(const Inspected& store, WarningList& warnings) {
   if (scene.wavelength_nm < 700 || scene.wavelength_nm > 1700)
     warnings.add(
         "unusual wavelengths",
-        fmt::format("{}: wavelength_nm: {:g} nm is not near-infrared light; 850 to 950 nm are usual; "
+        fmt::format("{}: wavelength_nm: {:g} nm is not near-infrared light; 850 to 950 nm are typical; "
                     "correct it",
                     store.store.file, scene.wavelength_nm));
   if (!scene.room) warn_of_open_building(store, warnings);

@@ -44,7 +44,7 @@ struct Range {
   double mean = 0;  // at the intensity of the same flux spread over a hemisphere
 };
 
-// A unit is usually heard this far, also in a smaller shop, m.
+// A unit is typically heard this far, also in a smaller shop, m.
 constexpr double usual_range = 10;
 
 class TypeChecks {
@@ -124,15 +124,15 @@ class TypeChecks {
     if (type.range_m > farthest_ || (type.range_m > 0 && type.range_m < 1))
       warnings_.add(
           "requirements that every unit or none meets",
-          fmt::format(
-              "{}: the label hears at {} m; 3 to 20 m are usual, in this shop up to {} m; check 'at_m'",
-              at("label_types", type.name, ".threshold"), plain(type.range_m), plain(farthest_)));
+          fmt::format("{}: the label receives signals at {} m; 3 to 20 m are typical, in this shop up to {} "
+                      "m; check 'at_m'",
+                      at("label_types", type.name, ".threshold"), plain(type.range_m), plain(farthest_)));
     // A narrow beam may reach farther than the room; its mean then does not.
     else if (range.peak > farthest_ && range.mean > farthest_ / 2)
       warnings_.add(
           "requirements that every unit or none meets",
           fmt::format(
-              "{}: a single '{}' meets the requirement of {} W/m^2 from {} m; 3 to 20 m are usual, in "
+              "{}: a single '{}' meets the requirement of {} W/m^2 from {} m; 3 to 20 m are typical, in "
               "this shop up to {} m; {}",
               at("label_types", type.name), range.unit, plain(type.requirement()), plain(range.peak),
               plain(farthest_), remedy));
@@ -141,7 +141,7 @@ class TypeChecks {
           "requirements that every unit or none meets",
           fmt::format(
               "{}: a single '{}' meets the requirement of {} W/m^2 only up to {} m, and no other unit "
-              "farther; 3 to 20 m are usual; {}",
+              "farther; 3 to 20 m are typical; {}",
               at("label_types", type.name), range.unit, plain(type.requirement()), plain(range.peak),
               remedy));
   }
@@ -150,23 +150,23 @@ class TypeChecks {
     if (type.safety_factor < 1 || type.safety_factor > 10)
       warnings_.add(
           "unusual safety factors",
-          fmt::format("{}: is {}{}; 1 to 4 are usual; correct it",
+          fmt::format("{}: is {}{}; 1 to 4 are typical; correct it",
                       at("label_types", type.name, ".safety_factor"), plain(type.safety_factor),
                       type.safety_factor < 1 ? ", so labels count as reached below their threshold" : ""));
     constexpr double largest = 0.6;
     if (std::max(type.size[0], type.size[1]) > largest)
       warnings_.add(
           "unusual sizes of labels",
-          fmt::format("{}: is {} x {} m; 0.03 to 0.3 m are usual; correct it",
+          fmt::format("{}: is {} x {} m; 0.03 to 0.3 m are typical; correct it",
                       at("label_types", type.name, ".size"), plain(type.size[0]), plain(type.size[1])));
     if (const auto* power = std::get_if<CosinePowerResponse>(&type.responsivity);
         power != nullptr && power->cutoff < radians(10))
-      warnings_.add(
-          "unusual responses of labels",
-          fmt::format(
-              "{}: is {}, so the label hears straight ahead only; 40 to 90 are usual; give degrees, not "
-              "radians",
-              at("label_types", type.name, ".responsivity.cutoff_deg"), plain(power->cutoff * 180 / pi)));
+      warnings_.add("unusual responses of labels",
+                    fmt::format("{}: is {}, so the label receives only what is straight ahead; 40 to 90 are "
+                                "typical; give degrees, not "
+                                "radians",
+                                at("label_types", type.name, ".responsivity.cutoff_deg"),
+                                plain(power->cutoff * 180 / pi)));
   }
 
   // The shares of the flux within 4 degrees of the axis and behind the unit.
@@ -189,14 +189,14 @@ class TypeChecks {
       warnings_.add(
           "unusual directions of emission",
           fmt::format("{}: all light leaves within 4 degrees of the axis; beams of 20 degrees and more are "
-                      "usual; give angles in degrees, not radians",
+                      "typical; give angles in degrees, not radians",
                       where));
     if (behind > 0.5)
       warnings_.add(
           "unusual directions of emission",
           fmt::format(
               "{}: {:.0f} % of the light leaves backwards, beyond 90 degrees from the axis; less than "
-              "half is usual; reverse the angles of the profile",
+              "half is typical; reverse the angles of the profile",
               where, 100 * behind));
   }
 
@@ -206,16 +206,16 @@ class TypeChecks {
     if (flux > 100 || flux < 1e-3)
       warnings_.add(
           "unusual flux",
-          fmt::format("{}: emits {} W in total; 0.01 to 20 W are usual; check its flux or intensity, "
+          fmt::format("{}: emits {} W in total; 0.01 to 20 W are typical; check its flux or intensity, "
                       "which are in W and W/sr",
                       at("transceiver_types", type.name, ".emission"), plain(flux)));
     if (type.radius > 0.3)
       warnings_.add("unusual radii of transceivers",
-                    fmt::format("{}: is {} m; up to 0.1 m is usual; correct it",
+                    fmt::format("{}: is {} m; up to 0.1 m is typical; correct it",
                                 at("transceiver_types", type.name, ".radius"), plain(type.radius)));
     if (type.cost == 0 && new_units_[k] > 0)
       warnings_.add("units that cost nothing",
-                    fmt::format("{}: is 0, so a plan may have many of them; a price above 0 is usual; "
+                    fmt::format("{}: is 0, so a plan may have many of them; a price above 0 is typical; "
                                 "give a price",
                                 at("transceiver_types", type.name, ".cost")));
   }
@@ -233,7 +233,7 @@ class TypeChecks {
     }
     if (low == nullptr || value(*high) < 50 * value(*low)) return;
     warnings_.add(subject, fmt::format("{}: has a {} of {} {}, and '{}' one of {} {}; a factor below 10 is "
-                                       "usual; check the units of measure of both",
+                                       "typical; check the units of measure of both",
                                        at(section, low->name), subject, plain(value(*low)), unit, high->name,
                                        plain(value(*high)), unit));
   }

@@ -55,7 +55,7 @@ std::string margin_warning(const SignalTable& table, const Placement& placement)
   const double out_of_reach = share * static_cast<double>(placement.unreachable.size());
   if (out_of_reach >= 100 * nearly_all)
     return fmt::format(
-        "label_types: no selection reaches {:.0f} % of the labels; a few are usual; check thresholds, "
+        "label_types: no selection reaches {:.0f} % of the labels; a few are typical; check thresholds, "
         "safety factors and the emission of the transceivers",
         out_of_reach);
   std::vector<bool> chosen(table.columns());
@@ -70,7 +70,7 @@ std::string margin_warning(const SignalTable& table, const Placement& placement)
              ? ""
              : fmt::format(
                    "label_types: {:.0f} % of the labels receive more than 30 times the signal that they "
-                   "require (15 dB); 1 to 10 times is usual; check thresholds, safety factors and the "
+                   "require (15 dB); 1 to 10 times is typical; check thresholds, safety factors and the "
                    "emission of the transceivers",
                    flooded_share);
 }

@@ -52,7 +52,7 @@ TEST_F(StatesSlow, ArePlannedAndVerified) {
       "C,1,10,2.9,0,0,-1,0,t\n";
   folder.write("units.csv", units);
   const std::string answer = told("verify @store.json @units.csv --states 300 -o @units-states.csv", 1);
-  EXPECT_THAT(answer, HasSubstr("In doubt: L1, reached "));
+  EXPECT_THAT(answer, HasSubstr("Undecided labels: L1, reached "));
   EXPECT_THAT(answer, HasSubstr("The best addition is U11 at (11, 6, 2.9) m"));
   EXPECT_THAT(bytes("units-states.csv"), HasSubstr("L1,0.95,300,"));
   refused("verify @store.json @units.csv --states 300 --availability 95% --mean-missed 2", {"--mean-missed"});

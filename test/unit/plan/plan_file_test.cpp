@@ -72,7 +72,7 @@ TEST(PlanFile, KeepsStatesOfTheShop) {
     *sampled = {1, 100, {1, 40}, 41};
   availability.shown = {{1'000'000, {}}, {1'000'217, {0, 1}}};
   availability.responsible = {1};
-  availability.open = "the time was used up";
+  availability.open = "the time limit was reached";
   const std::string text = plan_json(plan, example());
   const CertifiedPlan read = read_plan(folder.write("p.json", text), example());
   EXPECT_EQ(plan_json(read, example()), text);

@@ -184,7 +184,7 @@ class Solver {
     best_.misses = std::move(misses);
   }
 
-  // The first selection that fits the sampled states fits their accidents, too.
+  // The first selection that fits the sampled states overfits them.
   void spread() {
     deadline_ = end_;
     if (annealing_.applies())

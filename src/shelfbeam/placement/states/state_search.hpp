@@ -38,7 +38,7 @@ class StateSearch {
   /// A selection with one unit less that keeps to the allowance, by exchanges.
   std::optional<Selection> with_fewer(Selection selected) const;
   /// Exchanges units at the same value or less as long as labels are missed less often or less nearly:
-  /// stopping at the first selection that fits the states would fit their accidents.
+  /// stopping at the first selection that fits the states would overfit them.
   Selection spread(Selection selected) const;
   /// The selection and the unit that helps most; unchanged if no unit helps.
   Selection with_another(Selection selected) const;

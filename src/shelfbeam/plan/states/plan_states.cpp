@@ -149,7 +149,7 @@ class Planner {
         named = with_another(deadline);
         stop_if_cancelled();
         if (named.size() == selected_.size()) {
-          answer.open = deadline.has_passed() ? "the time was used up" : "no other transceiver helps";
+          answer.open = deadline.has_passed() ? "the time limit was reached" : "no other transceiver helps";
           return;
         }
       }
@@ -171,7 +171,7 @@ class Planner {
       if (fresh.certified) return;
       stop_if_cancelled();
       if (fresh.out_of_time) {
-        answer.open = "the time was used up";
+        answer.open = "the time limit was reached";
         return;
       }
     }

@@ -7,7 +7,7 @@
 
 namespace shelfbeam {
 
-/// One sentence: the number of stores, and of those that need a person, by reason.
+/// One sentence: the number of stores, and of those that need attention, by reason.
 std::string batch_answer(std::span<const StoreResult> results);
 
 /// The results as a table, in their order; times and memory are in the last columns. Free texts are made safe

@@ -10,7 +10,7 @@
 
 namespace shelfbeam {
 
-/// The end of the plan of one store, in the order in which results need a person.
+/// The end of the plan of one store, most urgent first.
 enum class StoreStatus {
   failed,      ///< the store cannot be read, or its plan ended with an error
   unfinished,  ///< there is no result yet
@@ -52,7 +52,7 @@ struct StoreResult {
   bool operator==(const StoreResult&) const = default;
 };
 
-/// Sorts by the need of a person: by status, plans with warnings before those without, then by falling price,
+/// Sorts the most urgent first: by status, plans with warnings before those without, then by falling price,
 /// then by name.
 void sort_by_need(std::vector<StoreResult>& results);
 

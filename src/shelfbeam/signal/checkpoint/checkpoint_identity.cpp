@@ -49,7 +49,7 @@ void expect_checkpoint(const fs::path& path, std::string_view line) {
   const fs::file_status found = fs::symlink_status(path, unknown);
   if (!fs::exists(found)) return;
   if (!fs::is_regular_file(found) || !read_first_bytes(path, line.size()).starts_with(line))
-    throw InputError(path.string(), "is not a checkpoint, though its name is that of one",
+    throw InputError(path.string(), "is not a checkpoint, although it has the name of one",
                      "move it elsewhere, or choose another output");
 }
 

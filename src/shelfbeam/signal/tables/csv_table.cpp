@@ -163,7 +163,7 @@ ReadTable read_csv_table(std::string_view text, const std::string& name, TableRe
     const std::vector<std::string> column = read_plain_rows(table, csv);
     if (!is_chosen && table.rows() > 1 && may_be_header(first, table))
       refuse("has whole numbers in its first row, which may be ids or signals",
-             "choose 'header' for ids of transceivers, 'ids' if the first column has the ids of labels, too, "
+             "choose 'header' for ids of transceivers, 'ids' if the first column also has ids of labels, "
              "or 'signals'");
     if (!is_chosen && may_be_labels(column, table))
       refuse("has whole numbers in its first column, which may be ids or signals",

@@ -147,7 +147,7 @@ SignalTable read_or_library(std::string_view text, const std::string& name, Tabl
                 scp = attempt(reading != TableReading::rail, read_scp,
                               TextScanner(text, name, LineBreaks::blank), name);
   if (rail.table && scp.table && !are_equal(*rail.table, *scp.table))
-    throw InputError(name, "fits both forms of OR-Library files, and the forms mean different matrices",
+    throw InputError(name, "fits both forms of OR-Library files, which describe different matrices",
                      "choose 'scp' or 'rail'", Setting::reading);
   if (rail.table) return *rail.table;
   if (scp.table) return *scp.table;

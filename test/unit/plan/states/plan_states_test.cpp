@@ -200,7 +200,7 @@ TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
 
 // A label whose misses are counted as often as those of the required availability at the worst may be
 // certified with the probability `level`. 4000 trials with 5 %: more than 252 have a probability below 1 in
-// 1000. The control takes the share of missed states at its word.
+// 1000. The control uses the observed share of missed states without correction.
 TEST(FreshStates, LevelHoldsAtTheLimit) {
   std::mt19937 random(1);
   constexpr double level = 0.05, counted = 0.9 * 0.05;

@@ -59,9 +59,9 @@ TEST(Summary, SpeaksOfTheTimeIfTheShopChanges) {
     if (!is_certified) availability.responsible = {3};
     expect_plain_words(all_of(summary_of(ReportData(s.input))));
     EXPECT_TRUE(contains(s, is_certified ? "together they reach every label at least 95\u00A0% of the time"
-                                         : "In doubt: " + s.matrix.labels[3].id));
-    EXPECT_TRUE(contains(s, "not enough in these states: 1 of 926 labels reached too rarely"));
-    EXPECT_TRUE(contains(s, "assumed: shelves are 40\u00A0% to 100\u00A0% full"));
+                                         : "Undecided labels: " + s.matrix.labels[3].id));
+    EXPECT_TRUE(contains(s, "but not in these states: 1 of 926 labels reached too rarely"));
+    EXPECT_TRUE(contains(s, "does not specify it: shelves are 40\u00A0% to 100\u00A0% full"));
   }
 }
 
@@ -98,9 +98,9 @@ TEST(Summary, CountsNewAndInstalledUnits) {
   EXPECT_TRUE(contains(s, "Mount " + all + " new transceivers: all 926 labels receive enough signal."));
   s.matrix.transceivers[s.placement.selected[0]].installed = true;
   EXPECT_TRUE(contains(s, "Mount " + std::to_string(s.placement.count() - 1) +
-                              " new transceivers beside the one already installed: all 926"));
+                              " new transceivers in addition to the one installed: all 926"));
   s.matrix.transceivers[s.placement.selected[1]].installed = true;
-  EXPECT_TRUE(contains(s, "new transceivers beside the 2 already installed: all 926"));
+  EXPECT_TRUE(contains(s, "new transceivers in addition to the 2 installed: all 926"));
   for (const std::uint32_t j : s.placement.selected) s.matrix.transceivers[j].installed = true;
   EXPECT_TRUE(contains(s, "The " + all + " installed transceivers are enough: all 926"));
 }
@@ -154,7 +154,7 @@ TEST(Summary, NamesTheRisks) {
   EXPECT_TRUE(contains(s, "darker than in the store file were not examined"));
   EXPECT_TRUE(contains(s, "the largest loss from any one unit"));
   s.plan.sensitivity.emplace().low.missed = {3, 4};
-  EXPECT_TRUE(contains(s, "as dark as their materials may be, 2 labels are lost or uncertain"));
+  EXPECT_TRUE(contains(s, "at its lowest plausible reflectance, 2 labels are missed or undecided"));
   s.plan.warnings = {"x"};
   EXPECT_TRUE(contains(s, "1 questionable value, listed below"));
   test::certify(s);
