@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct BatchArguments {
   CommonOptions common;
   fs::path source, output;
   std::vector<std::string> plan;
@@ -50,7 +50,7 @@ struct Options {
   std::vector<std::string> sbatch;
 };
 
-void print_warning(const Options& options, std::string_view text) {
+void print_warning(const BatchArguments& options, std::string_view text) {
   if (!options.common.quiet)
     print_message("{} {}\n", styled(Style::warning, "warning:", stderr), one_line(text));
 }
@@ -78,7 +78,7 @@ void expect_plan_options(const std::vector<std::string>& options) {
 }
 
 // A folder of an earlier batch is used only on request.
-void expect_folder(const Options& options) {
+void expect_folder(const BatchArguments& options) {
   std::error_code missing;
   const bool has_records = fs::exists(options.output / records_name, missing);
   if (options.collect && !has_records && !fs::exists(options.output / tasks_name, missing))
@@ -94,7 +94,7 @@ void expect_folder(const Options& options) {
 }
 
 // Their plans begin anew.
-void forget_results(const Options& options, const BatchOptions& batch) {
+void forget_results(const BatchArguments& options, const BatchOptions& batch) {
   for (const ListedStore& store : batch.stores) {
     const auto is_chosen = [&] {
       if (options.overwrite) return true;
@@ -108,7 +108,7 @@ void forget_results(const Options& options, const BatchOptions& batch) {
   }
 }
 
-BatchOptions batch_options(const Options& options) {
+BatchOptions batch_options(const BatchArguments& options) {
   constexpr std::size_t least_memory = std::size_t{512} << 20;  // of one plan
   BatchOptions batch;
   StoreList list = listed_stores(options.source, options.output);
@@ -133,7 +133,7 @@ BatchOptions batch_options(const Options& options) {
   return batch;
 }
 
-int print_results(const Options& options, const std::vector<StoreResult>& results) {
+int print_results(const BatchArguments& options, const std::vector<StoreResult>& results) {
   const auto count = [&](StoreStatus status) {
     return std::count_if(results.begin(), results.end(),
                          [&](const StoreResult& result) { return result.status == status; });
@@ -153,7 +153,7 @@ int print_results(const Options& options, const std::vector<StoreResult>& result
   return count(StoreStatus::planned) == static_cast<std::ptrdiff_t>(results.size()) ? done : answer_is_no;
 }
 
-int run_on_slurm(const Options& options, const BatchOptions& batch) {
+int run_on_slurm(const BatchArguments& options, const BatchOptions& batch) {
   std::error_code unknown;
   const fs::path folder = fs::absolute(options.output);
   const std::vector<std::string> common{fs::read_symlink(own_program, unknown).string(),
@@ -188,7 +188,7 @@ int run_on_slurm(const Options& options, const BatchOptions& batch) {
   return done;
 }
 
-void report_unplanned(const Options& options, const std::vector<StoreResult>& stores) {
+void report_unplanned(const BatchArguments& options, const std::vector<StoreResult>& stores) {
   constexpr std::size_t most = 20;
   for (std::size_t k = 0; k < std::min(most, stores.size()); ++k)
     print_warning(options, fmt::format("{} is not planned: {}", in_quotes(stores[k].name), stores[k].answer));
@@ -196,7 +196,7 @@ void report_unplanned(const Options& options, const std::vector<StoreResult>& st
     print_warning(options, fmt::format("{} cannot be planned", counted(stores.size() - most, "other store")));
 }
 
-int show_results(const Options& options, const BatchOptions& batch,
+int show_results(const BatchArguments& options, const BatchOptions& batch,
                  const std::vector<StoreResult>& unrecorded = {}) {
   const auto results = batch_results(batch, unrecorded);
   try {
@@ -208,7 +208,7 @@ int show_results(const Options& options, const BatchOptions& batch,
   return print_results(options, results);
 }
 
-int collect(const Options& options, const BatchOptions& batch) {
+int collect(const BatchArguments& options, const BatchOptions& batch) {
   const int code = show_results(options, batch);
   for (const ListedStore& store : batch.stores)
     if (const auto record = read_record(batch.folder, store); record && !record->damage.empty())
@@ -217,7 +217,7 @@ int collect(const Options& options, const BatchOptions& batch) {
 }
 
 // Plans the stores, and writes the results so far now and then.
-BatchEnd plan_stores(const Options& options, const BatchOptions& batch, const CancelToken& cancel) {
+BatchEnd plan_stores(const BatchArguments& options, const BatchOptions& batch, const CancelToken& cancel) {
   std::vector<OpenPlan> plans = open_plans(batch);
   std::vector<StoreResult> unreadable;
   {
@@ -244,7 +244,7 @@ BatchEnd plan_stores(const Options& options, const BatchOptions& batch, const Ca
   return run_batch(batch, plans, write_some, {batch.threads, &cancel, progress.sink()});
 }
 
-int run_batch_verb(const Options& options) {
+int run_batch_verb(const BatchArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   expect_plan_options(options.plan);
   const BatchOptions batch = batch_options(options);
@@ -278,7 +278,7 @@ int run_batch_verb(const Options& options) {
 
 void add_batch(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("batch", "Plan many stores, and list the results, most urgent first");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BatchArguments>();
   add_path(*verb, "STORES", options->source,
            "Text file with the path of a store file per line, or a folder with files called store.json")
       ->required();

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t listed = 5;  // worst pairs in the text
 
-struct Options {
+struct CompareArguments {
   CommonOptions common;
   fs::path signal, measured, placement, output;
   double confidence = 0.95;
@@ -44,7 +44,7 @@ struct Outputs {
   fs::path table, page;
 };
 
-Outputs outputs_of(const Options& options) {
+Outputs outputs_of(const CompareArguments& options) {
   const fs::path& output = options.output;
   if (output.empty()) return {};
   if (output.extension() == ".csv") return {output, {}};
@@ -57,7 +57,7 @@ Outputs outputs_of(const Options& options) {
 }
 
 /// Throws InputError where an output cannot be written or is an input.
-void prepare(const Options& options, const Outputs& outputs) {
+void prepare(const CompareArguments& options, const Outputs& outputs) {
   const bool to_folder = !outputs.table.empty() && !outputs.page.empty();
   if (to_folder) make_output_folder(options.output);
   for (const fs::path& output : {outputs.table, outputs.page}) {
@@ -68,7 +68,7 @@ void prepare(const Options& options, const Outputs& outputs) {
   }
 }
 
-std::vector<std::uint32_t> units_of(const Options& options, const SignalMatrix& matrix,
+std::vector<std::uint32_t> units_of(const CompareArguments& options, const SignalMatrix& matrix,
                                     const Measurements& measurements) {
   if (measurements.of_pairs) {
     if (!options.placement.empty())
@@ -167,7 +167,7 @@ void print_text(const ComparisonInput& input, const Outputs& outputs) {
   print_pairs(input, fmt::format("{}:", worst_pairs_heading(c)), c.worst);
 }
 
-int run_compare(const Options& options) {
+int run_compare(const CompareArguments& options) {
   const Outputs outputs = outputs_of(options);
   const SignalMatrix matrix = read_signal_file(options.signal);
   const Measurements measurements = read_measurements(options.measured, matrix);
@@ -199,7 +199,7 @@ int run_compare(const Options& options) {
 void add_compare(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("compare", "Compare measured with simulated signals; fit the factor between them");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareArguments>();
   add_path(*verb, "SIGNAL", options->signal, "Signal file (HDF5, from trusted sources only)")->required();
   add_path(*verb, "MEASURED", options->measured,
            "CSV with columns label,transceiver,signal or label,signal, and optionally error")

@@ -23,7 +23,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct ExportArguments {
   CommonOptions common;
   PlacementProblem problem;
   PlacementInput input;
@@ -33,7 +33,7 @@ struct Options {
   bool for_model = false, for_matrix = false;  ///< an option for this kind of output was given
 };
 
-void export_matrix(const Options& options) {
+void export_matrix(const ExportArguments& options) {
   if (options.input.signals.size() > 1)
     throw InputError(options.input.signals[1].string(),
                      "is a second file, but a matrix is exported from one file", "export one file at a time");
@@ -47,7 +47,7 @@ void export_matrix(const Options& options) {
     write_matrix_csv(matrix, values, options.output, options.safe_csv);
 }
 
-void export_model(const Options& options) {
+void export_model(const ExportArguments& options) {
   const auto [table, warnings] = options.input.table(options.problem);
   print_warnings(options.common, warnings);
   const PlacementProblem problem = resolved(options.problem, table);
@@ -62,7 +62,7 @@ void export_model(const Options& options) {
     milp::write_mps(model, options.output);
 }
 
-int run_export(const Options& options) {
+int run_export(const ExportArguments& options) {
   options.input.keep(options.output);
   const std::string kind = options.output.extension().string();
   const bool is_model = kind == ".mps" || kind == ".lp", is_matrix = kind == ".csv" || kind == ".npy";
@@ -95,7 +95,7 @@ int run_export(const Options& options) {
 void add_export(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("export", "Write the placement model (MPS, LP) or the matrix (CSV, NPY)");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportArguments>();
   add_placement_input(*verb, options->input);
   add_path(*verb, "-o,--output", options->output,
            "File to write: .mps or .lp for the model, .csv or .npy for the matrix")

@@ -27,7 +27,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct InspectArguments {
   CommonOptions common;
   std::filesystem::path store, drawing;
   std::optional<std::uint64_t> state;
@@ -55,7 +55,7 @@ const DrawingFormat& format_of(const std::filesystem::path& drawing) {
       "use .svg for the floor plan, .glb for the 3-D model or .json for the store");
 }
 
-int run_inspect(const Options& options) {
+int run_inspect(const InspectArguments& options) {
   const std::filesystem::path& drawing = options.drawing;
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
@@ -81,7 +81,7 @@ int run_inspect(const Options& options) {
 void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("inspect", "Check a store file; print its dimensions, counts and materials");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InspectArguments>();
   add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "-o,--output", options->drawing,
            "File to write: .svg for the floor plan, .glb for a 3-D model, .json for the store without "

@@ -16,13 +16,13 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct MergeArguments {
   CommonOptions common;
   std::vector<std::filesystem::path> parts;
   std::filesystem::path output;
 };
 
-int run_merge(const Options& options) {
+int run_merge(const MergeArguments& options) {
   for (const auto& part : options.parts) protect_input(options.output, part);
   const OutputLock lock(options.output, options.output.string());
   expect_writable(options.output);
@@ -46,7 +46,7 @@ int run_merge(const Options& options) {
 
 void add_merge(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("merge", "Join the parts of a simulation to one signal file");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MergeArguments>();
   verb->add_option("PARTS", options->parts, "Outputs of 'simulate --part', in any order")->required();
   add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
   add_common_options(*verb, options->common);

@@ -89,13 +89,13 @@ const Template& find_template(const std::string& name) {
   throw InputError("TEMPLATE", fmt::format("unknown template '{}'", name), suggest(name, known));
 }
 
-struct Options {
+struct NewArguments {
   CommonOptions common;
   std::string name;
   std::filesystem::path folder;
 };
 
-int run_new(const Options& options) {
+int run_new(const NewArguments& options) {
   const Template& chosen = find_template(options.name);
   for (const TemplateFile& file : chosen.files)
     if (const auto path = options.folder / file.name; std::filesystem::exists(path))
@@ -116,7 +116,7 @@ int run_new(const Options& options) {
 
 void add_new(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("new", "Write an example store to start from");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<NewArguments>();
   std::string descriptions;
   std::vector<std::string> names;
   for (const Template& t : store_templates()) {

@@ -23,7 +23,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct PlaceArguments {
   CommonOptions common;
   PlacementProblem problem;
   PlaceOptions solver;
@@ -42,7 +42,7 @@ struct Answer {
   int code = done;
 };
 
-Answer reach(const Options& options, const SignalTable& table, const RunControl& control) {
+Answer reach(const PlaceArguments& options, const SignalTable& table, const RunControl& control) {
   if (options.reach > 0) {
     const FewestUnits fewest = fewest_units(table, options.problem, options.reach, options.solver, control);
     return {fewest_units_json(fewest, table), describe(fewest, table), exit_code(fewest.status)};
@@ -52,7 +52,7 @@ Answer reach(const Options& options, const SignalTable& table, const RunControl&
   return {coverage_json(reach, table), describe(reach, table), exit_code(reach.status)};
 }
 
-Answer cover(const Options& options, const SignalTable& table, const RunControl& control) {
+Answer cover(const PlaceArguments& options, const SignalTable& table, const RunControl& control) {
   Placement placement = place(table, options.problem, options.solver, control);
   CoverageCurve curve;
   std::string remark;
@@ -67,7 +67,7 @@ Answer cover(const Options& options, const SignalTable& table, const RunControl&
           curve.is_complete ? exit_code(placement.status) : stopped_early};
 }
 
-void check(const Options& options) {
+void check(const PlaceArguments& options) {
   const PlacementProblem& problem = options.problem;
   if (options.counts_labels() &&
       (problem.objective != Objective::count || problem.combination == Combination::weighted))
@@ -81,7 +81,7 @@ void check(const Options& options) {
                      "add --at-most, --reach or --curve");
 }
 
-int run_place(const Options& options) {
+int run_place(const PlaceArguments& options) {
   options.input.keep(options.output);
   if (!options.weights.empty()) protect_input(options.output, options.weights);
   check(options);
@@ -108,7 +108,7 @@ int run_place(const Options& options) {
 void add_place(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("place", "Choose transceivers from a signal matrix, with a proven bound");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlaceArguments>();
   add_placement_input(*verb, options->input);
   add_path(*verb, "-o,--output", options->output, "Write the placement as JSON to this file");
   auto* at_most =

@@ -43,7 +43,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct PlanArguments {
   CommonOptions common;
   SimulationFlags simulation;
   PlacementProblem problem;
@@ -59,14 +59,14 @@ struct Options {
   bool allow_outside = false, strict = false, overwrite = false, safe_csv = false;
 };
 
-SignalTable table_of(const Options& options, const SignalMatrix& matrix) {
+SignalTable table_of(const PlanArguments& options, const SignalMatrix& matrix) {
   SignalTable table = make_signal_table(matrix);
   options.requirements.apply(table, options.store.string());
   return table;
 }
 
 // Alternatives, curve and sensitivity.
-std::string additions(const Options& options, const Plan& plan, const SignalTable& table) {
+std::string additions(const PlanArguments& options, const Plan& plan, const SignalTable& table) {
   const Placement& placement = plan.placement;
   if (plan.availability) return {};
   std::string text = describe(plan.alternatives, placement, table) + describe(plan.curve, table);
@@ -86,8 +86,8 @@ std::string additions(const Options& options, const Plan& plan, const SignalTabl
 }
 
 // The answer comes first, then the page that shows it, then the details.
-std::string result(const Options& options, const Plan& plan, const SignalTable& table, bool follows_decision,
-                   bool is_kept) {
+std::string result(const PlanArguments& options, const Plan& plan, const SignalTable& table,
+                   bool follows_decision, bool is_kept) {
   std::string placed = describe(plan.placement, table);
   std::string answer = plan.availability ? availability_answer(*plan.availability, plan.placement, table)
                                          : certificate_sentence(plan);
@@ -125,7 +125,7 @@ bool is_imprecise(const Plan& plan) {
 }
 
 // A requested result about the selection is incomplete.
-bool is_open(const Options& options, const Plan& plan) {
+bool is_open(const PlanArguments& options, const Plan& plan) {
   const auto& availability = plan.availability;
   if (availability)
     return !availability->is_impossible() &&
@@ -136,7 +136,7 @@ bool is_open(const Options& options, const Plan& plan) {
 }
 
 // Whether the certificate decides how many samples are taken where.
-bool follows_decision(const Options& options) {
+bool follows_decision(const PlanArguments& options) {
   const SimulationFlags& flags = options.simulation;
   return !options.no_certificate && !flags.samples && !flags.relative_error && !flags.time_s;
 }
@@ -163,7 +163,7 @@ void write_plan(const std::filesystem::path& folder, const PlanFolder* own, cons
 }
 
 // A plan that cannot be written to its folder is written elsewhere.
-void save(const Options& options, const PlanFolder& folder, const Store& store, const Scene& scene,
+void save(const PlanArguments& options, const PlanFolder& folder, const Store& store, const Scene& scene,
           const std::string& resolved, const Plan& plan, const std::string& answer) {
   const auto write = [&](const std::filesystem::path& path, const PlanFolder* own) {
     write_plan(path, own, store, scene, resolved, plan, answer, options.safe_csv);
@@ -185,8 +185,8 @@ void save(const Options& options, const PlanFolder& folder, const Store& store, 
 }
 
 // `elsewhere`: the folder of the interrupted plan if it could not be continued otherwise.
-std::string remark_on_interruption(const Options& options, const SimulationSummary& summary, bool is_kept,
-                                   const std::optional<std::filesystem::path>& elsewhere) {
+std::string remark_on_interruption(const PlanArguments& options, const SimulationSummary& summary,
+                                   bool is_kept, const std::optional<std::filesystem::path>& elsewhere) {
   std::string next = summary.has_checkpoint ? "repeat the command with '--resume' to continue"
                                             : "there is no checkpoint, so start again";
   if (elsewhere) next = fmt::format("the interrupted plan is in '{}'; {}", elsewhere->string(), next);
@@ -198,7 +198,7 @@ std::string remark_on_interruption(const Options& options, const SimulationSumma
 }
 
 // The states on which units are placed; 0 for the shop as the file gives it.
-std::uint32_t states_of(const Options& options, const Store& store) {
+std::uint32_t states_of(const PlanArguments& options, const Store& store) {
   const std::uint32_t states = options.states.value_or(store.variation ? StatesOptions().sample : 0);
   if (states == 0) {
     expect_no_goal(options.goal);
@@ -216,7 +216,7 @@ std::uint32_t states_of(const Options& options, const Store& store) {
   return states;
 }
 
-int run_plan(const Options& options) {
+int run_plan(const PlanArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   std::optional<EndAtOnce> reading(public_exit_code(interrupted));
   Store store = load_store(options.store, options.allow_outside, options.simulation.memory, {}, &cancel);
@@ -332,7 +332,7 @@ int run_plan(const Options& options) {
 void add_plan(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("plan", "Simulate a store, place transceivers, certify and report the plan");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlanArguments>();
   add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "-o,--output", options->folder, "Folder for the results")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::exact);

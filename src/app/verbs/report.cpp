@@ -25,7 +25,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
   CommonOptions common;
   std::filesystem::path folder;
   bool safe_csv = false;
@@ -64,7 +64,7 @@ void replace(const std::filesystem::path& folder, AtomicFolder& files) {
   journal.commit(files, old, hashes, {});
 }
 
-int run_report(const Options& options) {
+int run_report(const ReportArguments& options) {
   std::optional<OutputLock> lock;
   if (std::filesystem::is_directory(options.folder))
     lock.emplace(options.folder / signal_name, options.folder.string());
@@ -93,7 +93,7 @@ int run_report(const Options& options) {
 void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild the report, the mounting files and the tables of a plan");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportArguments>();
   add_path(*verb, "DIR", options->folder, "Folder written by 'shelfbeam plan', from a trusted source (HDF5)")
       ->required();
   add_safe_csv(*verb, options->safe_csv);

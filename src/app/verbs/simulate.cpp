@@ -32,7 +32,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct SimulateArguments {
   CommonOptions common;
   SimulationFlags simulation;
   std::filesystem::path store, output;
@@ -47,7 +47,7 @@ std::string part_text(const Share& part) {
   return part.is_whole() ? "" : fmt::format(" (part {} of {})", part.number, part.count);
 }
 
-int simulate_states_to_file(const Options& options, const Store& store, const Scene& scene,
+int simulate_states_to_file(const SimulateArguments& options, const Store& store, const Scene& scene,
                             const SimulationOptions& simulation, const CancelToken& cancel) {
   SignalMatrix matrix;
   {
@@ -82,13 +82,13 @@ int simulate_states_to_file(const Options& options, const Store& store, const Sc
 }
 
 // By way of its file, so that the simulation of the file has the same bytes.
-Scene exported_state(const Store& store, const Scene& nominal, const Options& options) {
+Scene exported_state(const Store& store, const Scene& nominal, const SimulateArguments& options) {
   const Store state = StoreStates(store, nominal, options.common.seed).state(*options.state);
   const std::string text = resolved_store_json(state, make_scene(state));
   return make_scene(parse_store(text, state.file, options.store.parent_path(), {.cancel = state.cancel}));
 }
 
-int run_simulate(const Options& options) {
+int run_simulate(const SimulateArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   std::optional<EndAtOnce> reading(stopped_early);
   protect_input(options.output, options.store);
@@ -135,7 +135,7 @@ int run_simulate(const Options& options) {
 void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("simulate", "Compute the signal of every label from every candidate transceiver");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SimulateArguments>();
   add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
   add_simulation_options(*verb, options->simulation, DirectLight::sampled);

@@ -38,7 +38,7 @@ namespace shelfbeam::app {
 
 namespace {
 
-struct Options {
+struct VerifyArguments {
   CommonOptions common;
   SimulationFlags simulation;
   CertificateFlags certificate;
@@ -62,7 +62,7 @@ bool is_json(const std::filesystem::path& path) {
   return first != std::string::npos && (text[first] == '{' || text[first] == '/');  // '/': a comment
 }
 
-Installation load_installation(const Options& options) {
+Installation load_installation(const VerifyArguments& options) {
   const std::filesystem::path& units = options.placement;
   const CancelToken& cancel = cancel_on_signal();
   const EndAtOnce reading(stopped_early);
@@ -76,7 +76,7 @@ Installation load_installation(const Options& options) {
   return {store, with_units(scene, placement.selected), placement.problem};
 }
 
-int verify_in_states(const Options& options, const Installation& installation,
+int verify_in_states(const VerifyArguments& options, const Installation& installation,
                      const PlacementProblem& problem, const SimulationOptions& simulation) {
   const Scene& units = installation.scene;
   const SignalTable table = table_without_signals(units);
@@ -116,7 +116,7 @@ int verify_in_states(const Options& options, const Installation& installation,
   return found.answer().keeps_to(found.goal, found.required) ? stopped_early : answer_is_no;
 }
 
-int run_verify(const Options& options) {
+int run_verify(const VerifyArguments& options) {
   protect_input(options.output, options.store);
   protect_input(options.output, options.placement);
   const Installation installation = load_installation(options);
@@ -157,7 +157,7 @@ int run_verify(const Options& options) {
 
 void add_verify(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("verify", "Verify which labels a placement or mounted units reach");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<VerifyArguments>();
   add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
   add_path(*verb, "PLACEMENT", options->placement,
            "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type")

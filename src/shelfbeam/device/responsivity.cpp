@@ -49,11 +49,11 @@ double pdf(const ResponseTable& r, const Vec3& d) {
   return r.response.pdf(d);
 }
 template <class Closed>
-std::optional<DirectionSample> sample(const Closed& r, double u1, double u2) {
+std::optional<DirectionSample> drawn(const Closed& r, double u1, double u2) {
   const Vec3 direction = draw(r, u1, u2);
   return usable(direction, pdf(r, direction));
 }
-std::optional<DirectionSample> sample(const ResponseTable& r, double u1, double u2) {
+std::optional<DirectionSample> drawn(const ResponseTable& r, double u1, double u2) {
   return r.response.sample(u1, u2);
 }
 
@@ -68,7 +68,7 @@ double integral(const Responsivity& responsivity) {
 }
 
 std::optional<DirectionSample> sample(const Responsivity& responsivity, double u1, double u2) {
-  return std::visit([&](const auto& r) { return sample(r, u1, u2); }, responsivity);
+  return std::visit([&](const auto& r) { return drawn(r, u1, u2); }, responsivity);
 }
 
 double pdf(const Responsivity& responsivity, const Vec3& direction) {

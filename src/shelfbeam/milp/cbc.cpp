@@ -44,12 +44,12 @@ struct Columns {
     }
   }
 };
-struct Rows {
+struct CbcRows {
   std::vector<double> lower, upper, values;
   std::vector<int> indices;
   std::vector<CoinBigIndex> starts{0};
 
-  explicit Rows(std::span<const Row> rows) {
+  explicit CbcRows(std::span<const Row> rows) {
     for (const Row& row : rows) {
       lower.push_back(bound(row.lower));
       upper.push_back(bound(row.upper));
@@ -64,7 +64,7 @@ struct Rows {
 
 void load(const Model& model, double cost_scale, OsiClpSolverInterface& solver) {
   const Columns columns(model.columns, cost_scale);
-  const Rows rows(model.rows);
+  const CbcRows rows(model.rows);
   const CoinPackedMatrix matrix(false, static_cast<int>(model.columns.size()),
                                 static_cast<int>(model.rows.size()), rows.starts.back(), rows.values.data(),
                                 rows.indices.data(), rows.starts.data(), nullptr);
@@ -149,7 +149,7 @@ class ClpSession final : public LpSession {
   }
 
   void add_rows(std::span<const Row> rows) override {
-    const Rows more(rows);
+    const CbcRows more(rows);
     clp_.addRows(static_cast<int>(rows.size()), more.lower.data(), more.upper.data(), more.starts.data(),
                  more.indices.data(), more.values.data());
   }

@@ -14,11 +14,11 @@ namespace shelfbeam::milp {
 namespace {
 
 // Rows without zero coefficients.
-struct Rows {
+struct HighsRows {
   std::vector<double> lower, upper, values;
   std::vector<HighsInt> starts{0}, indices;
 
-  explicit Rows(std::span<const Row> rows) {
+  explicit HighsRows(std::span<const Row> rows) {
     for (const Row& row : rows) {
       lower.push_back(row.lower);
       upper.push_back(row.upper);
@@ -32,7 +32,7 @@ struct Rows {
   }
 };
 
-HighsLp to_highs(std::span<const Column> columns, Rows rows, double cost_scale) {
+HighsLp to_highs(std::span<const Column> columns, HighsRows rows, double cost_scale) {
   HighsLp lp;
   lp.num_col_ = static_cast<HighsInt>(columns.size());
   lp.num_row_ = static_cast<HighsInt>(rows.lower.size());
@@ -94,7 +94,7 @@ class HighsSession final : public LpSession {
     highs_.setOptionValue("solver", "simplex");
     highs_.setOptionValue("presolve", "off");  // presolve would discard the basis
     for (Column& column : columns_) column.integer = false;
-    loaded_ = highs_.passModel(to_highs(columns_, Rows({}), scale_)) != HighsStatus::kError;
+    loaded_ = highs_.passModel(to_highs(columns_, HighsRows({}), scale_)) != HighsStatus::kError;
     highs_.setCallback(
         [this](int, const std::string&, const HighsCallbackDataOut*, HighsCallbackDataIn* in, void*) {
           in->user_interrupt = control_ != nullptr && control_->cancelled() ? 1 : 0;
@@ -104,7 +104,7 @@ class HighsSession final : public LpSession {
   }
 
   void add_rows(std::span<const Row> rows) override {
-    const Rows more(rows);
+    const HighsRows more(rows);
     const auto status = highs_.addRows(static_cast<HighsInt>(rows.size()), more.lower.data(),
                                        more.upper.data(), static_cast<HighsInt>(more.indices.size()),
                                        more.starts.data(), more.indices.data(), more.values.data());
@@ -216,7 +216,8 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
     highs.setOptionValue("objective_bound", options.cutoff * scale);
     highs.setOptionValue("mip_heuristic_effort", 0.0);
   }
-  if (highs.passModel(to_highs(model.columns, Rows(model.rows), scale)) == HighsStatus::kError) return {};
+  if (highs.passModel(to_highs(model.columns, HighsRows(model.rows), scale)) == HighsStatus::kError)
+    return {};
 
   if (options.time_limit_s < infinity) {
     if (deadline.has_passed()) return {Termination::limit, infinity, -infinity, {}};

@@ -18,7 +18,7 @@ namespace {
 // Leaves list columns: these many in all leaves take some 200 MB.
 constexpr std::size_t max_leaves = 400'000, max_columns_of_leaves = 50'000'000;
 // Share of the budget that is left, for the search for a refutation.
-constexpr double share_of_search = 0.1;
+constexpr double share_of_refutation = 0.1;
 constexpr double no_limit = 1e8;          ///< seconds
 constexpr double seconds_of_search = 60;  ///< if the budget is in samples
 constexpr double reserve_of_repeat = 1.25;
@@ -42,7 +42,7 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   if (progress.has_failed || progress.failures >= max_failures) return attempt;
   control_.report("proving", -1, fmt::format("round {}, whether {}", rounds.round(), goal.text(bound)));
   const double seconds =
-      rounds.counts_samples() ? seconds_of_search : share_of_search * std::max(0.0, rounds.left());
+      rounds.counts_samples() ? seconds_of_search : share_of_refutation * std::max(0.0, rounds.left());
   const auto affordable = [&](const Promising& one, double part) {
     const double of_batch = cost * static_cast<double>(one.refutation.labels.size());
     return rounds.affordable(one.wanted, one.needed, of_batch / part);

@@ -19,7 +19,7 @@ namespace shelfbeam {
 namespace {
 
 // Totals of clipped entries alone are 1 up to rounding.
-constexpr double below = 1 - 1e-9;
+constexpr double below_one = 1 - 1e-9;
 constexpr double share_of_rare = 0.1;
 // A leaf that its weights do not refute has these many more chances, with this share of the level.
 constexpr std::size_t max_others = 4;
@@ -118,7 +118,7 @@ class Test {
       for (std::size_t k = first; k < last; ++k) {
         const Refutation::Leaf& leaf = tree_.leaves[k];
         const auto is_refuted = [&](std::uint32_t w, const std::vector<std::vector<double>>& limit) {
-          return total(leaf.chosen, leaf.free, limit[w]) < below;
+          return total(leaf.chosen, leaf.free, limit[w]) < below_one;
         };
         if (is_refuted(leaf.weights, limits)) continue;
         const std::vector<std::uint32_t> others = other_weights(leaf, total);
@@ -152,7 +152,7 @@ class Test {
       for (std::size_t w = 0; w < sums_.size(); ++w)
         if (is_used[w] != 0) limits[w] = expected_limits(sums_[w], present[w], student[w], multiple);
       return std::all_of(leaves.begin(), leaves.end(), [&](const Refutation::Leaf& leaf) {
-        return total(leaf.chosen, leaf.free, limits[leaf.weights]) < below;
+        return total(leaf.chosen, leaf.free, limits[leaf.weights]) < below_one;
       });
     };
     if (!refutes(*std::rbegin(multiples))) return std::numeric_limits<double>::infinity();
@@ -189,7 +189,7 @@ class Test {
     for (std::uint32_t w = 0; w < tree_.planned.size(); ++w) {
       if (w == leaf.weights) continue;
       const double planned = total(leaf.chosen, leaf.free, tree_.planned[w]);
-      if (planned < below) others.emplace_back(planned, w);
+      if (planned < below_one) others.emplace_back(planned, w);
     }
     std::sort(others.begin(), others.end());
     std::vector<std::uint32_t> best;

@@ -13,7 +13,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // m
+constexpr double cut_rounding = 1e-9;  // m
 
 enum class Cover { none, below, cut };
 
@@ -28,7 +28,7 @@ Cover cover_of(const InnerWall& wall, const Vec2& p, double height) {
 
 bool is_straight(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double x = c[0] - a[0], y = c[1] - a[1];
-  return std::abs(x * (b[1] - a[1]) - y * (b[0] - a[0])) <= rounding * std::hypot(x, y);
+  return std::abs(x * (b[1] - a[1]) - y * (b[0] - a[0])) <= cut_rounding * std::hypot(x, y);
 }
 
 Polygon without_straight_corners(const Polygon& loop) {
@@ -73,7 +73,7 @@ std::array<double, 2> ends_of(const RoomShape& shape, std::size_t wall_index) {
     for (std::size_t k = 0; k < border.size(); ++k) {
       const std::array edge{border[k], border[(k + 1) % border.size()]};
       const double x = edge[1][0] - edge[0][0], y = edge[1][1] - edge[0][1];
-      if (distance_to_border(edge, end) < wall.thickness / 2 + rounding &&
+      if (distance_to_border(edge, end) < wall.thickness / 2 + cut_rounding &&
           std::abs(along[0] * y - along[1] * x) > parallel * std::hypot(x, y))
         return true;
     }
@@ -92,7 +92,7 @@ std::array<double, 2> ends_of(const RoomShape& shape, std::size_t wall_index) {
     for (std::size_t o = 0; o < shape.inner_walls.size(); ++o) {
       const InnerWall& other = shape.inner_walls[o];
       for (const Vec2& corner : {other.from, other.to})
-        if (o != wall_index && std::hypot(corner[0] - end[0], corner[1] - end[1]) < rounding)
+        if (o != wall_index && std::hypot(corner[0] - end[0], corner[1] - end[1]) < cut_rounding)
           by = std::max(by, other.thickness / 2);
     }
     return by;

@@ -44,7 +44,7 @@ inline std::string binary_stl(const Triangles& triangles) {
   bytes.resize(80, ' ');
   bytes += bytes_of(static_cast<std::uint32_t>(triangles.size()));
   for (const auto& triangle : triangles)
-    bytes += bytes_of(Corner{}) + bytes_of(triangle) + bytes_of(std::uint16_t{0});
+    bytes.append(bytes_of(Corner{})).append(bytes_of(triangle)).append(bytes_of(std::uint16_t{0}));
   return bytes;
 }
 

@@ -10,15 +10,11 @@ namespace shelfbeam {
 
 namespace {
 
+using detail::first_ids;
+using detail::format_version;
 using detail::ids_of;
 using detail::Json;
 using detail::number;
-
-constexpr int format_version = 1;
-
-Json first_ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
-  return ids_of(table.labels, std::span(labels).first(std::min(labels.size(), max_listed_labels)));
-}
 
 void add_price(Json& file, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
   if (has_prices(table)) file["price"] = detail::price_object(price_of(table, selected));

@@ -23,6 +23,8 @@ namespace shelfbeam {
 
 namespace {
 
+using detail::first_ids;
+using detail::format_version;
 using detail::ids_of;
 using detail::Json;
 using detail::number;
@@ -30,7 +32,6 @@ using detail::position;
 using detail::Positions;
 using detail::positions;
 
-constexpr int format_version = 1;
 // All keys, those of a plan included.
 const std::initializer_list<std::string_view> keys = {
     "format",          "model",           "objective", "combination", "share",          "survives_failure",
@@ -100,10 +101,6 @@ Json scenarios(const Placement& placement, const SignalTable& table) {
                       {"label", scenario.labels > 0 ? Json(table.labels[margin.label].id) : Json(nullptr)}});
   }
   return result;
-}
-
-Json first_ids(const std::vector<std::uint32_t>& labels, const SignalTable& table) {
-  return ids_of(table.labels, std::span(labels).first(std::min(labels.size(), max_listed_labels)));
 }
 
 Json critical(const Placement& placement, const SignalTable& table) {

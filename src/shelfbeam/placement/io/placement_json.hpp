@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -16,6 +17,7 @@
 #include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
 
 // Helpers shared by the parts of placement.json.
 namespace shelfbeam::detail {
@@ -56,6 +58,13 @@ Json ids_of(const Items& items, std::span<const std::uint32_t> numbers) {
   return ids;
 }
 
+/// The ids of at most `max_listed_labels` labels.
+inline Json first_ids(std::span<const std::uint32_t> labels, const SignalTable& table) {
+  return ids_of(table.labels, labels.first(std::min(labels.size(), max_listed_labels)));
+}
+
+/// The version of placement.json.
+inline constexpr int format_version = 1;
 /// The object of placement.json, which a plan extends. A curve without points is omitted.
 Json placement_object(const Placement& placement, const SignalTable& table, const CoverageCurve& curve);
 Placement read_placement(const JsonCursor& file, const SignalTable& table);

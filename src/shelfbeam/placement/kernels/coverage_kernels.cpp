@@ -1,23 +1,16 @@
 #include "shelfbeam/placement/kernels/coverage_kernels.hpp"
 
 #include "shelfbeam/math/cpu_vectors.hpp"
+#include "shelfbeam/placement/kernels/lanes.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::size_t width = 16;
-
 SHELFBEAM_INLINE inline float share_of(float signal, float shift, float scale) {
   const float above = signal > shift ? signal - shift : 0.0F;
   const float share = above * scale;
   return share < 1.0F ? share : 1.0F;
-}
-
-SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
-  float part[4];
-  for (std::size_t k = 0; k < 4; ++k) part[k] = (lanes[k] + lanes[k + 4]) + (lanes[k + 8] + lanes[k + 12]);
-  return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
 }  // namespace

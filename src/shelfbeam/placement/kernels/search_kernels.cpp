@@ -1,25 +1,17 @@
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
 
 #include "shelfbeam/math/cpu_vectors.hpp"
+#include "shelfbeam/placement/kernels/lanes.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
-
-constexpr std::size_t width = 16;
 
 SHELFBEAM_INLINE inline float smaller(float a, float b) {
   return a < b ? a : b;
 }
 SHELFBEAM_INLINE inline float larger(float a, float b) {
   return a > b ? a : b;
-}
-
-// With few rows, summing the lanes one by one would dominate the time.
-SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
-  float part[4];
-  for (std::size_t k = 0; k < 4; ++k) part[k] = (lanes[k] + lanes[k + 4]) + (lanes[k + 8] + lanes[k + 12]);
-  return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
 // The sum of term(i) over the rows, with `width` consecutive rows in parallel lanes.

@@ -8,7 +8,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr auto max_integer = std::numeric_limits<std::uint32_t>::max();
+constexpr auto max_count = std::numeric_limits<std::uint32_t>::max();
 
 template <class Values, class Usual>
 Json values_by_label(const Values& values, const Usual& usual, const SignalTable& table) {
@@ -70,7 +70,7 @@ class Reader {
     object.expect_keys({"units", "states", "labels_below", "worst_availability", "all_reached", "mean_missed",
                         "states_with_miss", "missed"});
     const auto count = [](const JsonCursor& json) {
-      return static_cast<std::uint32_t>(json.integer(0, max_integer));
+      return static_cast<std::uint32_t>(json.integer(0, max_count));
     };
     return {count(object["units"]), count(object["states"]), by_label(object["missed"], 0U, count),
             count(object["states_with_miss"])};

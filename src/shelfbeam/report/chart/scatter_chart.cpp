@@ -16,7 +16,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double side = 440, left = 92, right = 24, top = 20, bottom = 62;
+constexpr double side = 440, left_margin = 92, right_margin = 24, top_margin = 20, bottom_margin = 62;
 constexpr std::size_t max_bars = 400;  // more error bars hide the dots
 constexpr std::size_t many = 2000;     // with more dots, nearly coincident dots are drawn once
 
@@ -63,8 +63,8 @@ std::string scatter_svg(const ScatterChart& chart) {
   low -= 0.06 * std::max(high - low, 0.5);
   high += 0.06 * std::max(high - low, 0.5);
   const double unit = side / (high - low);
-  const auto x = [&](double decade) { return left + (decade - low) * unit; };
-  const auto y = [&](double decade) { return top + side - (decade - low) * unit; };
+  const auto x = [&](double decade) { return left_margin + (decade - low) * unit; };
+  const auto y = [&](double decade) { return top_margin + side - (decade - low) * unit; };
   const auto inside = [&](double decade) { return std::clamp(decade, low, high); };
   const auto log_or_low = [&](double value) { return value > 0 ? inside(std::log10(value)) : low; };
 
@@ -74,13 +74,13 @@ std::string scatter_svg(const ScatterChart& chart) {
     canvas.raw(fmt::format("<g id=\"{}\">{}</g>", symbol(kind.mark), kind.shape));
   canvas.raw("</defs>\n");
   for (const double at : ticks(low, high)) {
-    canvas.line({x(at), top}, {x(at), top + side}, "grid");
-    canvas.line({left, y(at)}, {left + side, y(at)}, "grid");
-    canvas.text({x(at), top + side + 21}, plain(std::pow(10, at)), "t mid");
-    canvas.text({left - 8, y(at) + 4}, plain(std::pow(10, at)), "t end");
+    canvas.line({x(at), top_margin}, {x(at), top_margin + side}, "grid");
+    canvas.line({left_margin, y(at)}, {left_margin + side, y(at)}, "grid");
+    canvas.text({x(at), top_margin + side + 21}, plain(std::pow(10, at)), "t mid");
+    canvas.text({left_margin - 8, y(at) + 4}, plain(std::pow(10, at)), "t end");
   }
-  canvas.line({left, top + side}, {left + side, top + side}, "axis");
-  canvas.line({left, top}, {left, top + side}, "axis");
+  canvas.line({left_margin, top_margin + side}, {left_margin + side, top_margin + side}, "axis");
+  canvas.line({left_margin, top_margin}, {left_margin, top_margin + side}, "axis");
   if (chart.dots.size() <= max_bars)
     for (const auto& dot : chart.dots) {
       const double at_x = std::log10(dot.x), at_y = std::log10(dot.y);
@@ -110,9 +110,10 @@ std::string scatter_svg(const ScatterChart& chart) {
       canvas.line({x(from), y(from + offset)}, {x(to), y(to + offset)}, "mark");
     }
   draw(ScatterChart::Mark::outlier);
-  canvas.text({left + side / 2, top + side + 50}, chart.x_title, "t mid");
-  canvas.text({16, top + side / 2}, chart.y_title, "t mid", -90);
-  return inline_svg(left + side + right, top + side + bottom, "chart", chart.description, canvas.body());
+  canvas.text({left_margin + side / 2, top_margin + side + 50}, chart.x_title, "t mid");
+  canvas.text({16, top_margin + side / 2}, chart.y_title, "t mid", -90);
+  return inline_svg(left_margin + side + right_margin, top_margin + side + bottom_margin, "chart",
+                    chart.description, canvas.body());
 }
 
 std::string scatter_legend(const ScatterChart& chart) {

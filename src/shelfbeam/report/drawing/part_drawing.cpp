@@ -26,8 +26,8 @@ struct Box {
   }
 };
 
-constexpr std::uint32_t max_triangles = 2000;  // per part: about 60 kB in the drawing
-constexpr double min_area = 1e-6;              // m^2, in plan
+constexpr std::uint32_t max_drawn_triangles = 2000;  // per part: about 60 kB in the drawing
+constexpr double min_area = 1e-6;                    // m^2, in plan
 
 }  // namespace
 
@@ -98,7 +98,7 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 }
 
 std::string mesh_silhouette(const PlanView& view, const Scene& scene, const Part& part) {
-  if (part.triangle_count == 0 || part.triangle_count > max_triangles) return {};
+  if (part.triangle_count == 0 || part.triangle_count > max_drawn_triangles) return {};
   std::string data;
   for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
     auto [a, b, c] = scene.mesh.triangles[t];

@@ -16,9 +16,9 @@ namespace shelfbeam {
 
 namespace {
 
-class Writer {
+class ProofWriter {
  public:
-  explicit Writer(const ReportData& data)
+  explicit ProofWriter(const ReportData& data)
       : placement_(data.input.plan.placement),
         certificate_(data.input.plan.certificate && !data.input.plan.certificate->none_verified()
                          ? &*data.input.plan.certificate
@@ -97,7 +97,7 @@ class Writer {
 }  // namespace
 
 ProofRemarks proof_remarks(const ReportData& data) {
-  const Writer writer(data);
+  const ProofWriter writer(data);
   return {writer.bound(), writer.confirmation()};
 }
 

@@ -41,9 +41,9 @@ std::string named(const ReportData& data, const std::vector<std::uint32_t>& rows
   return is_cut ? say("summary.and_others", list) : list;
 }
 
-class Writer {
+class SummaryWriter {
  public:
-  explicit Writer(const ReportData& data)
+  explicit SummaryWriter(const ReportData& data)
       : data_(data),
         plan_(data.input.plan),
         placement_(plan_.placement),
@@ -228,7 +228,7 @@ class Writer {
 }  // namespace
 
 Summary summary_of(const ReportData& data) {
-  Writer writer(data);
+  SummaryWriter writer(data);
   Summary summary = data.has_selection() ? writer.with_selection() : writer.without_selection();
   summary.tone = headline(data).tone;
   summary.verdict = verdict_of(data, summary.tone);

@@ -19,13 +19,14 @@ std::vector<const Part*> blocks_of(const Scene& scene) {
   return blocks;
 }
 
-std::vector<Bounds> bounds_of(const std::vector<const Part*>& blocks) {
+}  // namespace
+
+std::vector<Bounds> bounds_of(const std::vector<const Part*>& parts) {
   std::vector<Bounds> bounds;
-  for (const Part* block : blocks) bounds.push_back(shelfbeam::bounds_of(*block));
+  bounds.reserve(parts.size());
+  for (const Part* part : parts) bounds.push_back(bounds_of(*part));
   return bounds;
 }
-
-}  // namespace
 
 Bounds bounds_of(const Part& part) {
   Bounds bounds;

@@ -24,8 +24,8 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // m
-constexpr double contact = 1e-4;   // m from a face at which a unit is mounted on it
+constexpr double mount_rounding = 1e-9;  // m
+constexpr double contact = 1e-4;         // m from a face at which a unit is mounted on it
 
 std::size_t steps(double extent, double spacing) {
   return static_cast<std::size_t>(std::max(1L, std::lround(extent / spacing)));
@@ -103,13 +103,6 @@ std::vector<const Part*> wall_parts(const Scene& scene) {
   return parts;
 }
 
-std::vector<Bounds> bounds_of(const std::vector<const Part*>& parts) {
-  std::vector<Bounds> bounds;
-  bounds.reserve(parts.size());
-  for (const Part* part : parts) bounds.push_back(shelfbeam::bounds_of(*part));
-  return bounds;
-}
-
 class Generator {
  public:
   Generator(const Store& store, const Scene& scene)
@@ -176,13 +169,13 @@ class Generator {
   // inner walls are free, but not those between a wall and the ceiling.
   std::string obstacle_at(const Vec3& p) const {
     if (scene_.room)
-      if (std::string side = scene_.room->beyond(p, rounding); !side.empty()) return side;
+      if (std::string side = scene_.room->beyond(p, mount_rounding); !side.empty()) return side;
     const std::string* wall = nullptr;
-    wall_index_.any(Bounds{p, p}.wider_by(rounding), [&](std::uint32_t k) {
+    wall_index_.any(Bounds{p, p}.wider_by(mount_rounding), [&](std::uint32_t k) {
       const Part& part = *wall_parts_[k];
       const Vec2 plan{p.x, p.y};
-      if (part.bottom + rounding < p.z && p.z < part.top + rounding && contains(part.footprint, plan) &&
-          distance_to_border(part.footprint, plan) > rounding)
+      if (part.bottom + mount_rounding < p.z && p.z < part.top + mount_rounding &&
+          contains(part.footprint, plan) && distance_to_border(part.footprint, plan) > mount_rounding)
         wall = &scene_.fixtures[part.fixture].id;
       return wall != nullptr;
     });

@@ -16,7 +16,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr const char* advice = "repair the mesh in the program that wrote it";
+constexpr const char* repair = "repair the mesh in the program that wrote it";
 constexpr std::int64_t max_integer = std::int64_t{1}
                                      << 50;  // bytes or numbers: beyond any file, exact as a double
 
@@ -216,7 +216,7 @@ void GltfFile::replace_sparse(const JsonCursor& accessor, std::size_t components
   for (std::size_t k = 0; k < count; ++k) {
     const double index = indices.at(k, 0);
     if (!(index >= 0 && index < static_cast<double>(size)) || index != std::floor(index))
-      places.fail(fmt::format("names element {} of {}, counted from 0", index, size), advice);
+      places.fail(fmt::format("names element {} of {}, counted from 0", index, size), repair);
     for (std::size_t c = 0; c < components; ++c)
       values[static_cast<std::size_t>(index) * components + c] = replaced.at(k, c);
   }
@@ -234,7 +234,7 @@ std::vector<Vec3> GltfFile::positions(const JsonCursor& accessor) {
     positions.push_back({values[k], values[k + 1], values[k + 2]});
     if (!is_finite(positions.back()))
       accessor.fail(fmt::format("has a position that is not finite, vertex {} (counted from 0)", k / 3),
-                    advice);
+                    repair);
   }
   return positions;
 }
@@ -243,7 +243,7 @@ std::vector<std::uint32_t> GltfFile::indices(const JsonCursor& accessor, std::si
   std::vector<std::uint32_t> indices;
   for (const double index : numbers(accessor, "SCALAR")) {
     if (!(index >= 0 && index < static_cast<double>(vertices)) || index != std::floor(index))
-      accessor.fail(fmt::format("names vertex {} of {}, counted from 0", index, vertices), advice);
+      accessor.fail(fmt::format("names vertex {} of {}, counted from 0", index, vertices), repair);
     indices.push_back(static_cast<std::uint32_t>(index));
   }
   return indices;

@@ -11,17 +11,19 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr const char* advice = "export the file again";
+constexpr const char* export_again = "export the file again";
 
 void expect_count(std::size_t count, std::size_t vertices, const JsonCursor& place) {
-  if (count != vertices) place.fail(fmt::format("has {} elements for {} vertices", count, vertices), advice);
+  if (count != vertices)
+    place.fail(fmt::format("has {} elements for {} vertices", count, vertices), export_again);
 }
 
 void morph(std::vector<Vec3>& vertices, GltfFile& file, const JsonCursor& targets,
            const std::vector<double>& weights) {
   const std::vector<JsonCursor> list = targets.elements();
   if (!weights.empty() && weights.size() != list.size())
-    targets.fail(fmt::format("has {} morph targets for {} weights", list.size(), weights.size()), advice);
+    targets.fail(fmt::format("has {} morph targets for {} weights", list.size(), weights.size()),
+                 export_again);
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const auto accessor = list[k].find("POSITION");
     if (weights[k] == 0 || !accessor) continue;
@@ -47,14 +49,16 @@ void skin(std::vector<Vec3>& vertices, GltfFile& file, const JsonCursor& attribu
       if (weights[k] == 0) continue;
       if (!(numbers[k] >= 0 && numbers[k] < static_cast<double>(joints.size())) ||
           numbers[k] != std::floor(numbers[k]))
-        names->fail(fmt::format("names joint {} of {}, counted from 0", numbers[k], joints.size()), advice);
+        names->fail(fmt::format("names joint {} of {}, counted from 0", numbers[k], joints.size()),
+                    export_again);
       const GltfPlacement& joint = joints[static_cast<std::size_t>(numbers[k])];
       moved[k / 4] = moved[k / 4] + weights[k] * joint.point(vertices[k / 4]);
       sums[k / 4] += weights[k];
     }
   }
   for (std::size_t v = 0; v < vertices.size(); ++v) {
-    if (!(sums[v] > 0)) attributes["WEIGHTS_0"].fail(fmt::format("has no weight at vertex {}", v), advice);
+    if (!(sums[v] > 0))
+      attributes["WEIGHTS_0"].fail(fmt::format("has no weight at vertex {}", v), export_again);
     vertices[v] = moved[v] / sums[v];
   }
 }

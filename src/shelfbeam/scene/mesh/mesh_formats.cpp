@@ -12,7 +12,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr const char* advice = "repair the mesh in the program that wrote it";
+constexpr const char* repair_advice = "repair the mesh in the program that wrote it";
 
 void split(std::string_view line, std::vector<std::string_view>& words) {
   constexpr std::string_view blank = " \t\r\f\v";
@@ -104,7 +104,7 @@ Vec3 MeshLines::finite(const Vec3& vertex, std::size_t number) const {
   if (is_finite(vertex)) return vertex;
   throw InputError(where_,
                    fmt::format("vertex {} (counted from 0) of '{}' is not finite", number, file_.string()),
-                   advice);
+                   repair_advice);
 }
 
 void MeshLines::require_added(bool taken, std::size_t corners) const {
@@ -115,11 +115,11 @@ void MeshLines::require_added(bool taken, std::size_t corners) const {
 }
 
 void MeshLines::fail(const std::string& problem) const {
-  throw InputError(where_, fmt::format("line {} of '{}': {}", line_, file_.string(), problem), advice);
+  throw InputError(where_, fmt::format("line {} of '{}': {}", line_, file_.string(), problem), repair_advice);
 }
 
 void MeshLines::fail_file(const std::string& problem) const {
-  throw InputError(where_, fmt::format("the mesh '{}' {}", file_.string(), problem), advice);
+  throw InputError(where_, fmt::format("the mesh '{}' {}", file_.string(), problem), repair_advice);
 }
 
 }  // namespace shelfbeam

@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 namespace {
 
-using Numbers = std::vector<std::uint32_t>;
+using Indices = std::vector<std::uint32_t>;
 
 /// Disjoint sets of numbers. Each number is as its set, or turned against it.
 class Sets {
@@ -52,7 +52,7 @@ class Sets {
   }
 
  private:
-  Numbers parent_;
+  Indices parent_;
   std::vector<bool> is_turned_;
 };
 
@@ -65,7 +65,7 @@ struct Edge {
 
 /// A closed shell. A patch consists of triangles that are joined by edges of exactly two triangles.
 struct Shell {
-  Numbers triangles;
+  Indices triangles;
   bool is_one_patch = true;
 };
 
@@ -80,9 +80,9 @@ class Solids {
         patch_of_(triangles.size(), none) {}
 
   std::optional<std::vector<Facing>> facings() {
-    Numbers all(triangles_.size());
+    Indices all(triangles_.size());
     std::iota(all.begin(), all.end(), 0U);
-    Numbers open = find_shells(std::move(all));
+    Indices open = find_shells(std::move(all));
     std::erase_if(open, [&](std::uint32_t t) { return !triangles_[t].has_area; });
     for (const std::uint32_t t : find_shells(std::move(open))) facings_[t] = Facing::open;
     for (std::uint32_t s = 0; s < shells_.size(); ++s)
@@ -112,7 +112,7 @@ class Solids {
   }
 
   // Adds the closed shells of these triangles to `shells_`. Returns the other triangles.
-  Numbers find_shells(Numbers active) {
+  Indices find_shells(Indices active) {
     std::erase_if(active, [&](std::uint32_t t) {
       const auto& [a, b, c] = corners_.numbers[t];
       return a == b || b == c || c == a;
@@ -120,7 +120,7 @@ class Solids {
     const std::vector<Edge> edges = edges_of(active);
     Sets shells(triangles_.size());
     patches_ = Sets(triangles_.size());
-    Numbers faulty;  // triangles of shells that have no inside
+    Indices faulty;  // triangles of shells that have no inside
     std::vector<bool> is_single(triangles_.size(), false);
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
       while (end < edges.size() && edges[end].joins_same(edges[begin])) ++end;
@@ -134,7 +134,7 @@ class Solids {
     }
     std::map<std::uint32_t, Shell> found;
     for (const std::uint32_t t : active) found[shells.find(t).set].triangles.push_back(t);
-    Numbers rest, once;
+    Indices rest, once;
     for (const std::uint32_t t : faulty)
       if (const auto shell = found.find(shells.find(t).set); shell != found.end()) {
         rest.insert(rest.end(), shell->second.triangles.begin(), shell->second.triangles.end());
@@ -158,13 +158,13 @@ class Solids {
       shells_.push_back(std::move(shell));
     }
     if (!once.empty()) {
-      const Numbers more = find_shells(std::move(once));
+      const Indices more = find_shells(std::move(once));
       rest.insert(rest.end(), more.begin(), more.end());
     }
     return rest;
   }
 
-  std::vector<Edge> edges_of(const Numbers& active) const {
+  std::vector<Edge> edges_of(const Indices& active) const {
     std::vector<Edge> edges;
     edges.reserve(3 * active.size());
     for (const std::uint32_t t : active)
@@ -179,8 +179,8 @@ class Solids {
   }
 
   // Removes the second copy of every triangle; false, without a change, unless there are two of each.
-  bool drop_copies(Numbers& triangles) {
-    std::map<std::array<std::uint32_t, 3>, Numbers> copies;
+  bool drop_copies(Indices& triangles) {
+    std::map<std::array<std::uint32_t, 3>, Indices> copies;
     for (const std::uint32_t t : triangles) {
       auto corners = corners_.numbers[t];
       std::sort(corners.begin(), corners.end());
@@ -215,7 +215,7 @@ class Solids {
   // Parts of the shell touch. A patch is outside where a ray from it crosses the shell an even number of
   // times.
   bool face_by_crossings(const Shell& shell) {
-    std::map<std::uint32_t, Numbers> patches;
+    std::map<std::uint32_t, Indices> patches;
     for (const std::uint32_t t : shell.triangles) patches[patch_of_[t]].push_back(t);
     for (auto& [patch, members] : patches) {
       std::sort(members.begin(), members.end(), [&](std::uint32_t s, std::uint32_t t) {
@@ -269,7 +269,7 @@ class Solids {
       bool has_inside = false;  ///< a point of this shell is inside, not on the surface
     };
     std::vector<Candidate> candidates;
-    Numbers met;
+    Indices met;
     const std::uint32_t own = shell_of_[shell.triangles[0]];
     bool is_first = true;
     for (const Vec3& point : extremes(shell)) {
@@ -321,7 +321,7 @@ class Solids {
   WeldedCorners corners_;
   Sets patches_;
   std::vector<Facing> facings_;
-  Numbers shell_of_, patch_of_;
+  Indices shell_of_, patch_of_;
   std::vector<Shell> shells_;
   std::optional<ShellCrossings> crossings_;
   std::vector<Tally> tallies_;  ///< of the present ray, by shell

@@ -14,7 +14,8 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-6;  // m; heights at points of the plan, which lie on a grid, are less exact
+constexpr double height_rounding =
+    1e-6;  // m; heights at points of the plan, which lie on a grid, are less exact
 
 /// The material of triangles and the inner wall to which they belong.
 struct Surface {
@@ -121,16 +122,16 @@ class Shell {
   }
 
   static void remove(double low, double high, const Vec2& p, const Surface& surface, std::vector<Gap>& gaps) {
-    if (high - low < rounding) return;
+    if (high - low < height_rounding) return;
     std::vector<Gap> left;
     for (const Gap& gap : gaps) {
       const double bottom = gap.low.at(p), top = gap.high.at(p);
-      if (high <= bottom + rounding || low >= top - rounding) {
+      if (high <= bottom + height_rounding || low >= top - height_rounding) {
         left.push_back(gap);
         continue;
       }
-      if (low > bottom + rounding) left.push_back({gap.low, {low, {}}, gap.below, surface});
-      if (high < top - rounding) left.push_back({{high, {}}, gap.high, surface, gap.above});
+      if (low > bottom + height_rounding) left.push_back({gap.low, {low, {}}, gap.below, surface});
+      if (high < top - height_rounding) left.push_back({{high, {}}, gap.high, surface, gap.above});
     }
     gaps = std::move(left);
   }
@@ -138,13 +139,13 @@ class Shell {
   void add_level(std::uint32_t point, const CeilingHeight& height) {
     const double z = height.at(map_.points[point]);
     std::vector<double>& levels = levels_[point];
-    const auto at = std::lower_bound(levels.begin(), levels.end(), z - rounding);
-    if (at == levels.end() || *at > z + rounding) levels.insert(at, z);
+    const auto at = std::lower_bound(levels.begin(), levels.end(), z - height_rounding);
+    if (at == levels.end() || *at > z + height_rounding) levels.insert(at, z);
   }
 
   std::size_t level_index(std::uint32_t point, double z) const {
     const std::vector<double>& levels = levels_[point];
-    return static_cast<std::size_t>(std::lower_bound(levels.begin(), levels.end(), z - rounding) -
+    return static_cast<std::size_t>(std::lower_bound(levels.begin(), levels.end(), z - height_rounding) -
                                     levels.begin());
   }
 
@@ -182,8 +183,8 @@ class Shell {
     for (const Gap& gap : near.gaps) {
       CeilingHeight from = gap.low;
       for (const Gap& other : far.gaps) {
-        if (other.high.at(middle) <= from.at(middle) + rounding) continue;
-        if (other.low.at(middle) >= gap.high.at(middle) - rounding) break;
+        if (other.high.at(middle) <= from.at(middle) + height_rounding) continue;
+        if (other.low.at(middle) >= gap.high.at(middle) - height_rounding) break;
         add_side(u, v, from, other.low, near, far);
         from = other.high;
       }
@@ -197,15 +198,15 @@ class Shell {
     const Vec2 &a = map_.points[u], &b = map_.points[v];
     const Vec2 middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
     const double low = from.at(middle), high = to.at(middle);
-    if (low >= high - rounding) return;
+    if (low >= high - height_rounding) return;
     if (!far.is_room) return add_strip(u, v, from, to, {outer_material(middle)});
     const double ceiling = far.wall ? far.ceiling.at(middle) : low;
     const Surface fascia{far.zone != nullptr    ? far.zone->fascia
                          : near.zone != nullptr ? near.zone->fascia
                                                 : room_.ceiling};
-    if (ceiling <= low + rounding) return add_strip(u, v, from, to, fascia);
+    if (ceiling <= low + height_rounding) return add_strip(u, v, from, to, fascia);
     const Surface side{room_.inner_walls[*far.wall].wall, far.wall};
-    if (ceiling >= high - rounding) return add_strip(u, v, from, to, side);
+    if (ceiling >= high - height_rounding) return add_strip(u, v, from, to, side);
     add_strip(u, v, from, far.ceiling, side);
     add_strip(u, v, far.ceiling, to, fascia);
   }

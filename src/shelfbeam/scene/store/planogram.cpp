@@ -46,7 +46,7 @@ struct Place {
   int position = 0;  ///< from 1
 };
 
-using Edge = std::tuple<std::size_t, Face, int>;
+using Board = std::tuple<std::size_t, Face, int>;
 
 class Planogram {
  public:
@@ -181,7 +181,7 @@ class Planogram {
 
   // Positions are spread evenly over the edge, as many as the largest position on it.
   void add_labels() {
-    std::map<Edge, int> largest;
+    std::map<Board, int> largest;
     for (const Place& place : places_) {
       int& count = largest[{place.fixture, place.face, place.level}];
       count = std::max(count, place.position);

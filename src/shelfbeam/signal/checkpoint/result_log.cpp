@@ -15,7 +15,7 @@ using detail::RecordWriter;
 
 namespace {
 
-constexpr std::string_view any_version = "shelfbeam results ", results_line = "shelfbeam results 1\n";
+constexpr std::string_view any_results = "shelfbeam results ", results_line = "shelfbeam results 1\n";
 
 std::string record_of(std::uint64_t key, std::string_view result) {
   std::string record(reinterpret_cast<const char*>(&key), sizeof key);
@@ -28,7 +28,7 @@ std::string record_of(std::uint64_t key, std::string_view result) {
 ResultLog::ResultLog(std::filesystem::path path, CheckpointIdentity identity, bool resumes, double interval_s)
     : path_(std::move(path)), identity_(std::move(identity)), interval_s_(interval_s) {
   if (path_.empty()) return;
-  detail::expect_checkpoint(path_, any_version);
+  detail::expect_checkpoint(path_, any_results);
   std::error_code unknown;
   if (!resumes || !std::filesystem::exists(path_, unknown)) return;
   RecordReader file(path_);

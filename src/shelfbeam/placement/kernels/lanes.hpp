@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "shelfbeam/math/cpu_vectors.hpp"
+
+namespace shelfbeam::detail {
+
+/// Kernels sum rows in this many parallel lanes, so that results do not depend on the processor's vectors.
+inline constexpr std::size_t width = 16;
+
+/// The sum of `width` lanes in a fixed order. With few rows, summing the lanes one by one would dominate the
+/// time.
+SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
+  float part[4];
+  for (std::size_t k = 0; k < 4; ++k) part[k] = (lanes[k] + lanes[k + 4]) + (lanes[k + 8] + lanes[k + 12]);
+  return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+}  // namespace shelfbeam::detail
