@@ -87,7 +87,7 @@ TEST_F(LayersOfATree, LargeFilesAndFoldersAreRefused) {
 }
 
 TEST_F(LayersOfATree, InstalledHeadersIncludeOnlyInstalledHeaders) {
-  tree.write("src/shelfbeam/math/CMakeLists.txt", "shelfbeam_room(PUBLIC vec3.hpp)\n");
+  tree.write("src/shelfbeam/CMakeLists.txt", "shelfbeam_layer(math PUBLIC math/vec3.hpp)\n");
   tree.write("src/shelfbeam/math/vec3.hpp", "#include <vector>\n#include \"shelfbeam/math/frame.hpp\"\n");
   expect_refused("src/shelfbeam/math/vec3.hpp:2: an installed header includes 'shelfbeam/math/frame.hpp'");
   tree.write("src/shelfbeam/math/vec3.hpp", "#include <tbb/parallel_for.h>\n");
