@@ -35,3 +35,11 @@ find_changed() {
     git ls-files --others --exclude-standard
   } | sort -u)
 }
+
+# debian_mirror: prints the address from which this system gets the packages of its own release; prints nothing before
+# the first "apt-get update".
+debian_mirror() {
+  # shellcheck disable=SC1091,SC2016
+  apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Component: main' \
+    "Release: $(. /etc/os-release && echo "${VERSION_CODENAME-}")" | head -n 1
+}
