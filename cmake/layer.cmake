@@ -32,6 +32,10 @@ endfunction()
 # that of the headers. Sources of one folder must therefore not define the same name twice, even in unnamed namespaces.
 function(shelfbeam_compile_fast target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # GCC takes the sources of a unit for headers, which should not use unnamed namespaces.
+    target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+  endif()
   set(group 0)
   set(unit_folder "")
   set(unit_size 0)
