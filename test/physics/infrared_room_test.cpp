@@ -104,8 +104,9 @@ void check_path_reuse(std::uint64_t samples, double precision) {
                           up_to_12_bounces.standard_error, 0.05 * rest));
     return result;
   };
-  EXPECT_TRUE(found(1).agrees(0.001));
-  EXPECT_LT(found(1).precision(), precision);
+  const test::Comparison as_given = found(1);
+  EXPECT_TRUE(as_given.agrees(0.001));
+  EXPECT_LT(as_given.precision(), precision);
   EXPECT_FALSE(found(1.02).agrees(0.001));
 }
 

@@ -47,6 +47,7 @@ class Parts : public test::ProgramTest {
   void expect_the_bytes_of_one_run(const std::string& options) const {
     told(fmt::format("simulate @store.json {} -o @whole.h5", options));
     int kills[2] = {};
+using PartsSlow = Parts;
     const auto half = [&](int first) {
       for (const int number : {first, first + 2})
         kills[first - 1] +=
@@ -64,7 +65,7 @@ class Parts : public test::ProgramTest {
   }
 };
 
-TEST_F(Parts, OfKilledSimulationsMergeToTheBytesOfOneRun) {
+TEST_F(PartsSlow, OfKilledSimulationsMergeToTheBytesOfOneRun) {
   expect_the_bytes_of_one_run("--samples 6000");
 }
 
@@ -103,7 +104,7 @@ TEST_F(Parts, AreThePlanOfOneRun) {
 }
 
 // The plan reads the states of all parts as if it had simulated them.
-TEST_F(Parts, ServeAPlanOverStates) {
+TEST_F(PartsSlow, ServeAPlanOverStates) {
   test::Json store = test::small_store();
   store["variation"] = {{"unit_power_db", 3}};
   store["materials"]["m"]["reflectance_range"] = {0.25, 0.35};

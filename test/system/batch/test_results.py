@@ -143,12 +143,12 @@ class Batch(unittest.TestCase):
     def test_a_stopped_batch_resumes(self):
         chain.make_chain(self.shops, "--count", 3, "--kinds", "valid")
         options = ["--no-certificate", "--checkpoint-interval", "0", "--samples"]
-        self.assertIn("3 not planned yet", self.stopped("--", *options, "15000"))
-        self.batch("--resume", "--", *options, "15000", code=0)
+        self.assertIn("3 not planned yet", self.stopped("--", *options, "6000"))
+        self.batch("--resume", "--", *options, "6000", code=0)
         with sqlite3.connect(self.results / "results.sqlite") as database:
             self.assertGreater(database.execute("SELECT max(runs) FROM effort").fetchone()[0], 1)
         # Checkpoints of other options do not hinder new plans.
-        self.stopped("--overwrite", "--", *options, "15000")
+        self.stopped("--overwrite", "--", *options, "6000")
         self.batch("--resume", "--", *options, "1000", code=0)
 
     def test_only_plans_of_batches_end_with_details(self):
