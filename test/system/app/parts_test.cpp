@@ -47,7 +47,6 @@ class Parts : public test::ProgramTest {
   void expect_the_bytes_of_one_run(const std::string& options) const {
     told(fmt::format("simulate @store.json {} -o @whole.h5", options));
     int kills[2] = {};
-using PartsSlow = Parts;
     const auto half = [&](int first) {
       for (const int number : {first, first + 2})
         kills[first - 1] +=
@@ -64,6 +63,8 @@ using PartsSlow = Parts;
               (std::set<std::string>{"1.h5", "2.h5", "3.h5", "4.h5", "merged.h5", "store.json", "whole.h5"}));
   }
 };
+
+using PartsSlow = Parts;
 
 TEST_F(PartsSlow, OfKilledSimulationsMergeToTheBytesOfOneRun) {
   expect_the_bytes_of_one_run("--samples 6000");
