@@ -81,7 +81,7 @@ TEST(PlacementExport, RefusesFailuresOfALargeMatrix) {
 }
 
 // Both files, read by every solver, have the optimum that `place` proves; both within a gap of 1e-6.
-TEST(PlacementExport, HasTheOptimumOfThePlacement) {
+TEST(PlacementExportSlow, HasTheOptimumOfThePlacement) {
   const test::TempFolder folder;
   test::RandomTables plain(51, {.labels = 6, .transceivers = 8, .borderline = false});
   test::RandomTables with_options(52, {.labels = 6, .transceivers = 8, .borderline = false, .mounts = true});
