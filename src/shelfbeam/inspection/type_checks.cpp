@@ -161,12 +161,12 @@ class TypeChecks {
                       at("label_types", type.name, ".size"), plain(type.size[0]), plain(type.size[1])));
     if (const auto* power = std::get_if<CosinePowerResponse>(&type.responsivity);
         power != nullptr && power->cutoff < radians(10))
-      warnings_.add("unusual responses of labels",
-                    fmt::format("{}: is {}, so the label receives only what is straight ahead; 40 to 90 are "
-                                "typical; give degrees, not "
-                                "radians",
-                                at("label_types", type.name, ".responsivity.cutoff_deg"),
-                                plain(power->cutoff * 180 / pi)));
+      warnings_.add(
+          "unusual responses of labels",
+          fmt::format("{}: is {}, so the label receives light only from straight ahead; 40 to 90 are "
+                      "typical; give degrees, not radians",
+                      at("label_types", type.name, ".responsivity.cutoff_deg"),
+                      plain(power->cutoff * 180 / pi)));
   }
 
   // The shares of the flux within 4 degrees of the axis and behind the unit.

@@ -35,7 +35,7 @@ using TableRule = std::function<SignalTable(const SignalMatrix&)>;
 /// The result of certifying a placement. `placement` is made on `matrix`, and the verdicts of `certificate`
 /// refer to its selection.
 struct Certified {
-  SignalMatrix matrix;  ///< updated with independent samples where the placement was in doubt
+  SignalMatrix matrix;  ///< updated with independent samples where the placement was undecided
   Placement placement;
   Certificate certificate;
 };

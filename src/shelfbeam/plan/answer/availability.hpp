@@ -114,8 +114,8 @@ struct Availability {
   double lower_bound = 0;
   std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often
 
-  /// Plans that were named before their states were drawn; the last one is the answer. Missed: not certain to
-  /// be reached.
+  /// Plans that were named before their states were drawn; the last one is the answer. Missed: not certified
+  /// to be reached.
   std::vector<StateOutcome> examined;
   /// Of the last one: some states, ascending by number, among them one with the most missed labels.
   std::vector<ShownState> shown;

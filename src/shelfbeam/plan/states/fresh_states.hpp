@@ -41,7 +41,7 @@ struct FreshStatesOptions {
   bool ends_early = true;  ///< when it is clear or probable that no later look succeeds
 };
 
-/// Examines one plan in fresh states until the goal is certain at a look, or the states or the time end.
+/// Examines one plan in fresh states until the goal is certified at a look, or the states or the time end.
 ///
 /// Labels: if the goal is false, some label, which one does not depend on the states, has too small an
 /// availability, and the statement requires the limit of this label, among others, to meet it

@@ -20,7 +20,7 @@ struct VerifyStatesOptions {
 };
 
 /// Examines mounted units in fresh states of the shop, as plan_states.hpp examines its plans, with the whole
-/// level for one look after all states. If they are not certain to keep to the goal, simulates the candidates
+/// level for one look after all states. If the goal is not confirmed, simulates the candidates
 /// of the store at the labels that are missed, and names the one that helps most.
 ///
 /// `scene` is that of the store; `units` the same with the mounted units instead of the candidates. Throws

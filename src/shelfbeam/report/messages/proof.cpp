@@ -37,7 +37,7 @@ std::string fewer_are_not_enough(std::string_view key, std::size_t count) {
 }
 
 // ", and 3 are not enough", or the certified lower bound on the count or the cost. A selection that is not
-// certain to reach all labels may be below the bound.
+// certified to reach all labels may be below the bound.
 std::string certified_bound(const CertifiedPlan& plan) {
   const Placement& placement = plan.placement;
   const auto [value, simulated, bound] = value_bounds(plan);

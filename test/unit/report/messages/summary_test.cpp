@@ -58,7 +58,7 @@ TEST(Summary, SpeaksOfTheTimeIfTheShopChanges) {
     availability.certified = is_certified;
     if (!is_certified) availability.responsible = {3};
     expect_plain_words(all_of(summary_of(ReportData(s.input))));
-    EXPECT_TRUE(contains(s, is_certified ? "together they reach every label at least 95\u00A0% of the time"
+    EXPECT_TRUE(contains(s, is_certified ? " to reach every label at least 95\u00A0% of the time"
                                          : "Undecided labels: " + s.matrix.labels[3].id));
     EXPECT_TRUE(contains(s, "but not in these states: 1 of 926 labels reached too rarely"));
     EXPECT_TRUE(contains(s, "does not specify it: shelves are 40\u00A0% to 100\u00A0% full"));
