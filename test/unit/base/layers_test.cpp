@@ -92,6 +92,8 @@ TEST_F(LayersOfATree, InstalledHeadersIncludeOnlyInstalledHeaders) {
   expect_refused("src/shelfbeam/math/vec3.hpp:2: an installed header includes 'shelfbeam/math/frame.hpp'");
   tree.write("src/shelfbeam/math/vec3.hpp", "#include <tbb/parallel_for.h>\n");
   expect_refused("src/shelfbeam/math/vec3.hpp:1: an installed header includes <tbb/parallel_for.h>");
+  tree.write("src/shelfbeam/shelfbeam.hpp", "#include \"shelfbeam/plan/plan.hpp\"\n");
+  expect_refused("src/shelfbeam/shelfbeam.hpp:1: an installed header includes 'shelfbeam/plan/plan.hpp'");
 }
 
 TEST_F(LayersOfATree, HeavyDependencyStaysInOneSource) {
