@@ -40,6 +40,6 @@ find_changed() {
 # the first "apt-get update".
 debian_mirror() {
   # shellcheck disable=SC1091,SC2016
-  apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Component: main' \
-    "Release: $(. /etc/os-release && echo "${VERSION_CODENAME-}")" | head -n 1
+  apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Component: main' 'Origin: Debian' \
+    "Codename: $(. /etc/os-release && echo "${VERSION_CODENAME-}")" | head -n 1
 }
