@@ -30,10 +30,10 @@ find_changed() {
   local base
   base=$(git merge-base "$1" HEAD) || die "$1 and this branch have no commit in common"
   # shellcheck disable=SC2034
-  mapfile -t changed < <({
-    git diff --name-only --diff-filter=d "$base"
-    git ls-files --others --exclude-standard
-  } | sort -u)
+  mapfile -t -d '' changed < <({
+    git diff -z --name-only --diff-filter=d "$base"
+    git ls-files -z --others --exclude-standard
+  } | sort -zu)
 }
 
 # debian_mirror: prints the address from which this system gets the packages of its own release; prints nothing before

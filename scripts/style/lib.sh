@@ -20,7 +20,9 @@ find_sources() {
   local file first
   (($#)) || { need git && git rev-parse --git-dir >/dev/null; } || die "git does not know the files of this checkout"
   cpp=() others=()
+  for file; do [[ -e $file ]] || die "$file does not exist in $PWD"; done
   while IFS= read -r -d '' file; do
+    file=${file#"$PWD/"}
     [[ -f $file && ! -L $file ]] || continue
     case $file in
       test/data/* | */package-lock.json) ;;
@@ -38,7 +40,7 @@ find_sources() {
 # style MODE FILE...: runs style.mjs. npm installs its packages in build/style if they are not there.
 style() {
   local home=build/style
-  command -v npm >/dev/null || die "npm is missing: apt-get install nodejs npm"
+  need npm 'nodejs npm'
   if ! cmp --silent scripts/style/package-lock.json "$home/installed.json"; then
     mkdir -p "$home"
     cp scripts/style/package{,-lock}.json "$home"
