@@ -32,6 +32,7 @@ install(FILES ${PROJECT_BINARY_DIR}/shelfbeamConfig.cmake ${PROJECT_BINARY_DIR}/
 
 # Manual pages of the program and of each verb, from --help.
 find_program(SHELFBEAM_HELP2MAN help2man)
+set(pages "")
 if(SHELFBEAM_HELP2MAN)
   set(manual ${PROJECT_BINARY_DIR}/manual)
   set(make_pages ${PROJECT_SOURCE_DIR}/cmake/manual_pages.sh)
@@ -39,11 +40,12 @@ if(SHELFBEAM_HELP2MAN)
     COMMAND ${make_pages} ${SHELFBEAM_HELP2MAN} $<TARGET_FILE:shelfbeam> ${manual}
     COMMAND ${CMAKE_COMMAND} -E touch ${manual}/written
     DEPENDS shelfbeam ${make_pages} COMMENT "Writing the manual pages" VERBATIM)
-  add_custom_target(shelfbeam_manual_pages ALL DEPENDS ${manual}/written)
+  set(pages ${manual}/written)
   install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
 else()
   message(WARNING "help2man is missing (package help2man): there will be no manual pages")
 endif()
+add_custom_target(shelfbeam_manual_pages ALL DEPENDS ${pages})
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The shelfbeam developers <shelfbeam@localhost>")
