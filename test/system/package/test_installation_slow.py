@@ -46,15 +46,15 @@ class Installation(unittest.TestCase):
         project.mkdir()
         (project / "main.cpp").write_text(program, encoding="utf-8")
         (project / "CMakeLists.txt").write_text(
-            "cmake_minimum_required(VERSION 3.25)\nproject(planner LANGUAGES CXX)\nadd_executable(planner main.cpp)\n"
-            + lists
+            "cmake_minimum_required(VERSION 3.25)\nproject(my_program LANGUAGES CXX)\n"
+            "add_executable(my_program main.cpp)\n" + lists
         )
         run("cmake", "-S", project, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}", "-DCMAKE_BUILD_TYPE=Release")
         run("cmake", "--build", build)
         shop = self.top / "shop"
         run(self.prefix / "bin/shelfbeam", "new", "thesis", shop)
         self.assertRegex(
-            run(build / "planner", shop / "store.json", shop),
+            run(build / "my_program", shop / "store.json", shop),
             r"^390 labels, 320 candidates: \d+ transceivers, at least \d+\n$",
         )
         self.assertIn("</html>", (shop / "report.html").read_text(encoding="utf-8"))
