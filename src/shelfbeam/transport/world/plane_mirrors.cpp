@@ -73,12 +73,12 @@ PlaneMirrors::PlaneMirrors(const Scene& scene) : scene_(scene), left_out_(scene.
     mirror.high = mirror.high + slack;
     mirrors_.push_back(mirror);
   }
-  const auto none = static_cast<std::uint32_t>(mirrors_.size());
-  mirror_of_.assign(mesh.triangles.size(), none);
+  const auto no_mirror = static_cast<std::uint32_t>(mirrors_.size());
+  mirror_of_.assign(mesh.triangles.size(), no_mirror);
   for (std::size_t t = 0; t < group_of.size(); ++t) {
     if (group_of[t] >= kept.size()) continue;
-    mirror_of_[t] = std::min(none, kept[group_of[t]]);
-    if (mirror_of_[t] == none) ++left_out_[mesh.materials[t].value];
+    mirror_of_[t] = std::min(no_mirror, kept[group_of[t]]);
+    if (mirror_of_[t] == no_mirror) ++left_out_[mesh.materials[t].value];
   }
 }
 
