@@ -28,8 +28,8 @@ endfunction()
 
 # shelfbeam_compile_fast(<target> <source>...)
 #
-# Where CMAKE_UNITY_BUILD is on, compiles neighbouring small sources of a folder as one unit: most of the compile time is
-# that of the headers. Sources of one folder must therefore not define the same name twice, even in unnamed namespaces.
+# Where CMAKE_UNITY_BUILD is on, compiles neighbouring small sources of a folder as one unit: most of the compile time
+# is that of the headers. Two sources of a folder must therefore not define the same name, even in unnamed namespaces.
 function(shelfbeam_compile_fast target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
