@@ -10,6 +10,7 @@ clang_format() {
   else
     found=$(printf '%s\0' "${@:2}" | xargs -0 -n 50 -P "$(nproc)" "$program" --dry-run --ferror-limit=1 2>&1)
     sed -n 's/^\([^ :]*\):[0-9].*clang-format.*/\1: not formatted/p' <<<"$found" | sort -u
+    [[ ! $found || $found == *clang-format-violations* ]] || echo "$found"
     [[ ! $found ]]
   fi
 }
