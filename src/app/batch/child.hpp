@@ -44,6 +44,8 @@ class Child {
   std::unique_ptr<State> state_;
 };
 
+/// An interval in which an ended child, or a signal, is always noticed.
+inline constexpr double poll_s = 0.5;
 /// Waits until a child of this process changes its state, a signal arrives, or the time is over.
 void wait_for_children(double seconds);
 

@@ -24,8 +24,6 @@ namespace shelfbeam::app {
 
 namespace {
 
-constexpr double reading_poll_s = 0.5;
-
 // The exit code of the process that reads a store; its error goes to standard error.
 int outcome_of(const std::function<void(const ListedStore&)>& read, const ListedStore& store) {
   try {
@@ -74,7 +72,7 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
                                        options.memory / options.jobs)});
       } catch (const std::system_error&) {  // the plan will read it
       }
-    if (!running.empty()) wait_for_children(reading_poll_s);
+    if (!running.empty()) wait_for_children(poll_s);
     for (auto reading = running.begin(); reading != running.end();) {
       ChildEnd end;
       const bool has_ended = reading->child.has_ended(end);

@@ -30,9 +30,6 @@ namespace shelfbeam::app {
 
 namespace {
 
-// An interval in which an ended plan, or a signal, is always noticed.
-constexpr double poll_s = 0.5;
-
 std::string input_of(const ListedStore& store, const BatchOptions& options) {
   std::string content;
   try {

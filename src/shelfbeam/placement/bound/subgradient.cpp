@@ -13,7 +13,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr double no_bound = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Dual {
  public:
@@ -29,7 +29,7 @@ class Dual {
         direction_(rows.rows(), 0.0),
         best_of_group_(rows.groups(), none) {
     y_ = std::move(start);
-    best_.bound = -no_bound;
+    best_.bound = -infinity;
   }
 
   Multipliers run() {
@@ -182,7 +182,7 @@ class Dual {
   Multipliers best_;
   std::vector<double> y_, reduced_, average_, direction_;
   std::vector<std::uint32_t> core_, taken_, best_of_group_;
-  double value_ = -no_bound, best_of_core_ = -no_bound, lambda_ = 0.5;
+  double value_ = -infinity, best_of_core_ = -infinity, lambda_ = 0.5;
   std::size_t last_gain_ = 0, pricing_period_ = 10;
 };
 
@@ -200,7 +200,7 @@ std::vector<double> ascended(const SparseRows& rows) {
     y[i] += by;
     for (const SparseRows::Term& term : rows.row(i)) left[term.index] -= by * static_cast<double>(term.a);
   };
-  std::vector<double> share(rows.rows(), no_bound);
+  std::vector<double> share(rows.rows(), infinity);
   for (std::size_t i = 0; i < rows.rows(); ++i)
     for (const SparseRows::Term& term : rows.row(i))
       if (rows.rhs(i) > 0) share[i] = std::min(share[i], rows.cost(term.index) / total[term.index]);
@@ -212,7 +212,7 @@ std::vector<double> ascended(const SparseRows& rows) {
                    [&](std::uint32_t a, std::uint32_t b) { return rows.row(a).size() < rows.row(b).size(); });
   for (const std::uint32_t i : order) {
     if (!(rows.rhs(i) > 0)) continue;
-    double by = no_bound;
+    double by = infinity;
     for (const SparseRows::Term& term : rows.row(i))
       by = std::min(by, left[term.index] / static_cast<double>(term.a));
     raise(i, by);

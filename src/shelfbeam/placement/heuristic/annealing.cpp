@@ -9,8 +9,6 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::size_t rows_at_first = 256;
-
 // The rows of a table that walks work on.
 class TableRows {
  public:
@@ -18,7 +16,7 @@ class TableRows {
 
   TableRows(const SearchInstance& instance, const SearchMatrix& all, const Selection& start)
       : instance_(instance), all_(all), rows_(all, receiving(instance.problem)) {
-    rows_.add_hardest(start, rows_at_first);
+    rows_.add_hardest(start, ActiveRows::at_first);
   }
 
   std::size_t size() const { return rows_.size(); }

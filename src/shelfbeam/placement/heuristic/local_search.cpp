@@ -15,7 +15,6 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::size_t rows_of_search = 256;
 // More candidates per row would make results worse, not only slower: the same few would win too often.
 constexpr std::size_t max_supporters = 24;
 
@@ -37,7 +36,7 @@ class Walk {
       for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(instance.cost[j]);
     for (const std::uint32_t j : start) in_[j] = true;
     if (margin_of(instance.table, instance.problem, all, start, memory_).is_met) best_cost_ = cost();
-    rows_.add_hardest(start, rows_of_search);
+    rows_.add_hardest(start, ActiveRows::at_first);
     follow_rows();
   }
 

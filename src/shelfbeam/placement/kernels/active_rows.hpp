@@ -25,6 +25,8 @@ class ActiveRows {
 
   float used_of(std::uint32_t row, std::uint32_t column) const;
 
+  /// A search starts with this many rows.
+  static constexpr std::size_t at_first = 256;
   /// Adds the `count` rows that receive the smallest signals from a selection.
   void add_hardest(std::span<const std::uint32_t> selected, std::size_t count);
   /// For a selection that meets all active rows but misses labels: adds up to 32 rows with the greatest lack

@@ -14,8 +14,8 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double height_rounding =
-    1e-6;  // m; heights at points of the plan, which lie on a grid, are less exact
+// In m: heights at points of the plan, which lie on a grid, are less exact than the points.
+constexpr double height_rounding = 1e-6;
 
 /// The material of triangles and the inner wall to which they belong.
 struct Surface {
