@@ -98,17 +98,19 @@ class SummaryWriter {
 
   std::string answer() const {
     const std::size_t fresh = new_units(data_), installed = placement_.count() - fresh;
-    std::string mount = fresh == 0 ? say_count("summary.answer.nothing", installed)
-                                   : say_count("summary.answer.mount", fresh);
+    const auto& availability = plan_.availability;
+    const bool is_enough = availability ? availability->certified : reached() == labels();
+    std::string mount = fresh > 0 ? say_count("summary.answer.mount", fresh)
+                                  : say_count(is_enough ? "summary.answer.nothing" : "summary.answer.keep", installed);
     if (fresh > 0 && installed > 0) mount = say_count("summary.answer.beside", installed, mount);
     const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
-    if (const auto& availability = plan_.availability)
+    if (availability)
       return with_joined_percent(
           availability->is_impossible()
               ? availability_sentence(*availability, placement_, label_name())
               : say(availability->certified ? "summary.answer.often" : "summary.answer.not_certain", mount,
                     goal_text(*availability), failure));
-    if (reached() < labels())
+    if (!is_enough)
       return say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount, grouped(reached()),
                  say_count("noun.label", labels()), failure);
     return say(labels() == 1 ? "summary.answer.reaches_all.one" : "summary.answer.reaches_all.many", mount,

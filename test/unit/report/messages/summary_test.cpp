@@ -103,6 +103,8 @@ TEST(Summary, CountsNewAndInstalledUnits) {
   EXPECT_TRUE(contains(s, "new transceivers in addition to the 2 installed: all 926"));
   for (const std::uint32_t j : s.placement.selected) s.matrix.transceivers[j].installed = true;
   EXPECT_TRUE(contains(s, "The " + all + " installed transceivers are enough: all 926"));
+  test::certify(s);
+  EXPECT_TRUE(contains(s, "Keep the " + all + " installed transceivers: 888 of 926 labels are confirmed"));
 }
 
 TEST(Summary, StatesPriceProofAndVerification) {
