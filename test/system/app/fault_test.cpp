@@ -121,7 +121,7 @@ TEST_F(Fault, AFailedRenameLosesNoFileOfAPlan) {
   if (!test::memory_can_be_limited) GTEST_SKIP() << "faults cannot be preloaded before this sanitizer";
   const auto plan = [&](const char* seed) {
     return std::vector<std::string>{"plan", path("store.json"), "-o",      path("plan"),  "--samples",
-                                    "160",  "--no-certificate", "--quiet", "--overwrite", "--seed",
+                                    "64",   "--no-certificate", "--quiet", "--overwrite", "--seed",
                                     seed};
   };
   const auto files = [&] {

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-class SimulationSummary : public test::ProgramTest {
+class SimulationOutput : public test::ProgramTest {
  protected:
   std::string simulated(const std::string& options, int exit_code = 0) const {
     return told("simulate @store.json -o @signal.h5 " + options, exit_code);
@@ -37,7 +37,7 @@ class SimulationSummary : public test::ProgramTest {
 };
 
 // Two walks per batch find some transceivers only rarely; analytic direct light has no errors.
-TEST_F(SimulationSummary, CountsFlaggedEntries) {
+TEST_F(SimulationOutput, CountsFlaggedEntries) {
   const std::string few = "--estimator uniform --samples 64",
                     exact = "--estimator uniform --direct exact --max-bounces 0";
   const Json json = Json::parse(simulated(few + " --json"));
@@ -56,7 +56,7 @@ TEST_F(SimulationSummary, CountsFlaggedEntries) {
   EXPECT_THAT(simulated(exact), Not(HasSubstr("flagged")));
 }
 
-TEST_F(SimulationSummary, ReportsExtraSamples) {
+TEST_F(SimulationOutput, ReportsExtraSamples) {
   const std::string why = ": at least 16 batches are needed to estimate errors\n";
   EXPECT_THAT(simulated("--samples 64"), HasSubstr("\n2096 samples per label instead of 64" + why));
   EXPECT_THAT(told("plan @store.json -o @plan --samples 64 --no-certificate"),
@@ -73,7 +73,7 @@ TEST_F(SimulationSummary, ReportsExtraSamples) {
   EXPECT_TRUE(Json::parse(simulated("--time 0.1 --json"))["asked"].is_null());
 }
 
-TEST_F(SimulationSummary, BeginsWithTheWarningsOfTheStore) {
+TEST_F(SimulationOutput, BeginsWithTheWarningsOfTheStore) {
   Json store = test::small_store();
   store["materials"]["m"]["reflectance"] = 0.98;
   folder.write("store.json", store.dump());
@@ -92,7 +92,7 @@ TEST_F(SimulationSummary, BeginsWithTheWarningsOfTheStore) {
 
 // A run whose error cannot be reached does not succeed; `plan` reports this only without a certificate, which
 // would quantify it.
-TEST_F(SimulationSummary, NamesTheEntriesThatFallShort) {
+TEST_F(SimulationOutput, NamesTheEntriesThatFallShort) {
   const std::string wanted = "--relative-error 1e-5 --max-samples 9000";
   const std::string text = simulated(wanted, 3);
   EXPECT_THAT(text, HasSubstr("0.001 %"));

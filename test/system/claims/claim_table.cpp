@@ -176,7 +176,12 @@ std::vector<Claim> first_page() {
       {"verdict.uncertified.no", {}, holds("infeasible")},
       {"summary.answer.mount", {"new units"}},
       {"summary.answer.beside", {"installed", "@"}},
-      {"summary.answer.nothing", {"installed"}, [](T t) { return t("new units") == 0; }},
+      {"summary.answer.nothing",
+       {"installed"},
+       [=](T t) {
+         return t("new units") == 0 && (is(t, "over states") ? is(t, "certified states") : all(t));
+       }},
+      {"summary.answer.keep", {"installed"}, [](T t) { return t("new units") == 0; }},
       {"summary.answer.reaches_all", {"@", "labels", "@"}, all},
       {"summary.answer.reaches", {"@", "confirmed", "@", "@"}, some},
       {"summary.answer.confirmed",

@@ -20,33 +20,33 @@ constexpr std::uint32_t draws = 100000;
 constexpr double level = 1e-3;  // joint level of all cases (Sidak)
 constexpr std::size_t sectors = 8, rings = 128, fine = 8;
 
-struct Case {
+struct Density {
   std::string name;
   std::function<std::optional<DirectionSample>(double, double)> sample;
   std::function<double(const Vec3&)> pdf;
   std::function<double(const Vec3&)> value;  ///< the density is proportional to this value
 };
 
-Case case_of(const std::string& name, const Emission& e) {
+Density density_of(const std::string& name, const Emission& e) {
   return {name, [e](double u1, double u2) { return sample(e, u1, u2); },
           [e](const Vec3& d) { return pdf(e, d); },
           [e](const Vec3& d) { return intensity(e, d) / power(e); }};
 }
 
-Case case_of(const std::string& name, const Responsivity& r) {
+Density density_of(const std::string& name, const Responsivity& r) {
   return {name, [r](double u1, double u2) { return sample(r, u1, u2); },
           [r](const Vec3& d) { return pdf(r, d); },
           [r](const Vec3& d) { return response(r, d.z) / integral(r); }};
 }
 
-std::vector<Case> cases() {
-  std::vector<Case> result;
-  for (const auto& [name, emission] : test::profiles()) result.push_back(case_of(name, emission));
-  for (const auto& [name, responsivity] : test::responses()) result.push_back(case_of(name, responsivity));
+std::vector<Density> densities() {
+  std::vector<Density> result;
+  for (const auto& [name, emission] : test::profiles()) result.push_back(density_of(name, emission));
+  for (const auto& [name, responsivity] : test::responses()) result.push_back(density_of(name, responsivity));
   return result;
 }
 
-std::vector<double> counts(const Case& c, const test::DirectionCells& cells, double bend) {
+std::vector<double> counts(const Density& c, const test::DirectionCells& cells, double bend) {
   std::vector<double> result(cells.size());
   for (std::uint32_t k = 0; k < draws; ++k) {
     const auto u = philox({k, 0, 0, 0}, 31);
@@ -61,8 +61,8 @@ std::vector<double> counts(const Case& c, const test::DirectionCells& cells, dou
 // density that is skewed by 8 % to one side, and samples whose u1 is distorted by a twelfth.
 TEST(Sampling, FollowsItsDensity) {
   const test::DirectionCells cells(rings, sectors);
-  const auto all = cases();
-  for (const Case& c : all) {
+  const auto all = densities();
+  for (const Density& c : all) {
     const auto drawn = counts(c, cells, 1);
     const auto expected = cells.expected(c.pdf, draws, fine);
     const auto test = chi_square_test(drawn, expected, level, all.size());
@@ -80,7 +80,7 @@ TEST(Sampling, FollowsItsDensity) {
 // The pdf of a sample is equal to `pdf`, bit for bit, and to the value over its integral within rounding.
 // Every sampled direction therefore has a nonzero value.
 TEST(Sampling, ReturnsTheDensityOfItsDirection) {
-  for (const Case& c : cases()) {
+  for (const Density& c : densities()) {
     int lost = 0;
     for (std::uint32_t k = 0; k < 20000; ++k) {
       const auto u = philox({k, 1, 0, 0}, 31);
@@ -102,7 +102,7 @@ TEST(Sampling, ReturnsTheDensityOfItsDirection) {
 // The corners of the unit square and their neighbours, where inversions may divide by zero.
 TEST(Sampling, SurvivesTheCornersOfTheUnitSquare) {
   const double last = 1 - 0x1p-53;
-  for (const Case& c : cases())
+  for (const Density& c : densities())
     for (const double u1 : {0.0, 0x1p-60, 0x1p-32, 0.5, 1 - 0x1p-32, last})
       for (const double u2 : {0.0, 0x1p-60, 0.25, 0.5, 0.75, last})
         if (const auto drawn = c.sample(u1, u2)) {

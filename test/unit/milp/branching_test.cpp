@@ -7,16 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include "unit/milp/every_backend.hpp"
+
 namespace shelfbeam::milp {
 namespace {
 
 class MilpBranching : public testing::TestWithParam<Backend> {};
 
-std::string name(const testing::TestParamInfo<Backend>& info) {
-  return std::string(info.param.name);
-}
-
-INSTANTIATE_TEST_SUITE_P(Every, MilpBranching, testing::ValuesIn(backends().begin(), backends().end()), name);
+INSTANTIATE_TEST_SUITE_P(Every, MilpBranching, test::every_backend, test::backend_name);
 
 /// Binary models with rows of both senses; some are infeasible, some columns fixed, some costs real.
 Model random_model(std::mt19937_64& random) {

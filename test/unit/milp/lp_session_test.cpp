@@ -7,6 +7,7 @@
 
 #include "shelfbeam/milp/solver.hpp"
 
+#include "unit/milp/every_backend.hpp"
 #include "unit/milp/example_models.hpp"
 
 namespace shelfbeam::milp {
@@ -19,11 +20,7 @@ class MilpLpSession : public testing::TestWithParam<Backend> {
   }
 };
 
-std::string name(const testing::TestParamInfo<Backend>& info) {
-  return std::string(info.param.name);
-}
-
-INSTANTIATE_TEST_SUITE_P(Every, MilpLpSession, testing::ValuesIn(backends().begin(), backends().end()), name);
+INSTANTIATE_TEST_SUITE_P(Every, MilpLpSession, test::every_backend, test::backend_name);
 
 /// The Lagrangian bound of any duals: no x within the columns' bounds that satisfies the rows costs less.
 /// Columns must be bounded.

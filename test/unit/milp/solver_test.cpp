@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "support/processor_time.hpp"
+#include "unit/milp/every_backend.hpp"
 #include "unit/milp/example_models.hpp"
 
 namespace shelfbeam::milp {
@@ -19,11 +20,7 @@ class MilpSolver : public testing::TestWithParam<Backend> {
   }
 };
 
-std::string name(const testing::TestParamInfo<Backend>& info) {
-  return std::string(info.param.name);
-}
-
-INSTANTIATE_TEST_SUITE_P(Every, MilpSolver, testing::ValuesIn(backends().begin(), backends().end()), name);
+INSTANTIATE_TEST_SUITE_P(Every, MilpSolver, test::every_backend, test::backend_name);
 
 // Data are exact and small, so solvers must agree with enumeration within their relative gap of 1e-6.
 TEST_P(MilpSolver, EqualsEnumerationOnRandomModels) {

@@ -12,7 +12,7 @@
 namespace shelfbeam {
 namespace {
 
-constexpr PlacementProblem alone{.model = CommunicationModel::non_cooperative};
+using test::covering;
 
 struct Size {
   std::string name;
@@ -51,7 +51,7 @@ TEST(FormulaInstances, HaveTheKnownOptima) {
       {test::colourings(7, 3), 7}};
   for (const auto& [table, optimum] : known) {
     SCOPED_TRACE(table.rows());
-    const Placement placement = place(table, alone, {});
+    const Placement placement = place(table, covering, {});
     EXPECT_EQ(placement.status, Status::optimal);
     EXPECT_EQ(placement.count(), optimum);
   }
@@ -62,11 +62,11 @@ TEST(FormulaInstances, AreNeitherReducedNorBoundedWell) {
   const std::pair<SignalTable, double> known[] = {{test::affine_lines(4), 27}, {test::cube_cycles(6), 48}};
   for (const auto& [table, bound] : known) {
     const std::vector<double> cost(table.columns(), 1.0);
-    const detail::Reduction reduction = detail::reduce_cover(table, alone, cost);
+    const detail::Reduction reduction = detail::reduce_cover(table, covering, cost);
     ASSERT_EQ(reduction.parts.size(), 1U);
     EXPECT_EQ(reduction.parts[0].labels.size(), table.rows());
     EXPECT_EQ(reduction.parts[0].columns.size(), table.columns());
-    const detail::LpBound lp = detail::lp_bound(table, alone, cost, milp::backends().front(), {}, {});
+    const detail::LpBound lp = detail::lp_bound(table, covering, cost, milp::backends().front(), {}, {});
     EXPECT_NEAR(lp.dual.bound, bound, 1e-6);
   }
 }

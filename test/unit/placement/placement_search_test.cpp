@@ -15,10 +15,10 @@
 namespace shelfbeam {
 namespace {
 
+using test::alone;
 using test::compare;
+using test::coop;
 using test::Tally;
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
 
 TEST(PlacementSearch, EqualsEnumerationWithoutAMip) {
   const Tally tally = test::compare_random(17, 500, {.transceivers = 11},
@@ -143,7 +143,7 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
   test::RandomTables random(24, {.transceivers = 10});
   Tally tally;
   int by_the_next = 0;
-  for (int k = 0; k < 200 && !HasFailure(); ++k) {
+  for (int k = 0; k < 100 && !HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     milp::Backend bad = milp::backends().front();
     bad.name = "bad";
@@ -159,15 +159,15 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
     compare(table, problem, answer, tally);
     by_the_next += answer.solver.find(milp::backends().back().name) != std::string::npos;
   }
-  EXPECT_GT(tally.optimal, 60);
-  EXPECT_GT(by_the_next, 8);
+  EXPECT_GT(tally.optimal, 30);
+  EXPECT_GT(by_the_next, 4);
 }
 
 // Costs that solvers cannot distinguish: their proof is valid within their gap.
 TEST(PlacementSearch, AcceptsASolverWithinItsGap) {
   test::RandomTables random(25, {.labels = 30, .transceivers = 20, .borderline = false});
   int proven = 0;
-  for (int k = 0; k < 40; ++k) {
+  for (int k = 0; k < 20; ++k) {
     SignalTable table = random.next();
     for (auto& unit : table.transceivers) unit.cost = 1 + 1e-8 * random.real(0, 1), unit.installed = false;
     const PlacementProblem problem{coop, Objective::count, Combination::weighted};
@@ -181,7 +181,7 @@ TEST(PlacementSearch, AcceptsASolverWithinItsGap) {
     EXPECT_LT(answer.gap(), 1e-6);
     proven += answer.bound_proof == BoundProof::solver;
   }
-  EXPECT_GT(proven, 3);
+  EXPECT_GT(proven, 1);
 }
 
 // A higher cost is not a tie, however small the difference.

@@ -13,6 +13,10 @@
 
 namespace shelfbeam::test {
 
+inline constexpr auto coop = CommunicationModel::cooperative;
+inline constexpr auto alone = CommunicationModel::non_cooperative;
+inline constexpr PlacementProblem covering{.model = alone};
+
 /// A table from a dense m x n matrix, all requirements 1.
 inline SignalTable make_table(const std::vector<std::vector<double>>& matrix, std::size_t columns) {
   SignalTable table;

@@ -6,11 +6,13 @@
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
+#include "unit/placement/random_table.hpp"
+
 namespace shelfbeam {
 namespace {
 
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
+using test::alone;
+using test::coop;
 
 const std::filesystem::path instances = SHELFBEAM_SOURCE_DIR "/test/data/instances";
 

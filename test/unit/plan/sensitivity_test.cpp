@@ -18,7 +18,7 @@
 namespace shelfbeam {
 namespace {
 
-SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples_a_batch = 200) {
+SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples_a_batch = 80) {
   SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::nee;
   options.direct = DirectLight::exact;
@@ -161,7 +161,7 @@ TEST(Sensitivity, MoreReflectionIsMoreLight) {
 
 // With independent random numbers the error of a difference would combine those of both signals.
 TEST(Sensitivity, DifferencesAreMorePreciseThanSignals) {
-  const Sensitivity found = of(three_materials(), connections(PathRules::no_limit));
+  const Sensitivity found = of(three_materials(), connections(PathRules::no_limit, 200));
   for (const MaterialSensitivity& one : found.materials) {
     const double independent =
         std::hypot(one.at_lower.min_margin.standard_error, found.as_given.standard_error);

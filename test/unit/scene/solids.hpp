@@ -11,6 +11,10 @@
 
 namespace shelfbeam::test {
 
+/// Tolerance of lengths, in metres: coordinates are of the order of 1 m, and rotation and its inverse cost a
+/// few 1e-16.
+inline constexpr double exact = 1e-9;
+
 /// The triangles of one box or door of a scene.
 struct Solid {
   Part part;
@@ -48,7 +52,14 @@ inline bool is_closed(const Solid& solid) {
   });
 }
 
-/// The volume by the divergence theorem; positive if the triangles face outwards.
+/// The volumes by the divergence theorem; positive if the triangles face outwards.
+inline double volume(const TriangleMesh& mesh) {
+  double six = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    six += dot(mesh.vertices[a], cross(mesh.vertices[b], mesh.vertices[c]));
+  return six / 6;
+}
+
 inline double volume(const Solid& solid, const TriangleMesh& mesh) {
   double six = 0;
   for (const auto& [a, b, c] : solid.triangles)

@@ -7,6 +7,7 @@
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 
+#include "unit/milp/every_backend.hpp"
 #include "unit/placement/brute_force.hpp"
 #include "unit/placement/random_table.hpp"
 
@@ -24,12 +25,7 @@ class LpBounds : public testing::TestWithParam<milp::Backend> {
   }
 };
 
-std::string name(const testing::TestParamInfo<milp::Backend>& info) {
-  return std::string(info.param.name);
-}
-
-INSTANTIATE_TEST_SUITE_P(Every, LpBounds, testing::ValuesIn(milp::backends().begin(), milp::backends().end()),
-                         name);
+INSTANTIATE_TEST_SUITE_P(Every, LpBounds, test::every_backend, test::backend_name);
 
 /// The relaxation with all rows at once; infinite if infeasible.
 double relaxation(const milp::Backend& backend, const SignalTable& table, const PlacementProblem& problem) {
@@ -40,7 +36,7 @@ double relaxation(const milp::Backend& backend, const SignalTable& table, const 
   return backend.solve(model, {}, {}).primal_bound;
 }
 
-double rounding(double value) {
+double slack_of(double value) {
   return 1e-9 * std::max(1.0, std::abs(value));
 }
 
@@ -59,8 +55,8 @@ TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
     const LpBound plain = bound(table, problem, cost, {.cuts = false});
     const LpBound cut = bound(table, problem, cost);
     const double relaxed = relaxation(GetParam(), table, problem);
-    EXPECT_LE(plain.dual.bound, best + rounding(best)) << k;
-    EXPECT_LE(cut.dual.bound, best + rounding(best)) << k;
+    EXPECT_LE(plain.dual.bound, best + slack_of(best)) << k;
+    EXPECT_LE(cut.dual.bound, best + slack_of(best)) << k;
     EXPECT_LE(plain.dual.bound, relaxed + 1e-6 * std::max(1.0, relaxed)) << k;
     EXPECT_GE(plain.dual.bound, relaxed - 1e-5 * std::max(1.0, relaxed)) << k;
     EXPECT_GE(cut.dual.bound, plain.dual.bound - 1e-6 * std::max(1.0, relaxed)) << k;
@@ -155,7 +151,7 @@ TEST_P(LpBounds, OfTheSecondaryObjectiveUseTheCount) {
     const std::vector<double> cost = objective_coefficients(table, problem);
     const LpBound with = bound(table, problem, cost, {.selections = {truth.fewest, truth.fewest}});
     const LpBound without = bound(table, problem, cost);
-    EXPECT_LE(with.dual.bound, truth.best_at_fewest + rounding(truth.best_at_fewest)) << k;
+    EXPECT_LE(with.dual.bound, truth.best_at_fewest + slack_of(truth.best_at_fewest)) << k;
     EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
     ++compared;
     if (with.dual.bound > without.dual.bound + 0.01 * truth.best_at_fewest) ++better;

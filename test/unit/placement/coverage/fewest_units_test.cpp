@@ -56,10 +56,6 @@ TEST(FewestUnits, EqualsBruteForce) {
     EXPECT_GT(count_differences(94, 300, omission, SolverChoice::search), 1) << static_cast<int>(omission);
 }
 
-TEST(FewestUnitsSlow, EqualsBruteForceOnManyMore) {
-  EXPECT_EQ(count_differences(98, 40'000, Omission::nothing, SolverChoice::search), 0);
-}
-
 TEST(FewestUnits, EqualsBruteForceByMip) {
   EXPECT_LE(count_differences(95, 800, Omission::nothing, SolverChoice::mip), 1);
 }

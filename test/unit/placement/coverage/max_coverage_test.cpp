@@ -12,6 +12,7 @@
 
 #include "support/expect_input_error.hpp"
 #include "support/processor_time.hpp"
+#include "unit/milp/every_backend.hpp"
 #include "unit/placement/brute_force.hpp"
 #include "unit/placement/coverage/weighed_tables.hpp"
 #include "unit/placement/random_table.hpp"
@@ -19,10 +20,10 @@
 namespace shelfbeam {
 namespace {
 
+using test::alone;
 using test::BruteForce;
+using test::coop;
 using test::dense_table;
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
 
 constexpr test::RandomTableLimits everything{
     .labels = 8, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true};
@@ -81,21 +82,11 @@ void run(const milp::Backend& backend, std::uint64_t seed, int cases) {
 }
 
 class PlacementBudget : public testing::TestWithParam<milp::Backend> {};
-class PlacementBudgetSlow : public testing::TestWithParam<milp::Backend> {};
 
-std::string name(const testing::TestParamInfo<milp::Backend>& info) {
-  return std::string(info.param.name);
-}
-const auto every_backend = testing::ValuesIn(milp::backends().begin(), milp::backends().end());
-INSTANTIATE_TEST_SUITE_P(Every, PlacementBudget, every_backend, name);
-INSTANTIATE_TEST_SUITE_P(Every, PlacementBudgetSlow, every_backend, name);
+INSTANTIATE_TEST_SUITE_P(Every, PlacementBudget, test::every_backend, test::backend_name);
 
 TEST_P(PlacementBudget, EqualsEnumeration) {
   run(GetParam(), 71, 800);
-}
-
-TEST_P(PlacementBudgetSlow, EqualsEnumerationOnManyMore) {
-  run(GetParam(), 72, 8000);
 }
 
 // Without an exact solver: never more than possible, never a smaller bound, and both are often tight.
@@ -157,12 +148,6 @@ TEST(MaxCoverage, EqualsBruteForce) {
        {test::Omission::mounts, test::Omission::conflicts, test::Omission::failure, test::Omission::weights,
         test::Omission::tolerance})
     EXPECT_GT(differences(92, 300, omission, by_search), 3) << static_cast<int>(omission);
-}
-
-TEST(MaxCoverageSlow, EqualsBruteForceOnManyMore) {
-  const PlaceOptions by_search{.solver = SolverChoice::search, .step_limit = 1 << 20};
-  // No claim is wrong (above); weights of many decimals may leave a bound a little above the value.
-  EXPECT_LE(differences(97, 20'000, test::Omission::nothing, by_search), 1);
 }
 
 TEST(MaxCoverage, WeighsLabelsInTheMip) {

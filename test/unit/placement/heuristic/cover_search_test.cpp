@@ -17,18 +17,18 @@
 namespace shelfbeam {
 namespace {
 
-constexpr PlacementProblem alone{.model = CommunicationModel::non_cooperative};
+using test::covering;
 
 std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const PlacementProblem& problem,
                                                  const std::vector<std::uint32_t>& start, std::uint64_t moves,
                                                  std::uint32_t seed = 1) {
   const std::vector<double> ones(table.columns(), 1.0);
-  const detail::Reduction reduction = detail::reduce_cover(table, alone, ones);
+  const detail::Reduction reduction = detail::reduce_cover(table, covering, ones);
   const detail::SearchInstance instance(table, problem);
   return detail::cover_search(instance, reduction, start, {moves}, seed, {});
 }
 
-std::vector<std::uint32_t> everything(const SignalTable& table) {
+std::vector<std::uint32_t> all_units(const SignalTable& table) {
   std::vector<std::uint32_t> all(table.columns());
   std::iota(all.begin(), all.end(), 0U);
   return all;
@@ -42,9 +42,9 @@ TEST(CoverSearch, FindsTheKnownOptima) {
   } known[] = {{test::affine_lines(3), 18}, {test::affine_lines(4), 61}, {test::cube_cycles(5), 24}};
   for (const auto& [table, fewest] : known)
     for (const std::uint32_t seed : {1U, 7U}) {
-      const auto found = search(table, alone, everything(table), 50000, seed);
+      const auto found = search(table, covering, all_units(table), 50000, seed);
       ASSERT_TRUE(found);
-      EXPECT_TRUE(check_selection(table, alone, *found).met());
+      EXPECT_TRUE(check_selection(table, covering, *found).met());
       EXPECT_EQ(found->size(), fewest);
     }
 }
@@ -55,14 +55,14 @@ TEST(CoverSearch, KeepsInstalledUnitsAndClaimsNoBound) {
   SignalTable table = test::affine_lines(3);
   table.transceivers[5].installed = table.transceivers[6].installed = true;
   constexpr std::uint64_t moves = 20000;
-  const auto found = search(table, alone, everything(table), moves);
+  const auto found = search(table, covering, all_units(table), moves);
   ASSERT_TRUE(found);
   EXPECT_TRUE(std::count(found->begin(), found->end(), 5U) == 1 &&
               std::count(found->begin(), found->end(), 6U) == 1);
-  EXPECT_TRUE(check_selection(table, alone, *found).met());
-  EXPECT_EQ(search(table, alone, everything(table), moves), found);
-  EXPECT_FALSE(search(table, alone, *found, moves) &&
-               search(table, alone, *found, moves)->size() >= found->size());
+  EXPECT_TRUE(check_selection(table, covering, *found).met());
+  EXPECT_EQ(search(table, covering, all_units(table), moves), found);
+  EXPECT_FALSE(search(table, covering, *found, moves) &&
+               search(table, covering, *found, moves)->size() >= found->size());
 }
 
 // Random weighted covers with conflicts, compared with enumeration: most selections are optimal, and all are

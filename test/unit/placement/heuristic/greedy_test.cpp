@@ -14,8 +14,8 @@ namespace shelfbeam {
 namespace {
 
 using Columns = std::vector<std::uint32_t>;
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
+using test::alone;
+using test::coop;
 
 double harmonic(std::size_t m) {
   double sum = 0;

@@ -20,8 +20,8 @@ namespace {
 
 using Columns = std::vector<std::uint32_t>;
 using Search = decltype(&local_search);
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
+using test::alone;
+using test::coop;
 
 std::optional<Columns> found_by(Search search, const SignalTable& table, const PlacementProblem& problem,
                                 const Columns& start, const Effort& effort, const RunControl& control = {}) {

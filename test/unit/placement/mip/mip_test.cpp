@@ -297,7 +297,7 @@ TEST(PlacementMip, DistinguishesSmallCostsBesideLargeOnes) {
 TEST(PlacementMip, BoundsHoldAtAnyStop) {
   test::RandomTables plain(41), with_options(42, {.mounts = true});
   int stopped = 0, optimal = 0, control = 0, empty_handed = 0;
-  for (int k = 0; k < 3000; ++k) {
+  for (int k = 0; k < 1500; ++k) {
     SCOPED_TRACE(k);
     test::RandomTables& tables = k % 2 == 0 ? plain : with_options;
     const SignalTable table = tables.next();
@@ -329,10 +329,10 @@ TEST(PlacementMip, BoundsHoldAtAnyStop) {
     (found.status == Status::optimal ? optimal : stopped) += 1;
     control += found.objective_value > best + slack;  // incumbents of stopped runs are not always the best
   }
-  EXPECT_GT(stopped, 200);
-  EXPECT_GT(optimal, 200);
-  EXPECT_GT(control, 20);
-  EXPECT_GT(empty_handed, 20);
+  EXPECT_GT(stopped, 100);
+  EXPECT_GT(optimal, 100);
+  EXPECT_GT(control, 10);
+  EXPECT_GT(empty_handed, 10);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace shelfbeam {
 namespace {
 
 using Columns = std::vector<std::uint32_t>;
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
+using test::alone;
+using test::coop;
 
 SignalTable example() {
   SignalTable table =

@@ -7,8 +7,8 @@
 namespace shelfbeam {
 namespace {
 
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
+using test::alone;
+using test::coop;
 
 TEST(Mounts, KnowAllConflicts) {
   SignalTable table = test::make_table({{0.5, 0.75, 0.25, 1, 2}}, 5);

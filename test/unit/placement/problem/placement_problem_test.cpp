@@ -11,11 +11,11 @@ namespace shelfbeam {
 namespace {
 
 using Values = std::vector<double>;
-constexpr auto coop = CommunicationModel::cooperative;
-constexpr auto alone = CommunicationModel::non_cooperative;
+using test::alone;
+using test::coop;
 
 // Two labels (link costs 2 and 3, signal costs 5 and 7), three units.
-SignalTable example() {
+SignalTable two_labels() {
   SignalTable table = test::make_table({{0.5, 1.0, 0.0}, {4.0, 0.25, 0.8}}, 3);
   table.labels[0].link_cost = 2, table.labels[1].link_cost = 3;
   table.labels[0].signal_cost = 5, table.labels[1].signal_cost = 7;
@@ -23,7 +23,7 @@ SignalTable example() {
 }
 
 Values coefficients(CommunicationModel model, Objective objective, double share = 1) {
-  return objective_coefficients(example(), {model, objective, Combination::lexicographic, share});
+  return objective_coefficients(two_labels(), {model, objective, Combination::lexicographic, share});
 }
 
 TEST(PlacementInstance, CoefficientsAreThoseOfTheFormulas) {
@@ -38,7 +38,7 @@ TEST(PlacementInstance, CoefficientsAreThoseOfTheFormulas) {
 }
 
 TEST(PlacementInstance, LinksWithoutCostsCountOne) {
-  SignalTable table = example();
+  SignalTable table = two_labels();
   EXPECT_FALSE(label_costs(table, Objective::links).unit);
   for (auto& label : table.labels) label.link_cost = 0;
   EXPECT_TRUE(label_costs(table, Objective::links).unit);
@@ -51,7 +51,7 @@ TEST(PlacementInstance, LinksWithoutCostsCountOne) {
 }
 
 TEST(PlacementInstance, ReachAloneHasItsOwnRequirement) {
-  SignalTable table = example();
+  SignalTable table = two_labels();
   table.labels[0].single_requirement = 0.5;
   EXPECT_EQ(objective_coefficients(table, {alone, Objective::links}), (Values{5, 2, 0}));
   EXPECT_EQ(objective_coefficients(table, {coop, Objective::effective_links}), (Values{3, 2, 0}));
@@ -60,7 +60,7 @@ TEST(PlacementInstance, ReachAloneHasItsOwnRequirement) {
 TEST(PlacementInstance, RejectsLabelsWithoutRequirement) {
   for (const double wrong :
        {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-    SignalTable table = example();
+    SignalTable table = two_labels();
     table.labels[1].requirement = wrong;
     test::expect_input_error([&] { check_problem(table, {coop}); }, "label L1: ");
     EXPECT_NO_THROW(check_problem(table, {alone}));
@@ -72,7 +72,7 @@ TEST(PlacementInstance, RejectsLabelsWithoutRequirement) {
 TEST(PlacementInstance, RejectsInvalidShares) {
   for (const double wrong : {0.0, -0.5, std::numeric_limits<double>::quiet_NaN()}) {
     const PlacementProblem problem{coop, Objective::effective_links, Combination::lexicographic, wrong};
-    test::expect_input_error([&] { check_problem(example(), problem); }, "share of effective links");
+    test::expect_input_error([&] { check_problem(two_labels(), problem); }, "share of effective links");
   }
 }
 

@@ -15,18 +15,18 @@ using test::best_by_enumeration;
 using test::RandomStates;
 using test::Rule;
 
-struct Case {
+struct StatesCase {
   PlacementProblem problem;
   Rule rule = Rule::label;
 };
 
-class PlaceOverStates : public testing::TestWithParam<Case> {};
+class PlaceOverStates : public testing::TestWithParam<StatesCase> {};
 
 TEST_P(PlaceOverStates, EqualsEnumeration) {
   const auto& [problem, rule] = GetParam();
   RandomStates random(1);
   int proven = 0, found = 0, differs = 0;
-  constexpr int cases = 80;
+  constexpr int cases = 40;
   const bool is_hard = problem.redundant || problem.model == CommunicationModel::non_cooperative;
   const double strength = is_hard ? 2.5 : 1;
   for (int k = 0; k < cases; ++k) {
@@ -54,11 +54,13 @@ TEST_P(PlaceOverStates, EqualsEnumeration) {
 
 INSTANTIATE_TEST_SUITE_P(
     Every, PlaceOverStates,
-    testing::Values(Case{}, Case{{.model = CommunicationModel::non_cooperative}},
-                    Case{{.combination = Combination::spend}}, Case{{.redundant = true}},
-                    Case{{.model = CommunicationModel::non_cooperative, .redundant = true}},
-                    Case{{}, Rule::shop}, Case{{.model = CommunicationModel::non_cooperative}, Rule::shop},
-                    Case{{}, Rule::total}, Case{{.combination = Combination::spend}, Rule::total}),
+    testing::Values(StatesCase{}, StatesCase{{.model = CommunicationModel::non_cooperative}},
+                    StatesCase{{.combination = Combination::spend}}, StatesCase{{.redundant = true}},
+                    StatesCase{{.model = CommunicationModel::non_cooperative, .redundant = true}},
+                    StatesCase{{}, Rule::shop},
+                    StatesCase{{.model = CommunicationModel::non_cooperative}, Rule::shop},
+                    StatesCase{{}, Rule::total},
+                    StatesCase{{.combination = Combination::spend}, Rule::total}),
     [](const auto& test) {
       const PlacementProblem& problem = test.param.problem;
       const Rule rule = test.param.rule;

@@ -135,11 +135,6 @@ TEST(TreeSearch, EqualsEnumeration) {
   run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .conflicts = true, .redundant = true});
 }
 
-TEST(TreeSearchSlow, EqualsEnumerationOnManyMore) {
-  run(3, 20000, {.transceivers = 12});
-  run(4, 20000, {.labels = 6, .transceivers = 12, .mounts = true, .conflicts = true, .redundant = true});
-}
-
 // More labels than a search begins with: most are alike, so that few matter and the others enter later.
 TEST(TreeSearch, AddsRowsToASmallStart) {
   test::RandomTables random(5);

@@ -8,6 +8,7 @@
 
 #include "support/expect_input_error.hpp"
 #include "unit/scene/mesh/gltf_maker.hpp"
+#include "unit/scene/solids.hpp"
 
 // The tetrahedron has the volume 1 and the corners (1, 0, 0), (0, 2, 0) and (0, 0, 3) of glTF, in which y is
 // up. Tolerances are far above the rounding of single precision and far below the effect of each feature.
@@ -20,13 +21,6 @@ using test::GltfMaker;
 using test::Json;
 
 constexpr double rounding = 1e-5;
-
-double volume(const Scene& scene) {
-  double six = 0;
-  for (const auto& [a, b, c] : scene.mesh.triangles)
-    six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
-  return six / 6;
-}
 
 void expect_bounds(const Scene& scene, const Vec3& low, const Vec3& high) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -49,7 +43,7 @@ TEST(Gltf, MirroredNodesKeepTheirOutside) {
     maker.file["nodes"] = {parent, child};
     maker.node(0)["children"] = {1};
     maker.node(1)["mesh"] = 0;
-    return volume(maker.scene());
+    return test::volume(maker.scene().mesh);
   };
   EXPECT_NEAR(mirrored({{"scale", {-1, 1, 1}}}, Json::object()), 1, rounding);
   EXPECT_NEAR(mirrored({{"scale", {-1, 1, 1}}}, {{"scale", {1, -2, 1}}}), 2, rounding)
@@ -103,7 +97,7 @@ TEST(Gltf, SkinsMoveTheirVertices) {
   inverses[16 + 12] = -10;
   maker.file["skins"][0]["inverseBindMatrices"] = maker.add("MAT4", 16, inverses);
   expect_bounds(maker.scene(), {0, -3, 0}, {1, 0, 2});
-  EXPECT_NEAR(volume(maker.scene()), 1, rounding);
+  EXPECT_NEAR(test::volume(maker.scene().mesh), 1, rounding);
 }
 
 TEST(Gltf, SkinsAreChecked) {
@@ -173,7 +167,7 @@ TEST(Gltf, InstancesAreCopies) {
   EXPECT_EQ(maker.scene().mesh.triangles.size(), 8u);
   expect_bounds(maker.scene(), {0, -8, 0}, {6, 0, 2});
   attributes["SCALE"] = maker.add("VEC3", 3, std::vector<float>{1, 1, 1, -2, 1, 1});
-  EXPECT_NEAR(volume(maker.scene()), 2 + 4, rounding) << "the mirrored copy faces outwards, too";
+  EXPECT_NEAR(test::volume(maker.scene().mesh), 2 + 4, rounding) << "the mirrored copy faces outwards, too";
   // 90 degrees about x in bytes, whose length is not quite 1.
   attributes["ROTATION"] = maker.add("VEC4", 4, std::vector<std::int8_t>{0, 0, 0, 127, 90, 0, 0, 90}, true);
   expect_bounds(maker.scene(), {0, -6, -3}, {5, 0, 2});

@@ -16,7 +16,7 @@ namespace {
 using test::expect_input_error;
 using test::Json;
 
-const std::string text =
+const std::string far_block =
     "v 498123.5 5412345.25 112\nv 498124.5 5412345.25 112\nv 498123.5 5412347.25 112\nv 498123.5 5412345.25 "
     "115\n"
     "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
@@ -34,7 +34,7 @@ Json store_at(const Json& at, const Json& more = Json::object()) {
 
 Scene scene(const Json& store) {
   const test::TempFolder folder;
-  folder.write("map.obj", text);
+  folder.write("map.obj", far_block);
   return test::scene_of(store, folder.path());
 }
 
@@ -61,7 +61,7 @@ TEST(MapCoordinates, MayBeInTheUnitOfTheStore) {
 // The resolved store has the mesh near its origin, and gives the same scene.
 TEST(MapCoordinates, AreResolved) {
   const test::TempFolder folder;
-  folder.write("map.obj", text);
+  folder.write("map.obj", far_block);
   const Json store = store_at({-498121, -5412343.75, -111});
   const Store read = test::read_text(store.dump(), folder.path());
   const Json resolved = Json::parse(resolved_store_json(read, make_scene(read)));

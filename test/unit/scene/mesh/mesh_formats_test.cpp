@@ -10,6 +10,7 @@
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
 #include "unit/scene/mesh_files.hpp"
+#include "unit/scene/solids.hpp"
 
 // Corners are small integers, which 32 bits represent exactly; areas are sums of a few of their products, to
 // 1e-12.
@@ -228,13 +229,6 @@ TEST(MeshFormats, ImplausibleSizes) {
   EXPECT_EQ(is_told_of(200), 0);
 }
 
-double volume(const Scene& scene) {
-  double six = 0;
-  for (const auto& [a, b, c] : scene.mesh.triangles)
-    six += dot(scene.mesh.vertices[a], cross(scene.mesh.vertices[b], scene.mesh.vertices[c]));
-  return six / 6;
-}
-
 Triangles turned(Triangles triangles) {
   for (auto& [a, b, c] : triangles) std::swap(b, c);
   return triangles;
@@ -321,10 +315,11 @@ TEST(MeshFormats, SolidGlassIsClosedAndFacesOutwards) {
         store = test::read_text(mesh_store(name).dump(), folder.path());
       }
       // A volume is that about the origin, which lies in the open side of "one of two open".
-      EXPECT_NEAR(volume(make_scene(store)), given, 1e-5) << "any other material is taken as it is";
+      EXPECT_NEAR(test::volume(make_scene(store).mesh), given, 1e-5)
+          << "any other material is taken as it is";
       store.materials[0].material = make_dielectric(1.5);
       const Scene scene = make_scene(store);
-      EXPECT_NEAR(volume(scene), expected, 1e-5);
+      EXPECT_NEAR(test::volume(scene.mesh), expected, 1e-5);
       ASSERT_EQ(scene.warnings.empty(), warning.empty());
       if (!warning.empty() && name != "parts") {
         EXPECT_NE(scene.warnings[0].find(warning), std::string::npos) << scene.warnings[0];

@@ -24,17 +24,17 @@ struct Block {
   }
 };
 
-using Triangles = std::vector<SolidTriangle>;
+using SolidTriangles = std::vector<SolidTriangle>;
 
 // The twelve triangles of a block, facing outwards or inwards.
-Triangles surface(const Block& block, bool outwards) {
+SolidTriangles surface(const Block& block, bool outwards) {
   const auto corner = [&](int k) {
     return Vec3{(k & 1) != 0 ? block.high.x : block.low.x, (k & 2) != 0 ? block.high.y : block.low.y,
                 (k & 4) != 0 ? block.high.z : block.low.z};
   };
   constexpr int faces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  Triangles triangles;
+  SolidTriangles triangles;
   for (const auto& face : faces) {
     const int s = block.other_diagonals ? 1 : 0;
     for (const auto& [i, j, k] : {std::array{s, s + 1, s + 2}, std::array{s, s + 2, (s + 3) % 4}})
@@ -90,7 +90,7 @@ std::vector<Case> cases() {
            0.125 - 0.125 * 0.125 * 0.125}};
 }
 
-double volume(const Triangles& triangles) {
+double volume(const SolidTriangles& triangles) {
   const Vec3 origin = triangles[0].corners[0] + Vec3{0.3, 0.4, 0.5};
   double six = 0;
   for (const auto& [corners, has_area] : triangles)
@@ -98,8 +98,8 @@ double volume(const Triangles& triangles) {
   return six / 6;
 }
 
-Triangles oriented(Triangles triangles, const std::vector<Facing>& facings) {
-  Triangles result;
+SolidTriangles oriented(SolidTriangles triangles, const std::vector<Facing>& facings) {
+  SolidTriangles result;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     auto& corners = triangles[t].corners;
     if (facings[t] == Facing::inwards) std::swap(corners[1], corners[2]);
@@ -109,7 +109,7 @@ Triangles oriented(Triangles triangles, const std::vector<Facing>& facings) {
 }
 
 // The number of triangles with the wrong medium behind or before them.
-int wrong_sides(const Triangles& triangles, const Case& solid) {
+int wrong_sides(const SolidTriangles& triangles, const Case& solid) {
   int wrong = 0;
   for (const auto& [corners, has_area] : triangles) {
     const auto& [a, b, c] = corners;
@@ -121,8 +121,8 @@ int wrong_sides(const Triangles& triangles, const Case& solid) {
 }
 
 // Reverses some triangles, all of one block or single ones, and shuffles them.
-Triangles disturbed(const std::vector<Block>& blocks, std::mt19937& random, bool by_block) {
-  Triangles triangles;
+SolidTriangles disturbed(const std::vector<Block>& blocks, std::mt19937& random, bool by_block) {
+  SolidTriangles triangles;
   for (const Block& block : blocks) {
     const bool outwards = random() % 2 == 0;
     for (SolidTriangle& triangle : surface(block, outwards)) {
@@ -138,10 +138,10 @@ TEST(SolidShells, FaceAwayFromTheGlass) {
   std::mt19937 random(1);
   for (const Case& solid : cases())
     for (int k = 0; k < 40; ++k) {
-      const Triangles given = disturbed(solid.blocks, random, k % 2 == 0);
+      const SolidTriangles given = disturbed(solid.blocks, random, k % 2 == 0);
       const auto found = facings(given);
       ASSERT_TRUE(found);
-      const Triangles result = oriented(given, *found);
+      const SolidTriangles result = oriented(given, *found);
       ASSERT_EQ(result.size(), given.size()) << solid.name;
       ASSERT_EQ(std::count(found->begin(), found->end(), Facing::open), 0) << solid.name;
       ASSERT_EQ(wrong_sides(result, solid), 0) << solid.name << ' ' << k;
@@ -155,8 +155,8 @@ TEST(SolidShells, NeedNoAxes) {
   const Vec3 z = normalized({0.3, 0.5, 0.7}), x = normalized(cross({0, 1, 0}, z)), y = cross(z, x);
   std::mt19937 random(2);
   for (const Case& solid : cases()) {
-    const Triangles given = disturbed(solid.blocks, random, false);
-    Triangles turned = given;
+    const SolidTriangles given = disturbed(solid.blocks, random, false);
+    SolidTriangles turned = given;
     for (SolidTriangle& triangle : turned)
       for (Vec3& p : triangle.corners) {
         const auto single = [](double v) { return static_cast<double>(static_cast<float>(v)); };
@@ -172,7 +172,7 @@ TEST(SolidShells, NeedNoAxes) {
 // A seam whose corners differ by the rounding of single precision is closed, a wider one is not.
 TEST(SolidShells, SeamsMayBeRounded) {
   for (const double gap : {0.0, 1e-7, 1e-5}) {
-    Triangles triangles = surface({{0, 0, 0}, {1, 1, 1}}, false);
+    SolidTriangles triangles = surface({{0, 0, 0}, {1, 1, 1}}, false);
     for (std::size_t t = 0; t < 4; ++t)  // bottom and top
       for (Vec3& p : triangles[t].corners) p.x += gap;
     const auto found = facings(triangles);
@@ -192,7 +192,7 @@ TEST(SolidShells, OverlappingShellsFaceOutwards) {
   std::mt19937 random(3);
   const std::vector<Block> blocks = {{{0, 0, 0}, {1, 1, 1}}, {{0.7, 0.4, 0.4}, {1.4, 0.6, 0.6}}};
   for (int k = 0; k < 20; ++k) {
-    const Triangles given = disturbed(blocks, random, k % 2 == 0);
+    const SolidTriangles given = disturbed(blocks, random, k % 2 == 0);
     EXPECT_NEAR(volume(oriented(given, *facings(given))), 1 + 0.7 * 0.2 * 0.2, 1e-9);
   }
 }
@@ -200,14 +200,15 @@ TEST(SolidShells, OverlappingShellsFaceOutwards) {
 TEST(SolidShells, OfWhichTwoAreEqualAreListedOnce) {
   std::mt19937 random(4);
   const Block one{{0, 0, 0}, {1, 1, 1}}, bubble{{0.2, 0.3, 0.4}, {0.5, 0.6, 0.7}};
-  const Triangles given = disturbed({one, bubble, one, bubble}, random, false);
+  const SolidTriangles given = disturbed({one, bubble, one, bubble}, random, false);
   const auto found = facings(given);
   EXPECT_EQ(std::count(found->begin(), found->end(), Facing::repeated), 24);
   EXPECT_NEAR(volume(oriented(given, *found)), 1 - 0.027, 1e-9);
 }
 
 TEST(SolidShells, OpenShellsAreLeftAlone) {
-  Triangles triangles = surface({{0, 0, 0}, {1, 1, 1}}, false), box = surface({{2, 0, 0}, {3, 1, 1}}, false);
+  SolidTriangles triangles = surface({{0, 0, 0}, {1, 1, 1}}, false),
+                 box = surface({{2, 0, 0}, {3, 1, 1}}, false);
   triangles.pop_back();
   triangles.insert(triangles.end(), box.begin(), box.end());
   const auto found = facings(triangles);
@@ -217,10 +218,10 @@ TEST(SolidShells, OpenShellsAreLeftAlone) {
 
 // 2,000 bubbles take a moment, and boxes in boxes without end are refused.
 TEST(SolidShells, WorkIsBounded) {
-  Triangles foam = surface({{-1, -1, -1}, {21, 21, 21}}, true), nested;
+  SolidTriangles foam = surface({{-1, -1, -1}, {21, 21, 21}}, true), nested;
   for (int k = 0; k < 2000; ++k) {
     const Vec3 low{1.0 * (k % 20), 1.0 * (k / 20 % 20), 1.0 * (k / 400)};
-    const Triangles one = surface({low, low + Vec3{0.5, 0.5, 0.5}}, k % 2 == 0);
+    const SolidTriangles one = surface({low, low + Vec3{0.5, 0.5, 0.5}}, k % 2 == 0);
     foam.insert(foam.end(), one.begin(), one.end());
   }
   const auto found = facings(foam);
@@ -228,7 +229,7 @@ TEST(SolidShells, WorkIsBounded) {
   EXPECT_NEAR(volume(oriented(foam, *found)), 22.0 * 22 * 22 - 250, 1e-6);
   for (int k = 0; k < 2000; ++k) {
     const double side = 1 + k;
-    const Triangles one = surface({{-side, -side, -side}, {side, side, side}}, true);
+    const SolidTriangles one = surface({{-side, -side, -side}, {side, side, side}}, true);
     nested.insert(nested.end(), one.begin(), one.end());
   }
   EXPECT_FALSE(facings(nested));

@@ -20,11 +20,11 @@ namespace {
 using test::fixtures_of;
 using test::Json;
 using test::read;
-using test::run;
+using test::run_of_shelves;
 using test::store_with;
 
 TEST(FixtureList, RepeatEqualsTheListWrittenOut) {
-  const std::string base = run;
+  const std::string base = run_of_shelves;
   const Store repeated = read(store_with("[{" + base + R"(, "id": "A{n}", "at": [2, 3], "rotation_deg": 15,
     "repeat": {"count": 3, "step": [0.5, 2.5], "first": 4, "count2": 2, "step2": [6, 0]}}])"));
   std::string list;
@@ -38,7 +38,7 @@ TEST(FixtureList, RepeatEqualsTheListWrittenOut) {
 }
 
 TEST(FixtureList, RepeatsAlongTheFixtureAndMirrorsEverySecond) {
-  const std::string base = run;
+  const std::string base = run_of_shelves;
   const Store store = read(store_with("[{" + base + R"(, "id": "A{n}", "at": [5, 5], "rotation_deg": 30,
     "repeat": {"count": 2, "step": 1.33, "mirror": true}}])"));
   const Scene scene = make_scene(store);
@@ -79,7 +79,7 @@ TEST(FixtureList, ListedLabelsMoveAndTurnWithTheirFixture) {
 }
 
 TEST(FixtureList, StandsAgainstWallsAndFixtures) {
-  const std::string base = run;
+  const std::string base = run_of_shelves;
   Json store = store_with("[{" + base + R"(, "id": "W", "against": {"wall": 2, "from": 1, "gap": 0.1}},
     {)" + base + R"(, "id": "A", "at": [10, 8], "rotation_deg": 30},
     {)" + base + R"(, "id": "E", "against": {"fixture": "A", "side": "right"}},
@@ -117,7 +117,7 @@ TEST(FixtureList, StandsAgainstWallsAndFixtures) {
 TEST(FixtureList, RepeatsAlongTheWallThatItStandsAgainst) {
   for (const char* outline :
        {"[[0, 0], [30, 0], [30, 20], [0, 18]]", "[[0, 18], [30, 20], [30, 0], [0, 0]]"}) {
-    Json store = store_with(std::string("[{") + run +
+    Json store = store_with(std::string("[{") + run_of_shelves +
                             R"(, "id": "W{n}", "against": {"wall": 2, "from": 1},
                                "repeat": {"count": 3, "step": 1.33}}])");
     store["room"] = {{"outline", Json::parse(outline)},
@@ -143,7 +143,7 @@ TEST(FixtureList, RefusesFaultsWithTheirPlace) {
   struct Fault {
     const char *fixtures, *presets, *message;
   };
-  const std::string base = run;
+  const std::string base = run_of_shelves;
   const std::string copies =
       "[{" + base + R"(, "id": "A", "at": [2, 3], "repeat": {"count": 2, "step": [0, 2]}}])";
   const std::string beside = "[{" + base + R"(, "id": "A", "against": {"fixture": "B", "side": "left"}}])";
@@ -234,7 +234,7 @@ TEST(FixtureList, CountsTheLabelsOfCopiesBeforeItMakesThem) {
   store["fixtures"][0].erase("labels");
   test::expect_input_error([&] { read(store); },
                            std::string_view("fixtures[0].labels (preset 'many'): produces"));
-  const Json gondola = Json::parse(std::string("{") + run + "}");
+  const Json gondola = Json::parse(std::string("{") + run_of_shelves + "}");
   store["presets"]["many"] = gondola;
   store["presets"]["many"]["labels"]["spacing"] = 0.01;
   store["fixtures"] = Json::parse(
@@ -246,7 +246,7 @@ TEST(FixtureList, CountsTheLabelsOfCopiesBeforeItMakesThem) {
 }
 
 TEST(FixtureList, NamesEachCopyInMessages) {
-  const std::string copies = std::string(R"([{"id": "A{n}", "at": [1, 1], )") + run +
+  const std::string copies = std::string(R"([{"id": "A{n}", "at": [1, 1], )") + run_of_shelves +
                              R"(, "repeat": {"count": 3, "step": 9.7}},
     {"type": "box", "id": "T{n}", "at": [1, 4, 0], "size": [1, 1, 1], "material": "steel",
      "labels": [{"id": "L", "position": [0.5, 0, 1.1], "normal": [0, -1, 0], "type": "small"}],

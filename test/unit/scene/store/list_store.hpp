@@ -24,7 +24,7 @@ inline std::string fixtures_of(const Store& store) {
   return Json::parse(resolved_store_json(store, make_scene(store)))["fixtures"].dump(1);
 }
 
-inline constexpr const char* run =
+inline constexpr const char* run_of_shelves =
     R"("type": "gondola", "length": 1.33, "depth": 0.9, "height": 1.8, "material": "steel",
   "shelves": [0.4, 0.9], "faces": ["front"], "labels": {"type": "small", "spacing": 0.5})";
 

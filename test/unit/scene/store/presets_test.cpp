@@ -17,7 +17,7 @@ namespace {
 using test::fixtures_of;
 using test::Json;
 using test::read;
-using test::run;
+using test::run_of_shelves;
 using test::store_with;
 using test::TempFolder;
 
@@ -47,7 +47,7 @@ TEST(Presets, HaveTheUnitOfTheirFile) {
   Json store = store_with(R"([{"preset": "run", "id": "A{n}", "at": [2, 3], "height": 1.6,
                                "repeat": {"count": 2, "step": 1.33}}])");
   store["catalogues"] = {"chain.json"};
-  const std::string base = run;
+  const std::string base = run_of_shelves;
   const Json written =
       store_with("[{" + base + R"(, "id": "A{n}", "at": [2, 3], "repeat": {"count": 2, "step": 1.33}}])");
   Json lower = written;
@@ -61,7 +61,7 @@ TEST(Presets, AlternativesAndNullRemoveKeys) {
       store_with(R"([{"preset": "run", "id": "A", "at": [2, 3], "doors": null, "labels": {"count": 2}},
                               {"preset": "block", "id": "B", "at": [8, 8, 0], "size": [1, 1, 1]},
                               {"preset": "run", "id": "C", "at": [20, 3], "labels": null}])");
-  store["presets"]["run"] = Json::parse("{" + std::string(run) + R"(, "doors": "door"})");
+  store["presets"]["run"] = Json::parse("{" + std::string(run_of_shelves) + R"(, "doors": "door"})");
   store["presets"]["block"] =
       Json::parse(R"({"type": "box", "material": "steel", "min": [1, 1, 0], "max": [2, 2, 1]})");
   const Store complete = read(store);
@@ -123,7 +123,7 @@ TEST(Presets, NamesThePresetThatHasTheFault) {
 // Each fixture has a copy of the values of its preset.
 TEST(Presets, LimitsTheValuesOfAllFixtures) {
   Json store = store_with("[]");
-  store["presets"]["long"] = Json::parse(std::string("{") + run + "}");
+  store["presets"]["long"] = Json::parse(std::string("{") + run_of_shelves + "}");
   store["presets"]["long"]["labels"] = {{"type", "small"}, {"positions", std::vector<double>(1000, 0.5)}};
   store["presets"]["longer"] = {{"preset", "long"}, {"rotation_deg", 90}};
   for (int k = 0; k < 5000; ++k)

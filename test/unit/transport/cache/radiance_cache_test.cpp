@@ -16,10 +16,10 @@
 namespace shelfbeam {
 namespace {
 
-constexpr double albedo = 0.6;
+constexpr double wall_albedo = 0.6;
 
 // A room with a shelf, and labels on the floor. The first of them are in its shadow for the second unit.
-test::BareScene room(double of_all = albedo) {
+test::BareScene room(double of_all = wall_albedo) {
   test::BareScene room;
   room.box(room.material(Lambertian{of_all}), {0, 0, 0}, {6, 5, 3});
   room.box(room.material(Lambertian{of_all}), {2.8, 0.5, 0}, {3.3, 4.5, 1.8});
@@ -36,7 +36,7 @@ struct Prepared {
   UnitGroups groups{world};
   RadianceCache cache;
 
-  explicit Prepared(double of_all = albedo, float threshold = 1e-4F, std::uint64_t seed = 5)
+  explicit Prepared(double of_all = wall_albedo, float threshold = 1e-4F, std::uint64_t seed = 5)
       : scene(room(of_all)), cache(world, groups, threshold, seed) {}
 
   double cached(const SurfacePoint& at, std::size_t j) const {
@@ -76,8 +76,8 @@ const SurfacePoint floor_point{{1.5, 2.5, 0}, {0, 0, 1}};
 TEST(RadianceCache, ApproximatesTheIrradiance) {
   const Prepared room;
   EXPECT_GT(room.cache.cells(), 100U);
-  EXPECT_NEAR(static_cast<double>(room.cache.guide(MaterialId{0}).flat()) * pi, albedo, 1e-6);
-  const auto [typical, largest] = room.deviation(albedo);
+  EXPECT_NEAR(static_cast<double>(room.cache.guide(MaterialId{0}).flat()) * pi, wall_albedo, 1e-6);
+  const auto [typical, largest] = room.deviation(wall_albedo);
   EXPECT_LT(typical, 0.12);
   EXPECT_LT(largest, 0.3);
   EXPECT_GT(room.deviation(0.45).first, 0.12);
@@ -98,7 +98,7 @@ TEST(RadianceCache, IsEmptyOutsideLitSurfaces) {
   EXPECT_EQ(room.cache.row({{1.5, 2.5, 0}, {0, 0, -1}}).count, 0U);
   EXPECT_EQ(room.cache.row({{1.5, 2.5, 1.5}, {0, 0, 1}}).count, 0U);
   // Light that is too weak is not stored.
-  EXPECT_EQ(Prepared(albedo, 1e6F).cache.row(floor_point).count, 0U);
+  EXPECT_EQ(Prepared(wall_albedo, 1e6F).cache.row(floor_point).count, 0U);
 }
 
 // Of a hundred places on the floor of a back room, those with light of its unit. The control is a cache whose
@@ -132,7 +132,7 @@ TEST(RadianceCache, KnowsABackRoomWithoutLabels) {
 }
 
 TEST(RadianceCache, FollowsFromTheSeedAlone) {
-  const Prepared one, same, other(albedo, 1e-4F, 6);
+  const Prepared one, same, other(wall_albedo, 1e-4F, 6);
   EXPECT_EQ(one.cached(floor_point, 1), same.cached(floor_point, 1));
   EXPECT_NE(one.cached(floor_point, 1), other.cached(floor_point, 1));
 }

@@ -19,7 +19,7 @@ namespace shelfbeam {
 namespace {
 
 // Units half a metre from a wall, in the middle of the room, and beside a column.
-test::BareScene room() {
+test::BareScene room_with_column() {
   test::BareScene room;
   const MaterialId paper = room.material(Lambertian{0.6});
   room.box(paper, {0, 0, 0}, {24, 20, 4.4});
@@ -34,7 +34,7 @@ test::BareScene room() {
 constexpr SpotRule rule{.min_cap_distance = 2};
 
 TEST(BrightSpots, AreFoundBesideUnits) {
-  const test::BareScene scene = room();
+  const test::BareScene scene = room_with_column();
   const World world(scene.scene);
   UnitGroups units(world);
   const BrightSpots spots(world, units, 3, rule);
@@ -110,7 +110,7 @@ Moments plain_excess(const World& world, const UnitGroups& units, std::uint32_t 
 // z-test at 0.1 %, with errors of at most 5 %, and 1.5 % except for small probabilities. The control is a
 // reference 8 % off.
 TEST(BrightSpots, CarryTheWholeExcess) {
-  const test::BareScene scene = room();
+  const test::BareScene scene = room_with_column();
   const World world(scene.scene);
   UnitGroups units(world);
   const BrightSpots spots(world, units, 3, rule);
@@ -143,7 +143,7 @@ TEST(BrightSpots, CarryTheWholeExcess) {
 
 // Closer than `near`, the cap grows with the density of the receiver's own rays.
 TEST(BrightSpots, LeaveNearPointsToReceiverRays) {
-  const test::BareScene scene = room();
+  const test::BareScene scene = room_with_column();
   const World world(scene.scene);
   UnitGroups units(world);
   const BrightSpots spots(world, units, 3, {.min_cap_distance = 2, .near_distance = 0.5});

@@ -19,7 +19,7 @@ namespace shelfbeam {
 namespace {
 
 /// A pane with a unit that looks down, and two labels, all `height` above it.
-struct Arrangement {
+struct DevicesAtGlass {
   double height = 0;
   Vec3 up{0, 0, 1};
   Vec3 place{0.37, 0.21, 0.83};
@@ -52,7 +52,7 @@ struct Arrangement {
   }
 };
 
-double largest_difference(const Arrangement& a, const Arrangement& b) {
+double largest_difference(const DevicesAtGlass& a, const DevicesAtGlass& b) {
   const auto one = a.signals(), other = b.signals();
   double largest = 0;
   for (std::size_t k = 0; k < one.size(); ++k)
@@ -65,7 +65,7 @@ TEST(GlassDevices, CountAsInFront) {
   for (const Vec3& up : {Vec3{0, 0, 1}, Vec3{0, -1, 0}, Vec3{0.4, -0.7, 0.3}})
     for (const double distance : {0.0, 50.0, 900.0}) {
       const Vec3 place = Vec3{0.37, 0.21, 0.83} + Vec3{distance, 0.6 * distance, 0};
-      const Arrangement in_front{-1e-3, up, place}, behind{1e-3, up, place};
+      const DevicesAtGlass in_front{-1e-3, up, place}, behind{1e-3, up, place};
       ASSERT_GT(largest_difference(in_front, behind), 0.5) << "units behind a pane shine on it";
       for (const double height : {0.0, 1e-12, -1e-12, 1e-6, -1e-6, 1e-5, -1e-5, -3e-5})
         EXPECT_LT(largest_difference({height, up, place}, in_front), 0.01) << height << " at " << distance;
@@ -75,7 +75,7 @@ TEST(GlassDevices, CountAsInFront) {
 }
 
 TEST(GlassDevices, AreOthersThanThoseBesideAPane) {
-  Scene scene = Arrangement{0.1}.scene();
+  Scene scene = DevicesAtGlass{0.1}.scene();
   EXPECT_FALSE(devices_off_glass(scene, 1e-4, 1e-5));
   scene.transceivers[0].position = Vec3{5, 0, 0.83};  // in its plane
   EXPECT_FALSE(devices_off_glass(scene, 1e-4, 1e-5));
