@@ -14,6 +14,9 @@ import numpy
 
 import guide
 
+if "CI" not in os.environ and importlib.util.find_spec("PIL") is None:
+    raise unittest.SkipTest("the package python3-pil is missing")
+
 TOP = guide.DOCS.parent
 loader = importlib.machinery.SourceFileLoader("make_pictures", str(TOP / "scripts/make-pictures"))
 make_pictures = importlib.util.module_from_spec(importlib.util.spec_from_loader("make_pictures", loader))
