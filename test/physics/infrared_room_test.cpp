@@ -75,18 +75,18 @@ TEST(InfraredRoom, EveryBounceAgrees) {
   test(test::particle, 300000, 13e-3);
 }
 
-// The same with combined errors of 0.1 to 0.3 % per bounce, close to those of the figures. At this precision
-// the test also rejects a receiver without cut-off.
+// The same with combined errors of 0.1 to 0.5 % per bounce, of the order of those of the figures. At this
+// precision the test also rejects a receiver without cut-off.
 TEST(InfraredRoomSlow, EveryBounceAgreesToTheErrorOfTheFigures) {
   const auto test = [](const Way& way, std::uint64_t samples) {
     const auto found = powers(way, samples);
     EXPECT_TRUE(found.agrees(0.01)) << way.name;
-    EXPECT_LT(found.precision(), 4e-3) << way.name;
+    EXPECT_LT(found.precision(), 6e-3) << way.name;
     EXPECT_FALSE(powers(way, samples, 1, 90).agrees(0.01)) << way.name;
     EXPECT_FALSE(powers(way, samples, 1.02).agrees(0.01)) << way.name;
   };
-  test(test::nee, 8000000);
-  test(test::particle, 5000000);
+  test(test::nee, 4000000);
+  test(test::particle, 2500000);
 }
 
 // Path reuse gives the sum of all bounces: it is compared with the figure for up to 12 bounces plus the
@@ -98,7 +98,7 @@ TEST(InfraredRoomSlow, PathReuseAgrees) {
   for (std::size_t k = 13; k <= 40; ++k) rest += static_cast<double>(layers.by_bounce[k].mean[0]) * microwatt;
   const auto found = [&](double albedo_factor) {
     const SignalMatrix matrix =
-        test::path_reuse.simulate(room(albedo_factor, 85, 1).scene, 2000 * test::reuse_samples);
+        test::path_reuse.simulate(room(albedo_factor, 85, 1).scene, 500 * test::reuse_samples);
     test::Comparison result;
     result.add(static_cast<double>(matrix.mean[0]) * microwatt, up_to_12_bounces.microwatt + rest,
                std::hypot(static_cast<double>(matrix.standard_error[0]) * microwatt,
@@ -107,7 +107,7 @@ TEST(InfraredRoomSlow, PathReuseAgrees) {
   };
   const test::Comparison as_given = found(1);
   EXPECT_TRUE(as_given.agrees(0.001));
-  EXPECT_LT(as_given.precision(), 0.002);
+  EXPECT_LT(as_given.precision(), 0.004);
   EXPECT_FALSE(found(1.02).agrees(0.001));
 }
 

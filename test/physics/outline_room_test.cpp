@@ -76,12 +76,12 @@ TEST(OutlineRoom, LetsNoRayEscape) {
   EXPECT_GT(escapes(scene, 2'000'000), 0U) << "the control: a triangle is missing";
 }
 
-TEST(OutlineRoomSlow, LetsNoRayOfAHundredMillionEscape) {
-  EXPECT_EQ(escapes(l_shaped_room(), 100'000'000), 0U);
+TEST(OutlineRoomSlow, LetsNoRayOfTwentyMillionEscape) {
+  EXPECT_EQ(escapes(l_shaped_room(), 20'000'000), 0U);
 }
 
 // Probes at random points of the surface, each on both sides; that outside the room is dark. All incident
-// flux is phi / (1 - rho). z-test at 0.1 %; the statistical error is about 1 %, from the places of the
+// flux is phi / (1 - rho). z-test at 0.1 %; the statistical error is about 1.4 %, from the places of the
 // probes. The control is an albedo that is off by 1 %.
 TEST(OutlineRoomSlow, BalancesTheFlux) {
   Scene scene = l_shaped_room();
@@ -94,7 +94,7 @@ TEST(OutlineRoomSlow, BalancesTheFlux) {
     area.push_back(length(cross(vertices[b] - vertices[a], vertices[c] - vertices[a])) / 2);
   std::vector<double> until(area.size());
   std::partial_sum(area.begin(), area.end(), until.begin());
-  constexpr std::uint32_t probes = 6000;
+  constexpr std::uint32_t probes = 3000;
   for (std::uint32_t k = 0; k < probes; ++k) {
     const double at = until.back() * (k + random(k, 0)) / probes;  // stratified by area
     const auto t = static_cast<std::size_t>(std::upper_bound(until.begin(), until.end(), at) - until.begin());
@@ -117,7 +117,7 @@ TEST(OutlineRoomSlow, BalancesTheFlux) {
   const double all = phi / (1 - rho);
   test::Comparison flux;
   flux.add(incident.mean(), all, incident.standard_error());
-  test::expect_agreement(flux, 0.015, (1 - rho) / (1 - 1.01 * rho), "probes");
+  test::expect_agreement(flux, 0.02, (1 - rho) / (1 - 1.01 * rho), "probes");
 }
 
 }  // namespace

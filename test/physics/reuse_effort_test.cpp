@@ -91,14 +91,14 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
 }
 
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {
-  const auto kept = check_caches(10, {1e6, 100, 30, 10, 1, 1e-4});
+  const auto kept = check_caches(5, {1e6, 100, 30, 10, 1, 1e-4});
   EXPECT_LT(kept.front(), kept.back() * 3 / 4);
 }
 
 // All units are far too weak for the requirement, so all of them are sampled at random. Some of their light
-// comes in only one batch of fifty, with skewed errors, so this test takes 9,600 batches.
+// comes in only one batch of fifty, with skewed errors, so this test takes 4,800 batches.
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheRequirement) {
-  expect_same(test::reuse(store(1e6), 300, 6), test::reuse(store(), 100, 1000), "nothing in reach");
+  expect_same(test::reuse(store(1e6), 150, 6), test::reuse(store(), 50, 1000), "nothing in reach");
 }
 
 // Clusters of single labels, or without neighbours.
