@@ -100,8 +100,9 @@ class SummaryWriter {
     const std::size_t fresh = new_units(data_), installed = placement_.count() - fresh;
     const auto& availability = plan_.availability;
     const bool is_enough = availability ? availability->certified : reached() == labels();
-    std::string mount = fresh > 0 ? say_count("summary.answer.mount", fresh)
-                                  : say_count(is_enough ? "summary.answer.nothing" : "summary.answer.keep", installed);
+    std::string mount =
+        fresh > 0 ? say_count("summary.answer.mount", fresh)
+                  : say_count(is_enough ? "summary.answer.nothing" : "summary.answer.keep", installed);
     if (fresh > 0 && installed > 0) mount = say_count("summary.answer.beside", installed, mount);
     const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
     if (availability)
