@@ -71,13 +71,13 @@ std::uint64_t escapes(const Scene& scene, std::uint32_t count) {
 TEST(OutlineRoom, LetsNoRayEscape) {
   Scene scene = l_shaped_room();
   EXPECT_EQ(escapes(scene, 2'000'000), 0U);
-  scene.mesh.triangles.erase(scene.mesh.triangles.begin() + 5);
-  scene.mesh.materials.pop_back();
-  EXPECT_GT(escapes(scene, 2'000'000), 0U) << "the control: a triangle is missing";
-}
-
-TEST(OutlineRoomSlow, LetsNoRayOfTwentyMillionEscape) {
-  EXPECT_EQ(escapes(l_shaped_room(), 20'000'000), 0U);
+  auto& [vertices, triangles, materials] = scene.mesh;
+  const auto area = [&](const auto& t) {
+    return length(cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]));
+  };
+  triangles.erase(std::ranges::max_element(triangles, {}, area));
+  materials.pop_back();
+  EXPECT_GT(escapes(scene, 2'000'000), 0U) << "the control: the largest triangle is missing";
 }
 
 // Probes at random points of the surface, each on both sides; that outside the room is dark. All incident

@@ -94,23 +94,23 @@ TEST(Units, ResolvedStoresAreInMetres) {
 }
 
 TEST(Units, ErrorsGiveTheValueAsWritten) {
-  const auto refused = [](const std::string& pointer, double value, const std::string& problem) {
+  const auto refuses = [](const std::string& pointer, double value, const std::string& problem) {
     Json json = with_lengths([](double metres) { return decimal(metres * 1000); });
     json["units"] = "mm";
     json[Json::json_pointer(pointer)] = value;
     expect_input_error([&] { scene_of(json); }, "store.json: ", problem);
   };
-  refused("/room/size/0", 2e6, "room.size[0]: is 2000000 mm, which is outside 0.001 to 1000 m");
-  refused("/room/size/0", 0.5, "is 0.5 mm, which is outside 0.001 to 1000 m");
-  refused("/fixtures/2/max/0", 2e7, "is at 20000000 mm; it must be within 10 km of the origin");
-  refused("/transceiver_types/disc/radius", 0.05, "is 0.05 mm, which is outside 0.0001 to 10 m");
-  refused("/label_types/deep/size/0", 10001, "is 10001 mm, which is outside 0.001 to 10 m");
-  refused("/materials/door/thickness", 1001, "is 1001 mm, which is outside 0 to 1 m");
-  refused("/fixtures/0/depth", 99, "is 99 mm, below 0.1 m");
-  refused("/fixtures/1/length", 299, "is 299 mm, below 0.3 m");
-  refused("/fixtures/0/shelves/2", 1800, "is at 1800 mm, not below the height 1800 mm");
-  refused("/fixtures/0/shelves/0", 49, "is at 49 mm; boards must be at 0.05 m or higher");
-  refused("/label_types/deep/threshold/at_m", 1001, "at_m: is 1001 m, which is outside 0.001 to 1000 m");
+  refuses("/room/size/0", 2e6, "room.size[0]: is 2000000 mm, which is outside 0.001 to 1000 m");
+  refuses("/room/size/0", 0.5, "is 0.5 mm, which is outside 0.001 to 1000 m");
+  refuses("/fixtures/2/max/0", 2e7, "is at 20000000 mm; it must be within 10 km of the origin");
+  refuses("/transceiver_types/disc/radius", 0.05, "is 0.05 mm, which is outside 0.0001 to 10 m");
+  refuses("/label_types/deep/size/0", 10001, "is 10001 mm, which is outside 0.001 to 10 m");
+  refuses("/materials/door/thickness", 1001, "is 1001 mm, which is outside 0 to 1 m");
+  refuses("/fixtures/0/depth", 99, "is 99 mm, below 0.1 m");
+  refuses("/fixtures/1/length", 299, "is 299 mm, below 0.3 m");
+  refuses("/fixtures/0/shelves/2", 1800, "is at 1800 mm, not below the height 1800 mm");
+  refuses("/fixtures/0/shelves/0", 49, "is at 49 mm; boards must be at 0.05 m or higher");
+  refuses("/label_types/deep/threshold/at_m", 1001, "at_m: is 1001 m, which is outside 0.001 to 1000 m");
   Json json = sample_store();
   json["units"] = "km";
   expect_input_error([&] { scene_of(json); }, "store.json: units: has the unknown value 'km'");

@@ -19,7 +19,7 @@ namespace shelfbeam {
 ///   sum_j min(1, max(0, a_j - s) / (1 - s K)) x_j >= 1,   a_j the share of unit j.
 class StateCuts {
  public:
-  /// Begins with one cut per label, over all states.
+  /// Begins with one cut per label, over all states. The arguments must outlive the object.
   StateCuts(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance);
 
   const SignalTable& table() const { return table_; }

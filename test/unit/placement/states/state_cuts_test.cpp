@@ -58,7 +58,9 @@ TEST(StateCuts, OfLinearProgramsHoldForEverySmallSelection) {
 TEST(StateCuts, OfLinearProgramsAreViolatedByThem) {
   RandomStates random(4);
   const StateTable states = random.next(false);
-  StateCuts cuts(states, {}, {.of_label = std::vector<std::uint32_t>(5, 1)});
+  const PlacementProblem problem;
+  const MissAllowance allowance{.of_label = std::vector<std::uint32_t>(5, 1)};
+  StateCuts cuts(states, problem, allowance);
   const std::size_t before = cuts.size();
   const std::vector<double> x(8, 0.1);
   ASSERT_GT(cuts.add_violated(x, 3, Deadline(60), {}), 0U);
