@@ -100,5 +100,10 @@ TEST(FurnaceSlow, IsUniformForConnectionsAloneInASphere) {
   }
 }
 
+TEST(FurnaceSlow, IsUniformForPathReuseInASphere) {
+  for (const bool clear_things : {false, true})
+    expect_uniform(test::path_reuse, sphere(clear_things), 300 * test::reuse_samples, 4.6e-3);
+}
+
 }  // namespace
 }  // namespace shelfbeam

@@ -80,6 +80,10 @@ TEST(OutlineRoom, LetsNoRayEscape) {
   EXPECT_GT(escapes(scene, 2'000'000), 0U) << "the control: the largest triangle is missing";
 }
 
+TEST(OutlineRoomSlow, LetsNoRayOfTwentyMillionEscape) {
+  EXPECT_EQ(escapes(l_shaped_room(), 20'000'000), 0U);
+}
+
 // Probes at random points of the surface, each on both sides; that outside the room is dark. All incident
 // flux is phi / (1 - rho). z-test at 0.1 %; the statistical error is about 1.4 %, from the places of the
 // probes. The control is an albedo that is off by 1 %.

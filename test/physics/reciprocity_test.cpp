@@ -58,5 +58,11 @@ TEST(Reciprocity, UnitsAndLabelsMayBeExchanged) {
   expect_reciprocity(test::particle, 20000, 0.03);
 }
 
+// Relative standard errors of 0.6 % per entry.
+TEST(ReciprocitySlow, UnitsAndLabelsMayBeExchanged) {
+  expect_reciprocity(test::mis, 300000, 0.0085);
+  expect_reciprocity(test::particle, 150000, 0.0085);
+}
+
 }  // namespace
 }  // namespace shelfbeam

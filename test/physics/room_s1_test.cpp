@@ -65,5 +65,9 @@ TEST(RoomS1Slow, TotalsAgreeWithBothSimulators) {
             simulate_room(test::mis, 640, DirectLight::sampled).mean);
 }
 
+TEST(RoomS1Slow, TotalsOfPathReuseAgree) {
+  expect_agreement(test::path_reuse, 200 * test::reuse_samples, DirectLight::exact, 0.005);
+}
+
 }  // namespace
 }  // namespace shelfbeam

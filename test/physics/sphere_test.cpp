@@ -99,6 +99,10 @@ void expect_uniform_sum(std::uint64_t samples, double precision) {
 TEST(DiffuseSphere, IsUniformForPathReuse) {
   expect_uniform_sum(16 * test::reuse_samples, 0.02);
 }
+TEST(DiffuseSphereSlow, IsUniformForPathReuse) {
+  expect_uniform_sum(200 * test::reuse_samples, 0.005);
+}
+
 // The error of a coarse sphere falls with the square of its edges, by a factor of four per level. 0.4 % on
 // level 2 (measured to 0.05 %) is 0.006 % on level 5, far below the statistical error above.
 TEST(DiffuseSphere, TessellationErrorIsBounded) {
