@@ -17,6 +17,11 @@ inline constexpr auto coop = CommunicationModel::cooperative;
 inline constexpr auto alone = CommunicationModel::non_cooperative;
 inline constexpr PlacementProblem covering{.model = alone};
 
+/// How much a bound may exceed the optimum by the rounding of its sum.
+inline double rounding(double value) {
+  return 1e-9 * std::max(1.0, std::abs(value));
+}
+
 /// A table from a dense m x n matrix, all requirements 1.
 inline SignalTable make_table(const std::vector<std::vector<double>>& matrix, std::size_t columns) {
   SignalTable table;

@@ -90,10 +90,6 @@ std::vector<BoundRow> random_rows(const SignalTable& table, std::size_t max_unit
   return rows;
 }
 
-double rounding(double value) {
-  return 1e-9 * std::max(1.0, std::abs(value));
-}
-
 // Arbitrary multipliers: most prove little, none may prove too much.
 TEST(DualBound, HoldsForAnyMultipliers) {
   test::RandomTables random(17, {.labels = 6, .transceivers = 8, .mounts = true});
@@ -128,11 +124,11 @@ TEST(DualBound, HoldsForAnyMultipliers) {
       for (std::size_t i = 0; i < rows.size(); ++i)
         y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
       const DualBound dual = dual_bound(table, problem, rows, y, cost, selections);
-      ASSERT_LE(dual.bound, least.cost + rounding(least.cost)) << k;
+      ASSERT_LE(dual.bound, least.cost + test::rounding(least.cost)) << k;
       if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
       for (std::size_t j = 0; j < table.columns(); ++j) {
-        ASSERT_LE(dual.if_chosen[j], least.with[j] + rounding(least.with[j])) << k;
-        ASSERT_GE(dual.if_chosen[j], dual.bound - rounding(dual.bound));
+        ASSERT_LE(dual.if_chosen[j], least.with[j] + test::rounding(least.with[j])) << k;
+        ASSERT_GE(dual.if_chosen[j], dual.bound - test::rounding(dual.bound));
       }
 
       // Negative control: without the restriction the same rows sometimes prove too much.
@@ -141,7 +137,7 @@ TEST(DualBound, HoldsForAnyMultipliers) {
       // No selection of this cost is lost.
       const double worth = least.cost;
       if (worth == infinite) continue;
-      for (const std::uint32_t j : useless_columns(dual, worth + rounding(worth))) {
+      for (const std::uint32_t j : useless_columns(dual, worth + test::rounding(worth))) {
         EXPECT_GT(least.with[j], worth);
         ++useless;
       }

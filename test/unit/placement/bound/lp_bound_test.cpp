@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include <gtest/gtest.h>
 
@@ -36,10 +35,6 @@ double relaxation(const milp::Backend& backend, const SignalTable& table, const 
   return backend.solve(model, {}, {}).primal_bound;
 }
 
-double slack_of(double value) {
-  return 1e-9 * std::max(1.0, std::abs(value));
-}
-
 // Never above the optimum; equal to the relaxation's value except for the cuts.
 TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
   test::RandomTables random(29, {.labels = 12, .transceivers = 10, .mounts = true});
@@ -55,8 +50,8 @@ TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
     const LpBound plain = bound(table, problem, cost, {.cuts = false});
     const LpBound cut = bound(table, problem, cost);
     const double relaxed = relaxation(GetParam(), table, problem);
-    EXPECT_LE(plain.dual.bound, best + slack_of(best)) << k;
-    EXPECT_LE(cut.dual.bound, best + slack_of(best)) << k;
+    EXPECT_LE(plain.dual.bound, best + test::rounding(best)) << k;
+    EXPECT_LE(cut.dual.bound, best + test::rounding(best)) << k;
     EXPECT_LE(plain.dual.bound, relaxed + 1e-6 * std::max(1.0, relaxed)) << k;
     EXPECT_GE(plain.dual.bound, relaxed - 1e-5 * std::max(1.0, relaxed)) << k;
     EXPECT_GE(cut.dual.bound, plain.dual.bound - 1e-6 * std::max(1.0, relaxed)) << k;
@@ -151,7 +146,7 @@ TEST_P(LpBounds, OfTheSecondaryObjectiveUseTheCount) {
     const std::vector<double> cost = objective_coefficients(table, problem);
     const LpBound with = bound(table, problem, cost, {.selections = {truth.fewest, truth.fewest}});
     const LpBound without = bound(table, problem, cost);
-    EXPECT_LE(with.dual.bound, truth.best_at_fewest + slack_of(truth.best_at_fewest)) << k;
+    EXPECT_LE(with.dual.bound, truth.best_at_fewest + test::rounding(truth.best_at_fewest)) << k;
     EXPECT_GE(with.dual.bound, without.dual.bound - 1e-6 * truth.best_at_fewest) << k;
     ++compared;
     if (with.dual.bound > without.dual.bound + 0.01 * truth.best_at_fewest) ++better;

@@ -9,13 +9,13 @@
 
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
+#include "unit/signal/checkpoint/identity.hpp"
 
 namespace shelfbeam {
 namespace {
 
+using test::identity;
 using test::TempFolder;
-
-const CheckpointIdentity identity{{"store hash", "abc"}, {"seed", "1"}};
 
 struct Items {
   std::vector<std::uint32_t> batches;

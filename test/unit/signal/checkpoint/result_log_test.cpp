@@ -8,43 +8,44 @@
 
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
+#include "unit/signal/checkpoint/identity.hpp"
 
 namespace shelfbeam {
 namespace {
 
-const CheckpointIdentity log_identity{{"store hash", "abc"}, {"seed", "1"}};
+using test::identity;
 
 TEST(ResultLog, KeepsResultsForTheNextRun) {
   const test::TempFolder folder;
   const auto path = folder / "results";
   {
-    ResultLog log(path, log_identity, false, 0);
+    ResultLog log(path, identity, false, 0);
     EXPECT_FALSE(log.find(7));
     log.add(7, "seven");
     log.add(8, "");
   }
   {
-    ResultLog log(path, log_identity, true, 1000);
+    ResultLog log(path, identity, true, 1000);
     EXPECT_EQ(log.find(7), "seven");
     EXPECT_EQ(log.find(8), "");
     EXPECT_FALSE(log.find(9));
     log.add(9, "nine");
   }
-  EXPECT_EQ(ResultLog(path, log_identity, true, 0).find(7), "seven");
-  EXPECT_EQ(ResultLog(path, log_identity, true, 0).find(9), "nine");
-  EXPECT_FALSE(ResultLog(path, log_identity, false, 0).find(7)) << "without resuming";
+  EXPECT_EQ(ResultLog(path, identity, true, 0).find(7), "seven");
+  EXPECT_EQ(ResultLog(path, identity, true, 0).find(9), "nine");
+  EXPECT_FALSE(ResultLog(path, identity, false, 0).find(7)) << "without resuming";
 }
 
 TEST(ResultLog, DropsATruncatedRecord) {
   const test::TempFolder folder;
   const auto path = folder / "results";
   {
-    ResultLog log(path, log_identity, false, 0);
+    ResultLog log(path, identity, false, 0);
     log.add(7, "seven");
     log.add(8, "eight");
   }
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 3);
-  const ResultLog log(path, log_identity, true, 0);
+  const ResultLog log(path, identity, true, 0);
   EXPECT_EQ(log.find(7), "seven");
   EXPECT_FALSE(log.find(8));
 }
@@ -53,7 +54,7 @@ TEST(ResultLog, RefusesOtherRunsAndOtherFiles) {
   const test::TempFolder folder;
   const auto path = folder / "results";
   {
-    ResultLog(path, log_identity, false, 0).add(7, "seven");
+    ResultLog(path, identity, false, 0).add(7, "seven");
   }
   test::expect_input_error([&] { ResultLog(path, {{"store hash", "abc"}, {"seed", "2"}}, true, 0); },
                            std::string_view("its seed is '1' instead of '2'"));
@@ -62,15 +63,15 @@ TEST(ResultLog, RefusesOtherRunsAndOtherFiles) {
     file.seekp(-2, std::ios::end);
     file.put('x');
   }
-  test::expect_input_error([&] { ResultLog(path, log_identity, true, 0); },
+  test::expect_input_error([&] { ResultLog(path, identity, true, 0); },
                            std::string_view("is corrupt at byte"));
   folder.write("letter", "Dear Sir");
-  test::expect_input_error([&] { ResultLog(folder / "letter", log_identity, false, 0); },
+  test::expect_input_error([&] { ResultLog(folder / "letter", identity, false, 0); },
                            std::string_view("is not a checkpoint"));
 }
 
 TEST(ResultLog, KeepsNothingWithoutAPath) {
-  ResultLog log({}, log_identity, false, 0);
+  ResultLog log({}, identity, false, 0);
   log.add(7, "seven");
   log.flush();
   EXPECT_FALSE(log.find(7));
