@@ -26,29 +26,24 @@ function(shelfbeam_layer folder)
   target_sources(shelfbeam_library PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${layer_PUBLIC})
 endfunction()
 
-# shelfbeam_compile_fast(<target> [ACROSS_FOLDERS] <source>...)
+# shelfbeam_compile_fast(<target> <source>...)
 #
-# Where CMAKE_UNITY_BUILD is on, compiles neighbouring small sources of a folder, or of the target, as one unit: most of
-# the compile time is that of the headers. Two sources of a folder (of the target) must therefore not define the same
-# name, even in unnamed namespaces.
+# Where CMAKE_UNITY_BUILD is on, compiles neighbouring small sources of the target as one unit: most of the compile time
+# is that of the headers. Two sources of the target must therefore not define the same name, even in unnamed namespaces.
 function(shelfbeam_compile_fast target)
-  cmake_parse_arguments(PARSE_ARGV 1 unit "ACROSS_FOLDERS" "" "")
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
   if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # GCC takes the sources of a unit for headers, which should not use unnamed namespaces.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
   set(group 0)
-  set(unit_folder "")
   set(unit_size 0)
-  foreach(source ${unit_UNPARSED_ARGUMENTS})
+  foreach(source ${ARGN})
     get_filename_component(path ${source} ABSOLUTE)
-    get_filename_component(folder ${path} DIRECTORY)
     file(SIZE ${path} size)
     math(EXPR unit_size "${unit_size} + ${size}")
-    if((NOT unit_ACROSS_FOLDERS AND NOT folder STREQUAL unit_folder) OR group EQUAL 0 OR unit_size GREATER 60000)
+    if(group EQUAL 0 OR unit_size GREATER 60000)
       math(EXPR group "${group} + 1")
-      set(unit_folder ${folder})
       set(unit_size ${size})
     endif()
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})

@@ -20,15 +20,16 @@ constexpr double negligible = 1e-8;
 // Solvers compare sums with tolerances of 1e-9 to 1e-7, in presolve to either side, and may prune wrongly
 // within them. Coefficients are therefore rounded up to this grid, another relaxation: a feasible selection
 // attains 1 exactly, and no sum is within half a step of the row's bound.
-constexpr double steps = 1 << 20;
+constexpr double grid_steps = 1 << 20;
 
 }  // namespace
 
 milp::Row relaxed(milp::Row row) {
-  row.lower = 1 - 0.5 / steps;
+  row.lower = 1 - 0.5 / grid_steps;
   for (milp::Entry& entry : row.entries) {
     if (entry.value < negligible) row.lower -= entry.value;
-    entry.value = entry.value < negligible ? 0 : std::ceil(std::min(entry.value, 1.0) * steps) / steps;
+    entry.value =
+        entry.value < negligible ? 0 : std::ceil(std::min(entry.value, 1.0) * grid_steps) / grid_steps;
   }
   std::erase_if(row.entries, [](const milp::Entry& entry) { return entry.value == 0; });
   return row;
@@ -72,7 +73,7 @@ void CoverModel::bound_label_rows(std::size_t max_units) {
       if (const double share = entry.signal / table_.labels[i].requirement; share < negligible)
         without += share;
     const double min_sum = (1 - 2 * met_tolerance) * units / (units - 1) - without;
-    model_.rows[i].lower = (std::ceil(min_sum * steps) - 0.5) / steps;
+    model_.rows[i].lower = (std::ceil(min_sum * grid_steps) - 0.5) / grid_steps;
   }
 }
 

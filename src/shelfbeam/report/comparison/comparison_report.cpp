@@ -69,13 +69,13 @@ std::string residual_figure(const Comparison& comparison) {
   for (const std::size_t k : comparison.worst) residuals.push_back(*comparison.pairs[k].residual);
   if (residuals.empty()) return {};
   const auto [smallest, largest] = std::minmax_element(residuals.begin(), residuals.end());
-  const double width = round_step(std::max(*largest - *smallest, 0.1) / 20);
-  const auto first = static_cast<long>(std::floor(*smallest / width));
-  const auto last = std::max(first + 1, static_cast<long>(std::floor(*largest / width)) + 1);
+  const double bin_width = round_step(std::max(*largest - *smallest, 0.1) / 20);
+  const auto first = static_cast<long>(std::floor(*smallest / bin_width));
+  const auto last = std::max(first + 1, static_cast<long>(std::floor(*largest / bin_width)) + 1);
   HistogramChart chart;
   chart.description = say("comparison.residuals.description");
   for (long k = first; k < last; ++k) {
-    const double from = static_cast<double>(k) * width, to = static_cast<double>(k + 1) * width;
+    const double from = static_cast<double>(k) * bin_width, to = static_cast<double>(k + 1) * bin_width;
     const auto count = std::count_if(residuals.begin(), residuals.end(),
                                      [&](double value) { return value >= from && value < to; });
     chart.bars.push_back(

@@ -13,7 +13,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // m
+constexpr double length_rounding = 1e-9;  // m
 
 Vec2 nearest_point(const Vec2& a, const Vec2& b, const Vec2& p) {
   const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
@@ -29,7 +29,7 @@ double distance(const Vec2& p, const Vec2& q) {
 // The distance from p, in either direction, at which a line meets the edge; infinite if it does not.
 double distance_along(const Vec2& p, const Vec2& direction, const Vec2& a, const Vec2& b) {
   const double x = b[0] - a[0], y = b[1] - a[1], slope = direction[0] * y - direction[1] * x;
-  if (std::abs(slope) <= rounding * std::hypot(x, y)) return HUGE_VAL;
+  if (std::abs(slope) <= length_rounding * std::hypot(x, y)) return HUGE_VAL;
   const double to_x = a[0] - p[0], to_y = a[1] - p[1];
   const double share = (to_x * direction[1] - to_y * direction[0]) / slope;
   return share < 0 || share > 1 ? HUGE_VAL : std::abs((to_x * y - to_y * x) / slope);
@@ -38,7 +38,7 @@ double distance_along(const Vec2& p, const Vec2& direction, const Vec2& a, const
 // A value that is reflected at -limit and limit until it lies between them.
 double folded(double value, double limit) {
   if (std::abs(value) <= limit) return value;
-  if (!(limit > rounding)) return 0;
+  if (!(limit > length_rounding)) return 0;
   const double turn = std::fmod(std::abs(value) + limit, 4 * limit);
   return std::copysign(turn <= 2 * limit ? turn - limit : 3 * limit - turn, value);
 }
@@ -87,7 +87,7 @@ std::vector<MountingError::Edge> MountingError::edges_within(const Vec3& p, doub
     return false;
   });
   blocks_.any(Bounds{p, p}.wider_by(reach), [&](const Part& part) {
-    if (p.z - part.bottom > rounding && part.top - p.z > rounding)
+    if (p.z - part.bottom > length_rounding && part.top - p.z > length_rounding)
       each_edge(part.footprint, [&](const Vec2& a, const Vec2& b) {
         if (distance(a, b) > 0 && is_near({a, b})) edges.push_back({a, b});
       });
@@ -118,7 +118,7 @@ Vec3 MountingError::moved(const Vec3& planned, const Vec2& deviation) const {
     const Vec2 foot = nearest_point(nearest.a, nearest.b, p);
     const double gap = far(nearest);
     // At a corner away from it, otherwise across the edge.
-    const bool is_corner = (foot == nearest.a || foot == nearest.b) && gap > rounding;
+    const bool is_corner = (foot == nearest.a || foot == nearest.b) && gap > length_rounding;
     const double size = is_corner ? gap : distance(nearest.a, nearest.b);
     const Vec2 across =
         is_corner ? Vec2{(p[0] - foot[0]) / size, (p[1] - foot[1]) / size}
@@ -127,7 +127,7 @@ Vec3 MountingError::moved(const Vec3& planned, const Vec2& deviation) const {
     double to_surface = gap, on_surface = HUGE_VAL;
     for (const auto& [a, b] : edges) {
       to_surface = std::min(to_surface, distance_along(p, across, a, b));
-      if (const double way = distance_along(p, along, a, b); way > rounding || gap > rounding)
+      if (const double way = distance_along(p, along, a, b); way > length_rounding || gap > length_rounding)
         on_surface = std::min(on_surface, way);
     }
     const double x = by[0] * across[0] + by[1] * across[1], y = by[0] * along[0] + by[1] * along[1];

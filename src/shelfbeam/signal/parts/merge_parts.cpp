@@ -32,11 +32,9 @@ void expect_complete(const SignalPart& file, const SignalMatrix& part) {
 }
 
 template <class T>
-void put_row(std::vector<T>& all, std::size_t row, const std::vector<T>& part, std::size_t k,
-             std::size_t columns) {
-  const auto from = part.begin() + static_cast<std::ptrdiff_t>(k * columns);
-  std::copy(from, from + static_cast<std::ptrdiff_t>(columns),
-            all.begin() + static_cast<std::ptrdiff_t>(row * columns));
+void put_row(std::vector<T>& all, std::size_t row, const std::vector<T>& part, std::size_t k, std::size_t n) {
+  const auto from = part.begin() + static_cast<std::ptrdiff_t>(k * n);
+  std::copy(from, from + static_cast<std::ptrdiff_t>(n), all.begin() + static_cast<std::ptrdiff_t>(row * n));
 }
 
 // A matrix of `labels` rows with all properties of a part but its labels and entries.
