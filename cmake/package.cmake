@@ -10,7 +10,7 @@ install(FILES data/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-com
         RENAME shelfbeam COMPONENT program)
 install(FILES data/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
         RENAME _shelfbeam COMPONENT program)
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES data/store.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/shelfbeam COMPONENT program)
 
