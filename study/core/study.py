@@ -37,7 +37,7 @@ class Effort:
 FULL = Effort(
     paper.SAMPLES, (5000, 25000, 50000), 50000, 60, (0, 0.02, 0.05, 0.1, 0.2), paper.SAMPLES, ("highs", "cbc"), 10, 600
 )
-QUICK = Effort((5000, 25000), (2500,), 5000, 3, (0, 0.05), (5000,), ("highs",), 2, 10)
+QUICK = Effort((5000, 25000), (2500,), 5000, 1, (0, 0.05), (5000,), ("highs",), 2, 3)
 
 
 def read_store(path):

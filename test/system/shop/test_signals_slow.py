@@ -11,10 +11,10 @@ import numpy as np
 import program
 import shop_twin
 
-SAMPLES = 240000
+SAMPLES = 107000
 ENTRIES = 156
 SIGMAS = 4
-SHARE = 0.02
+SHARE = 0.03
 
 
 class Agreement:
@@ -35,9 +35,9 @@ class Agreement:
 
 
 class Signals(unittest.TestCase):
-    """No entry may differ by more than 4 standard errors, and no large entry and no total of a label by more than 2 %,
+    """No entry may differ by more than 4 standard errors, and no large entry and no total of a label by more than 3 %,
     which must be at least 4 standard errors. Equal stores fail with a probability of at most (156 entries + 26 totals)
-    x 6.3e-5 = 1.2 % (Bonferroni): a large entry that differs by 2 % also differs by 4 standard errors.
+    x 6.3e-5 = 1.2 % (Bonferroni): a large entry that differs by 3 % also differs by 4 standard errors.
     """
 
     @classmethod
