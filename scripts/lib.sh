@@ -25,10 +25,12 @@ bad_usage() {
 need() { command -v "$1" >/dev/null || die "$1 is missing: apt-get install ${2-$1}"; }
 
 # find_changed BASE: puts the files, committed or not, that this branch has changed since it left BASE into the array
-# changed.
+# changed, and those that it has deleted into the array deleted.
 find_changed() {
   local base
   base=$(git merge-base "$1" HEAD) || die "$1 and this branch have no commit in common"
+  # shellcheck disable=SC2034
+  mapfile -t -d '' deleted < <(git diff -z --name-only --diff-filter=D "$base")
   # shellcheck disable=SC2034
   mapfile -t -d '' changed < <({
     git diff -z --name-only --diff-filter=d "$base"

@@ -12,7 +12,9 @@ make_root() {
     [[ $keep ]] || trap 'rm -rf --one-file-system "$root"' EXIT
   fi
   say "Debian $1 in $root"
-  [[ -x $root/usr/bin/apt-get ]] || mmdebstrap --variant=apt "$1" "$root"
+  local mirror
+  mirror=$(debian_mirror)
+  [[ -x $root/usr/bin/apt-get ]] || mmdebstrap --variant=apt "$1" "$root" ${mirror:+"$mirror"}
   # npm needs the extra certificates of this machine's network inside, too.
   : >"$root/etc/extra-certificates.pem"
   [[ ! -r ${NODE_EXTRA_CA_CERTS-} ]] || cp "$NODE_EXTRA_CA_CERTS" "$root/etc/extra-certificates.pem"

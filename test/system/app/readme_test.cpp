@@ -29,6 +29,11 @@ TEST(Readme, PathsExist) {
   }
 }
 
+TEST(Readme, IsShort) {
+  const std::string page = read_file(top / "README.md");
+  EXPECT_LE(std::ranges::count(page, '\n'), 90);
+}
+
 // All words of the C++ sources, without comments.
 std::set<std::string> source_words() {
   std::set<std::string> words;

@@ -19,9 +19,13 @@ class FirstChange(unittest.TestCase):
             raise unittest.SkipTest(reason)
         blocks = example.blocks(example.PAGE.read_text(encoding="utf-8"), "Your first change")
         cls.code, cls.test, cls.documentation = (text for kind, text in blocks if kind == "diff")
-        commands = [line for kind, text in blocks if kind == "sh" for line in text.splitlines()]
-        (cls.command,) = {line for line in commands if line.startswith("scripts/test ")}
+        cls.commands = [line for kind, text in blocks if kind == "sh" for line in text.splitlines()]
+        (cls.command,) = {line for line in cls.commands if line.startswith("scripts/test ")}
         cls.copy = example.Copy({"test_report"})
+        cls.copy.run(
+            "git init --quiet --initial-branch main; git config user.name test; git config user.email test; "
+            "git add --all; git commit --quiet --message base; scripts/install-hook"
+        )
 
     @classmethod
     def tearDownClass(cls):
@@ -43,11 +47,20 @@ class FirstChange(unittest.TestCase):
         self.assertEqual(self.failed_tests(), {names})
         self.copy.apply(self.documentation)
         self.assertEqual(self.failed_tests(), set())
-        changed = re.findall(r"^\+\+\+ b/(\S+)", self.code + self.test + self.documentation, re.MULTILINE)
-        self.assertEqual(len(changed), 3)
-        self.assertEqual(self.copy.run("scripts/check/style " + " ".join(changed)), (0, ""))
-        self.copy.apply(self.code, "--reverse")
-        self.assertEqual(self.failed_tests(), {values, names})
+        self.assertEqual(self.commands[-2:], ["scripts/check/changed", "git commit --all"])
+        code, printed = self.copy.run("scripts/check/changed")
+        self.assertEqual(code, 0, printed)
+        self.assertRegex(printed, r"changed files: 3\n(.*\n)*changed: tests of .*report.*: \d(.*\n)*changed: tidy: \d")
+        self.assertEqual(self.copy.run("git commit --quiet --all --message 'Add a column'"), (0, ""))
+        self.assertEqual(self.copy.run("git status --short"), (0, ""))
+
+    def test_the_hook_checks_style(self):
+        self.assertIn("scripts/install-hook", self.commands)
+        self.put("study/wrong.py", "import os\n")
+        code, printed = self.copy.run("git add study/wrong.py; git commit --quiet --message wrong")
+        self.assertNotEqual(code, 0)
+        self.assertIn("`os` imported but unused", printed)
+        self.copy.run("git reset --quiet")
 
     def put(self, path, text):
         (self.copy.tree / path).parent.mkdir(exist_ok=True)
@@ -72,8 +85,6 @@ class FirstChange(unittest.TestCase):
         self.assertEqual(len(printed.splitlines()), len(wrong) + 1, printed)
 
     def test_changed_files_are_checked(self):
-        git = "git -c user.name=test -c user.email=test"
-        self.copy.run(f"git init --quiet --initial-branch main; git add --all; {git} commit --quiet --message base")
         self.assertEqual(self.copy.run("scripts/check/changed"), (0, "changed: nothing has changed since main\n"))
         self.put("/".join(("docs", "note.md")), "A page that no test names.\n")
         code, printed = self.copy.run("scripts/check/changed")
@@ -85,6 +96,13 @@ class FirstChange(unittest.TestCase):
         self.assertIn("style: failed", printed)
         self.assertNotIn("study.parts", printed)
         self.assertNotEqual(self.copy.run("scripts/check/changed no-such-branch")[0], 0)
+
+    def test_deleted_files_count_as_changed(self):
+        self.copy.run("rm LICENSE")
+        self.addCleanup(self.copy.run, "git checkout --quiet LICENSE")
+        code, printed = self.copy.run("scripts/check/changed")
+        self.assertEqual(code, 0, printed)
+        self.assertIn("changed files: 1\n", printed)
 
 
 if __name__ == "__main__":
