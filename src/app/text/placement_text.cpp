@@ -56,7 +56,7 @@ std::string nothing_found(const Placement& placement) {
              : fmt::format("{} found no placement; {}. '--solver mip' may find a placement.\n", who, needed);
 }
 
-/// The number of labels that depend on each unit.
+/// The number of labels that are lost if a unit fails, for each unit.
 std::string single_unit_labels(const Placement& placement, const SignalTable& table) {
   std::vector<std::string> counts;
   std::size_t all = 0;
@@ -65,7 +65,7 @@ std::string single_unit_labels(const Placement& placement, const SignalTable& ta
     all += one.labels.size();
   }
   return all == 0 ? "  no label depends on a single unit\n"
-                  : fmt::format("  labels that depend on a single unit: {}\n", fmt::join(counts, ", "));
+                  : fmt::format("  labels lost if one unit fails: {}\n", fmt::join(counts, ", "));
 }
 
 std::string solved(const Placement& placement, const SignalTable& table) {

@@ -227,10 +227,10 @@ std::optional<PolygonFault> fault_of(const Polygon& polygon) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
     if (a == b)
-      return PolygonFault{"has two equal corners in succession", a,
+      return PolygonFault{"has two equal consecutive corners", a,
                           "remove one of them; the last corner need not repeat the first"};
     if (std::hypot(b[0] - a[0], b[1] - a[1]) < shortest)
-      return PolygonFault{"has two corners in succession less than 0.1 mm apart", a, "remove one of them"};
+      return PolygonFault{"has two consecutive corners less than 0.1 mm apart", a, "remove one of them"};
   }
   const Geos geos;
   const auto area = geos.area(polygon);

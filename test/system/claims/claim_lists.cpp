@@ -21,7 +21,7 @@ std::vector<Claim> terminal() {
        {"?", "~ objective", "< bound of objective", "?", "?"}},
       {"  infeasible; {0}\n", {"?"}, holds("infeasible")},
       {"  bound: {0}\n", {"?"}},
-      {"  labels that depend on a single unit: {0}\n", {"?"}, [](T t) { return t("most dependent") > 0; }},
+      {"  labels lost if one unit fails: {0}\n", {"?"}, [](T t) { return t("most dependent") > 0; }},
       {"  prices differ but are not considered in this order of objectives\n", {}},
       {"  no label depends on a single unit\n", {}, [](T t) { return t("most dependent") == 0; }},
       {"alternatives on the simulated signals:\n", {}, {}, {signals}},

@@ -261,13 +261,15 @@ TEST(Claims, NoticeExchangedBounds) {
   const Truth truth(store);
   const std::string least = money(placement.lower_bound, placement.price);
   const std::string some = fmt::format(fmt::runtime(words("summary.bound.some.cheaper")), least);
-  const auto confirmed = [&](std::string_view what) {
-    return some + " " + say("summary.checked", what, fmt::format("{} %", truth("confidence")));
+  const std::string confidence = fmt::format("{} %", truth("confidence"));
+  const auto faults = [&](const std::string& confirmed) {
+    return reader.faults(some + " " + say("summary.checked", confirmed), truth, Subject::signals);
   };
-  EXPECT_EQ(reader.faults(confirmed("this"), truth, Subject::signals).size(), 1U);
-  EXPECT_EQ(reader
-                .faults(confirmed(say("summary.bound.confirmed_some.cheaper", least, "all")), truth,
-                        Subject::signals)
+  EXPECT_EQ(faults(say("summary.confirms.this", confidence)).size(), 1U);
+  const std::string all = fmt::format("all {} labels receive enough signal", truth("labels"));
+  EXPECT_EQ(faults(say("summary.confirms.part", confidence, all)), std::vector<std::string>());
+  EXPECT_EQ(faults(say("summary.confirms.part", confidence,
+                       say("summary.bound.confirmed_some.cheaper", least, all)))
                 .size(),
             1U);
   EXPECT_EQ(reader.faults("At most 3 are needed.", truth, Subject::signals).size(), 1U) << "not in the table";

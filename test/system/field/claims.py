@@ -24,7 +24,7 @@ def amount(pattern, text):
 
 
 def faults(page, plan):
-    """What page 1 claims beyond the certificate and the matrix."""
+    """The claims of page 1 beyond the certificate and the matrix."""
     certificate, spend = plan["certificate"], plan["objective_value"]
     at_least, proven = certificate["cost_lower_bound"], plan["lower_bound"]
     is_minimum = at_least >= spend * (1 - 1e-9)
@@ -34,7 +34,7 @@ def faults(page, plan):
         found.append("an uncertified minimum without an addition")
     if "confirms this with" in page and (not is_minimum or open_labels):
         found.append("'this' was not confirmed")
-    named = amount(rf"confirms [^.]*, and that at least {AMOUNT}", page)
+    named = amount(rf"confirms with [0-9.]+ % confidence that [^.]* and that at least {AMOUNT}", page)
     if named is not None and not at_least - 0.01 <= named <= at_least + 1e-6:
         found.append(f"{named} confirmed, {at_least} certified")
     named = amount(rf"For the simulated signals, it is proven that at least {AMOUNT}", page)

@@ -135,7 +135,7 @@ Headline headline(const ReportData& data) {
   if (data.has_selection()) {
     if (std::string close = closeness_remark(data); !close.empty() && !plan.certificate && !plan.availability)
       result.remarks.insert(result.remarks.begin(), std::move(close));
-    // Its bound is that of the matrix, whatever independent samples say.
+    // Its bound is that of the matrix, regardless of independent samples.
     const std::string objective = objective_sentence(placement);
     remark(plan.certificate && !objective.empty() ? say("headline.simulated", objective) : objective);
     remark(price_sentence(placement));

@@ -42,8 +42,9 @@ class ProofWriter {
   std::string confirmation() const {
     if (certificate_ == nullptr) return say("summary.unchecked");
     const bool is_all = certificate_->all_reached() && (is_certified() || bound().empty());
-    return say("summary.checked", is_all ? std::string(words("summary.confirms.this")) : confirmed(),
-               certainty(certificate_->confidence));
+    const std::string confidence = certainty(certificate_->confidence);
+    return say("summary.checked", is_all ? say("summary.confirms.this", confidence)
+                                         : say("summary.confirms.part", confidence, confirmed()));
   }
 
  private:
@@ -77,9 +78,12 @@ class ProofWriter {
     return fresh < 1 ? std::string() : say_count(key, static_cast<std::uint64_t>(fresh), args...);
   }
 
-  // "888 of 926 labels", "all 12 labels, and that at least 4 are necessary,"
+  // "888 of 926 labels receive enough signal",
+  // "all 12 labels receive enough signal and that at least 4 transceivers are necessary"
   std::string confirmed() const {
-    const std::string labels = labels_reached(certificate_->count(Verdict::reached), labels_);
+    const std::size_t reached = certificate_->count(Verdict::reached);
+    const std::string labels =
+        say_count("summary.confirms.labels", reached, labels_reached(reached, labels_));
     // A bound without labels needed no samples.
     if (!applies_ || certificate_->bound_labels == 0 || bounds_.certified == 0) return labels;
     if (is_certified()) return of_kind("summary.bound.confirmed.{}", labels);

@@ -6,9 +6,9 @@
 
 namespace shelfbeam {
 
-/// What the first page says about the minimum of a selection, and which of its statements independent samples
-/// confirm. The confidence belongs to the second remark; the first names simulated signals where nothing else
-/// proves it.
+/// The sentences of the first page about the minimum of a selection, and about the statements that
+/// independent samples confirm. The confidence belongs to the second remark; the first names simulated
+/// signals where nothing else proves it.
 struct ProofRemarks {
   std::string
       bound;  ///< "Fewer are not enough."; empty if no bound is known, or if nothing has to be mounted

@@ -27,9 +27,9 @@ struct Reference {
 };
 
 /// The references along x and along y. The nearest surface at the height of the unit, which a laser at the
-/// unit meets, or, if that is more than `far_surface` away, the nearest face of a fixture in plan. Of the
-/// surfaces in the two opposite directions, one that is square to the laser precedes a slanted one, to which
-/// the distance depends on how exactly the laser is aimed.
+/// unit meets, or, if that is more than `far_surface` away, the nearest face of a fixture in plan. A surface
+/// that is square to the laser precedes a slanted one in the opposite direction, to which the distance
+/// depends on the exact aim of the laser.
 std::array<Reference, 2> references_of(const Scene& scene, const Vec3& unit);
 
 inline constexpr double far_surface = 8;  ///< m

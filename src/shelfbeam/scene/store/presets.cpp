@@ -88,7 +88,7 @@ void Presets::add(const JsonCursor& section) {
     if (!preset.is_object()) preset.fail("is not an object", "give the keys of a fixture");
     preset.expect_keys(known);
     if (const auto [other, is_new] = presets_.emplace(name, preset); !is_new)
-      preset.fail(fmt::format("is the duplicate of {}", other->second.where()), "rename one of the two");
+      preset.fail(fmt::format("duplicates {}", other->second.where()), "rename one of the two");
     sizes_.emplace(name, count_values(preset.value()));
   }
 }

@@ -65,7 +65,7 @@ class MatrixReader {
     if (is_part()) {
       matrix.part = part();
       if (matrix.part.members.size() != (matrix.states.states > 0 ? matrix.states.states : matrix.rows()))
-        fail("/part/members", "has another length than the part");
+        fail("/part/members", "differs in length from the part");
     }
     return matrix;
   }

@@ -98,7 +98,7 @@ SignalMatrix joined_states(const std::vector<SignalPart>& files) {
       const SignalMatrix part = file.matrix();
       expect_same(file, part, files.front(), first);
       if (part.states.states == 0 || part.labels != first.labels || part.states.hard.size() != part.rows())
-        refuse(file, "has other labels than the first part");
+        refuse(file, "has different labels from the first part");
     }
     for (std::uint32_t k = 0; k < file.share().members.size(); ++k) {
       if (file.share().members[k] != all.states.states)

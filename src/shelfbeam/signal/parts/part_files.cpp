@@ -86,7 +86,7 @@ void expect_same(const SignalPart& file, const SignalMatrix& part, const SignalP
                  const SignalMatrix& first) {
   if (const std::string found = difference(part, first); !found.empty())
     refuse(file,
-           fmt::format("belongs to another simulation than '{}': {}", first_file.path().string(), found));
+           fmt::format("belongs to a different simulation from '{}': {}", first_file.path().string(), found));
 }
 
 }  // namespace shelfbeam::detail

@@ -13,7 +13,7 @@ namespace shelfbeam::detail {
 /// files if parts are missing or duplicate.
 std::vector<SignalPart> open_parts(std::span<const std::filesystem::path> paths);
 
-/// Throws InputError if a part belongs to another simulation than the first.
+/// Throws InputError if a part belongs to a different simulation from the first.
 void expect_same(const SignalPart& file, const SignalMatrix& part, const SignalPart& first_file,
                  const SignalMatrix& first);
 

@@ -126,8 +126,8 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
   for (const std::string& piece :
        {std::string("Rounds\n\n3\n"),
         fmt::format("Lower bound on the count\n\n{}\n", certificate.count_lower_bound),
-        "simulation confirms " + reached + " of 926 labels", "Missed\n\n19: " + s.matrix.labels[7].id + ", ",
-        "Undecided\n\n19: " + s.matrix.labels[23].id + ", "})
+        "confidence that " + reached + " of 926 labels receive enough signal.",
+        "Missed\n\n19: " + s.matrix.labels[7].id + ", ", "Undecided\n\n19: " + s.matrix.labels[23].id + ", "})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
   // The labels with the smallest margins have their verdicts in the table.
   const ReportData data(s.input);

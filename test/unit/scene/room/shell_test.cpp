@@ -165,7 +165,7 @@ bool is_in_wall(const RoomShape& room, const Vec3& p) {
   return false;
 }
 
-// Triangles above a point. Of a closed surface, a point within has an odd number.
+// Triangles above a point. A point within a closed surface has an odd number.
 std::size_t surfaces_above(const Scene& scene, const Vec3& p) {
   std::size_t count = 0;
   for (const auto& [a, b, c] : scene.mesh.triangles) {
@@ -219,7 +219,7 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
            {"/room/outline", "[[0, 0], [12, 8], [12, 0], [0, 8]]",
             "room.outline: crosses or touches itself at (6, 4) m"},
            {"/room/outline", "[[0, 0], [0, 0], [12, 0], [12, 8]]",
-            "room.outline: has two equal corners in succession at (0, 0) m"},
+            "room.outline: has two equal consecutive corners at (0, 0) m"},
            {"/room/outline", "[[0, 0], [12, 0]]", "room.outline: has fewer than three corners; give"},
            {"/room/outline", "[]", "room.outline: has fewer than three corners; give"},
            {"/room/outline", "[[0, 0], [12, 0], [12, 8], [0, 0]]",
@@ -241,7 +241,7 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
            {"/room/zones/1/polygon", "[[13, 5], [20, 6], [20, 10], [12, 10]]",
             "room.zones[1].polygon: extends 0.124"},
            {"/room/outline", "[[0, 0], [0, 5e-5], [12, 0], [12, 8]]",
-            "room.outline: has two corners in succession less than 0.1 mm apart at (0, 0) m"},
+            "room.outline: has two consecutive corners less than 0.1 mm apart at (0, 0) m"},
            {"/room/outline", "[[0, 0], [12, 0], [6, 1e-8]]", "room.outline: has an area below 1 mm^2"},
            {"/room/height", "[[0, 0, 3], [20, 0, 3], [0, 14, 1500]]", "room.height: is 1500 m at (20, 14)"},
            {"/room/zones/1/id", R"("room")", "room.zones[1].id: is the name of the whole room"},
