@@ -45,7 +45,7 @@ def version():
 
 
 def processor_seconds():
-    """Of all ended child processes."""
+    """The processor time of all ended child processes."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 

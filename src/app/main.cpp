@@ -37,7 +37,7 @@ void occupy_standard_streams() {
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-// Prints one line of limited length, whatever names and paths contain.
+// Prints one line of limited length, regardless of the contents of names and paths.
 void print_line(std::string_view kind, std::string_view text) {
   const Style style = kind == "stopped" ? Style::warning : Style::error;
   print_message("{} {}\n", styled(style, fmt::format("{}:", kind), stderr), one_line(text));

@@ -31,7 +31,7 @@ std::string recorded_placement(const std::string& answer, bool is_complete, cons
 /// The contents of placement.json with the hashes of files that were written again.
 std::string recorded_again(const std::string& placement, PlanRecord record, const FileHashes& files);
 
-/// The hash of a file with a name of a plan. It leaves out the times in which two equal runs differ, and the
+/// The hash of a file with a name of a plan. It omits the times in which two equal runs differ, and the
 /// record.
 std::string hash_of(const std::filesystem::path& file, std::string_view name);
 

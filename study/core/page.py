@@ -101,7 +101,7 @@ def summary_sentence(findings):
     if count[PARTLY]:
         parts.append(f"{count[PARTLY]} {'agrees' if count[PARTLY] == 1 else 'agree'} in part")
     parts.append(f"{count[DIFFERS]} {'does' if count[DIFFERS] == 1 else 'do'} not")
-    return f"Of {plural(total, 'statement')} of the paper that can be examined here, {listed(parts)}."
+    return f"{plural(total, 'statement')} of the paper can be examined here: {listed(parts)}."
 
 
 def document(title, introduction, cards, sections, footer):

@@ -216,8 +216,8 @@ def section(study):
         (
             f"{same} of {len(signals.units)} candidates reach exactly the same labels as another candidate,"
             f" and {within} ({percent(within / len(signals.units))}) reach only a part of another candidate's"
-            f" labels. Of the labels that either of two candidates 1 m apart reaches, both reach"
-            f" {percent(alike)} (median)."
+            f" labels. Two candidates 1 m apart both reach {percent(alike)} of the labels that either of them"
+            f" reaches (median)."
         ),
     )
     return result

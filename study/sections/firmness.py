@@ -39,7 +39,7 @@ def _thresholds(study, result):
     )
     result.tell(
         (
-            f"Of {2 * len(files)} counts, {moved} {'changes' if moved == 1 else 'change'} within ±2 % of the"
+            f"{moved} of {2 * len(files)} counts {'changes' if moved == 1 else 'change'} within ±2 % of the"
             f" threshold ({threshold:g} W/m²)."
         ),
         (

@@ -113,7 +113,9 @@ def section(study):
         page.row_of(figures),
         page.row_of(
             [
-                page.figure("What each choice adds", charts.chart(axes, "Labels newly reached by each greedy choice")),
+                page.figure(
+                    "Labels added by each choice", charts.chart(axes, "Labels newly reached by each greedy choice")
+                ),
                 page.figure("Clustering", page.table(*result.tables["clustering"], numeric=(1, 2, 3))),
             ]
         ),

@@ -49,7 +49,7 @@ def _wrong_side(study, truth):
     return page.figure(
         "Pairs on the wrong side of the threshold",
         charts.chart(axes, "Pairs on the wrong side against samples"),
-        f"Of {grouped(truth.size)} pairs.",
+        f"All {grouped(truth.size)} pairs are counted.",
     )
 
 

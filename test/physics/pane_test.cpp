@@ -102,9 +102,9 @@ TEST(Pane, DimsDiscsForEveryStrategy) {
     }
 }
 
-// A disc in the plane of the pane counts as in front of it, and once, for every strategy. z-test at 0.1 %,
-// with relative standard errors below 2 %. The controls are the disc behind the pane, and the sum of the disc
-// in front and behind.
+// A disc in the plane of the pane is treated as in front of it, and once, for every strategy. z-test at
+// 0.1 %, with relative standard errors below 2 %. The controls are the disc behind the pane, and the sum of
+// the disc in front and behind.
 TEST(Pane, ShowsADiscInItsPlaneOnce) {
   const Frame frame = Frame::about(normalized({0.37, -0.52, 0.8}));
   constexpr double radius = 0.5;

@@ -21,7 +21,7 @@ struct StoreList {
 /// The stores of a batch. `source` is a text file with one path per line, relative to its folder; empty lines
 /// and lines that begin with # are ignored, and a path may be in double quotes and have backslashes as
 /// separators. Or it is a folder: its stores are all files called store.json below it, or, if there are none,
-/// all .json files in it. Folders of plans and batches, and `results`, are left out. Links to folders are not
+/// all .json files in it. Folders of plans and batches, and `results`, are omitted. Links to folders are not
 /// followed, except to find the store.json in the folder to which they lead. A folder that cannot be read is
 /// listed as a store that cannot be read.
 ///

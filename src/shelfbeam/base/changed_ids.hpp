@@ -30,7 +30,7 @@ class ChangedIds {
   bool has_long_ = false;            ///< there are longer numbers with other digits
 };
 
-/// What to do about an id that is wrong: `remedy`, or that its column has to be kept as text.
+/// The remedy for a wrong id: `remedy`, or that its column has to be kept as text.
 std::string id_remedy(std::string_view id, std::string_view remedy);
 
 }  // namespace shelfbeam

@@ -25,8 +25,8 @@ BoxIndex index_of(const Devices& devices) {
   return BoxIndex(std::move(points));
 }
 
-// Of the devices around a place, as many as all checks of a shop with a few at each place visit: there may be
-// thousands at one place.
+// A check visits at most this many devices around a place, because there may be thousands at one place. All
+// checks of a shop with a few devices at each place visit no more.
 constexpr std::size_t most_neighbours = 1000;
 
 // An earlier device for which `is_same` holds, at most `distance` away along each axis.

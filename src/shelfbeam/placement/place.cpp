@@ -28,7 +28,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The labels that no selection reaches, whatever the others require.
+/// The labels that no selection reaches, regardless of the requirements of other labels.
 std::vector<Unreachable> unreachable_labels(const SignalTable& table, const PlacementProblem& problem) {
   // Sums in another order round differently if mounting points have options or a unit may fail. The search
   // decides labels within this distance of their requirement.

@@ -15,7 +15,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-// Of ascending columns.
+// The union of ascending columns.
 std::vector<std::uint32_t> united(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
   std::vector<std::uint32_t> all;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));

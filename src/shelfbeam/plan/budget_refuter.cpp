@@ -114,7 +114,7 @@ std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
       counterexample = std::move(core.counterexample);
       return std::nullopt;
     }
-  // Bisection: a smaller reserve closes whatever a larger one closes.
+  // Bisection: a smaller reserve closes all leaves that a larger one closes.
   const std::size_t leaves = std::min(max_leaves, max_columns_of_leaves / (table.columns() + 1));
   std::optional<Promising> best;
   for (std::size_t low = 0, high = std::size(reserves); low < high && !deadline.has_passed();) {

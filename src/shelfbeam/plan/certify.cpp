@@ -140,7 +140,7 @@ class Certifier {
     certificate_.open.clear();
     // Two statements per round, on the labels and on the count, each wrong with probability at most a_r / 2,
     // where a_r = (1 - c) / 2^r. So some statement of some round is wrong with probability at most sum_r a_r
-    // = 1 - c, whatever their dependence (Bonferroni).
+    // = 1 - c, for any dependence between them (Bonferroni).
     const double level = rounds_.level(2);
     bool has_worked = false;
     if (!placement_.has_selection()) {

@@ -56,8 +56,8 @@ class Rounds {
   void next() { ++round_; }
   std::uint32_t round() const { return round_; }
   /// The level of each of `statements` statements of round r: a_r / statements with a_r = (1 - confidence) /
-  /// 2^r. All rounds together keep sum_r a_r = 1 - confidence, whatever their number and the reason for their
-  /// end.
+  /// 2^r. All rounds together keep sum_r a_r = 1 - confidence, for any number of rounds and any reason for
+  /// their end.
   double level(int statements) const { return std::ldexp(error_, -static_cast<int>(round_)) / statements; }
   /// Batches of some labels in this round; `part` distinguishes requests of one purpose.
   BatchRequest request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
@@ -97,7 +97,7 @@ class LabelRounds {
   /// the joint statement, as long as it can hold for all, and otherwise the labels that the list leaves
   /// undecided. The labels of a new selection begin with the `riskiest_labels` of the smallest planned
   /// margins. If one of these seems to be missed and the selection is not final, the others are left for a
-  /// later round. Labels that would exceed the budget are left out, the most expensive first.
+  /// later round. Labels that would exceed the budget are omitted, the most expensive first.
   std::size_t verify(Rounds& rounds, double level, const RunControl& control);
   static constexpr std::size_t riskiest_labels = 256;
 
@@ -137,7 +137,7 @@ class LabelRounds {
   std::vector<std::uint32_t> batches_;  ///< of the present estimate; 0: none
   bool aims_at_all_ = true;             ///< the joint statement can still hold
   double cost_ = 0;                     ///< of a batch of a label, in the budget's unit of measure
-  /// Labels left out of the last round: too near to their requirements, or too expensive for the budget.
+  /// Labels omitted from the last round: too near to their requirements, or too expensive for the budget.
   struct Skipped {
     std::size_t near = 0, others = 0;
     double cost = 0;  ///< of the others

@@ -21,7 +21,7 @@ inline constexpr std::size_t min_watched_labels = 256;
 
 /// Simulates all transceivers of a scene (as mounted) with all reflectances at the low ends and at the high
 /// ends of their ranges, then one material after the other, and finds the labels that fall short and the
-/// material with the greatest effect. Common random numbers make differences more precise than signals.
+/// material with the largest effect. Common random numbers make differences more precise than signals.
 /// Materials that no surface has are omitted.
 ///
 /// Ranges are the scene's (NamedMaterial::reflectance_range), otherwise `assumed_error` to both sides, up to

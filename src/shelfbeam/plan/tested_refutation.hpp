@@ -28,7 +28,7 @@ struct TestedRefutation {
 ///
 ///   sum_{j in S*} (x_j + t SE(x_j)) >= x(S*) + t SE(x(S*)),   x(S*) >= 1,
 ///
-/// so it is enough that each limit has the level of a single statement, whatever the number of leaves,
+/// so it is enough that each limit has the level of a single statement, for any number of leaves,
 /// columns and labels. Limits are those of ValidationEstimate::upper, or larger: a column that was hit rarely
 /// also takes the limit of the shortest sum of the columns of no larger `planned` signals that was hit often
 /// (a tenth of the level, shared by all columns, is for these sums); a column whose error rests on one to

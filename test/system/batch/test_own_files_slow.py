@@ -1,4 +1,4 @@
-"""A batch replaces only files that a batch has written; its records survive whatever is beside them."""
+"""A batch replaces only files that a batch has written; its records survive all other files beside them."""
 
 import json
 import os

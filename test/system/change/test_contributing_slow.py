@@ -1,4 +1,4 @@
-"""Tests that the first change of CONTRIBUTING.md works as the page states, that no step can be left out, and that the
+"""Tests that the first change of CONTRIBUTING.md works as the page states, that no step can be omitted, and that the
 scripts that check changes notice faults.
 """
 

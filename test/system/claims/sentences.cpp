@@ -171,7 +171,7 @@ std::vector<std::string> ClaimReader::faults(std::string text, const Truth& trut
       found.at.resize(part.places.size());
       match(part, rest, 0, 0, found);
       if (found.part == nullptr) continue;
-      // Several results have the same words. What follows a shorter true text must be true, too.
+      // Several results have the same words. The rest after a shorter true text must be true, too.
       const bool is_this_true = is_right(found, truth, subject);
       const bool is_better = is_this_true != is_true ? is_this_true : found.length > longest.length;
       if (longest.part != nullptr && !is_better) continue;

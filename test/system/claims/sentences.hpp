@@ -21,7 +21,7 @@ namespace shelfbeam::test {
 struct Claim {
   std::string key;  ///< of the catalogue, or a text that contains a blank
   std::vector<std::string> places;
-  std::function<bool(const Truth&)> is_true = {};  ///< what the text says beside its numbers
+  std::function<bool(const Truth&)> is_true = {};  ///< the claim beside the numbers
   std::vector<Subject> subject = {};               ///< of the rest of the text
 };
 

@@ -12,7 +12,7 @@ struct Text {
   Subject subject = Subject::signals;
 };
 
-/// What terminal and page say about a plan.
+/// The sentences of terminal and page about a plan.
 std::vector<Text> texts_of(const PlannedStore& store);
 
 }  // namespace shelfbeam::test

@@ -21,7 +21,7 @@ struct PlannedStore {
   CertifiedPlan plan;
 };
 
-/// What sentences speak of: the simulated signals, the certificate, both ends of the reflectances, that no
+/// The subject of sentences: the simulated signals, the certificate, both ends of the reflectances, that no
 /// selection reaches all labels, or mounted units without and with one more.
 enum class Subject { signals, certificate, reflectances, nothing, without_addition, with_addition };
 

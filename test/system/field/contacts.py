@@ -23,7 +23,7 @@ def changed_signal(name, scratch, change, *options):
 
 
 def state_ratio(scratch):
-    """Of the signals in a state of the shop in which units are mounted inexactly."""
+    """The ratio of the signals in a state of the shop in which units are mounted inexactly."""
     change = {"variation": {"mounting": {"position": 0.05, "tilt_deg": 2}, "unit_power_db": 0.5}}
     on, above = (changed_signal(f"jar_{place}_table.json", scratch, change, "--state", 3) for place in ("on", "above"))
     return on / above
@@ -37,7 +37,7 @@ def verified_signal(scratch):
 
 
 def label_ratio(scratch):
-    """Of the signals of a label that looks through a block of glass, on it and 1 mm in front of it."""
+    """The ratio of the signals of a label that looks through a block of glass, on it and 1 mm in front of it."""
 
     def at(z):
         label = {"id": "L1", "position": [3, 2, z], "normal": [0, 0, -1], "type": "shelf label"}

@@ -40,7 +40,7 @@ class Pages(unittest.TestCase):
             ran, missing = run_page(guide.DOCS / "research.md", folder)
         self.assertGreaterEqual(ran, 8)
         if missing:
-            self.skipTest(f"{ran} blocks ran; those that need {', '.join(sorted(missing))} did not: not installed")
+            self.skipTest(f"{ran} blocks ran; not installed for the others: {', '.join(sorted(missing))}")
 
     def test_octave_can_read_texts(self):
         """Octave cannot read texts that are marked as UTF-8, so only texts that need it are marked."""

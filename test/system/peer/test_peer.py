@@ -27,7 +27,7 @@ sys.modules["peer"] = peer
 loader.exec_module(peer)
 
 FAKE_RCONTRIB = """#!/bin/sh
-# A fake for tests: keeps its input, and prints the given numbers whatever the scene.
+# A fake for tests: keeps its input, and prints the given numbers for any scene.
 [ "$1" != -version ] || { echo "FAKE, NOT RADIANCE"; exit; }
 /bin/cat >"$0.input"
 exec /bin/cat "$0.output"

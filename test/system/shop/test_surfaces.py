@@ -76,7 +76,7 @@ class Surfaces(unittest.TestCase):
             "ceiling",
             "ceiling bakery",
             "W",
-        )  # where these touch, the program leaves out what the others cover
+        )  # where these touch, the program omits the parts that the others cover
         model = areas(*joined(part[1:] for part in self.model if part[0] not in room))
         twin = areas(*joined(shop_twin.fixtures()))
         self.assertEqual(set(model), {"steel", "carton", "wood", "brick"})

@@ -258,7 +258,7 @@ class Pages(unittest.TestCase):
         html = page.document("T", "", [("n", "v", "w")], [section], "f")
         root = ElementTree.fromstring(html.split("\n", 1)[1])
         self.assertEqual(len(root.findall(".//{*}section")), 2)
-        self.assertIn("Of 1 statement of the paper", html)
+        self.assertIn("1 statement of the paper can be examined here: ", html)
 
     def test_csv(self):
         rows = list(csv.reader(io.StringIO(page.csv_text(("a", "b"), [("x, y", 0.1), ("12\u00a0%", 3)]))))

@@ -122,7 +122,7 @@ class QuickStudy(unittest.TestCase):
             self.assertIn(one["verdict"], ("agrees", "in part", "differs", "ours"))
             self.assertIn(one["sentence"], self.words)
         judged = [one["verdict"] for one in findings if one["verdict"] != "ours"]
-        self.assertIn(f"Of {len(judged)} statements", self.words)
+        self.assertIn(f"{len(judged)} statements of the paper can be examined here", self.words)
         self.assertIn(f"{judged.count('agrees')} agree with our figures", self.words)
 
     def test_a_second_run_has_nothing_to_do(self):

@@ -119,7 +119,7 @@ testReport("a link restores the view", { of: "grocery" }, async (page, plan, { o
 });
 
 const odd = { of: "grocery", hash: "#view=1&on=99999,x&need0=-3&colour=red&camera=1,2&label=1e9&hide=77" };
-testReport("what makes no sense in a link is passed over", odd, async (page, plan) => {
+testReport("invalid values in a link are ignored", odd, async (page, plan) => {
   equal(page.errors, [], "errors");
   equal(await reached(page), plan.labels.length, "reached labels");
 });

@@ -143,7 +143,7 @@ TEST(CertifySlow, BorderlineLabelIsUndecided) {
   EXPECT_TRUE(clear.certificate->all_reached());
 }
 
-// Requirements just above or below the signal of all units: whatever a rough matrix suggests first, no
+// Requirements just above or below the signal of all units: even if a rough matrix suggests the opposite, no
 // verdict contradicts the truth, and infeasibility on the matrix is verified.
 TEST(Certify, VerifiesInfeasibilityOfTheMatrix) {
   test::PlanStore store;
@@ -279,7 +279,7 @@ TEST(Verify, VerdictsAreTrue) {
     }
 }
 
-// Of 100 plans at 99 %, at most 4 may make a wrong statement (at most 1 is expected; 5 have a probability
+// At most 4 of 100 plans at 99 % may make a wrong statement (at most 1 is expected; 5 have a probability
 // below 0.5 %; bench_certificates counts many more). The control are statements that take the plan's own
 // matrix for the truth.
 TEST(CertifySlow, FalseStatementsAreAsRareAsPromised) {

@@ -31,7 +31,7 @@ struct Change {
   std::string text() const { return changed_store(pointer, value).dump(); }
 };
 std::ostream& operator<<(std::ostream& out, const Change& change) {
-  return out << change.pointer << " = " << (change.value.empty() ? "(left out)" : change.value);
+  return out << change.pointer << " = " << (change.value.empty() ? "(omitted)" : change.value);
 }
 
 const Json& store_changes() {

@@ -149,7 +149,7 @@ TEST_F(UnitsCsv, FilesFollowTheStore) {
                      "is at 20000000 mm; it must be within 10 km");
 }
 
-// labels.csv and placement.csv of a plan are in metres, whatever program saved them last.
+// labels.csv and placement.csv of a plan are in metres, regardless of the program that saved them last.
 TEST_F(UnitsCsv, FilesOfAPlanAreInMetres) {
   const Vec3 expected{5, 2.5, 1};
   EXPECT_EQ(

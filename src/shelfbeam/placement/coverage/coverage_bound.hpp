@@ -19,7 +19,7 @@ namespace shelfbeam {
 ///
 /// where every reached label satisfies sum_j b_ij T_j >= 1 (docs/methods/placement.md, "Max coverage"). Every
 /// y gives a bound; subgradient steps search for good ones. Bounds are sums in double precision over entries
-/// that are rounded up, so they hold whatever the steps do.
+/// that are rounded up, so they hold for any steps.
 class CoverageBound {
  public:
   using Clock = std::chrono::steady_clock;

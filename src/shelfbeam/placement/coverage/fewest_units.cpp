@@ -119,7 +119,7 @@ class Minimisation {
     // With unit failure, the bound is better for fewer units.
     const std::size_t max_count = result_.has_selection ? result_.selected.size() - 1 : max_units_;
     CoverageBound bound(table_, problem_, weights_, max_count);
-    // Of all counts together about ten seconds, as the search.
+    // All counts together take about ten seconds, as the search does.
     const std::size_t all_steps = detail::coverage_bound_work / (2 * bound.entries() + 1);
     const std::size_t counts = max_count + 1 - result_.count_lower_bound;
     const std::size_t steps = std::min<std::size_t>(1000, 1 + all_steps / counts);

@@ -30,7 +30,8 @@ struct MaxCoverage {
   /// Proven: at most this many labels can be reached; with weights, the labels reachable one by one.
   std::size_t upper_bound = 0;
   std::optional<CoverageWeight> weight = {};  ///< if the table has weights
-  /// Of the bound on the weight or, without weights, on the labels; trivial: labels reachable one by one.
+  /// Proof of the bound on the weight or, without weights, on the labels; trivial: labels reachable one by
+  /// one.
   BoundProof bound_proof = BoundProof::trivial;
   /// optimal: the selection reaches its upper bound. feasible: not proven, but all methods have finished.
   /// stopped: the time limit, an interruption or a solver failure came first.

@@ -61,7 +61,7 @@ class Walk {
   Found best() const { return {best_, best_cost_}; }
 
  private:
-  // Value per price; a unit of price zero comes first, whatever it contributes.
+  // Value per price; a unit of price zero comes first, regardless of its contribution.
   static double ratio(double value, double price) { return price > 0 ? value / price : value * 1e30; }
 
   double cost() const {

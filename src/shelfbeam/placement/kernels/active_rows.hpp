@@ -29,7 +29,7 @@ class ActiveRows {
   static constexpr std::size_t at_first = 256;
   /// Adds the `count` rows that receive the smallest signals from a selection.
   void add_hardest(std::span<const std::uint32_t> selected, std::size_t count);
-  /// For a selection that meets all active rows but misses labels: adds up to 32 rows with the greatest lack
+  /// For a selection that meets all active rows but misses labels: adds up to 32 rows with the largest lack
   /// by `received` (the signal of every row of `all`), or else `label`, which is missed in double precision.
   /// Returns false if that row is active already, so only single precision accepts it.
   bool add_missed(std::span<const float> received, std::uint32_t label);

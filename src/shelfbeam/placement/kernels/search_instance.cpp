@@ -77,7 +77,7 @@ Margin margin_of(const SignalTable& table, const PlacementProblem& problem, cons
     const double signal = received_signal(table, i, chosen, problem);
     const double ratio = signal / requirement;
     const bool met = is_met(signal, requirement);
-    // Of two labels with equal rounded ratios, one may be reached. The missed label is reported.
+    // One of two labels with equal rounded ratios may be reached. The missed label is reported.
     if (margin.is_met ? !met || ratio < margin.smallest : !met && ratio < of_unmet) margin.label = i;
     if (!met) of_unmet = std::min(of_unmet, ratio);
     margin.is_met = margin.is_met && met;

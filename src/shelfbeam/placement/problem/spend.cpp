@@ -13,9 +13,9 @@ namespace {
 // Prices that are whole numbers of hundredths share a step; larger ones would not be exact.
 constexpr double hundredths = 100, max_price = 1e12;
 constexpr double relative_rounding = 1e-9;
-// Of a price in hundredths: the nearest double, multiplied.
+// The relative error of a price in hundredths: the nearest double, multiplied.
 constexpr double representation = 1e-15;
-// Of the known spend, for prices without a common step.
+// A share of the known spend, for prices without a common step.
 constexpr double share_of_tie = 1e-6;
 
 }  // namespace

@@ -28,15 +28,15 @@ struct Reduction {
 /// Reduces the cover sum_j l_ij T_j >= 1 until nothing changes (docs/methods/placement.md, "Reductions"):
 /// - forced column: the only open column of a label is forced; its labels are dropped, the other options of
 ///   its mounting point closed;
-/// - dominated row: a label is dropped if its open columns include those of another label; of equal rows the
-///   first stays;
+/// - dominated row: a label is dropped if its open columns include those of another label; the first of
+///   equal rows stays;
 /// - dominated column: a column is closed if an open column reaches all of its labels, costs no more, and has
 ///   a mounting point of its own or shares that of the column. A column that reaches no remaining label is
 ///   closed.
 ///
 /// `cost` must not be negative. `pinned` (empty: none; otherwise one per column) marks columns with
 /// constraints unknown here: they are neither closed nor used to close others, are forced only if a label
-/// requires them, and those that remain form one part. For an objective at the minimum count, where every
+/// requires them, and the remaining ones form one part. For an objective at the minimum count, where every
 /// unit counts 1, `cost` is that objective: a column is then exchanged for another at no greater value.
 /// Columns of `omitted` are closed from the beginning: the result concerns selections without them.
 ///

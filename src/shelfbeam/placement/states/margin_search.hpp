@@ -12,9 +12,9 @@ namespace shelfbeam {
 
 /// Selections for the mean signals of the states, with requirements raised by a margin of each label.
 ///
-/// The margin is what the label needs: the mean of the signals that it receives in the states from the last
-/// selection, over the one below which as many of them fall as misses are allowed. It settles after few
-/// selections, because similar selections serve a label similarly.
+/// The margin of a label is a ratio of its signals from the last selection: the mean over the states, over
+/// the signal below which as many of them fall as misses are allowed. It settles after few selections,
+/// because similar selections serve a label similarly.
 class MarginSearch {
  public:
   /// All references must outlive the object.

@@ -101,7 +101,7 @@ class Solver {
     }
   }
 
-  // Of the linear program over the cuts, to which violated ones are added, until it is `enough`.
+  // The bound of the linear program over the cuts, to which violated ones are added, until it is `enough`.
   double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const Deadline& deadline) {
     std::vector<double> cost(states_.table.columns(), 1);
     if (problem_.combination == Combination::spend)

@@ -207,7 +207,7 @@ void StateCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_s
   std::stable_sort(cases.begin(), cases.end(),
                    [](const Case& a, const Case& b) { return a.received < b.received; });
   if (const auto cut = cover_cut(cases, allowed, by_state, selected); !cut.empty()) append(cut);
-  // Of each state the case that receives least.
+  // Each state keeps the case that receives least.
   std::vector<bool> has(states_.states, false);
   if (by_state)
     std::erase_if(cases, [&](const Case& at) {

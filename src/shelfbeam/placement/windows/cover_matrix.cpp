@@ -40,7 +40,7 @@ class RowDivider {
   std::vector<std::vector<std::uint32_t>> divided;
 
  private:
-  // Of the cost of a cover: every row pays the smallest share of its columns.
+  // The share of a row in the cost of a cover: the smallest share of its columns.
   double share(std::uint32_t i) const {
     double min_share = std::numeric_limits<double>::infinity();
     for (const std::uint32_t j : cover_.rows[i])

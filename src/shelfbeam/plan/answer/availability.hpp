@@ -109,15 +109,15 @@ struct Availability {
   std::vector<std::uint32_t> sample_selected;  ///< ascending columns; empty: none was found
   double sample_value = 0;                     ///< count or new spend
   double sample_lower_bound = 0;               ///< of the value, proven for the sampled states
-  /// Of the value of every selection that keeps to the goal in the long run, with the confidence; 0: not
-  /// examined.
+  /// A bound on the value of every selection that keeps to the goal in the long run, with the confidence; 0:
+  /// not examined.
   double lower_bound = 0;
   std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often
 
   /// Plans that were named before their states were drawn; the last one is the answer. Missed: not certified
   /// to be reached.
   std::vector<StateOutcome> examined;
-  /// Of the last one: some states, ascending by number, among them one with the most missed labels.
+  /// Some states of the last one, ascending by number, among them one with the most missed labels.
   std::vector<ShownState> shown;
   bool certified = false;                  ///< the last one
   std::vector<std::uint32_t> responsible;  ///< labels that prevent it, those with most misses first

@@ -15,8 +15,8 @@ namespace shelfbeam {
 std::string beyond_room(const Scene& scene, const Vec3& p);
 
 /// Whether a fixture extends outside the room: the last that was added to the scene, with these first vertex
-/// and first part. Also true for a fixture across a hole, or with its top above a lower zone. Of meshes, only
-/// the vertices count.
+/// and first part. Also true for a fixture across a hole, or with its top above a lower zone. Only the
+/// vertices of meshes count.
 bool extends_outside_room(const Scene& scene, std::size_t first_vertex, std::size_t first_part);
 
 /// A remedy for a list with positions outside the room: exchanged coordinates or another unit of length, if

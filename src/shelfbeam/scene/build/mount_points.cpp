@@ -165,8 +165,9 @@ class Generator {
     }
   }
 
-  // What a candidate at this point would be within or beyond; empty if it is free. Points on the sides of
-  // inner walls are free, but not those between a wall and the ceiling.
+  // The obstacle that would contain a candidate at this point, or the side of the room beyond which it would
+  // be; empty if the point is free. Points on the sides of inner walls are free, but not those between a wall
+  // and the ceiling.
   std::string obstacle_at(const Vec3& p) const {
     if (scene_.room)
       if (std::string side = scene_.room->beyond(p, mount_rounding); !side.empty()) return side;

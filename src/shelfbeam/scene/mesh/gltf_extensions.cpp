@@ -15,7 +15,7 @@ namespace {
 // The extensions in the registry of Khronos and some in wide use. A name that ends with '*' stands for all
 // that begin so.
 
-// What they say is applied.
+// The program applies these.
 constexpr auto applied = std::to_array<std::string_view>(
     {"EXT_mesh_gpu_instancing", "KHR_mesh_quantization", "KHR_node_visibility"});
 

@@ -68,8 +68,8 @@ class MeshLines {
 /// Reads vertices, faces and the names of their materials; ignores everything else. A word of '#' and digits
 /// at the end of a material's name belongs to the name ("Material #25"), any other begins a comment.
 void read_obj(MeshLines& lines, MeshTriangles& triangles);
-/// ASCII or binary. A file is binary if it has the length that its binary header states, or more, whatever
-/// its start.
+/// ASCII or binary. A file is binary if it has the length that its binary header states, or more,
+/// regardless of its start.
 void read_stl(MeshLines& lines, MeshTriangles& triangles);
 /// ASCII or binary. Reads the elements `vertex` and `face`.
 void read_ply(MeshLines& lines, MeshTriangles& triangles);

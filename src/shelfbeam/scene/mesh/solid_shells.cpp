@@ -240,7 +240,7 @@ class Solids {
     bool must_turn = false;
     bool has_equal = false;  ///< another patch coincides with the triangle there
   };
-  // Of patches that coincide, each counts as nearer to the start of the ray than those with larger numbers.
+  // Each of several patches that coincide counts as nearer to the start of the ray than later ones.
   // This decides for two equal faces, on both sides of which there is glass.
   std::optional<Sample> sample_of(std::uint32_t triangle) const {
     Sample sample;

@@ -45,7 +45,7 @@ struct CheckpointOptions {
   std::filesystem::path path = {};  ///< empty: no checkpoint
   bool resume = false;              ///< continue from the file if it exists
   /// Minimum time between two checkpoints, which also take at most about 5 % of the run time. 0: a checkpoint
-  /// after every round of batches, whatever time it takes.
+  /// after every round of batches, regardless of its duration.
   double interval_s = 10;
   bool at_end = false;  ///< try to save the complete simulation, too: later steps may be interrupted
 };

@@ -77,14 +77,14 @@ class Estimator {
 
   /// The same estimator for some labels only (ascending), with the random numbers of another seed and at
   /// least `min_samples` samples per batch where their number is free. It shares the tables of this estimator
-  /// and outlives it. Its batches are independent of this one's: whatever the tables are, batches are
-  /// unbiased. Throws InputError for particles, whose batches have no rows.
+  /// and outlives it. Its batches are independent of this one's, and unbiased for any tables. Throws
+  /// InputError for particles, whose batches have no rows.
   virtual std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
                                           std::uint64_t min_samples) const = 0;
 
   /// The same estimator for a changed scene with the same labels, candidates and materials, with few samples
-  /// per batch. It may share tables of this estimator and outlives it; whatever the tables are, batches are
-  /// unbiased. `changed` must outlive the result.
+  /// per batch. It may share tables of this estimator and outlives it; batches are unbiased for any tables.
+  /// `changed` must outlive the result.
   virtual std::unique_ptr<Estimator> for_state(const World& changed, std::uint64_t seed) const = 0;
 
   /// Memory for the estimator's own tables, in bytes.

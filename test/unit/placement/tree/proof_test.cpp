@@ -63,7 +63,7 @@ TEST(Proof, ThatWasTamperedWithIsRefused) {
   EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::row_fails, 0}; }));
   EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::row_fails, 1000}; }));
   EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::branch, 1000, 0, 0}; }));
-  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::branch, 0, 0, 0}; })) << "children are left out";
+  EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::branch, 0, 0, 0}; })) << "children are omitted";
   EXPECT_TRUE(refused([](Proof& p) { p.steps = {Proof::single_fails}; })) << "more than one unit is left";
   EXPECT_TRUE(refused([](Proof& p) { p.rows.assign(1, 1000); }));
   EXPECT_TRUE(refused([](Proof& p) { p.weights.clear(); }));

@@ -63,7 +63,7 @@ class KnownStates {
   const std::string& text() const { return text_; }
   const Store& store() const { return store_; }
 
-  /// Of the label in an aisle, from the columns that are chosen.
+  /// The availability of the label in an aisle, from the columns that are chosen.
   double availability(std::size_t aisle, const std::vector<std::uint32_t>& selected) const {
     double blocked = 1;
     for (const std::uint32_t j : selected)

@@ -32,7 +32,7 @@ TEST(WallSection, IsOpenAtDoorsAndLowAtSills) {
   EXPECT_NEAR(area(at(1.2).below), 0.2 * 1.5, 1e-9);
   EXPECT_NEAR(area(at(0.5).cut), 0.2 * (6 - 0.9), 1e-9) << "through the sill";
   EXPECT_NEAR(area(at(2.5).cut), 0.2 * 6, 1e-9) << "above the door";
-  EXPECT_EQ(at(2.5).cut.front().size(), 4U) << "corners on a straight side are left out";
+  EXPECT_EQ(at(2.5).cut.front().size(), 4U) << "corners on a straight side are omitted";
   shop.inner_walls[0].height = 1;
   EXPECT_NEAR(area(at(1.2).below), 0.2 * 6, 1e-9);
   EXPECT_TRUE(at(1.2).cut.empty());

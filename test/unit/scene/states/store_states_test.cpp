@@ -137,7 +137,7 @@ TEST(StoreStates, HaveTheGivenDistributions) {
   };
   expect(stock, 0, std::sqrt(1 / 3.0), "stocking");
   expect(squared_stock, 1 / 3.0, std::sqrt(1 / 5.0 - 1 / 9.0), "its square");
-  // Of uniform variables with a Gaussian copula: Spearman's rho is 6 / pi asin(r / 2).
+  // Uniform variables with a Gaussian copula: Spearman's rho is 6 / pi asin(r / 2).
   expect(product, 2 / pi * std::asin(0.3), 0.45, "correlation");
   expect(people, 4, 2, "people");
   expect(squared_people, 4, std::sqrt(4 + 2 * 16.0), "their variance");

@@ -101,7 +101,7 @@ TEST(RadianceCache, IsEmptyOutsideLitSurfaces) {
   EXPECT_EQ(Prepared(wall_albedo, 1e6F).cache.row(floor_point).count, 0U);
 }
 
-// Of a hundred places on the floor of a back room, those with light of its unit. The control is a cache whose
+// The places with light of a back room's unit, among a hundred on its floor. The control is a cache whose
 // walks all start at labels, which are in the hall.
 TEST(RadianceCache, KnowsABackRoomWithoutLabels) {
   const auto known_places = [](const std::string& name, bool from_units, std::size_t unit) {
