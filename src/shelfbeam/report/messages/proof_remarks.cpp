@@ -42,7 +42,7 @@ class ProofWriter {
   std::string confirmation() const {
     if (certificate_ == nullptr) return say("summary.unchecked");
     const bool is_all = certificate_->all_reached() && (is_certified() || bound().empty());
-    const std::string confidence = certainty(certificate_->confidence);
+    const std::string confidence = confidence_percent(certificate_->confidence);
     return say("summary.checked", is_all ? say("summary.confirms.this", confidence)
                                          : say("summary.confirms.part", confidence, confirmed()));
   }
@@ -117,7 +117,7 @@ std::string joined(std::string text) {
   return text;
 }
 
-std::string certainty(double confidence) {
+std::string confidence_percent(double confidence) {
   return confidence_text(confidence) + "\u00A0%";
 }
 

@@ -25,6 +25,6 @@ std::size_t new_units(const ReportData& data);
 std::string joined(std::string text);
 
 /// "99 %", on one line.
-std::string certainty(double confidence);
+std::string confidence_percent(double confidence);
 
 }  // namespace shelfbeam

@@ -128,8 +128,9 @@ class SummaryWriter {
   std::string confirmation_of_obstacle() const {
     if (!verified_) return say("summary.unchecked");
     const std::size_t missed = plan_.certificate->count(Verdict::missed);
-    return missed == 0 ? say("summary.none.undecided")
-                       : say_count("summary.none.checked", missed, certainty(plan_.certificate->confidence));
+    return missed == 0
+               ? say("summary.none.undecided")
+               : say_count("summary.none.checked", missed, confidence_percent(plan_.certificate->confidence));
   }
 
   std::string search_time() const { return significant(placement_.seconds, 2) + "\u00A0s"; }
@@ -151,7 +152,7 @@ class SummaryWriter {
   void add_availability(const Availability& availability) {
     if (availability.certified)
       summary_.remarks.push_back(say_count("summary.checked_states", availability.answer().states,
-                                           certainty(availability.confidence)));
+                                           confidence_percent(availability.confidence)));
     else if (!availability.is_impossible())
       summary_.remarks.push_back(
           with_joined_percent(availability_sentence(availability, placement_, label_name())));

@@ -47,7 +47,8 @@ std::string part_and_share(std::size_t part, std::size_t all) {
 // Over states, the bounds hold with a confidence.
 std::string bound_text(const ReportData& data, const std::string& bound) {
   const auto& availability = data.input.plan.availability;
-  return availability ? say("facts.with_confidence", bound, certainty(availability->confidence)) : bound;
+  return availability ? say("facts.with_confidence", bound, confidence_percent(availability->confidence))
+                      : bound;
 }
 
 void add_bounds(Facts& facts, const ReportData& data) {
@@ -111,7 +112,7 @@ std::string certificate_facts(const ReportData& data) {
   if (!data.input.plan.certificate) return {};
   const Certificate& certificate = *data.input.plan.certificate;
   Facts facts("facts.certificate.title");
-  facts.add("facts.certificate.confidence", certainty(certificate.confidence));
+  facts.add("facts.certificate.confidence", confidence_percent(certificate.confidence));
   facts.add("facts.certificate.reached", certificate.none_verified()
                                              ? say("facts.certificate.not_yet")
                                              : say("facts.part", grouped(certificate.count(Verdict::reached)),
