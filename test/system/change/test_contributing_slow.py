@@ -53,6 +53,9 @@ class FirstChange(unittest.TestCase):
         self.assertRegex(printed, r"changed files: 3\n(.*\n)*changed: tests of .*report.*: \d(.*\n)*changed: tidy: \d")
         self.assertEqual(self.copy.run("git commit --quiet --all --message 'Add a column'"), (0, ""))
         self.assertEqual(self.copy.run("git status --short"), (0, ""))
+        self.copy.apply(self.code, "--reverse")
+        self.addCleanup(self.copy.run, "git checkout --quiet .")
+        self.assertEqual(self.failed_tests(), {values, names})
 
     def test_the_hook_checks_style(self):
         self.assertIn("scripts/install-hook", self.commands)
