@@ -14,7 +14,7 @@ namespace shelfbeam::bench {
 
 namespace {
 
-constexpr std::uint64_t seed = 1;  // for the selection and the uniform estimator that samples direct light
+constexpr std::uint64_t fixed_seed = 1;  // for the selection and the uniform estimator that samples direct light
 
 }  // namespace
 
@@ -22,7 +22,7 @@ Selection::Selection(const ReuseEstimator& reuse, std::size_t max_labels) : item
   std::iota(items.begin(), items.end(), std::size_t{0});
   for (std::uint32_t k = 0; k + 1 < items.size(); ++k) {
     const std::uint32_t rest = static_cast<std::uint32_t>(items.size()) - k;
-    std::swap(items[k], items[k + to_index(philox({k, 0, 0, 0}, seed)[0], rest)]);
+    std::swap(items[k], items[k + to_index(philox({k, 0, 0, 0}, fixed_seed)[0], rest)]);
   }
   std::size_t kept = 0;
   for (; kept < items.size() && labels.size() < max_labels; ++kept) {
@@ -64,7 +64,7 @@ UniformEntrant::UniformEntrant(const World& world, const Selection& selection, b
                                std::uint32_t walks)
     : Entrant(samples_direct ? "uniform, direct sampled" : "uniform, direct exact", world, selection),
       rules_{.strategy = Strategy::nee, .samples_direct = samples_direct},
-      seed_(samples_direct ? seed : seed + 1),
+      seed_(samples_direct ? fixed_seed : fixed_seed + 1),
       walks_(walks),
       tally_(width_, 1) {
   if (!samples_direct) prepare_known_light(rules_);

@@ -7,7 +7,7 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-constexpr const char* store = R"({
+constexpr const char* catalogue_store = R"({
   "catalogues": ["catalogue.json"],
   "materials": { "m": { "type": "lambertian", "reflectance": 0.5 } },
   "presets": { "own": { "type": "gondola", "depth": 0.9, "height": 1.8, "material": "m", "shelves": [0.4] } },
@@ -17,13 +17,13 @@ constexpr const char* store = R"({
   "transceivers": { "list": [ { "id": "T", "position": [1, 2, 3], "type": "t" } ] }
 })";
 
-void read(std::string_view bytes) {
+void fuzz_catalogue(std::string_view bytes) {
   constexpr std::size_t memory = 1 << 26;
   scratch().write("catalogue.json", bytes);
-  make_scene(parse_store(store, "store.json", scratch().path(), {false, memory}));
+  make_scene(parse_store(catalogue_store, "store.json", scratch().path(), {false, memory}));
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> catalogue_seeds() {
   return {R"({ "$schema": "x", "units": "m",
     "presets": { "run": { "preset": "base", "length": 1.33, "labels": { "spacing": 0.33 } },
                  "base": { "preset": "own", "goods": "carton", "labels": { "type": "l", "spacing": 0.5 } } },
@@ -39,6 +39,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader catalogue;
-const Reader catalogue{"catalogue", read, seeds};
+const Reader catalogue{"catalogue", fuzz_catalogue, catalogue_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -21,7 +21,7 @@ CheckpointFile file_at(const std::filesystem::path& path) {
   return {path, {{"store hash", "abc"}, {"seed", "1"}}, items};
 }
 
-void read(std::string_view bytes) {
+void fuzz_checkpoint(std::string_view bytes) {
   CheckpointFile file = file_at(scratch().write("signal.h5.checkpoint", bytes));
   double sum = 0;
   file.load([&](std::uint32_t item, const CheckpointState& state) {
@@ -29,7 +29,7 @@ void read(std::string_view bytes) {
   });
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> checkpoint_seeds() {
   std::vector<std::string> files;
   const std::filesystem::path path = scratch().path() / "seed.checkpoint";
   remove_checkpoint(path);
@@ -44,7 +44,7 @@ std::vector<std::string> seeds() {
 }
 
 // Records follow the first line: length, hash of the content, hash of both and the position, content.
-void repair(std::string& bytes) {
+void repair_checkpoint(std::string& bytes) {
   std::size_t at = bytes.find('\n');
   if (at == std::string::npos) return;
   for (++at; bytes.size() - at >= 24;) {
@@ -64,6 +64,6 @@ void repair(std::string& bytes) {
 }  // namespace
 
 extern const Reader checkpoint;
-const Reader checkpoint{"checkpoint", read, seeds, repair};
+const Reader checkpoint{"checkpoint", fuzz_checkpoint, checkpoint_seeds, repair_checkpoint};
 
 }  // namespace shelfbeam::fuzz

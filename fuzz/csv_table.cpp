@@ -7,7 +7,7 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-void read(std::string_view bytes) {
+void fuzz_csv_table(std::string_view bytes) {
   for (const TableReading reading :
        {TableReading::signals, TableReading::header, TableReading::labels, TableReading::ids}) {
     try {
@@ -19,7 +19,7 @@ void read(std::string_view bytes) {
   detail::check_unique_ids(table, "matrix.csv");
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> csv_table_seeds() {
   return {"0.1,0.2,0\n0,1e-3,4\n",
           "label,T1,T2\nA,0.1,0.2\n\"B, \"\"2\"\"\",0,1e-3\n",
           "T1,T2\r\nA,0.1,0.2\r\n",
@@ -36,6 +36,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader csv_table;
-const Reader csv_table{"csv_table", read, seeds};
+const Reader csv_table{"csv_table", fuzz_csv_table, csv_table_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -15,7 +15,7 @@ Store with_types() {
 }
 
 // Reads labels or units, which differ in their headers.
-void read(std::string_view bytes) {
+void fuzz_device_csv(std::string_view bytes) {
   static const Store types = with_types();
   Store store = types;
   const std::filesystem::path file = scratch().write("devices.csv", bytes);
@@ -25,7 +25,7 @@ void read(std::string_view bytes) {
     read_transceivers_csv(file, StoreNames(store), store);
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> device_csv_seeds() {
   return {"id,x,y,z,nx,ny,nz,type\nP,5,0.01,1.5,0,1,0,standard\n\"Q, 1\",1,2,3,1e-300,0,-1,standard\n",
           "id;x;y;z;nx;ny;nz;type\r\nP;5;0,01;1,5;0;1;0;standard\r\n",
           "ID,X,Y,Z,NX,NY,NZ,Type\n4.00638E+12,5,0.01,1.5,0,1,0,standard\n1.0,5,0.01,1.5,0,1,0,standard\n",
@@ -35,6 +35,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader device_csv;
-const Reader device_csv{"device_csv", read, seeds};
+const Reader device_csv{"device_csv", fuzz_device_csv, device_csv_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -6,11 +6,11 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-void read(std::string_view bytes) {
+void fuzz_eulumdat(std::string_view bytes) {
   parse_eulumdat(bytes, "profile.ldt").with_integral(1);
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> eulumdat_seeds() {
   std::vector<std::string> files;
   for (const char* name : {"comma_decimals", "no_lamps_single_plane", "symmetry_0", "symmetry_1",
                            "symmetry_2_24_planes", "symmetry_3", "symmetry_4_24_planes", "uneven_planes"})
@@ -24,6 +24,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader eulumdat;
-const Reader eulumdat{"eulumdat", read, seeds};
+const Reader eulumdat{"eulumdat", fuzz_eulumdat, eulumdat_seeds};
 
 }  // namespace shelfbeam::fuzz

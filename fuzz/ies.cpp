@@ -6,11 +6,11 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-void read(std::string_view bytes) {
+void fuzz_ies(std::string_view bytes) {
   parse_ies(bytes, "profile.ies").with_integral(1);
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> ies_seeds() {
   std::vector<std::string> files;
   for (const char* name : {"1986_axial", "1991_quadrant_tilt", "1995_bilateral_negative_sizes",
                            "2002_90_to_270_absolute", "2019_full_sphere", "b_full", "b_half", "b_quadrant",
@@ -25,6 +25,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader ies;
-const Reader ies{"ies", read, seeds};
+const Reader ies{"ies", fuzz_ies, ies_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -13,7 +13,7 @@ namespace {
 
 // The reader detects the file type and decompresses. HDF5 files are excluded, because the HDF5 library is not
 // safe against malformed files.
-void read(std::string_view bytes) {
+void fuzz_matrix(std::string_view bytes) {
   const std::filesystem::path file = scratch().write("matrix", bytes);
   if (!is_hdf5(file)) read_signal_table(file);
 }
@@ -26,7 +26,7 @@ std::string gzip(const std::string& text) {
   return read_file(path);
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> matrix_seeds() {
   std::vector<std::string> files;
   for (const std::string_view name : {"csv_table", "sparse_text", "or_library", "npy_table"}) {
     const auto theirs = find_reader(name)->seeds();
@@ -39,6 +39,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader matrix;
-const Reader matrix{"matrix", read, seeds};
+const Reader matrix{"matrix", fuzz_matrix, matrix_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -20,7 +20,7 @@ const char* name_of(std::string_view bytes) {
   return "mesh.obj";
 }
 
-void read(std::string_view bytes) {
+void fuzz_mesh(std::string_view bytes) {
   constexpr std::size_t memory = 1 << 28;
   scratch().write(name_of(bytes), bytes);
   import_mesh(name_of(bytes), StoreFolder(scratch().path(), {false, memory}), std::nullopt,
@@ -65,7 +65,7 @@ std::string moved_gltf() {
   return R"({"asset":{"version":"2.0"},"extensionsUsed":["EXT_mesh_gpu_instancing","KHR_node_visibility","ACME_x"],"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0,"skin":0},{"scale":[-1,1,2],"mesh":0,"weights":[0.5],"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}},"KHR_node_visibility":{"visible":true}}}],"skins":[{"joints":[0,1]}],"meshes":[{"weights":[1],"primitives":[{"mode":5,"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},"targets":[{"POSITION":3}]}]}],"buffers":[{"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAEAAAABAAAAAQAA/wAAAH+AAAAA/wAAAQAAAA==","byteLength":64}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":12},{"buffer":0,"byteOffset":48,"byteLength":12},{"buffer":0,"byteOffset":60,"byteLength":4}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},{"bufferView":1,"componentType":5121,"count":3,"type":"VEC4"},{"bufferView":2,"componentType":5121,"count":3,"type":"VEC4","normalized":true},{"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":3,"componentType":5121},"values":{"bufferView":0,"byteOffset":12}}}]})";
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> mesh_seeds() {
   const std::string obj =
       "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nvt 0 0\nvn 0 0 1\no a\ng b c\nusemtl x\ns 1\nf 1/1/1 3//1 2\nf -4 "
       "-3 -1\nl 1 2\np 3\n";
@@ -87,7 +87,7 @@ std::vector<std::string> seeds() {
 }
 
 // Corrects the lengths of a GLB file: of the file, and of the first chunk if it exceeds the file.
-void repair(std::string& bytes) {
+void repair_mesh(std::string& bytes) {
   if (!bytes.starts_with("glTF") || bytes.size() < 20) return;
   const auto set = [&](std::size_t at, std::size_t length) {
     const auto value = static_cast<std::uint32_t>(length);
@@ -102,6 +102,6 @@ void repair(std::string& bytes) {
 }  // namespace
 
 extern const Reader mesh;
-const Reader mesh{"mesh", read, seeds, repair};
+const Reader mesh{"mesh", fuzz_mesh, mesh_seeds, repair_mesh};
 
 }  // namespace shelfbeam::fuzz

@@ -7,7 +7,7 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-void read(std::string_view bytes) {
+void fuzz_npy_table(std::string_view bytes) {
   detail::read_npy_table(scratch().write("matrix.npy", bytes));
 }
 
@@ -29,7 +29,7 @@ std::string with_header(std::string_view header, const std::string& data) {
          data;
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> npy_table_seeds() {
   const std::string data(24, '\0');
   return {npy<float>("<f4", "False", "(2, 3)", {1, 0, 2, 3, 4, 5}),
           npy<double>("<f8", "True", "(2, 3)", {1, 0, 2, 3, 4, 5}, 2),
@@ -41,6 +41,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader npy_table;
-const Reader npy_table{"npy_table", read, seeds};
+const Reader npy_table{"npy_table", fuzz_npy_table, npy_table_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -8,12 +8,12 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-void read(std::string_view bytes) {
+void fuzz_placement_file(std::string_view bytes) {
   static const SignalTable table = small_table();
   read_plan(scratch().write("placement.json", bytes), table);
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> placement_file_seeds() {
   const SignalTable table = small_table();
   CertifiedPlan plan;
   plan.placement.selected = {1, 3};
@@ -28,6 +28,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader placement_file;
-const Reader placement_file{"placement_file", read, seeds};
+const Reader placement_file{"placement_file", fuzz_placement_file, placement_file_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -7,7 +7,7 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
-constexpr const char* store = R"({
+constexpr const char* planogram_store = R"({
   "units": "ft", "planogram": { "file": "planogram.csv", "type": "l" },
   "materials": { "m": { "type": "lambertian", "reflectance": 0.5 } }, "label_types": { "l": { "threshold": 0.02 } },
   "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },
@@ -18,13 +18,13 @@ constexpr const char* store = R"({
   "transceivers": { "list": [ { "id": "T", "position": [1, 2, 3], "type": "t" } ] }
 })";
 
-void read(std::string_view bytes) {
+void fuzz_planogram(std::string_view bytes) {
   constexpr std::size_t memory = 1 << 26;
   scratch().write("planogram.csv", bytes);
-  make_scene(parse_store(store, "store.json", scratch().path(), {false, memory}));
+  make_scene(parse_store(planogram_store, "store.json", scratch().path(), {false, memory}));
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> planogram_seeds() {
   return {
       "article,fixture,face,level,position\n4006381333931,A,front,2,1\n4006381333948,A,front,2,2\n"
       "4006381333931,A,back,1,1\n",
@@ -37,6 +37,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader planogram;
-const Reader planogram{"planogram", read, seeds};
+const Reader planogram{"planogram", fuzz_planogram, planogram_seeds};
 
 }  // namespace shelfbeam::fuzz

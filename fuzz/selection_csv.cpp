@@ -10,7 +10,7 @@ namespace shelfbeam::fuzz {
 namespace {
 
 // Reads tables of weights, of costs or of conflicts, which differ in their headers.
-void read(std::string_view bytes) {
+void fuzz_selection_csv(std::string_view bytes) {
   static const SignalTable unchanged = small_table();
   SignalTable table = unchanged;
   const std::filesystem::path file = scratch().write("selection.csv", bytes);
@@ -22,7 +22,7 @@ void read(std::string_view bytes) {
     forbid_pairs(table, file);
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> selection_csv_seeds() {
   return {"id,cost\nT0,2\nT3,0.5\n", "id,link_cost,signal_cost\nL0,1,2\nL2,0,1e-3\n", "a,b\nT0,T1\nT2,T3\n",
           "id,weight\nL0,2\nL2,0.5\n"};
 }
@@ -30,6 +30,6 @@ std::vector<std::string> seeds() {
 }  // namespace
 
 extern const Reader selection_csv;
-const Reader selection_csv{"selection_csv", read, seeds};
+const Reader selection_csv{"selection_csv", fuzz_selection_csv, selection_csv_seeds};
 
 }  // namespace shelfbeam::fuzz

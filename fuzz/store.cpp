@@ -128,7 +128,7 @@ const std::filesystem::path& folder() {
   return made;
 }
 
-void read(std::string_view bytes) {
+void fuzz_store(std::string_view bytes) {
   constexpr std::size_t memory = 1 << 26;
   const Store store = parse_store(std::string(bytes), "store.json", folder(), {false, memory});
   const Scene scene = make_scene(store);
@@ -142,13 +142,13 @@ void read(std::string_view bytes) {
   }
 }
 
-std::vector<std::string> seeds() {
+std::vector<std::string> store_seeds() {
   return {every_section, lists, shapes, divided_box, source_file("examples/thesis/store.json")};
 }
 
 }  // namespace
 
 extern const Reader store;
-const Reader store{"store", read, seeds};
+const Reader store{"store", fuzz_store, store_seeds};
 
 }  // namespace shelfbeam::fuzz

@@ -11,7 +11,7 @@
 #include "physics/bare_scene.hpp"
 #include "physics/comparison.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::contact {
 namespace {
 
 using test::Way;
@@ -62,4 +62,4 @@ TEST(SlowContact, CountsLikeSurfacesApart) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::contact

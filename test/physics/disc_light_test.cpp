@@ -11,7 +11,7 @@
 #include "physics/bare_scene.hpp"
 #include "physics/comparison.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::disc_light {
 namespace {
 
 using test::Way;
@@ -171,4 +171,4 @@ TEST(DirectLight, OfARectangleEqualsItsSolidAngleOrFormFactor) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::disc_light

@@ -9,7 +9,7 @@
 #include "physics/comparison.hpp"
 #include "support/empty_room.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::extremes {
 namespace {
 
 struct Room {
@@ -115,4 +115,4 @@ TEST(Extremes, OneLabelAndOneUnitHaveTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::extremes

@@ -17,7 +17,7 @@
 #include "physics/comparison.hpp"
 #include "support/hypothesis.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::flux_balance {
 namespace {
 
 constexpr double rho = 0.7, phi = 4 * pi / 3;  // W, for a sin 2 theta unit of 1 W/sr
@@ -81,4 +81,4 @@ TEST(FluxBalanceSlow, EverythingThatEntersIsAbsorbed) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::flux_balance

@@ -9,7 +9,7 @@
 #include "physics/bare_scene.hpp"
 #include "physics/comparison.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::furnace {
 namespace {
 
 using test::Way;
@@ -106,4 +106,4 @@ TEST(FurnaceSlow, IsUniformForPathReuseInASphere) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::furnace

@@ -10,7 +10,7 @@
 #include "physics/bare_scene.hpp"
 #include "physics/comparison.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::infrared_room {
 namespace {
 
 using test::Way;
@@ -112,4 +112,4 @@ TEST(InfraredRoomSlow, PathReuseAgrees) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::infrared_room

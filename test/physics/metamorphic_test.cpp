@@ -5,7 +5,7 @@
 #include "physics/comparison.hpp"
 #include "physics/mixed_room.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::metamorphic {
 namespace {
 
 using test::Way;
@@ -86,4 +86,4 @@ TEST(Disc, ShrinksToAPoint) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::metamorphic

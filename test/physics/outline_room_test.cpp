@@ -22,7 +22,7 @@
 #include "physics/comparison.hpp"
 #include "support/l_shaped_room.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::outline_room {
 namespace {
 
 constexpr double rho = 0.9, phi = 4 * pi / 3;  // W, for a sin 2 theta unit of 1 W/sr
@@ -125,4 +125,4 @@ TEST(OutlineRoomSlow, BalancesTheFlux) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::outline_room

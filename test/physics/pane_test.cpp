@@ -8,7 +8,7 @@
 #include "physics/comparison.hpp"
 #include "physics/disc_light.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::pane {
 namespace {
 
 using test::Way;
@@ -130,4 +130,4 @@ TEST(Pane, ShowsADiscInItsPlaneOnce) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::pane

@@ -15,7 +15,7 @@
 #include "physics/comparison.hpp"
 #include "physics/disc_light.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::plane_mirror {
 namespace {
 
 using test::Way;
@@ -308,4 +308,4 @@ TEST(PlaneMirror, ShowsARectangleToParticlesManyTimesBehindAPane) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::plane_mirror

@@ -7,7 +7,7 @@
 #include "physics/comparison.hpp"
 #include "physics/mixed_room.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::reciprocity {
 namespace {
 
 using test::Mount, test::Way;
@@ -65,4 +65,4 @@ TEST(ReciprocitySlow, UnitsAndLabelsMayBeExchanged) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::reciprocity

@@ -15,7 +15,7 @@
 #include "physics/comparison.hpp"
 #include "physics/strategy_store.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::reuse_agreement {
 namespace {
 
 Scene glossy() {
@@ -236,4 +236,4 @@ INSTANTIATE_TEST_SUITE_P(In, ReuseAgreement, testing::ValuesIn(stores), name_of)
 INSTANTIATE_TEST_SUITE_P(In, ReuseAgreementSlow, testing::ValuesIn(stores), name_of);
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::reuse_agreement

@@ -13,7 +13,7 @@
 #include "physics/reuse_matrix.hpp"
 #include "unit/transport/zoo.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::reuse_coverage {
 namespace {
 
 constexpr double requirement = 0.1;
@@ -101,4 +101,4 @@ TEST(ReuseCoverageSlow, IntervalsHaveTheirNominalCoverage) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::reuse_coverage

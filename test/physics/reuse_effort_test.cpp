@@ -12,7 +12,7 @@
 #include "physics/reuse_matrix.hpp"
 #include "physics/strategy_store.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::reuse_effort {
 namespace {
 
 // A scene with diffuse and glossy surfaces, a mirror, a pane and a glass block. The cache omits signals below
@@ -124,4 +124,4 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheClusters) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::reuse_effort

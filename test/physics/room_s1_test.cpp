@@ -13,7 +13,7 @@
 #include "physics/comparison.hpp"
 #include "support/hypothesis.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::room_s1 {
 namespace {
 
 using test::Way;
@@ -70,4 +70,4 @@ TEST(RoomS1Slow, TotalsOfPathReuseAgree) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::room_s1

@@ -7,7 +7,7 @@
 
 #include "physics/bare_scene.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::shadow_rays {
 namespace {
 
 // A room of 4 x 4 x 3 m with a label on its floor, and units 0.2 m below the ceiling that are free or in a
@@ -102,4 +102,4 @@ TEST(ShadowRays, AreNotCountedWithoutConnections) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::shadow_rays

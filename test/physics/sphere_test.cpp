@@ -8,7 +8,7 @@
 #include "physics/bare_scene.hpp"
 #include "physics/comparison.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::sphere {
 namespace {
 
 using test::Way;
@@ -113,4 +113,4 @@ TEST(DiffuseSphere, TessellationErrorIsBounded) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::sphere

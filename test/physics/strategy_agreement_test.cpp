@@ -13,7 +13,7 @@
 #include "physics/strategy_store.hpp"
 #include "support/hypothesis.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::physics::strategy_agreement {
 namespace {
 
 SignalMatrix run(const test::StrategyStore& store, const test::Way& way, std::uint64_t samples,
@@ -106,4 +106,4 @@ TEST(StrategyAgreementSlow, MirrorPaneAndGlassToThreePercent) {
 }
 
 }  // namespace
-}  // namespace shelfbeam
+}  // namespace shelfbeam::physics::strategy_agreement
