@@ -12,7 +12,7 @@ import unittest
 
 import chain
 
-QUICK = ["--samples", "500", "--no-certificate"]  # no decision depends on time
+QUICK = ["--samples", "128", "--no-certificate"]  # no decision depends on time
 STATUSES = ["failed", "unfinished", "infeasible", "undecided", "planned"]
 
 
@@ -143,12 +143,12 @@ class Batch(unittest.TestCase):
     def test_a_stopped_batch_resumes(self):
         chain.make_chain(self.shops, "--count", 3, "--kinds", "valid")
         options = ["--no-certificate", "--checkpoint-interval", "0", "--samples"]
-        self.assertIn("3 not planned yet", self.stopped("--", *options, "6000"))
-        self.batch("--resume", "--", *options, "6000", code=0)
+        self.assertIn("3 not planned yet", self.stopped("--", *options, "3000"))
+        self.batch("--resume", "--", *options, "3000", code=0)
         with sqlite3.connect(self.results / "results.sqlite") as database:
             self.assertGreater(database.execute("SELECT max(runs) FROM effort").fetchone()[0], 1)
         # Checkpoints of other options do not hinder new plans.
-        self.stopped("--overwrite", "--", *options, "6000")
+        self.stopped("--overwrite", "--", *options, "3000")
         self.batch("--resume", "--", *options, "1000", code=0)
 
     def test_only_plans_of_batches_end_with_details(self):
@@ -174,7 +174,7 @@ class Batch(unittest.TestCase):
         self.assertIn("the limit is 0.88 GB", answer)  # 80 % of all, not of a half
 
     def test_parts_are_the_batch(self):
-        chain.make_chain(self.shops, "--count", 5, "--kinds", "valid,broken")
+        chain.make_chain(self.shops, "--count", 4, "--kinds", "valid,broken")
         self.batch("--", *QUICK, code=1)
         whole = self.folder / "whole"
         os.rename(self.results, whole)
