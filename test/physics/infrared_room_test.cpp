@@ -85,8 +85,8 @@ TEST(InfraredRoomSlow, EveryBounceAgreesToTheErrorOfTheFigures) {
     EXPECT_FALSE(powers(way, samples, 1, 90).agrees(0.01)) << way.name;
     EXPECT_FALSE(powers(way, samples, 1.02).agrees(0.01)) << way.name;
   };
-  test(test::nee, 4000000);
-  test(test::particle, 2500000);
+  test(test::nee, 1600000);
+  test(test::particle, 1600000);
 }
 
 // Path reuse gives the sum of all bounces: it is compared with the figure for up to 12 bounces plus the
@@ -98,7 +98,7 @@ TEST(InfraredRoomSlow, PathReuseAgrees) {
   for (std::size_t k = 13; k <= 40; ++k) rest += static_cast<double>(layers.by_bounce[k].mean[0]) * microwatt;
   const auto found = [&](double albedo_factor) {
     const SignalMatrix matrix =
-        test::path_reuse.simulate(room(albedo_factor, 85, 1).scene, 500 * test::reuse_samples);
+        test::path_reuse.simulate(room(albedo_factor, 85, 1).scene, 250 * test::reuse_samples);
     test::Comparison result;
     result.add(static_cast<double>(matrix.mean[0]) * microwatt, up_to_12_bounces.microwatt + rest,
                std::hypot(static_cast<double>(matrix.standard_error[0]) * microwatt,
@@ -107,7 +107,7 @@ TEST(InfraredRoomSlow, PathReuseAgrees) {
   };
   const test::Comparison as_given = found(1);
   EXPECT_TRUE(as_given.agrees(0.001));
-  EXPECT_LT(as_given.precision(), 0.004);
+  EXPECT_LT(as_given.precision(), 0.0056);
   EXPECT_FALSE(found(1.02).agrees(0.001));
 }
 

@@ -85,7 +85,7 @@ TEST(OutlineRoomSlow, LetsNoRayOfTwentyMillionEscape) {
 }
 
 // Probes at random points of the surface, each on both sides; that outside the room is dark. All incident
-// flux is phi / (1 - rho). z-test at 0.1 %; the statistical error is about 1.4 %, from the places of the
+// flux is phi / (1 - rho). z-test at 0.1 %; the statistical error is about 2 %, from the places of the
 // probes. The control is an albedo that is off by 1 %.
 TEST(OutlineRoomSlow, BalancesTheFlux) {
   Scene scene = l_shaped_room();
@@ -98,7 +98,7 @@ TEST(OutlineRoomSlow, BalancesTheFlux) {
     area.push_back(length(cross(vertices[b] - vertices[a], vertices[c] - vertices[a])) / 2);
   std::vector<double> until(area.size());
   std::partial_sum(area.begin(), area.end(), until.begin());
-  constexpr std::uint32_t probes = 3000;
+  constexpr std::uint32_t probes = 1500;
   for (std::uint32_t k = 0; k < probes; ++k) {
     const double at = until.back() * (k + random(k, 0)) / probes;  // stratified by area
     const auto t = static_cast<std::size_t>(std::upper_bound(until.begin(), until.end(), at) - until.begin());
@@ -121,7 +121,7 @@ TEST(OutlineRoomSlow, BalancesTheFlux) {
   const double all = phi / (1 - rho);
   test::Comparison flux;
   flux.add(incident.mean(), all, incident.standard_error());
-  test::expect_agreement(flux, 0.02, (1 - rho) / (1 - 1.01 * rho), "probes");
+  test::expect_agreement(flux, 0.028, (1 - rho) / (1 - 1.01 * rho), "probes");
 }
 
 }  // namespace

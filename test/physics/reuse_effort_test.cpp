@@ -62,7 +62,7 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
   const World world(scene);
   UnitGroups units(world);
   ASSERT_GT(BrightSpots(world, units, 1, {.min_cap_distance = 3}).size(), 0U);
-  const SignalMatrix reference = test::reuse(scene, 40, 1000);
+  const SignalMatrix reference = test::reuse(scene, 24, 1000);
   const ReuseEffort least{.lookups = 8,
                           .points = 1,
                           .stake = 0.3,
@@ -87,24 +87,24 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheDistributionOfWork) {
       {"shorter paths", {.survival = 0.3}}};
   std::uint64_t seed = 1;
   for (const auto& [name, effort] : efforts)
-    expect_same(test::reuse(scene, 5, ++seed, effort), reference, name);
+    expect_same(test::reuse(scene, 3, ++seed, effort), reference, name);
 }
 
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {
-  const auto kept = check_caches(5, {1e6, 100, 30, 10, 1, 1e-4});
+  const auto kept = check_caches(3, {1e6, 100, 30, 10, 1, 1e-4});
   EXPECT_LT(kept.front(), kept.back() * 3 / 4);
 }
 
 // All units are far too weak for the requirement, so all of them are sampled at random. Some of their light
-// comes in only one batch of fifty, with skewed errors, so this test takes 4,800 batches.
+// comes in only one batch of fifty, with skewed errors, so this test takes 2,880 batches.
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheRequirement) {
-  expect_same(test::reuse(store(1e6), 150, 6), test::reuse(store(), 50, 1000), "nothing in reach");
+  expect_same(test::reuse(store(1e6), 90, 6), test::reuse(store(), 30, 1000), "nothing in reach");
 }
 
 // Clusters of single labels, or without neighbours.
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheClusters) {
   const Scene scene = store();
-  const SignalMatrix reference = test::reuse(scene, 40, 1000);
+  const SignalMatrix reference = test::reuse(scene, 24, 1000);
   const std::size_t m = scene.labels.size();
   for (const std::size_t parts : {std::size_t{2}, m}) {
     SignalMatrix found = reference;
@@ -112,7 +112,7 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheClusters) {
       Scene some = scene;
       some.labels.clear();
       for (std::size_t i = part; i < m; i += parts) some.labels.push_back(scene.labels[i]);
-      const SignalMatrix those = test::reuse(some, parts == m ? 20 : 5, 3);
+      const SignalMatrix those = test::reuse(some, parts == m ? 12 : 3, 3);
       for (std::size_t k = 0; k < those.rows(); ++k)
         for (std::size_t j = 0; j < those.columns(); ++j) {
           found.mean[found.at(part + k * parts, j)] = those.mean[those.at(k, j)];

@@ -100,7 +100,7 @@ TEST(DiffuseSphere, IsUniformForPathReuse) {
   expect_uniform_sum(16 * test::reuse_samples, 0.02);
 }
 TEST(DiffuseSphereSlow, IsUniformForPathReuse) {
-  expect_uniform_sum(200 * test::reuse_samples, 0.005);
+  expect_uniform_sum(100 * test::reuse_samples, 0.007);
 }
 
 // The error of a coarse sphere falls with the square of its edges, by a factor of four per level. 0.4 % on

@@ -99,10 +99,10 @@ void check_glass(double effort, double largest_error) {
 }
 
 TEST(StrategyAgreementSlow, DiffuseAndGlossyToOnePercent) {
-  check_glossy(1.6, 0.0088);
+  check_glossy(0.8, 0.0125);
 }
-TEST(StrategyAgreementSlow, MirrorPaneAndGlassToThreePercent) {
-  check_glass(1.2, 0.031);
+TEST(StrategyAgreementSlow, MirrorPaneAndGlassToFourPercent) {
+  check_glass(0.6, 0.044);
 }
 
 }  // namespace
