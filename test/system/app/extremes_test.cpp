@@ -26,9 +26,9 @@ Json smallest_store(double threshold, double reflectance = 0.3) {
 
 class Extremes : public test::ProgramTest {
  protected:
-  Json planned(const Json& store, int exit_code, const std::string& options = "") {
+  Json planned(const Json& store, int exit_code, const std::string& options = "", int samples = 640) {
     folder.write("store.json", store.dump());
-    told("plan @store.json -o @plan --samples 640 --overwrite " + options, exit_code);
+    told(fmt::format("plan @store.json -o @plan --samples {} --overwrite {}", samples, options), exit_code);
     return json("plan/placement.json");
   }
   Json placed(const std::string& options, int exit_code) {
@@ -99,7 +99,7 @@ TEST_F(Extremes, SlowAHundredThousandLabels) {
   }
   store["transceivers"] = Json::parse(
       R"({ "grids": [ { "type": "ceiling", "min": [25, 20], "max": [75, 60], "spacing": 25, "z": 3.9 } ] })");
-  const Json answer = planned(store, 0, "--estimator uniform --max-bounces 1 --no-certificate");
+  const Json answer = planned(store, 0, "--estimator uniform --max-bounces 1 --no-certificate", 64);
   EXPECT_EQ(answer["labels"], 100000);
   EXPECT_TRUE(answer["unreachable"].empty());
   EXPECT_EQ(answer["status"], "optimal");

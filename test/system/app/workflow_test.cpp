@@ -130,7 +130,7 @@ TEST_F(Workflow, OffersSeveralTiltsAtAMountingPoint) {
 // of samples, each of three seeds gave six units.
 TEST_F(WorkflowSlow, PlansTheChiller) {
   told("new chiller @chiller");
-  told("plan @chiller/store.json -o @plan --no-certificate");
+  told("plan @chiller/store.json -o @plan --samples 1000 --no-certificate");
   const Json placement = json("plan/placement.json");
   EXPECT_EQ(placement["status"], "optimal");
   EXPECT_EQ(placement["count_lower_bound"], placement["count"]);

@@ -98,7 +98,7 @@ TEST(CertifiedCostSlow, SelectionThatJustSufficesIsSeldomExcluded) {
     store.threshold = largest / 1.0002;
     const Scene scene = store.scene();
     const double cost = has_prices ? 121 : 2;
-    constexpr int plans = 36;
+    constexpr int plans = 24;
     options.confidence = 0.8;
     int wrong = 0, naive = 0;
     for (int seed = 1; seed <= plans; ++seed) {

@@ -169,7 +169,7 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
   const SelectionBudget limit{std::vector<double>(n, 1.0), 2};
   const auto prepared = prepare(scene, options, false);
   std::size_t trees = 0, refuted = 0, refuted_by_half = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     options.seed = seed;
     const SignalMatrix matrix = simulate(scene, options).matrix;
     const SignalTable table = make_signal_table(matrix);
@@ -190,7 +190,7 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
   RecordProperty("trees", static_cast<int>(trees));
   RecordProperty("refuted", static_cast<int>(refuted));
   RecordProperty("by_half", static_cast<int>(refuted_by_half));
-  ASSERT_GT(trees, 50U);
+  ASSERT_GT(trees, 33U);
   const double expected = 0.05 * static_cast<double>(trees);
   EXPECT_LE(static_cast<double>(refuted), expected + 3.1 * std::sqrt(0.95 * expected));
   EXPECT_GT(static_cast<double>(refuted_by_half), 2 * expected + 3.1 * std::sqrt(expected));
