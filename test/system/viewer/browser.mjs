@@ -59,7 +59,7 @@ export async function startBrowser(program) {
      * Opens a page of a size in CSS pixels, and records every network request and every error. `before` runs before
      * the page is loaded. Waits until the 3-D view is ready.
      */
-    async page(url, { width = 1280, height = 900, dark = false, ready = true, before = () => {} } = {}) {
+    async page(url, { width = 1000, height = 600, dark = false, ready = true, before = () => {} } = {}) {
       const { targetId } = await send("Target.createTarget", { url: "about:blank" });
       const { sessionId } = await send("Target.attachToTarget", { targetId, flatten: true });
       const page = new Page(targetId, (method, params) => send(method, params, sessionId));

@@ -29,15 +29,14 @@ const focused = (page) =>
 testReport("every control is reached by Tab", { of: "grocery" }, async (page) => {
   await page.evaluate(() => document.querySelector("#viewer").setAttribute("tabindex", "-1"));
   await page.focus("#viewer");
-  const met = new Set();
-  for (let k = 0; k < 190; ++k) {
-    await page.press("Tab");
-    met.add(await focused(page));
-  }
   const choices = ["v3-dimension", "v3-colour", "v3-lists"];
   const buttons = ["Whole store", "Reset", "Copy link", "only", "All levels"];
-  for (const control of [...choices, ...buttons, "canvas", "search", "number", "range"])
-    check(met.has(control), `${control} is not reached by Tab`);
+  const missing = new Set([...choices, ...buttons, "canvas", "search", "number", "range"]);
+  for (let k = 0; k < 190 && missing.size; ++k) {
+    await page.press("Tab");
+    missing.delete(await focused(page));
+  }
+  equal([...missing], [], "controls that Tab does not reach");
 });
 
 testReport("everything can be done by keyboard", { of: "grocery" }, async (page, plan) => {
