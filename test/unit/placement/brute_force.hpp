@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -64,9 +65,8 @@ struct BruteForce {
   /// documented, conflicts count only if one of the pair is installed.
   static std::vector<double> most(const SignalTable& table, const PlacementProblem& problem) {
     const std::vector<std::vector<double>> signal = dense(table);
-    std::uint32_t installed = 0;
-    for (std::size_t j = 0; j < table.transceivers.size(); ++j)
-      if (table.transceivers[j].installed) installed |= std::uint32_t{1} << j;
+    const std::uint32_t installed = installed_in(table);
+    Columns columns;
     std::vector<double> result(table.labels.size(), 0.0);
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.transceivers.size()); ++set) {
       if ((set & installed) != installed || !one_at_a_point(table, set)) continue;
@@ -75,8 +75,9 @@ struct BruteForce {
         excluded =
             excluded || ((set >> a & set >> b & 1U) != 0 && ((installed >> a | installed >> b) & 1U) != 0);
       if (excluded) continue;
+      list(set, columns);
       for (std::size_t i = 0; i < signal.size(); ++i)
-        result[i] = std::max(result[i], got(problem, signal[i], set));
+        result[i] = std::max(result[i], got(problem, signal[i], columns));
     }
     return result;
   }
@@ -91,11 +92,11 @@ struct BruteForce {
                                                     const PlacementProblem& problem) {
     const std::vector<std::vector<double>> signal = dense(table);
     std::vector<std::optional<Budget>> best(table.columns() + 1);
-    for_each_allowed(table, Omission::nothing, [&](std::uint32_t set, const Columns& columns) {
+    for_each_allowed(table, Omission::nothing, [&](const Columns& columns) {
       const std::size_t count = columns.size();
       std::size_t reached = 0;
       for (std::size_t i = 0; i < table.rows(); ++i)
-        if (got(problem, signal[i], set) >= requirement(table.labels[i], problem) * (1 - 1e-9)) ++reached;
+        if (got(problem, signal[i], columns) >= requirement(table.labels[i], problem) * (1 - 1e-9)) ++reached;
       for (std::size_t k = count; k < best.size(); ++k)
         if (!best[k] || reached > best[k]->reached || (reached == best[k]->reached && count < best[k]->units))
           best[k] = Budget{reached, count};
@@ -117,10 +118,10 @@ struct BruteForce {
     rule.redundant = problem.redundant && omission != Omission::failure;
     const double tolerance = omission == Omission::tolerance ? 0 : 1e-9;
     std::vector<std::optional<Weight>> best(table.columns() + 1);
-    for_each_allowed(table, omission, [&](std::uint32_t set, const Columns& columns) {
+    for_each_allowed(table, omission, [&](const Columns& columns) {
       double reached = 0;
       for (std::size_t i = 0; i < table.rows(); ++i)
-        if (got(rule, signal[i], set) >= requirement(table.labels[i], rule) * (1 - tolerance))
+        if (got(rule, signal[i], columns) >= requirement(table.labels[i], rule) * (1 - tolerance))
           reached += omission == Omission::weights ? 1 : table.labels[i].weight;
       for (std::size_t k = columns.size(); k < best.size(); ++k) {
         const double rounding = best[k] ? 1e-12 * best[k]->reached : 0;
@@ -157,21 +158,30 @@ struct BruteForce {
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-  /// Calls visit(set, columns) for every selection that breaks no rule, whether or not it reaches all labels.
+  static std::uint32_t installed_in(const SignalTable& table) {
+    std::uint32_t installed = 0;
+    for (std::size_t j = 0; j < table.transceivers.size(); ++j)
+      if (table.transceivers[j].installed) installed |= std::uint32_t{1} << j;
+    return installed;
+  }
+
+  /// Calls visit(columns) for every selection that breaks no rule, whether or not it reaches all labels.
   template <class Visit>
   static void for_each_allowed(const SignalTable& table, Omission omission, const Visit& visit) {
+    const std::uint32_t installed = omission == Omission::installed ? 0 : installed_in(table);
     Columns columns;
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
-      bool allowed = (omission == Omission::mounts || one_at_a_point(table, set)) &&
-                     (omission == Omission::conflicts || is_free_of_conflicts(table, set));
-      columns.clear();
-      for (std::uint32_t j = 0; j < table.columns(); ++j) {
-        const bool in = (set >> j & 1U) != 0;
-        if (in) columns.push_back(j);
-        allowed = allowed && (in || !table.transceivers[j].installed || omission == Omission::installed);
-      }
-      if (allowed) visit(set, columns);
+      if ((set & installed) != installed) continue;
+      if (omission != Omission::mounts && !one_at_a_point(table, set)) continue;
+      if (omission != Omission::conflicts && !is_free_of_conflicts(table, set)) continue;
+      list(set, columns);
+      visit(columns);
     }
+  }
+
+  static void list(std::uint32_t set, Columns& columns) {
+    columns.clear();
+    for (; set != 0; set &= set - 1) columns.push_back(static_cast<std::uint32_t>(std::countr_zero(set)));
   }
 
   template <class Visit>
@@ -181,34 +191,35 @@ struct BruteForce {
     const double tolerance = omission == Omission::tolerance ? -2e-9 : 1e-9;
     const std::size_t tested = table.rows() - (omission == Omission::last_label && table.rows() > 0 ? 1 : 0);
     Answer answer;
-    for_each_allowed(table, omission, [&](std::uint32_t set, const Columns& columns) {
+    for_each_allowed(table, omission, [&](const Columns& columns) {
       answer.margin = infinite;
       for (std::size_t i = 0; i < tested; ++i) {
         const double needed = requirement(table.labels[i], problem);
-        const double has = received(problem, signal[i], set, omission);
+        const double has = received(problem, signal[i], columns, omission);
         if (has < needed * (1 - tolerance)) return;
         answer.margin = std::min(answer.margin, has / needed);
       }
       answer.columns = columns;
       answer.price = 0;
       for (const std::uint32_t j : columns) answer.price += table.transceivers[j].cost;
-      answer.second_objective = second_objective(table, problem, signal, set);
+      answer.second_objective = second_objective(table, problem, signal, columns);
       visit(answer);
     });
   }
 
   // The signal at a label from a selection, by definition; if one unit may fail, in the worst failure.
-  static double got(const PlacementProblem& problem, const std::vector<double>& signal, std::uint32_t set) {
+  static double got(const PlacementProblem& problem, const std::vector<double>& signal,
+                    const Columns& columns) {
     const auto got_without = [&](std::size_t failed) {
       double sum = 0;
-      for (std::size_t j = 0; j < signal.size(); ++j)
-        if ((set >> j & 1U) != 0 && j != failed)
+      for (const std::uint32_t j : columns)
+        if (j != failed)
           sum = problem.model == CommunicationModel::cooperative ? sum + signal[j] : std::max(sum, signal[j]);
       return sum;
     };
     double least = got_without(signal.size());
-    for (std::size_t failed = 0; failed < signal.size() && problem.redundant; ++failed)
-      if ((set >> failed & 1U) != 0) least = std::min(least, got_without(failed));
+    if (problem.redundant)
+      for (const std::uint32_t failed : columns) least = std::min(least, got_without(failed));
     return least;
   }
 
@@ -219,12 +230,11 @@ struct BruteForce {
   // The sum in the order of the columns, without the largest signal if one unit may fail: exact to the last
   // bit as documented, because the order of sums decides near-ties.
   static double received(const PlacementProblem& problem, const std::vector<double>& signal,
-                         std::uint32_t set, Omission omission) {
+                         const Columns& columns, Omission omission) {
     const bool redundant = problem.redundant && omission != Omission::failure;
     const bool cooperative = problem.model == CommunicationModel::cooperative;
     double result = 0, largest = 0;
-    for (std::size_t j = 0; j < signal.size(); ++j) {
-      if ((set >> j & 1U) == 0) continue;
+    for (const std::uint32_t j : columns) {
       const double counted = redundant ? std::min(largest, signal[j]) : signal[j];
       largest = std::max(largest, signal[j]);
       result = cooperative ? result + counted : std::max(result, counted);
@@ -257,7 +267,7 @@ struct BruteForce {
   }
 
   static double second_objective(const SignalTable& table, const PlacementProblem& problem,
-                                 const std::vector<std::vector<double>>& signal, std::uint32_t set) {
+                                 const std::vector<std::vector<double>>& signal, const Columns& columns) {
     if (problem.objective == Objective::count) return 0;
     const bool cooperative = problem.model == CommunicationModel::cooperative;
     bool priced = false;
@@ -269,8 +279,7 @@ struct BruteForce {
       const double given = problem.objective == Objective::signal ? label.signal_cost : label.link_cost;
       const double cost = priced ? given : 1;
       const double needed = requirement(label, problem);
-      for (std::size_t j = 0; j < table.transceivers.size(); ++j) {
-        if ((set >> j & 1U) == 0) continue;
+      for (const std::uint32_t j : columns) {
         if (problem.objective == Objective::signal) value += cost * signal[i][j];
         if (problem.objective == Objective::links && (cooperative || signal[i][j] >= needed * (1 - 1e-9)))
           value += cost;

@@ -175,7 +175,7 @@ TEST(PlacementSearch, AcceptsASolverWithinItsGap) {
     if (!check_selection(table, problem, greedy).met() || greedy.empty()) continue;
     const auto backends = milp::backends();
     const Placement answer = detail::search_placement(
-        table, problem, greedy, {backends}, 0, 1, {},
+        table, problem, greedy, {backends}, 0, 1, {.threads = 1},
         {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
     EXPECT_EQ(answer.status, Status::optimal);
     EXPECT_LT(answer.gap(), 1e-6);

@@ -86,13 +86,13 @@ class PlacementBudget : public testing::TestWithParam<milp::Backend> {};
 INSTANTIATE_TEST_SUITE_P(Every, PlacementBudget, test::every_backend, test::backend_name);
 
 TEST_P(PlacementBudget, EqualsEnumeration) {
-  run(GetParam(), 71, 800);
+  run(GetParam(), 71, 500);
 }
 
 // Without an exact solver: never more than possible, never a smaller bound, and both are often tight.
 TEST(MaxCoverage, GreedyAndItsBoundEncloseTheOptimum) {
   test::RandomTables tables(73, everything);
-  int met = 0, tight = 0, below = 0, loose = 0, cases = 3000;
+  int met = 0, tight = 0, below = 0, loose = 0, cases = 1500;
   for (int k = 0; k < cases; ++k) {
     const SignalTable table = tables.next();
     const PlacementProblem problem = tables.next_problem();
@@ -110,8 +110,8 @@ TEST(MaxCoverage, GreedyAndItsBoundEncloseTheOptimum) {
   }
   EXPECT_GT(met, cases * 9 / 10);
   EXPECT_GT(tight, cases / 2);
-  EXPECT_GT(below, 5);
-  EXPECT_GT(loose, 50);
+  EXPECT_GT(below, 2);
+  EXPECT_GT(loose, 25);
 }
 
 /// How often `maximise_coverage` differs from brute force with this rule omitted.
@@ -142,7 +142,7 @@ int differences(std::uint64_t seed, int cases, test::Omission omission, const Pl
 
 TEST(MaxCoverage, EqualsBruteForce) {
   const PlaceOptions by_search{.solver = SolverChoice::search, .step_limit = 1 << 20};
-  EXPECT_EQ(differences(92, 1500, test::Omission::nothing, by_search), 0);
+  EXPECT_EQ(differences(92, 800, test::Omission::nothing, by_search), 0);
   // Negative controls: the comparison notices a rule that one side does not follow.
   for (const test::Omission omission :
        {test::Omission::mounts, test::Omission::conflicts, test::Omission::failure, test::Omission::weights,
@@ -181,7 +181,7 @@ TEST(MaxCoverage, ByHand) {
 // No step was interrupted, so the result is not marked as stopped.
 TEST(MaxCoverage, ReportsATableThatIsTooLarge) {
   const SignalTable table = dense_table(900, 450);  // 405,000 entries
-  const MaxCoverage reach = maximise_coverage(table, {}, 6, {});
+  const MaxCoverage reach = maximise_coverage(table, {}, 8, {});
   EXPECT_TRUE(reach.too_large);
   EXPECT_EQ(reach.status, Status::feasible);
   EXPECT_EQ(reach.solver, "greedy");
@@ -195,11 +195,11 @@ TEST(MaxCoverage, ReportsATableThatIsTooLarge) {
 TEST(MaxCoverage, RespectsTheTimeLimit) {
   const SignalTable table = dense_table(4000, 1000);
   const test::ProcessorTime spent;
-  const MaxCoverage reach = maximise_coverage(table, {}, 7, {.time_limit_s = 0.5}, {.threads = 1});
+  const MaxCoverage reach = maximise_coverage(table, {}, 7, {.time_limit_s = 0.2}, {.threads = 1});
   EXPECT_EQ(reach.status, Status::stopped);
   EXPECT_LT(reach.reached, reach.upper_bound);
   const MaxCoverage small =
-      maximise_coverage(dense_table(200, 100), {}, 7, {.time_limit_s = 0.5}, {.threads = 1});
+      maximise_coverage(dense_table(200, 100), {}, 7, {.time_limit_s = 0.2}, {.threads = 1});
   EXPECT_LT(spent.seconds(), 8);
   EXPECT_EQ(small.status, Status::stopped);
 }

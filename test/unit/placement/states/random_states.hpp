@@ -86,14 +86,18 @@ inline std::optional<double> value_of_set(const StateTable& states, const Placem
   for (std::size_t i = 0; i < 5; ++i) {
     std::uint32_t misses = 0;
     for (std::size_t s = 0; s < 8; ++s) {
-      std::vector<double> got;
-      for (std::uint32_t j = 0; j < 8; ++j)
-        if (has(j)) got.push_back(static_cast<double>(states.signal[(j * 5 + i) * 8 + s]));
-      std::sort(got.rbegin(), got.rend());
-      if (problem.redundant && !got.empty()) got.erase(got.begin());
-      double sum = 0;
-      for (const double signal : got) sum += signal;
-      if (problem.model == CommunicationModel::non_cooperative) sum = got.empty() ? 0 : got.front();
+      double sum = 0, first = 0, second = 0;  // the two largest signals
+      for (std::uint32_t j = 0; j < 8; ++j) {
+        if (!has(j)) continue;
+        const auto signal = static_cast<double>(states.signal[(j * 5 + i) * 8 + s]);
+        sum += signal;
+        second = std::max(second, std::min(first, signal));
+        first = std::max(first, signal);
+      }
+      if (problem.model == CommunicationModel::non_cooperative)
+        sum = problem.redundant ? second : first;
+      else if (problem.redundant)
+        sum -= first;
       misses += sum < 1 ? 1 : 0;
       if (sum < 1) any[s] = true;
     }
