@@ -52,10 +52,10 @@ void expect_reciprocity(const Way& way, std::uint64_t samples, double precision)
   EXPECT_FALSE(exchanged(way, samples, squared_cosine).agrees(0.001)) << way.name;
 }
 
-// Relative standard errors of at most 2 % per entry, mostly below 1.4 %.
+// Relative standard errors of at most 2 % per entry.
 TEST(Reciprocity, UnitsAndLabelsMayBeExchanged) {
-  expect_reciprocity(test::mis, 30000, 0.03);
-  expect_reciprocity(test::particle, 20000, 0.03);
+  expect_reciprocity(test::mis, 20000, 0.03);
+  expect_reciprocity(test::particle, 10000, 0.03);
 }
 
 // Relative standard errors of 0.9 % per entry.

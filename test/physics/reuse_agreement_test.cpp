@@ -173,14 +173,14 @@ struct Store {
 
 // Errors are 2 to 10 % for typical entries. The most precise entries clearly reject the controls.
 const Store stores[] = {
-    {"DiffuseAndGlossy", glossy, test::nee, {8, 40000, 0.03, 1.03}},
+    {"DiffuseAndGlossy", glossy, test::nee, {4, 20000, 0.03, 1.03}},
     {"MirrorPaneAndGlassWithPoints", [] { return glass(false); }, test::nee, {8, 30000, 0.04, 1.04}},
     {"MirrorPaneAndGlassWithDiscsAndRectangles",
      [] { return glass(true); },
      test::mis,
-     {4, 12000, 0.13, 1.12}},
-    {"LopsidedUnitsAndRoughThings", lopsided, test::nee, {16, 50000, 0.12, 1.09}},
-    {"Coats", coats, test::nee, {8, 50000, 0.07, 1.07}},
+     {2, 6000, 0.13, 1.12}},
+    {"LopsidedUnitsAndRoughThings", lopsided, test::nee, {8, 25000, 0.12, 1.09}},
+    {"Coats", coats, test::nee, {4, 25000, 0.07, 1.07}},
     {"DarkDoors", dark_doors, test::nee, {16, 50000, 0.045, 1.05}},
     {"OtherUnitsAndResponses", other_devices, test::nee, {16, 100000, 0.03, 1.03}},
     {"ShiningBoard", [] { return lamp(false, 0); }, test::mis, {16, 30000, 0.045, 1.08}},

@@ -75,8 +75,8 @@ void expect_uniform(const Way& way, double disc_radius, std::uint64_t samples) {
 }
 
 TEST(DiffuseSphere, EveryBounceOfAPointSourceIsUniform) {
-  expect_uniform(test::nee, 0, 200000);
-  expect_uniform(test::particle, 0, 100000);
+  expect_uniform(test::nee, 0, 100000);
+  expect_uniform(test::particle, 0, 50000);
 }
 
 TEST(DiffuseSphereSlow, EveryBounceOfADiscIsUniform) {

@@ -87,8 +87,8 @@ TEST_F(Resume, GivesTheSameBytesWithARelativeError) {
 
 TEST_F(Resume, GivesTheSameBytesWithAnErrorOutOfReach) {
   options.direct = DirectLight::exact;
-  options.relative_error = RelativeError{0.004, 0.3, 60000};
-  expect_same_after_every_stop({300, 700});
+  options.relative_error = RelativeError{0.004, 0.3, 20000};
+  expect_same_after_every_stop({100, 230});
 }
 
 class ResumeSlow : public Resume {};

@@ -150,7 +150,7 @@ TEST(SimulateStates, AgreesWithTheExportedState) {
   const Scene scene = make_scene(store);
   const StoreStates states(store, scene, 1);
   SimulationOptions options;
-  options.samples = 40000;
+  options.samples = 10000;
   ResultLog log = no_log();
   const auto found = layers_of([&](std::uint64_t k) { return states.state(k); }, scene,
                                {.first = 0, .count = 3, .batches = 16}, log);
