@@ -18,7 +18,7 @@
 namespace shelfbeam {
 namespace {
 
-SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples_a_batch = 80) {
+SimulationOptions connections(std::uint32_t max_bounces, std::uint64_t samples_a_batch = 20) {
   SimulationOptions options{EstimatorKind::uniform};
   options.strategy = Strategy::nee;
   options.direct = DirectLight::exact;
@@ -161,7 +161,7 @@ TEST(Sensitivity, MoreReflectionIsMoreLight) {
 
 // With independent random numbers the error of a difference would combine those of both signals.
 TEST(Sensitivity, DifferencesAreMorePreciseThanSignals) {
-  const Sensitivity found = of(three_materials(), connections(PathRules::no_limit, 200));
+  const Sensitivity found = of(three_materials(), connections(PathRules::no_limit, 60));
   for (const MaterialSensitivity& one : found.materials) {
     const double independent =
         std::hypot(one.at_lower.min_margin.standard_error, found.as_given.standard_error);
@@ -209,7 +209,7 @@ TEST(Sensitivity, UsesTheSignalOfTheProblem) {
 
 // The requirement is between the signals of the weakest label at both ends.
 TEST(Sensitivity, ReportsLabelsThatBecomeMissed) {
-  const SimulationOptions options = connections(PathRules::no_limit);
+  const SimulationOptions options = connections(PathRules::no_limit, 40);
   Scene scene = plan_scene(0.4, 0.7);
   const Sensitivity first = of(scene, options);
   const double as_given = first.as_given.ratio, low = first.low.min_margin.ratio;
@@ -317,8 +317,8 @@ TEST(Plan, KeepsItsPlacementIfSensitivityIsInterrupted) {
   const Scene scene = test::PlanStore().scene();
   PlanOptions options = without_certificate();
   options.curve = true;
-  options.sensitivity = SensitivityOptions{};
   const Plan whole = make_plan(scene, options);
+  options.sensitivity = SensitivityOptions{};
   CancelAtMaterial cancel;
   const Plan part = make_plan(scene, options, {.cancel = &cancel.token, .progress = &cancel});
   EXPECT_TRUE(whole.complete);
