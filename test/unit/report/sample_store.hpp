@@ -100,13 +100,20 @@ inline Store kiosk() {
   return store;
 }
 
-// Whether the segment from a to b passes through an upright box over the fixture's bounding rectangle.
-inline bool blocks(const FixtureOutline& fixture, const Vec3& a, const Vec3& b) {
-  Vec3 low{1e9, 1e9, 0}, high{-1e9, -1e9, fixture.height};
-  for (const auto& [x, y] : fixture.footprint) {
-    low = {std::min(low.x, x), std::min(low.y, y), 0};
-    high = {std::max(high.x, x), std::max(high.y, y), fixture.height};
+/// An upright box over the bounding rectangle of a fixture.
+struct Block {
+  explicit Block(const FixtureOutline& fixture) : high{-1e9, -1e9, fixture.height} {
+    for (const auto& [x, y] : fixture.footprint) {
+      low = {std::min(low.x, x), std::min(low.y, y), 0};
+      high = {std::max(high.x, x), std::max(high.y, y), fixture.height};
+    }
   }
+  Vec3 low{1e9, 1e9, 0}, high;
+};
+
+// Whether the segment from a to b passes through it.
+inline bool blocks(const Block& block, const Vec3& a, const Vec3& b) {
+  const auto& [low, high] = block;
   double enter = 0, leave = 1;
   for (int axis = 0; axis < 3; ++axis) {
     const double d = b[axis] - a[axis];
@@ -136,14 +143,15 @@ inline SignalMatrix rows_and_columns_of(const Scene& scene) {
 
 inline SignalMatrix matrix_of(const Scene& scene) {
   SignalMatrix matrix = rows_and_columns_of(scene);
+  const std::vector<Block> fixtures(scene.fixtures.begin(), scene.fixtures.end());
   std::uint32_t at = 0;
   for (const Label& label : scene.labels)
     for (const Transceiver& t : scene.transceivers) {
       const Vec3 way = t.position - label.position;
       const double r2 = length_squared(way), r = std::sqrt(r2);
       const double cos_label = std::max(0.0, dot(way, label.normal) / r), cos_axis = -dot(way, t.axis) / r;
-      const bool seen = std::none_of(scene.fixtures.begin(), scene.fixtures.end(),
-                                     [&](const auto& f) { return blocks(f, label.position, t.position); });
+      const bool seen = std::none_of(fixtures.begin(), fixtures.end(),
+                                     [&](const Block& b) { return blocks(b, label.position, t.position); });
       const double direct = seen ? cos_label * 2 * cos_axis * std::sqrt(1 - cos_axis * cos_axis) / r2 : 0;
       const double noise = to_uniform(philox({at++, 0, 0, 0}, 7)[0]);
       const double reflected = r > 14 ? 0 : 0.02 * std::exp(-r / 5) * (0.8 + 0.4 * noise) * (seen ? 1 : 0.4);

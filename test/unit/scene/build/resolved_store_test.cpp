@@ -66,7 +66,7 @@ TEST(ResolvedStore, WithListsInFilesIsTheSameScene) {
 TEST(ResolvedStore, KeepsOddAngles) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> turn(-360, 360);
-  for (int k = 0; k < 200; ++k) {
+  for (int k = 0; k < 100; ++k) {
     Json store = sample_store();
     for (const std::size_t fixture : {0, 1, 3}) store["fixtures"][fixture]["rotation_deg"] = turn(random);
     store["fixtures"][0]["at"] = {2 + turn(random) / 1e3, 1};
@@ -82,7 +82,7 @@ TEST(ResolvedStore, KeepsOddAngles) {
 TEST(ResolvedStore, KeepsTheAnglesOfTables) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> step(0.001, 1.8);
-  for (int k = 0; k < 50; ++k) {
+  for (int k = 0; k < 20; ++k) {
     Json theta{0}, phi{0}, rows = Json::array();
     for (int t = 1; t < 100; ++t) theta.push_back(theta.back().get<double>() + step(random));
     for (int p = 1; p < 100; ++p) phi.push_back(phi.back().get<double>() + 2 * step(random));
