@@ -19,10 +19,12 @@ using testing::HasSubstr;
 
 class Parts : public test::ProgramTest {
  protected:
-  void SetUp() override {
-    // Enough labels for four groups of neighbours.
+  void SetUp() override { space_labels(0.05); }
+
+  // Up to 0.1 m there are enough labels for four groups of neighbours, up to 0.2 m for two.
+  void space_labels(double metres) const {
     test::Json store = test::small_store();
-    store["fixtures"][0]["labels"]["spacing"] = 0.05;
+    store["fixtures"][0]["labels"]["spacing"] = metres;
     folder.write("store.json", store.dump());
   }
 
@@ -71,6 +73,7 @@ TEST_F(PartsSlow, OfKilledSimulationsMergeToTheBytesOfOneRun) {
 }
 
 TEST_F(Parts, OfTheUniformEstimatorMergeToTheBytesOfOneRun) {
+  space_labels(0.1);
   expect_the_bytes_of_one_run("--samples 2000 --max-bounces 3 --by-bounce --seed 5");
 }
 
@@ -82,6 +85,7 @@ TEST_F(Parts, OfKilledStatesMergeToTheBytesOfOneRun) {
 }
 
 TEST_F(Parts, AreThePlanOfOneRun) {
+  space_labels(0.2);
   told("plan @store.json --samples 2000 -o @one");
   for (const int number : {1, 2})
     told(fmt::format("simulate @store.json --samples 2000 --part {0}/2 -o @{0}.h5", number));

@@ -26,14 +26,14 @@ class Killed : public test::ProgramTest {
 // Kills the program repeatedly, each time a little later, until a run completes.
 TEST_F(Killed, ASimulationResumesToTheSameBytes) {
   const std::vector<std::vector<std::string>> rules{
-      {"--samples", "20000"}, {"--relative-error", "0.1", "--direct", "exact", "--quiet"}};
+      {"--samples", "10000"}, {"--relative-error", "0.1", "--direct", "exact", "--quiet"}};
   for (const auto& rule : rules) {
     expect_silent(arguments("whole.h5", rule));
     auto resumed = rule;
     resumed.push_back("--resume");
     double delay = 0.005;
     int kills = 0, with_checkpoint = 0;
-    for (;; delay *= 1.08) {
+    for (;; delay *= 1.15) {
       test::Process process(test::command(arguments("signal.h5", resumed)));
       std::this_thread::sleep_for(std::chrono::duration<double>(delay));
       process.send(SIGKILL);

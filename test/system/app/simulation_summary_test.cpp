@@ -79,15 +79,16 @@ TEST_F(SimulationOutput, BeginsWithTheWarningsOfTheStore) {
   folder.write("store.json", store.dump());
   const std::string warning =
       "warning: " + path("store.json") + ": materials.m.reflectance: material 'm' reflects 0.98 of the light";
-  EXPECT_THAT(simulated("--samples 64"), StartsWith(warning));
-  EXPECT_THAT(told("plan @store.json -o @plan --samples 64 --no-certificate"), StartsWith(warning));
-  const Json json = Json::parse(simulated("--samples 64 --json"));
+  EXPECT_THAT(simulated("--samples 64 --estimator uniform"), StartsWith(warning));
+  EXPECT_THAT(told("plan @store.json -o @plan --samples 64 --estimator uniform --no-certificate"),
+              StartsWith(warning));
+  const Json json = Json::parse(simulated("--samples 64 --estimator uniform --json"));
   EXPECT_THAT(json["warnings"][0], StartsWith(warning.substr(std::string("warning: ").size())));
   EXPECT_TRUE(json["found_by_chance"].empty());
-  EXPECT_EQ(simulated("--samples 64 --quiet"), "");
+  EXPECT_EQ(simulated("--samples 64 --estimator uniform --quiet"), "");
   store["materials"]["m"]["reflectance"] = 0.96;
   folder.write("store.json", store.dump());
-  EXPECT_THAT(simulated("--samples 64"), Not(HasSubstr("warning")));
+  EXPECT_THAT(simulated("--samples 64 --estimator uniform"), Not(HasSubstr("warning")));
 }
 
 // A run whose error cannot be reached does not succeed; `plan` reports this only without a certificate, which

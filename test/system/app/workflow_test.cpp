@@ -323,7 +323,7 @@ TEST_F(Workflow, PlacePrintsJson) {
 }
 
 TEST_F(Workflow, PlansPrintCurveAndSensitivity) {
-  const std::string plan = "plan @store.json -o @plan --samples 640 --no-certificate";
+  const std::string plan = "plan @store.json -o @plan --samples 640 --no-certificate --estimator uniform";
   const std::string text = told(plan + " --curve --sensitivity --reflectance-error 0.25");
   EXPECT_NE(text.find("  units   labels reached: at least   at most\n"), std::string::npos) << text;
   EXPECT_NE(text.find("\nsensitivity: "), std::string::npos) << text;
@@ -347,7 +347,8 @@ TEST_F(Workflow, PlansPrintCurveAndSensitivity) {
 }
 
 TEST_F(Workflow, ScenariosAreNamedByTheirFolders) {
-  for (const std::string store : {"full", "empty"}) told("plan @store.json --samples 320 -o @" + store);
+  for (const std::string store : {"full", "empty"})
+    told("plan @store.json --samples 320 --estimator uniform --no-certificate -o @" + store);
   const auto placed = [&](const std::string& files) { return Json::parse(told("place --json " + files)); };
   Json answer = placed("@full/signal.h5 @empty/signal.h5");
   EXPECT_EQ(answer["scenarios"][0]["name"], "full/signal");

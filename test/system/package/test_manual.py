@@ -1,5 +1,6 @@
 """Tests that the manual pages and the completion agree with the help of the program."""
 
+import functools
 import os
 import pathlib
 import re
@@ -21,11 +22,13 @@ def has(program):
     return "CI" in os.environ or shutil.which(program)
 
 
+@functools.cache
 def verbs():
     listed = output(PROGRAM, "--help").split("Verbs:")[1].split("Exit codes:")[0]
     return re.findall(r"^  (\w+) ", listed, re.MULTILINE)
 
 
+@functools.cache
 def options(*verb):
     """The long option names in the help of a verb."""
     return re.findall(r"^  (?:-\w,)?(--[\w-]+)", output(PROGRAM, *verb, "--help"), re.MULTILINE)
