@@ -52,7 +52,7 @@ std::pair<double, std::size_t> cheapest(const SignalTable& table, const Placemen
   return best;
 }
 
-// 200 random questions that have an answer, for each kind of prices, with installed units, mounting points,
+// 120 random questions that have an answer, for each kind of prices, with installed units, mounting points,
 // conflicts and failures.
 TEST(Spend, EqualsExhaustiveSearch) {
   int count_first_is_dearer = 0, free_units_matter = 0;
@@ -60,7 +60,7 @@ TEST(Spend, EqualsExhaustiveSearch) {
     test::RandomTables random(
         41 + static_cast<std::uint64_t>(prices),
         {.labels = 8, .transceivers = 11, .mounts = true, .conflicts = true, .redundant = true});
-    for (int k = 0, solvable = 0; solvable < 200; ++k) {
+    for (int k = 0, solvable = 0; solvable < 120; ++k) {
       SCOPED_TRACE(testing::Message() << static_cast<int>(prices) << ", question " << k);
       SignalTable table = random.next();
       set_prices(table, prices, random);
@@ -90,8 +90,8 @@ TEST(Spend, EqualsExhaustiveSearch) {
       if (price_of(table, answer.selected).total > answer.objective_value) ++free_units_matter;
     }
   }
-  EXPECT_GT(count_first_is_dearer, 30);
-  EXPECT_GT(free_units_matter, 30);
+  EXPECT_GT(count_first_is_dearer, 18);
+  EXPECT_GT(free_units_matter, 18);
 }
 
 TEST(Spend, IsTheDefaultOnlyWherePricesOfCandidatesDiffer) {

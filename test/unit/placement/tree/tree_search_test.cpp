@@ -131,8 +131,8 @@ void run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
 }
 
 TEST(TreeSearch, EqualsEnumeration) {
-  run(1, 4000, {.transceivers = 11});
-  run(2, 4000, {.labels = 6, .transceivers = 11, .mounts = true, .conflicts = true, .redundant = true});
+  run(1, 2500, {.transceivers = 11});
+  run(2, 2500, {.labels = 6, .transceivers = 11, .mounts = true, .conflicts = true, .redundant = true});
 }
 
 // More labels than a search begins with: most are alike, so that few matter and the others enter later.

@@ -184,7 +184,7 @@ TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
   const Scene scene = make_scene(shop.store());
   const std::vector<std::uint32_t> every{0, 1, 2}, left{0, 2, 4};
   VerifyStatesOptions options;
-  options.states = 200;
+  options.states = 300;
   options.simulation = KnownStates::simulation(5);
   ResultLog log({}, {}, false, 0);
   const Availability found =
