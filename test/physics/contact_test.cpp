@@ -52,7 +52,8 @@ TEST(SlowContact, CountsLikeSurfacesApart) {
   const SignalMatrix expected = test::mis.simulate(room(0.001), 100'000, 7);
   for (const auto& [way, samples] :
        {std::pair{test::path_reuse, std::uint64_t{5'000}}, std::pair{test::mis, std::uint64_t{50'000}}}) {
-    const auto agrees = [&](double gap, std::uint64_t seed, double factor = 1) {
+    const auto agrees = [&, &way = way, samples = samples](double gap, std::uint64_t seed,
+                                                           double factor = 1) {
       return test::compare(way.simulate(room(gap), samples, seed), expected, factor).agrees(0.001);
     };
     EXPECT_TRUE(agrees(0, 1)) << way.name;

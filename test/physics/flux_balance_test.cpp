@@ -41,7 +41,8 @@ Incident incident_flux(const SimulationOptions& options, std::uint32_t batches, 
         std::array<double, 3> p{}, n{};
         const auto at = [](int d) { return static_cast<std::size_t>(d); };
         p[at(axis)] = far ? size[axis] - 1e-4 : 1e-4;
-        p[at(a)] = (cell / cells + 0.5) * size[a] / cells;
+        const int row = cell / cells;
+        p[at(a)] = (row + 0.5) * size[a] / cells;
         p[at(b)] = (cell % cells + 0.5) * size[b] / cells;
         n[at(axis)] = far ? -1 : 1;
         room.label({p[0], p[1], p[2]}, {n[0], n[1], n[2]});

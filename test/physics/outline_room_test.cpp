@@ -72,8 +72,8 @@ TEST(OutlineRoom, LetsNoRayEscape) {
   Scene scene = l_shaped_room();
   EXPECT_EQ(escapes(scene, 1'000'000), 0U);
   auto& [vertices, triangles, materials] = scene.mesh;
-  const auto area = [&](const auto& t) {
-    return length(cross(vertices[t[1]] - vertices[t[0]], vertices[t[2]] - vertices[t[0]]));
+  const auto area = [&at = vertices](const auto& t) {
+    return length(cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]));
   };
   triangles.erase(std::ranges::max_element(triangles, {}, area));
   materials.pop_back();

@@ -213,7 +213,7 @@ void expect_agreement(const Store& store) {
   EXPECT_FALSE(entries.with_references_times(effort.wrong).agrees(0.001));
 }
 
-void PrintTo(const Store& store, std::ostream* to) {
+void PrintTo(const Store& store, std::ostream* to) {  // NOLINT(readability-identifier-naming): GoogleTest's
   *to << store.name;
 }
 class ReuseAgreement : public testing::TestWithParam<Store> {};

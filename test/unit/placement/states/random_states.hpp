@@ -37,7 +37,7 @@ struct RandomStates {
       states.table.transceivers[6].installed = uniform() < 0.5;
     }
     const double density = 0.4 + 0.4 * uniform();
-    states.signal.resize(5 * 8 * 8);
+    states.signal.resize(std::size_t{5} * 8 * 8);
     for (std::size_t i = 0; i < 5; ++i) {
       std::vector<double> usual(8);
       for (double& signal : usual) signal = uniform() < density ? 1.3 * strength * uniform() : 0;
@@ -89,7 +89,7 @@ inline std::optional<double> value_of_set(const StateTable& states, const Placem
       double sum = 0, first = 0, second = 0;  // the two largest signals
       for (std::uint32_t j = 0; j < 8; ++j) {
         if (!has(j)) continue;
-        const auto signal = static_cast<double>(states.signal[(j * 5 + i) * 8 + s]);
+        const auto signal = static_cast<double>(states.signal[(std::size_t{j} * 5 + i) * 8 + s]);
         sum += signal;
         second = std::max(second, std::min(first, signal));
         first = std::max(first, signal);
