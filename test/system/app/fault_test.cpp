@@ -51,7 +51,7 @@ class Fault : public testing::Test {
   test::Outcome with_fault_at_renaming(int n, int error, const std::vector<std::string>& arguments,
                                        int more = 0) {
     std::vector<std::string> all{"/usr/bin/env",
-                                 "LD_PRELOAD=" SHELFBEAM_FAULT_SHIM,
+                                 std::string("LD_PRELOAD=") + SHELFBEAM_FAULT_SHIM,
                                  "FAULT_OF=rename",
                                  "FAULT_AT=" + std::to_string(n),
                                  "FAULT_ERRNO=" + std::to_string(error),

@@ -292,8 +292,9 @@ TEST_F(PlanFolder, AnOutputInUseIsRefused) {
     // Meanwhile, the first process may still add and remove files.
     const test::Outcome second = test::shelfbeam(test::words(folder, line + "--samples 64"));
     EXPECT_EQ(second.exit_code, 2);
-    EXPECT_NE(second.err.find(output + ": is in use by another run of shelfbeam (process " + pid + ")"),
-              std::string::npos)
+    EXPECT_NE(
+        second.err.find(fmt::format("{}: is in use by another run of shelfbeam (process {})", output, pid)),
+        std::string::npos)
         << second.err;
     process.send(SIGKILL);
     process.wait();

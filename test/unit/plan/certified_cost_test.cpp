@@ -119,7 +119,7 @@ TEST(CertifiedCostSlow, SelectionThatJustSufficesIsSeldomExcluded) {
   }
 }
 
-BoundGoal goal_of(std::vector<double> prices, double lower_bound) {
+BoundGoal goal_of(const std::vector<double>& prices, double lower_bound) {
   SignalTable table;
   for (const double price : prices) table.transceivers.push_back({"", price});
   Placement placement;
