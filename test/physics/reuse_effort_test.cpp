@@ -96,12 +96,6 @@ TEST(ReuseEffortSlow, MeansDoNotDependOnTheCache) {
   EXPECT_LT(kept.front(), kept.back() * 3 / 4);
 }
 
-// All units are far too weak for the requirement, so all of them are sampled at random. Some of their light
-// comes in only one batch of fifty, with skewed errors, so this test takes 2,880 batches.
-TEST(ReuseEffortSlow, MeansDoNotDependOnTheRequirement) {
-  expect_same(test::reuse(store(1e6), 90, 6), test::reuse(store(), 30, 1000), "nothing in reach");
-}
-
 // Clusters of single labels, or without neighbours.
 TEST(ReuseEffortSlow, MeansDoNotDependOnTheClusters) {
   const Scene scene = store();

@@ -65,9 +65,5 @@ TEST(RoomS1Slow, TotalsAgreeWithBothSimulators) {
             simulate_room(test::mis, 640, DirectLight::sampled).mean);
 }
 
-TEST(RoomS1Slow, TotalsOfPathReuseAgree) {
-  expect_agreement(test::path_reuse, 100 * test::reuse_samples, DirectLight::exact, 0.007);
-}
-
 }  // namespace
 }  // namespace shelfbeam::physics::room_s1

@@ -48,7 +48,7 @@ TEST(FuzzSample, TakesARefusalForAnAnswer) {
 class SlowFuzz : public testing::TestWithParam<Reader> {};
 
 TEST_P(SlowFuzz, AChangedFileIsReadOrRefused) {
-  const Sample found = sample(GetParam(), 1500, seed);
+  const Sample found = sample(GetParam(), 800, seed);
   EXPECT_EQ(found.finding, "") << "after " << found.inputs << " inputs, of:\n" << found.input;
   EXPECT_GE(found.read, 1u) << "not even a seed is read";
 }

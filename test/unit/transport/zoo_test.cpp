@@ -60,7 +60,7 @@ TEST(ZooSlow, IntervalsContainTheTruthAboveFloors) {
   for (const char* const name : {"labels above the floor", "low shop"}) {
     const Scene scene = test::zoo_room(name).scene();
     const World world(scene);
-    const test::Reference known = reference(world, 616);
+    const test::Reference known = reference(world, 308);
     const test::CoverageCount right = coverage(scene, world, known, {}, batches);
     EXPECT_GT(right.pairs, 1000U) << name;
     EXPECT_GT(right.share(right.held), 0.92) << name;
@@ -81,7 +81,7 @@ TEST(ZooSlow, IntervalsContainTheTruthBehindADoor) {
   constexpr std::uint32_t batches = 16;
   const Scene scene = test::zoo_room("back room").scene();
   const World world(scene);
-  const test::Reference known = reference(world, 154);
+  const test::Reference known = reference(world, 77);
   const test::CoverageCount right = coverage(scene, world, known, {}, batches);
   EXPECT_GT(right.pairs, 800U);
   EXPECT_GT(right.share(right.held), 0.91);
