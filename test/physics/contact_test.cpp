@@ -14,8 +14,6 @@
 namespace shelfbeam::physics::contact {
 namespace {
 
-using test::Way;
-
 /// A room with a jar on a table, two blocks of glass, a block on a glass shelf, a poster on a glass door, and
 /// a double pane. `gap` separates them.
 Scene room(double gap) {

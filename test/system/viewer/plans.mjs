@@ -14,7 +14,7 @@ function makeStore(shelfbeam, work, name) {
 }
 
 function makePlan(shelfbeam, folder, store, ...options) {
-  const quick = ["--no-certificate", "--samples", "200", "--time-limit", "2", "--quiet"];
+  const quick = ["--no-certificate", "--samples", "200", "--quiet"];
   run(shelfbeam, "plan", store, "-o", folder, ...quick, ...options);
   for (const what of ["mean", "standard-error", "direct"])
     run(shelfbeam, "export", join(folder, "signal.h5"), "-o", join(folder, `${what}.npy`), "--what", what, "--quiet");
