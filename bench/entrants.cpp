@@ -14,8 +14,8 @@ namespace shelfbeam::bench {
 
 namespace {
 
-constexpr std::uint64_t fixed_seed =
-    1;  // for the selection and the uniform estimator that samples direct light
+// Of the selection and of the uniform estimator that samples direct light.
+constexpr std::uint64_t fixed_seed = 1;
 
 }  // namespace
 

@@ -75,7 +75,7 @@ TEST(InfraredRoom, EveryBounceAgrees) {
   test(test::particle, 300000, 13e-3);
 }
 
-// The same with combined errors of 0.1 to 0.5 % per bounce, of the order of those of the figures. At this
+// The same with combined errors of at most 0.6 % per bounce, of the order of those of the figures. At this
 // precision the test also rejects a receiver without cut-off.
 TEST(InfraredRoomSlow, EveryBounceAgreesToTheErrorOfTheFigures) {
   const auto test = [](const Way& way, std::uint64_t samples) {

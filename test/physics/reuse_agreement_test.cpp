@@ -187,8 +187,7 @@ const Store stores[] = {
     {"ShiningBoardAndPoints", [] { return lamp(true, 0); }, test::mis, {16, 50000, 0.045, 1.05}},
     {"ShiningBoardAndDiscs", [] { return lamp(true, 0.3); }, test::mis, {16, 50000, 0.05, 1.08}}};
 
-// The stores whose first test is the least precise, and one of all glossy surfaces, with errors of 1.7 to 6
-// %.
+// The glossy store and those with the largest errors, now with errors of 2 to 7 %.
 const Store precise_stores[] = {
     {"DiffuseAndGlossy", glossy, test::nee, {18, 110000, 0.022, 1.025}},
     {"MirrorPaneAndGlassWithDiscsAndRectangles",

@@ -63,7 +63,7 @@ class Fault : public testing::Test {
   TempFolder folder;
 };
 
-// Removes what follows each `begin` up to `end`; std::regex would need most of the time of a test.
+// Removes the text between each `begin` and the next `end`. std::regex would take most of the time of a test.
 void remove_between(std::string& text, std::string_view begin, char end) {
   for (std::size_t at = 0; (at = text.find(begin, at)) != std::string::npos;) {
     at += begin.size();
