@@ -54,7 +54,7 @@ Placement infeasible(const SignalTable& table, const PlacementProblem& problem,
   return placement;
 }
 
-using Selection = std::optional<std::vector<std::uint32_t>>;
+using MaybeSelection = std::optional<std::vector<std::uint32_t>>;
 
 double value_of(const Check& check, const PlacementProblem& problem, std::size_t count) {
   return problem.combination == Combination::weighted ? check.transceiver_cost + check.objective
@@ -62,12 +62,12 @@ double value_of(const Check& check, const PlacementProblem& problem, std::size_t
 }
 
 /// The cheaper feasible one of two selections, the first if both cost the same.
-Selection better_of(const SignalTable& table, const PlacementProblem& problem,
-                    const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
+MaybeSelection better_of(const SignalTable& table, const PlacementProblem& problem,
+                         const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
   const Check of_first = check_selection(table, problem, first);
-  if (second.empty()) return of_first.met() ? Selection(first) : std::nullopt;
+  if (second.empty()) return of_first.met() ? MaybeSelection(first) : std::nullopt;
   const Check of_second = check_selection(table, problem, second);
-  if (!of_second.met()) return of_first.met() ? Selection(first) : std::nullopt;
+  if (!of_second.met()) return of_first.met() ? MaybeSelection(first) : std::nullopt;
   const bool is_cheaper =
       value_of(of_second, problem, second.size()) < value_of(of_first, problem, first.size());
   return is_cheaper || !of_first.met() ? second : first;
@@ -75,7 +75,7 @@ Selection better_of(const SignalTable& table, const PlacementProblem& problem,
 
 /// A selection with the bounds that need no search.
 Placement greedy_placement(const SignalTable& table, const PlacementProblem& problem,
-                           const Selection& selected) {
+                           const MaybeSelection& selected) {
   Placement placement = place_by_mip(table, problem, selected, {}, 0, {}).placement;
   placement.status = selected ? Status::feasible : Status::stopped;
   placement.solver = "greedy";
@@ -184,7 +184,7 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
     const bool searches = without_mip || options.solver == SolverChoice::automatic;
     const auto left = [&] { return options.step_limit ? infinite : options.time_limit_s - elapsed(); };
     const std::vector<std::uint32_t> greedy = greedy_selection(table, problem);
-    Selection known = better_of(table, problem, greedy, options.start);
+    MaybeSelection known = better_of(table, problem, greedy, options.start);
     if (!known && searches)
       known = detail::first_selection(table, problem, greedy, 0.2 * left(), options.seed, control);
     if (options.solver == SolverChoice::greedy) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr auto interrupted = "it was interrupted";
 constexpr double rounding = 1e-9;  ///< of sums of prices, relative
-constexpr std::uint32_t max_rounds = 30;
+constexpr std::uint32_t max_certificate_rounds = 30;
 constexpr std::uint32_t min_refining_batches = 16;
 // Shares of the time limit of a placement.
 constexpr double share_of_quick = 0.1, share_of_again = 0.1;
@@ -71,7 +71,7 @@ class Certifier {
   Certified run() {
     try {
       if (placement_.status == Status::stopped && placement_.gap() > 0) sharpen();
-      while (!is_done() && rounds_.round() < max_rounds && run_round()) {
+      while (!is_done() && rounds_.round() < max_certificate_rounds && run_round()) {
       }
       if (certificate_.open.empty()) certificate_.open = is_done() ? unproven_bound() : reason_to_stop();
     } catch (const Interrupted&) {

@@ -15,7 +15,7 @@ namespace {
 
 using Line = std::array<Vec2, 2>;
 
-constexpr double rounding = 1e-6;  // m
+constexpr double outline_rounding = 1e-6;  // m
 
 double perimeter_of(const Polygon& polygon) {
   double sum = 0;
@@ -57,7 +57,7 @@ class RoomFit {
         top_(top),
         bounds_(bounds_of(polygon)),
         // So far inside, dividing the plan comes to the same result.
-        inset_(3 * std::sqrt(rounding * perimeter_of(polygon))) {
+        inset_(3 * std::sqrt(outline_rounding * perimeter_of(polygon))) {
     meets_low_ceiling_ = is_low(shape.height) ||
                          std::any_of(shape.zones.begin(), shape.zones.end(), [&](const CeilingZone& zone) {
                            return is_low(zone.height) && bounds_of(zone.polygon).meets(bounds_);
@@ -95,7 +95,8 @@ class RoomFit {
   }
 
   bool is_outside(const Vec2& p) const {
-    return !shape_.covers(p) || (meets_low_ceiling_ && shape_.ceiling_over(p).at(p) < top_ - rounding);
+    return !shape_.covers(p) ||
+           (meets_low_ceiling_ && shape_.ceiling_over(p).at(p) < top_ - outline_rounding);
   }
 
   // The stretch of a line, by shares of it, within the polygon with its sides moved inwards. Precondition:
@@ -156,7 +157,7 @@ class RoomFit {
 }  // namespace
 
 std::vector<PlanPart> plan_parts(const RoomShape& shape, const Polygon& polygon) {
-  const double negligible = rounding * perimeter_of(polygon);
+  const double negligible = outline_rounding * perimeter_of(polygon);
   if (!(std::abs(signed_area(polygon)) > negligible)) return {};
   const PlanBounds bounds = bounds_of(polygon);
   std::vector<Line> lines;

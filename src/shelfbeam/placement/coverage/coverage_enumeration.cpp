@@ -22,7 +22,7 @@ constexpr std::array omitted_parts = {0.0F, 0.5F, 0.9F};
 using Floats = std::vector<float>;
 
 /// The labels as the units chosen so far leave them, and their multipliers.
-struct State {
+struct LabelState {
   Floats value, best;       ///< signal by the rule, and the strongest signal if the rule omits it
   Floats lack;              ///< further signals that reach the label add up to at least this
   Floats last_lack;         ///< a single further signal that reaches the label is at least this
@@ -86,7 +86,7 @@ class Search {
   CoverageEnumeration run(std::size_t free) {
     find_strongest(free);
     states_.resize(free + 1);
-    State& root = states_.front();
+    LabelState& root = states_.front();
     root.value.assign(padded_, 0.0F);
     root.best.assign(padded_, 0.0F);
     root.multiplier.assign(padded_, 1.0F);
@@ -111,7 +111,7 @@ class Search {
     work_ += table_.cells();
   }
 
-  void receive(State& state, const float* signals) const {
+  void receive(LabelState& state, const float* signals) const {
     for (std::size_t i = 0; i < padded_; ++i) {
       const float signal = signals[i];
       state.value[i] += table_.omits_best() ? std::min(state.best[i], signal) : signal;
@@ -121,7 +121,7 @@ class Search {
 
   // With unit failure, the strongest of at most K units gives at least a K-th of all their signals, so that
   // these add up to K / (K - 1) of the target.
-  void measure(State& state, std::size_t free) const {
+  void measure(LabelState& state, std::size_t free) const {
     const bool omits = table_.omits_best();
     const float target = table_.target();
     const auto units = static_cast<float>(units_);
@@ -174,7 +174,7 @@ class Search {
   }
 
   void explore(const std::vector<std::uint32_t>& list, std::size_t free, std::size_t depth) {
-    State& state = states_[depth];
+    LabelState& state = states_[depth];
     measure(state, free);
     work_ += padded_;
     if (may_suffice(state.reached)) offer({});
@@ -182,7 +182,7 @@ class Search {
     if (free == 1) return examine_last(list, state);
     const Bound bound = best_bound(list, free, state, depth);
     if (!may_suffice(bound.total)) return;
-    State& next = states_[depth + 1];
+    LabelState& next = states_[depth + 1];
     std::size_t children = 0;
     while (children < bound.order.size() && may_suffice(bound.fixed + sum_of_best(bound, children, free)))
       ++children;
@@ -210,7 +210,7 @@ class Search {
     }
   }
 
-  void examine_last(const std::vector<std::uint32_t>& list, const State& state) {
+  void examine_last(const std::vector<std::uint32_t>& list, const LabelState& state) {
     for (const std::uint32_t c : list) {
       const double weight =
           table_.settled_weight() + static_cast<double>(CoverageKernels::reached(
@@ -241,7 +241,7 @@ class Search {
     }
   }
 
-  CoverageKernels::Shares shares_of(const State& state, float omitted, std::size_t free) {
+  CoverageKernels::Shares shares_of(const LabelState& state, float omitted, std::size_t free) {
     const float part = omitted / static_cast<float>(free);
     for (std::size_t i = 0; i < table_.labels(); ++i) {
       const bool counts = state.weight[i] > 0;
@@ -251,8 +251,8 @@ class Search {
     return {shift_.data(), scale_.data(), padded_};
   }
 
-  Bound evaluate(const std::vector<std::uint32_t>& list, std::size_t free, const State& state, float omitted,
-                 Floats multiplier) {
+  Bound evaluate(const std::vector<std::uint32_t>& list, std::size_t free, const LabelState& state,
+                 float omitted, Floats multiplier) {
     Bound bound{.omitted = omitted, .fixed = state.reached, .multiplier = std::move(multiplier)};
     Floats weight(padded_, 0.0F);
     for (std::size_t i = 0; i < table_.labels(); ++i) {
@@ -270,7 +270,7 @@ class Search {
     return bound;
   }
 
-  Bound best_bound(const std::vector<std::uint32_t>& list, std::size_t free, const State& state,
+  Bound best_bound(const std::vector<std::uint32_t>& list, std::size_t free, const LabelState& state,
                    std::size_t depth) {
     Bound best;
     for (const float omitted : omitted_parts)
@@ -287,7 +287,7 @@ class Search {
   }
 
   // Subgradient steps as those of CoverageBound, towards the weight that is needed.
-  void improve(Bound& best, const std::vector<std::uint32_t>& list, std::size_t free, const State& state,
+  void improve(Bound& best, const std::vector<std::uint32_t>& list, std::size_t free, const LabelState& state,
                std::size_t steps) {
     double length = 1;
     Bound bound = best;
@@ -328,8 +328,8 @@ class Search {
   std::size_t padded_;
   double error_ = 0;
   Floats weight_, shift_, scale_;
-  std::vector<Floats> strongest_;  ///< per number of units: the sum of a label's strongest signals
-  std::vector<State> states_;      ///< per depth
+  std::vector<Floats> strongest_;   ///< per number of units: the sum of a label's strongest signals
+  std::vector<LabelState> states_;  ///< per depth
   std::vector<std::uint32_t> chosen_;
   std::size_t work_ = 0;
   Progress progress_;

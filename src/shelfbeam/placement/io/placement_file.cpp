@@ -24,8 +24,6 @@ namespace shelfbeam {
 namespace {
 
 using detail::first_ids;
-using detail::format_version;
-using detail::ids_of;
 using detail::Json;
 using detail::number;
 using detail::position;
@@ -44,7 +42,7 @@ const std::initializer_list<std::string_view> keys = {
 constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
 // A lower bound on a count, as an integer without ".0".
-Json count_bound(double value) {
+Json whole_bound(double value) {
   constexpr double rounding = 1e-6;
   return std::isfinite(value) ? Json(static_cast<std::uint64_t>(std::max(0.0, std::ceil(value - rounding))))
                               : Json(nullptr);
@@ -149,7 +147,7 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
                {"labels", table.rows()},
                {"selected", ids_of(table.transceivers, placement.selected)},
                {"count", placement.count()},
-               {"count_lower_bound", count_bound(placement.count_lower_bound)},
+               {"count_lower_bound", whole_bound(placement.count_lower_bound)},
                {"objective_value", number(placement.objective_value)},
                {"lower_bound", number(placement.lower_bound)},
                {"gap", number(placement.gap())},

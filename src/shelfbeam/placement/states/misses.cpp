@@ -11,7 +11,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double level_rounding = 1e-12;
 
 std::uint64_t beyond(std::uint64_t misses, std::uint64_t allowed) {
   return misses > allowed ? misses - allowed : 0;
@@ -47,7 +47,7 @@ std::uint32_t allowed_misses(double availability, std::size_t states) {
 // least their upper limit.
 std::uint32_t widened_misses(double availability, std::size_t states, double level) {
   for (std::uint32_t k = 0; k < states; ++k)
-    if (success_probability_upper_limit(states - k - 1, states, level) <= availability * (1 + rounding))
+    if (success_probability_upper_limit(states - k - 1, states, level) <= availability * (1 + level_rounding))
       return k;
   return static_cast<std::uint32_t>(states);
 }
@@ -55,7 +55,7 @@ std::uint32_t widened_misses(double availability, std::size_t states, double lev
 std::optional<std::uint32_t> proving_misses(double availability, std::size_t states, double level) {
   std::optional<std::uint32_t> proving;
   for (std::uint32_t k = 0; k < states; ++k) {
-    if (success_probability_upper_limit(k, states, level) > (1 - availability) * (1 + rounding)) break;
+    if (success_probability_upper_limit(k, states, level) > (1 - availability) * (1 + level_rounding)) break;
     proving = k;
   }
   return proving;

@@ -23,7 +23,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double least_step = 1e-6;  ///< of a bound on the count
 // Parts of the time that is left.
 constexpr double share_of_master = 0.2;  ///< one placement on cuts
@@ -63,7 +63,7 @@ class Solver {
       for (; !is_over() && annealing_.applies() && has_gap(); moves_ = std::min(max_moves, 2 * moves_))
         search_for_fewer();
     } else {
-      best_.lower_bound = infinite;
+      best_.lower_bound = unbounded;
     }
     best_.cuts = cuts_.size();
     if (best_.has_selection()) spread();
@@ -75,7 +75,7 @@ class Solver {
 
   void start() {
     if (!options_.start.empty())
-      if (const auto repaired = search_.repaired(options_.start, infinite)) take(*repaired);
+      if (const auto repaired = search_.repaired(options_.start, unbounded)) take(*repaired);
     MarginSearch margins(states_, problem_, allowance_);
     for (int k = 0; k < max_margin_searches && !is_over(); ++k) {
       control_.report("placing over states", -1, "with margins");
@@ -90,7 +90,7 @@ class Solver {
   void relax() {
     if (problem_.redundant) return;
     const Deadline deadline(share_of_lps * deadline_.seconds_left());
-    raise_to(lp_bound(cuts_, states_.table.columns(), infinite, deadline));
+    raise_to(lp_bound(cuts_, states_.table.columns(), unbounded, deadline));
     if (problem_.combination == Combination::spend) return;
     while (best_.lower_bound > 0 && !is_settled() && !deadline.has_passed()) {
       const auto k = static_cast<std::size_t>(best_.lower_bound);
@@ -133,7 +133,7 @@ class Solver {
     const Placement placement = place(cuts_.table(), master_, own, control_);
     ++best_.calls;
     if (placement.status == Status::infeasible) {
-      best_.lower_bound = infinite;
+      best_.lower_bound = unbounded;
       return false;
     }
     raise_to(problem_.combination == Combination::spend ? placement.lower_bound

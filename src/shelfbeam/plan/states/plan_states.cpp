@@ -26,7 +26,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::uint32_t max_rounds = 12;
+constexpr std::uint32_t max_state_rounds = 12;
 // Share of the time limit for the bound beyond the sample, share of the rest that each placement over a
 // growing table may use, and the minimum of such a placement in s.
 constexpr double share_of_bound = 1.0 / 3, share_of_pass = 0.6, min_part_s = 1;
@@ -144,7 +144,7 @@ class Planner {
     const Deadline deadline(options_.budget_s);
     const std::uint32_t factor = states_factor(options_.goal, answer.required);
     Selection named = selected_;
-    for (std::uint32_t round = 1; round <= max_rounds; ++round) {
+    for (std::uint32_t round = 1; round <= max_state_rounds; ++round) {
       if (round > 1) {
         named = with_another(deadline);
         stop_if_cancelled();

@@ -11,9 +11,9 @@ namespace shelfbeam {
 namespace {
 
 // Positions in cubic cells, so that few positions are compared.
-class Cells {
+class CornerCells {
  public:
-  explicit Cells(double tolerance) : tolerance_(tolerance), side_(4 * tolerance) {}
+  explicit CornerCells(double tolerance) : tolerance_(tolerance), side_(4 * tolerance) {}
 
   std::uint32_t number_of(const Vec3& p) {
     if (const auto found = near(p)) return *found;
@@ -73,7 +73,7 @@ WeldedCorners welded(const std::vector<SolidTriangle>& triangles) {
       if (has_area) shortest = std::min(shortest, length(corners[(k + 1) % 3] - p));
     }
   result.rounding = largest / (1 << 23);
-  Cells cells(std::min(result.rounding, shortest / 4));
+  CornerCells cells(std::min(result.rounding, shortest / 4));
   for (const SolidTriangle& triangle : triangles) {
     auto& numbers = result.numbers.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) numbers[k] = cells.number_of(triangle.corners[k]);

@@ -11,7 +11,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // m
+constexpr double slope_rounding = 1e-9;  // m
 
 using Line = std::array<Vec2, 2>;
 
@@ -90,7 +90,7 @@ class PlanReader {
     const double c = difference(middle), dx = difference({middle[0] + 1, middle[1]}) - c,
                  dy = difference({middle[0], middle[1] + 1}) - c;
     const double slope = std::hypot(dx, dy);
-    if (slope < rounding) return;
+    if (slope < slope_rounding) return;
     const double off = c / slope, half = std::hypot(high[0] - low[0], high[1] - low[1]) / 2;
     if (std::abs(off) > half) return;
     const Vec2 across{dx / slope, dy / slope};

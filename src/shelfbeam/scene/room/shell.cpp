@@ -40,9 +40,9 @@ struct Column {
 
 /// Walls between columns and floors and ceilings on them share their vertices: where a level of one ends on
 /// the vertical line over a point of the plan, the surfaces of the others have a vertex, too.
-class Shell {
+class RoomShell {
  public:
-  Shell(const Room& room, TriangleMesh& mesh) : room_(room), shape_(room.shape), mesh_(mesh) {
+  RoomShell(const Room& room, TriangleMesh& mesh) : room_(room), shape_(room.shape), mesh_(mesh) {
     const PlanLines lines = PlanLines::of(shape_);
     footprints_ = lines.inner_walls;
     map_ = planar_map(lines.polygons, lines.creases);
@@ -296,7 +296,7 @@ Room Room::box(const Vec3& size, MaterialId material) {
 }
 
 std::vector<TriangleRange> add_shell(const Room& room, TriangleMesh& mesh) {
-  if (!room.shape.is_plain_box()) return Shell(room, mesh).build();
+  if (!room.shape.is_plain_box()) return RoomShell(room, mesh).build();
   add_box(room, mesh);
   return {};
 }
