@@ -46,7 +46,7 @@ TEST_F(VerifySlow, VerifiesThePlan) {
               HasSubstr("4 transceivers reach all 390 labels, with 99 % confidence."));
   std::string units = bytes("plan/placement.csv");
   folder.write("three.csv", units.erase(units.find_last_of('\n', units.size() - 2) + 1));
-  EXPECT_THAT(told("verify " + store + " @three.csv --budget 20", 1), HasSubstr("labels are missed."));
+  EXPECT_THAT(told("verify " + store + " @three.csv --budget 5", 1), HasSubstr("labels are missed."));
   folder.write("wrong.csv", "id,x,y,z,ax,ay,az,roll_deg,type\nU,1,1,2,0,0,-1,0,nonsense\n");
   refused("verify " + store + " @wrong.csv", {"wrong.csv", "nonsense"});
   // The store would be overwritten.
