@@ -28,7 +28,8 @@ need() { command -v "$1" >/dev/null || die "$1 is missing: apt-get install ${2-$
 # changed, and those that it has deleted into the array deleted.
 find_changed() {
   local base
-  base=$(git merge-base "$1" HEAD) || die "$1 and this branch have no commit in common"
+  git rev-parse --quiet --verify "$1^{commit}" >/dev/null || die "this checkout has no revision $1: fetch it, or name another"
+  base=$(git merge-base "$1" HEAD) || die "$1 and this branch have no commit in common: fetch the history, or name another"
   # shellcheck disable=SC2034
   mapfile -t -d '' deleted < <(git diff -z --name-only --diff-filter=D "$base")
   # shellcheck disable=SC2034
@@ -36,6 +37,14 @@ find_changed() {
     git diff -z --name-only --diff-filter=d "$base"
     git ls-files -z --others --exclude-standard
   } | sort -zu)
+}
+
+# stage NAME COMMAND...: runs the command and prints its time; an error ends the script.
+stage() {
+  local begun=$EPOCHREALTIME
+  say "$1"
+  "${@:2}" || die "$1: failed"
+  say "$(awk -v from="$begun" -v to="$EPOCHREALTIME" -v name="$1" 'BEGIN { printf "%s: %.1f s", name, to - from }')"
 }
 
 # debian_mirror: prints the address from which this system gets the packages of its own release; prints nothing before

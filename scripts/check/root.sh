@@ -14,7 +14,11 @@ make_root() {
   say "Debian $1 in $root"
   local mirror
   mirror=$(debian_mirror)
-  [[ -x $root/usr/bin/apt-get ]] || mmdebstrap --variant=apt "$1" "$root" ${mirror:+"$mirror"}
+  if [[ ! -x $root/usr/bin/apt-get ]]; then
+    [[ $mirror ]] || die "apt knows no source of Debian packages: name one in /etc/apt/sources.list," \
+      "run 'apt-get update', and repeat"
+    mmdebstrap --variant=apt "$1" "$root" "$mirror"
+  fi
   # npm needs the extra certificates of this machine's network inside, too.
   : >"$root/etc/extra-certificates.pem"
   [[ ! -r ${NODE_EXTRA_CA_CERTS-} ]] || cp "$NODE_EXTRA_CA_CERTS" "$root/etc/extra-certificates.pem"

@@ -19,7 +19,7 @@ clang_format() {
 # TypeScript, JavaScript, CSS and JSON).
 find_sources() {
   local file first
-  (($#)) || { need git && git rev-parse --git-dir >/dev/null; } || die "git does not know the files of this checkout"
+  (($#)) || { need git && git rev-parse --git-dir >/dev/null; } || die "this is not a git checkout: name the files"
   cpp=() others=()
   for file; do [[ -e $file ]] || die "$file does not exist in $PWD"; done
   while IFS= read -r -d '' file; do
@@ -46,7 +46,8 @@ style() {
     mkdir -p "$home"
     cp scripts/style/package{,-lock}.json "$home"
     npm ci --prefix "$home" --ignore-scripts --no-audit --no-fund --loglevel=error --fetch-retries=1 >/dev/null ||
-      die "npm could not install the packages of scripts/style, which check Python and TypeScript"
+      die "npm could not install the packages of scripts/style, which check Python and TypeScript: check the network" \
+        "and npm's proxy settings, and repeat"
     cp "$home/package-lock.json" "$home/installed.json"
   fi
   PACKAGES=$PWD/$home/node_modules node scripts/style/style.mjs "$@"
