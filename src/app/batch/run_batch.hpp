@@ -47,7 +47,7 @@ struct BatchEnd {
 BatchEnd run_batch(const BatchOptions& options, const std::vector<OpenPlan>& plans,
                    const std::function<void()>& finished, const RunControl& control);
 
-/// The results of all stores, sorted by need. Those in `others` replace those of the records.
+/// The results of all stores, most urgent first. Those in `others` replace those of the records.
 std::vector<StoreResult> batch_results(const BatchOptions& options,
                                        const std::vector<StoreResult>& others = {});
 

@@ -80,7 +80,7 @@ struct Descriptor {
   ~Descriptor() { ::close(number); }
 };
 
-// Keeps the old file under a second, hidden name until the replacement is certain.
+// Keeps the old file under a second, hidden name until the replacement has succeeded.
 class BackupFile {
  public:
   explicit BackupFile(const fs::path& target) : target_(target) {

@@ -28,7 +28,7 @@ namespace shelfbeam {
 ///   the level.
 class BoundRounds {
  public:
-  static constexpr std::size_t max_doubtful = 64;  ///< labels that get more samples at once
+  static constexpr std::size_t max_undecided = 64;  ///< labels that get more samples at once
 
   /// Bounds are written to `certificate`.
   BoundRounds(const PreparedScene& prepared, const PlaceOptions& place, const RunControl& control,
@@ -92,7 +92,7 @@ class BoundRounds {
   double value_ = 0;  ///< count or cost of the placement
   BudgetRefuter refuter_;
   std::uint32_t batches_ = min_verifying_batches;  ///< of the next test of entries
-  std::size_t rows_ = max_doubtful;                ///< expected maximum number of core rows
+  std::size_t rows_ = max_undecided;               ///< expected maximum number of core rows
   double cost_ = 0;
   std::string obstacle_;
   std::vector<ValidationRow> fresh_;

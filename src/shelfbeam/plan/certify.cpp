@@ -30,7 +30,7 @@ constexpr double share_of_sharpening = 0.2;  ///< of the budget
 // selection, the widest first.
 constexpr int max_sharpenings = 8;
 constexpr std::size_t sharpening_batches = 4096;  ///< of all labels together
-constexpr double errors_of_hope = 0.5, errors_at_risk = 1, errors_of_doubt = 2;
+constexpr double errors_of_hope = 0.5, errors_at_risk = 1, errors_undecided = 2;
 constexpr double margins_to_try[] = {0.04, 0.02, 0.01, 0.005, 0};
 
 void join_sets(std::vector<std::uint32_t>& rows, const std::vector<std::uint32_t>& more) {
@@ -197,7 +197,7 @@ class Certifier {
   std::vector<std::uint32_t> open_labels() const {
     std::vector<std::uint32_t> rows;
     for (const Unreachable& label : placement_.unreachable) rows.push_back(label.label);
-    rows.resize(std::min(rows.size(), BoundRounds::max_doubtful));
+    rows.resize(std::min(rows.size(), BoundRounds::max_undecided));
     std::sort(rows.begin(), rows.end());
     return rows;
   }
@@ -231,7 +231,7 @@ class Certifier {
     std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::pair(share(a), a) < std::pair(share(b), b);
     });
-    rows.resize(std::min(rows.size(), BoundRounds::max_doubtful));
+    rows.resize(std::min(rows.size(), BoundRounds::max_undecided));
     return rows;
   }
 
@@ -244,11 +244,11 @@ class Certifier {
   // selection, or one that is cheaper, has changed its status. False if nothing changes.
   bool improve() {
     std::vector<std::uint32_t> rows;
-    if (placement_.has_selection()) rows = verdicts_.doubtful_labels();
+    if (placement_.has_selection()) rows = verdicts_.undecided_labels();
     const bool has_doubts = !rows.empty();
     std::vector<std::uint32_t> cheaper = bound_.take_counterexample();
     // A selection that misses labels clearly decides nothing.
-    if (!cheaper.empty() && !reaches_all(shifted(errors_of_doubt), cheaper)) cheaper.clear();
+    if (!cheaper.empty() && !reaches_all(shifted(errors_undecided), cheaper)) cheaper.clear();
     if (!cheaper.empty()) join_sets(rows, worst_off(table_, cheaper));
     fresh_ = bound_.take_fresh();
     if (placement_.has_selection() && bound_.holds()) fresh_.clear();

@@ -186,7 +186,7 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
   const std::span<const Need> fitting(all.data(), count);
   std::uint32_t part = 0;
   sample_classes(fitting.first(verified), part, rounds, levels, control);
-  if (verified < count && doubtful_labels().empty()) {
+  if (verified < count && undecided_labels().empty()) {
     sample_classes(fitting.subspan(verified), part, rounds, levels, control);
     verified = count;
   }
@@ -208,7 +208,7 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
   return verified;
 }
 
-std::vector<std::uint32_t> LabelRounds::doubtful_labels() const {
+std::vector<std::uint32_t> LabelRounds::undecided_labels() const {
   constexpr std::uint32_t many_batches = 4096;  // those of a margin of about one percent
   std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < labels_.size(); ++i) {

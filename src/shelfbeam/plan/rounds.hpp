@@ -105,7 +105,7 @@ class LabelRounds {
   double cost() const { return cost_; }
   /// Labels whose estimated signal is below the requirement, or so little above that many batches have not
   /// decided them.
-  std::vector<std::uint32_t> doubtful_labels() const;
+  std::vector<std::uint32_t> undecided_labels() const;
   /// The reason why labels stay open, such as "deciding the rest would take about 40 s".
   std::string obstacle(const Rounds& rounds) const;
 

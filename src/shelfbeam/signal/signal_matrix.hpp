@@ -38,7 +38,7 @@ struct TransceiverColumn {
   bool operator==(const TransceiverColumn&) const = default;
 };
 
-/// The part of a signal matrix from certain paths.
+/// The part of a signal matrix from a subset of the paths.
 struct SignalLayer {
   std::vector<float> mean, standard_error;  ///< m n entries, as in SignalMatrix
 

@@ -160,7 +160,7 @@ std::vector<Claim> over_states() {
        is_sample(true, false)},
       {"availability.sample_fewest", {"sample units", "sample states"}, is_sample(false, true)},
       {"availability.sample_cheapest", {"sample units", "sample states"}, is_sample(true, true)},
-      {"availability.price", {"more for certainty"}},
+      {"availability.price", {"more to certify"}},
       {"availability.nominal.enough", {"nominal units"}, holds("nominal enough")},
       {"availability.nominal.not_enough", {"nominal units", "@"}, fails("nominal enough")},
       {"availability.outcome.labels", {"nominal below", "@", "< nominal worst", "< nominal all"}},
@@ -169,7 +169,7 @@ std::vector<Claim> over_states() {
       {"availability.assumed", {"?"}},
       {"availability.scope", {}},
       {"summary.answer.often", {"@", "@", "@"}, holds("certified states")},
-      {"summary.answer.not_certain", {"@", "@", "@"}, fails("certified states")},
+      {"summary.answer.not_confirmed", {"@", "@", "@"}, fails("certified states")},
       {"summary.checked_states", {"answer states", "confidence"}, holds("certified states")},
       {"summary.risks.rarest", {"?"}},
   };

@@ -48,7 +48,7 @@ TEST(LabelRoundsSlow, BeginWithTheRiskiestLabels) {
       extreme = labels[i].samples > 0 ? std::max(extreme, sums[i]) : std::min(extreme, sums[i]);
     }
     EXPECT_LE(largest_verified, is_final ? 1e9 : smallest_left);
-    EXPECT_FALSE(verdicts.doubtful_labels().empty());
+    EXPECT_FALSE(verdicts.undecided_labels().empty());
     rounds.next();
     verdicts.verify(rounds, rounds.level(2), {});
     for (const LabelVerdict& label : labels) EXPECT_GT(label.samples, 0U);

@@ -45,7 +45,7 @@ class Judge {
            (goal_.rule != AvailabilityRule::misses || upper_mean() <= counted(*goal_.value));
   }
 
-  std::vector<std::uint32_t> in_doubt(const StateOutcome& outcome) const {
+  std::vector<std::uint32_t> undecided(const StateOutcome& outcome) const {
     std::vector<std::uint32_t> labels = most_missed(outcome);
     if (goal_.rule == AvailabilityRule::labels)
       std::erase_if(labels,
@@ -139,7 +139,7 @@ FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
         judge.is_hopeless(outcome))
       break;
   }
-  if (!result.certified) result.in_doubt = judge.in_doubt(outcome);
+  if (!result.certified) result.undecided = judge.undecided(outcome);
   return result;
 }
 

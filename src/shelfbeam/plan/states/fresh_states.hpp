@@ -27,7 +27,7 @@ struct FreshStates {
   bool out_of_time = false;
   /// Labels whose misses do not allow the statement, most misses first; with other goals than that for
   /// labels, all labels that are missed.
-  std::vector<std::uint32_t> in_doubt;
+  std::vector<std::uint32_t> undecided;
 };
 
 /// The labels that do not count as reached in state k, ascending (StateExamination::missed).

@@ -165,7 +165,7 @@ class Planner {
         fresh.outcome.units = named.size();
         answer.examined.push_back(std::move(fresh.outcome));
         answer.shown = std::move(fresh.shown);
-        answer.responsible = std::move(fresh.in_doubt);
+        answer.responsible = std::move(fresh.undecided);
       }
       answer.certified = fresh.certified;
       if (fresh.certified) return;
@@ -180,9 +180,9 @@ class Planner {
 
   // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
   Selection with_another(const Deadline& deadline) {
-    const Selection& in_doubt = result_.availability.responsible;
+    const Selection& undecided = result_.availability.responsible;
     deciding_->add_if(
-        [&](std::uint32_t i) { return std::find(in_doubt.begin(), in_doubt.end(), i) != in_doubt.end(); });
+        [&](std::uint32_t i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
     allowance_ = allowance(deciding_->labels());
     const StateSearch search(deciding_->table(), problem(), allowance_,
                              [&] { return control_.cancelled() || deadline.has_passed(); });
@@ -190,7 +190,7 @@ class Planner {
     if (more == selected_) {
       // The sampled states do not show the risk of the fresh ones.
       std::vector<std::uint32_t> rows;
-      for (const std::uint32_t i : in_doubt) rows.push_back(deciding_->row_of(i));
+      for (const std::uint32_t i : undecided) rows.push_back(deciding_->row_of(i));
       more = search.with_strongest(selected_, rows);
     }
     return search.spread(std::move(more));

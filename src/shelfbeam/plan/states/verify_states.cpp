@@ -91,7 +91,7 @@ Availability verify_over_states(const Store& store, const Scene& scene, const Sc
     found.examined.push_back(std::move(fresh.outcome));
     found.shown = std::move(fresh.shown);
     found.certified = fresh.certified;
-    found.responsible = std::move(fresh.in_doubt);
+    found.responsible = std::move(fresh.undecided);
   }
   found.at_risk =
       risk_causes(states, low_units, most_missed(found.answer()), problem, options.simulation, log, control);

@@ -22,7 +22,7 @@ namespace {
 
 using Results = std::span<const StoreResult>;
 
-// The reasons for which a result needs a person, in their order, and the last: none.
+// The reasons why a result needs attention, most urgent first; "planned" needs none.
 constexpr std::array<std::string_view, 6> needs{"failed",    "unfinished", "infeasible",
                                                 "undecided", "warnings",   "planned"};
 

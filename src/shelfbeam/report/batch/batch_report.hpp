@@ -14,7 +14,7 @@ std::string batch_answer(std::span<const StoreResult> results);
 /// for spreadsheets with `safe`.
 std::string batch_csv(std::span<const StoreResult> results, bool safe);
 
-/// A page with one table per need, with links to the reports. `results` are sorted by need.
+/// A page with one table per reason for attention, with links to the reports. `results`: most urgent first.
 std::string batch_html(std::span<const StoreResult> results);
 
 }  // namespace shelfbeam

@@ -109,7 +109,7 @@ class SummaryWriter {
       return with_joined_percent(
           availability->is_impossible()
               ? availability_sentence(*availability, placement_, label_name())
-              : say(availability->certified ? "summary.answer.often" : "summary.answer.not_certain", mount,
+              : say(availability->certified ? "summary.answer.often" : "summary.answer.not_confirmed", mount,
                     goal_text(*availability), failure));
     if (!is_enough)
       return say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount, grouped(reached()),

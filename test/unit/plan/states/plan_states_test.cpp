@@ -203,7 +203,7 @@ TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
 TEST(FreshStates, LevelHoldsAtTheLimit) {
   std::mt19937 random(1);
   constexpr double level = 0.05, counted = 0.9 * 0.05;
-  int certified = 0, at_its_word = 0;
+  int certified = 0, uncorrected = 0;
   for (int trial = 0; trial < 4000; ++trial) {
     std::bernoulli_distribution misses(counted);
     const auto missed = [&](std::uint64_t) {
@@ -212,12 +212,12 @@ TEST(FreshStates, LevelHoldsAtTheLimit) {
     const FreshStates found =
         examine(missed, {}, {0.95, 0.95}, {.level = level, .looks = {100, 150, 200}}, Deadline(1e6), {});
     certified += found.certified ? 1 : 0;
-    at_its_word += found.outcome.availability(1) >= 0.95 ? 1 : 0;
-    EXPECT_EQ(found.in_doubt.empty(), found.certified || found.outcome.missed[1] == 0);
+    uncorrected += found.outcome.availability(1) >= 0.95 ? 1 : 0;
+    EXPECT_EQ(found.undecided.empty(), found.certified || found.outcome.missed[1] == 0);
   }
   EXPECT_LE(certified, 252);
   EXPECT_GT(certified, 0);
-  EXPECT_GT(at_its_word, 252);
+  EXPECT_GT(uncorrected, 252);
 }
 
 TEST(FreshStates, MeanOfMissedLabelsIsLimited) {
