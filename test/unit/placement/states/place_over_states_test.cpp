@@ -47,9 +47,9 @@ TEST_P(PlaceOverStates, EqualsEnumeration) {
     const MissAllowance none{.of_label = std::vector<std::uint32_t>(5, 0)};
     differs += best_by_enumeration(states, problem, none) != best ? 1 : 0;
   }
-  EXPECT_GT(found, cases / 8);
+  EXPECT_GE(found, 5);
   EXPECT_GT(proven, problem.redundant ? found / 2 : found - 1);
-  EXPECT_GT(differs, cases / 10) << "the allowances matter";
+  EXPECT_GE(differs, 3) << "the allowances matter";
 }
 
 INSTANTIATE_TEST_SUITE_P(
