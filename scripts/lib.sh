@@ -54,3 +54,16 @@ debian_mirror() {
   apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Component: main' 'Origin: Debian' \
     "Codename: $(. /etc/os-release && echo "${VERSION_CODENAME-}")" | head -n 1
 }
+
+# required_mirror: the same, but fails with a message if there is none.
+required_mirror() {
+  local mirror
+  mirror=$(debian_mirror)
+  [[ $mirror ]] || die "apt knows no source of Debian packages: name one in /etc/apt/sources.list," \
+    "run 'apt-get update' as root, and repeat this command"
+  echo "$mirror"
+}
+
+# system_release: this system and its version, e.g. "debian 12".
+# shellcheck disable=SC1091
+system_release() (. /etc/os-release && echo "$ID ${VERSION_ID-}")

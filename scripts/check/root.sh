@@ -12,11 +12,9 @@ make_root() {
     [[ $keep ]] || trap 'rm -rf --one-file-system "$root"' EXIT
   fi
   say "Debian $1 in $root"
-  local mirror
-  mirror=$(debian_mirror)
   if [[ ! -x $root/usr/bin/apt-get ]]; then
-    [[ $mirror ]] || die "apt knows no source of Debian packages: name one in /etc/apt/sources.list," \
-      "run 'apt-get update', and repeat"
+    local mirror
+    mirror=$(required_mirror)
     mmdebstrap --variant=apt "$1" "$root" "$mirror"
   fi
   # npm needs the extra certificates of this machine's network inside, too.
