@@ -11,7 +11,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double slope_rounding = 1e-9;  // m
+constexpr double slope_rounding = 1e-9;
 
 using Line = std::array<Vec2, 2>;
 
