@@ -150,9 +150,9 @@ void compare_cost(const Settings& settings, const std::string& name) {
 }
 
 void place_file(const Settings& settings, const std::string& file) {
-  const SignalMatrix matrix = read_signal_file(file);
-  const StateTensor& tensor = matrix.states;
-  if (tensor.states == 0) throw std::invalid_argument(file + " has no states");
+  const StoredSignals matrix = read_signal_file(file);
+  if (!matrix.states) throw std::invalid_argument(file + " has no states");
+  const StateTensor& tensor = *matrix.states;
   const std::size_t size = tensor.hard.size() * matrix.columns();
   const std::uint32_t states = std::min(tensor.states, settings.states);
   StateTable table = make_state_table(make_signal_table(matrix), tensor.hard, states);

@@ -49,18 +49,18 @@ std::string part_text(const Share& part) {
 
 int simulate_states_to_file(const SimulateArguments& options, const Store& store, const Scene& scene,
                             const SimulationOptions& simulation, const CancelToken& cancel) {
-  SignalMatrix matrix;
+  StoredSignals signals;
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel, progress.sink()};
     ResultLog log = log_of_states(simulation.checkpoint.path, scene.store_hash, simulation);
     try {
       const StateRange range{.first = 0, .count = options.states};
-      matrix = options.for_plan
-                   ? simulate_planning_states(with_reflectances_at(RangeEnd::low, store),
-                                              with_reflectances_at(RangeEnd::low, scene), simulation, range,
-                                              log, control)
-                   : simulate_states(store, scene, simulation, range, options.hard_labels, log, control);
+      signals = options.for_plan
+                    ? simulate_planning_states(with_reflectances_at(RangeEnd::low, store),
+                                               with_reflectances_at(RangeEnd::low, scene), simulation, range,
+                                               log, control)
+                    : simulate_states(store, scene, simulation, range, options.hard_labels, log, control);
     } catch (const Interrupted&) {
       log.flush();
       if (!options.common.quiet)
@@ -68,16 +68,16 @@ int simulate_states_to_file(const SimulateArguments& options, const Store& store
       return stopped_early;
     }
   }
-  write_signal_file(matrix, options.output);
+  write_signal_file(signals, options.output);
   remove_checkpoint(simulation.checkpoint.path);
   if (options.common.json)
     print_json({{"signal", options.output.string()},
-                {"states", matrix.states.states},
-                {"hard_labels", matrix.states.hard.size()}});
+                {"states", signals.states->states},
+                {"hard_labels", signals.states->hard.size()}});
   else if (!options.common.quiet)
     fmt::print("{}: {} labels x {} candidates in {} states; every state of the {} hardest labels{}\n",
-               options.output.string(), matrix.rows(), matrix.columns(), matrix.states.states,
-               matrix.states.hard.size(), part_text(options.part));
+               options.output.string(), signals.rows(), signals.columns(), signals.states->states,
+               signals.states->hard.size(), part_text(options.part));
   return done;
 }
 

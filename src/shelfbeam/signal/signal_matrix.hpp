@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,9 +49,9 @@ struct SignalLayer {
 /// The signals of a shop that varies, in some of its states, multiplied by the relative sensitivities of the
 /// labels, so that the requirements apply.
 struct StateTensor {
-  std::uint32_t states = 0;  ///< 0: the matrix is of one state
-  std::vector<float>
-      deviation;  ///< m n entries: standard deviation between states, with their sampling noise
+  std::uint32_t states = 0;
+  /// m n entries: standard deviation between states, with their sampling noise.
+  std::vector<float> deviation;
   std::vector<std::uint32_t> hard;  ///< labels whose signals follow, ascending
   std::vector<float> signal;        ///< by state, hard label and transceiver
   std::vector<float> error;         ///< standard errors of `signal`; empty unless the states serve a plan
@@ -60,9 +61,9 @@ struct StateTensor {
 
 /// A share of a simulation that several machines compute: some labels, or all labels in some states.
 struct MatrixPart {
-  std::uint32_t number = 0, count = 0;  ///< part `number` of `count`, from 1; 0: not a part
+  std::uint32_t number = 1, count = 1;  ///< part `number` of `count`, from 1
   std::vector<std::uint32_t> members;   ///< numbers of its labels in the shop, or of its states, ascending
-  std::uint32_t hard_labels = 0;        ///< max number of hard labels of all states together
+  std::optional<std::uint32_t> hard_labels;  ///< of states: max number of hard labels of all parts together
 
   bool operator==(const MatrixPart&) const = default;
 };
@@ -82,8 +83,6 @@ struct SignalMatrix {
   /// Empty unless requested.
   std::vector<SignalLayer> by_length;
   double length_step = 0;  ///< m
-  StateTensor states;      ///< `mean` is then that of the states, `standard_error` that of this mean
-  MatrixPart part;         ///< `labels` are then those of the part, or `states` has all labels
   double wavelength_nm = 940;
   std::string currency;  ///< of the costs of transceivers; empty: not given
   Provenance provenance;
@@ -96,6 +95,15 @@ struct SignalMatrix {
     return std::span(mean).subspan(label * columns(), columns());
   }
   bool operator==(const SignalMatrix&) const = default;
+};
+
+/// The content of a signal file: the matrix of a shop, or of one that varies, with its states: the mean over
+/// these, and the standard error of this mean.
+struct StoredSignals : SignalMatrix {
+  std::optional<StateTensor> states = {};
+  std::optional<MatrixPart> part = {};  ///< the labels are those of the part, or all if it has states
+
+  bool operator==(const StoredSignals&) const = default;
 };
 
 }  // namespace shelfbeam

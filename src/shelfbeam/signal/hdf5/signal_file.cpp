@@ -34,11 +34,11 @@ class MatrixReader {
   bool is_part() const { return file_.has_attribute("parts"); }
 
   // The signals of states of a part are read one by one.
-  SignalMatrix read() const {
+  StoredSignals read() const {
     if (!file_.has_attribute("format_version"))
       throw InputError(name_, "is an HDF5 file but not a signal file", "use the output of 'simulate'");
     expect_format_version(name_, file_.attribute<std::uint32_t>("format_version"), signal_format_version);
-    SignalMatrix matrix;
+    StoredSignals matrix;
     matrix.provenance = {file_.text_attribute("program_version"), file_.text_attribute("store_hash"),
                          file_.attribute<std::uint64_t>("seed"), file_.text_attribute("estimator")};
     matrix.wavelength_nm = file_.attribute<double>("wavelength_nm");
@@ -64,7 +64,7 @@ class MatrixReader {
     }
     if (is_part()) {
       matrix.part = part();
-      if (matrix.part.members.size() != (matrix.states.states > 0 ? matrix.states.states : matrix.rows()))
+      if (matrix.part->members.size() != (matrix.states ? matrix.states->states : matrix.rows()))
         fail("/part/members", "differs in length from the part");
     }
     return matrix;
@@ -230,7 +230,7 @@ SignalPart::~SignalPart() = default;
 SignalPart::SignalPart(SignalPart&&) noexcept = default;
 SignalPart& SignalPart::operator=(SignalPart&&) noexcept = default;
 
-SignalMatrix SignalPart::matrix() const {
+StoredSignals SignalPart::matrix() const {
   return reader_->read();
 }
 
@@ -244,7 +244,7 @@ SignalLayer SignalPart::state(std::uint32_t k, std::size_t labels, std::size_t u
 
 }  // namespace detail
 
-SignalMatrix read_signal_file(const std::filesystem::path& path) {
+StoredSignals read_signal_file(const std::filesystem::path& path) {
   expect_hdf5(path);
   const detail::MatrixReader reader(path);
   if (reader.is_part()) {

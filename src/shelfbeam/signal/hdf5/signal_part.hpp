@@ -24,7 +24,7 @@ class SignalPart {
   const std::filesystem::path& path() const { return path_; }
   const MatrixPart& share() const { return share_; }
   /// The part without the signals of its states. Throws as `read_signal_file`.
-  SignalMatrix matrix() const;
+  StoredSignals matrix() const;
   /// Whether it has standard errors of states, for a plan.
   bool serves_plan() const;
   /// The signals of all labels in the part's state `k`, from 0, with their errors if it serves a plan. Throws

@@ -1,6 +1,7 @@
 #include "shelfbeam/signal/hdf5/write_signal_file.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
@@ -20,7 +21,7 @@ class MatrixWriter {
   MatrixWriter(const SignalMatrix& head, const SignalRows& rows, detail::Hdf5Writer& file)
       : matrix_(head), rows_(rows), file_(file) {}
 
-  void write() {
+  void write(const std::optional<StateTensor>& of_states, const std::optional<MatrixPart>& of_part) {
     const Provenance& provenance = matrix_.provenance;
     file_.attribute("format_version", signal_format_version);
     file_.attribute("program_version", provenance.program_version);
@@ -39,9 +40,8 @@ class MatrixWriter {
     layers("bounce", "/bounces", 0, rows_.bounce_layers());
     if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
     layers("length", "/lengths", rows_.bounce_layers(), rows_.length_layers());
-    states();
-
-    part();
+    if (of_states) states(*of_states);
+    if (of_part) part(*of_part);
 
     file_.group("/labels");
     detail::each_label_member([&](const auto& path, auto member) { column(path, matrix_.labels, member); });
@@ -87,9 +87,7 @@ class MatrixWriter {
       layer(group + "/standard_error", first + k, Quantity::standard_error);
     }
   }
-  void states() {
-    const StateTensor& states = matrix_.states;
-    if (states.states == 0) return;
+  void states(const StateTensor& states) {
     const std::size_t n = matrix_.columns();
     const auto matrix = [&](const char* path, const std::vector<float>& from, std::size_t rows) {
       file_.rows<float>(path, {rows, n}, [&](std::size_t row, auto values) {
@@ -106,12 +104,10 @@ class MatrixWriter {
       matrix("/states/standard_error", states.error, states.states * states.hard.size());
   }
 
-  void part() {
-    const MatrixPart& part = matrix_.part;
-    if (part.count == 0) return;
+  void part(const MatrixPart& part) {
     file_.attribute("part", part.number);
     file_.attribute("parts", part.count);
-    if (matrix_.states.states > 0) file_.attribute("hard_labels", part.hard_labels);
+    if (part.hard_labels) file_.attribute("hard_labels", *part.hard_labels);
     file_.group("/part");
     file_.numbers("/part/members", std::span<const std::uint32_t>(part.members), {part.members.size()});
   }
@@ -158,13 +154,27 @@ class OwnRows : public SignalRows {
   const SignalMatrix& matrix_;
 };
 
-void write(const SignalMatrix& head, const SignalRows& rows, AtomicFile& target) {
+void write(const SignalMatrix& head, const SignalRows& rows, AtomicFile& target,
+           const std::optional<StateTensor>& states = {}, const std::optional<MatrixPart>& part = {}) {
   detail::Hdf5Writer file(target.temporary(), target.target().string());
-  MatrixWriter(head, rows, file).write();
+  MatrixWriter(head, rows, file).write(states, part);
   file.close();
 }
 
+void expect_entries(const SignalMatrix& matrix) {
+  const std::size_t size = matrix.rows() * matrix.columns();
+  if (size == 0 || matrix.mean.size() != size || matrix.standard_error.size() != size ||
+      matrix.direct.size() != size || (!matrix.flags.empty() && matrix.flags.size() != size))
+    throw std::invalid_argument(
+        "write_signal_file: a matrix without entries or with arrays of different sizes");
+}
+
 }  // namespace
+
+void write_signal_file(const SignalMatrix& matrix, AtomicFile& target) {
+  expect_entries(matrix);
+  write(matrix, OwnRows(matrix), target);
+}
 
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path) {
   AtomicFile target(path);
@@ -172,18 +182,14 @@ void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& 
   target.commit();
 }
 
-void write_signal_file(const SignalMatrix& matrix, AtomicFile& target) {
-  const std::size_t size = matrix.rows() * matrix.columns();
-  if (size == 0 || matrix.mean.size() != size || matrix.standard_error.size() != size ||
-      matrix.direct.size() != size || (!matrix.flags.empty() && matrix.flags.size() != size))
-    throw std::invalid_argument(
-        "write_signal_file: a matrix without entries or with arrays of different sizes");
-  write(matrix, OwnRows(matrix), target);
+void write_signal_file(const StoredSignals& signals, const std::filesystem::path& path) {
+  expect_entries(signals);
+  write_signal_file(signals, OwnRows(signals), path);
 }
 
-void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path) {
+void write_signal_file(const StoredSignals& head, const SignalRows& rows, const std::filesystem::path& path) {
   AtomicFile target(path);
-  write(head, rows, target);
+  write(head, rows, target, head.states, head.part);
   target.commit();
 }
 

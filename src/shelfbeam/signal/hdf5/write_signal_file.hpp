@@ -34,6 +34,6 @@ class SignalRows {
 void write_signal_file(const SignalMatrix& matrix, AtomicFile& target);
 
 /// The same with the entries from `rows`, a few rows at a time; the entries of `head` are ignored.
-void write_signal_file(const SignalMatrix& head, const SignalRows& rows, const std::filesystem::path& path);
+void write_signal_file(const StoredSignals& head, const SignalRows& rows, const std::filesystem::path& path);
 
 }  // namespace shelfbeam

@@ -49,11 +49,11 @@ SignalMatrix without_entries(const SignalMatrix& part, std::size_t labels) {
   return all;
 }
 
-SignalMatrix joined_labels(const std::vector<SignalPart>& files) {
+StoredSignals joined_labels(const std::vector<SignalPart>& files) {
   std::size_t labels = 0;
   for (const SignalPart& file : files) labels += file.share().members.size();
-  const SignalMatrix first = files.front().matrix();
-  SignalMatrix all = without_entries(first, labels);
+  const StoredSignals first = files.front().matrix();
+  StoredSignals all{without_entries(first, labels)};
   const std::size_t n = all.columns();
   for (auto* values : {&all.mean, &all.standard_error, &all.direct}) values->resize(labels * n);
   if (!first.flags.empty()) all.flags.resize(labels * n);
@@ -62,11 +62,11 @@ SignalMatrix joined_labels(const std::vector<SignalPart>& files) {
   all.by_length.assign(first.by_length.size(), empty);
   std::vector<bool> found(labels);
   for (const SignalPart& file : files) {
-    const SignalMatrix part = file.matrix();
+    const StoredSignals part = file.matrix();
     expect_complete(file, part);
     expect_same(file, part, files.front(), first);
     for (std::size_t k = 0; k < part.rows(); ++k) {
-      const std::uint32_t i = part.part.members[k];
+      const std::uint32_t i = part.part->members[k];
       if (i >= labels || found[i]) refuse(file, fmt::format("has label {} of {} labels", i, labels));
       found[i] = true;
       all.labels[i] = part.labels[k];
@@ -87,28 +87,27 @@ SignalMatrix joined_labels(const std::vector<SignalPart>& files) {
   return all;
 }
 
-SignalMatrix joined_states(const std::vector<SignalPart>& files) {
-  const SignalMatrix first = files.front().matrix();
-  SignalMatrix all = without_entries(first, 0);
-  all.labels = first.labels;
-  all.direct = first.direct;
-  detail::StateSummary summary(all, first.part.hard_labels);
+StoredSignals joined_states(const std::vector<SignalPart>& files) {
+  const StoredSignals first = files.front().matrix();
+  SignalMatrix head = without_entries(first, 0);
+  head.labels = first.labels;
+  head.direct = first.direct;
+  detail::StateSummary summary(std::move(head), *first.part->hard_labels);
   for (const SignalPart& file : files) {
     {
-      const SignalMatrix part = file.matrix();
+      const StoredSignals part = file.matrix();
       expect_same(file, part, files.front(), first);
-      if (part.states.states == 0 || part.labels != first.labels || part.states.hard.size() != part.rows())
+      if (!part.states || part.labels != first.labels || part.states->hard.size() != part.rows())
         refuse(file, "has different labels from the first part");
     }
     for (std::uint32_t k = 0; k < file.share().members.size(); ++k) {
-      if (file.share().members[k] != all.states.states)
+      if (file.share().members[k] != summary.states())
         refuse(file, fmt::format("has state {} where state {} is missing", file.share().members[k],
-                                 all.states.states));
-      summary.add(file.state(k, all.rows(), all.columns()).mean);
+                                 summary.states()));
+      summary.add(file.state(k, first.rows(), first.columns()).mean);
     }
   }
-  summary.finish();
-  return all;
+  return std::move(summary).result();
 }
 
 }  // namespace
@@ -118,10 +117,10 @@ MergedParts merge_parts(std::span<const std::filesystem::path> parts, const std:
   for (const SignalPart& file : files)
     if (file.serves_plan())
       refuse(file, "serves a plan, which reads all parts itself", "give the parts to the plan");
-  const bool has_states = files.front().share().hard_labels > 0;
-  const SignalMatrix all = has_states ? joined_states(files) : joined_labels(files);
+  const bool has_states = files.front().share().hard_labels.has_value();
+  const StoredSignals all = has_states ? joined_states(files) : joined_labels(files);
   write_signal_file(all, output);
-  return {all.rows(), all.columns(), all.states.states};
+  return {all.rows(), all.columns(), all.states ? all.states->states : 0};
 }
 
 }  // namespace shelfbeam

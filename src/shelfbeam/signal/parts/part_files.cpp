@@ -15,7 +15,7 @@ namespace shelfbeam::detail {
 namespace {
 
 // The first property in which parts of one simulation cannot differ; empty if there is none.
-std::string difference(const SignalMatrix& part, const SignalMatrix& first) {
+std::string difference(const StoredSignals& part, const StoredSignals& first) {
   const Provenance &a = part.provenance, &b = first.provenance;
   const auto differs = [](std::string_view name, const auto& theirs, const auto& ours) {
     return fmt::format("its {} is {} instead of {}", name, in_quotes(fmt::format("{}", theirs)),
@@ -32,8 +32,9 @@ std::string difference(const SignalMatrix& part, const SignalMatrix& first) {
     return differs("number of bounce layers", part.by_bounce.size(), first.by_bounce.size());
   if (part.by_length.size() != first.by_length.size() || part.length_step != first.length_step)
     return "its lengths of paths differ";
-  if (part.part.hard_labels != first.part.hard_labels)
-    return differs("number of hard labels", part.part.hard_labels, first.part.hard_labels);
+  if (part.part->hard_labels != first.part->hard_labels)
+    return differs("number of hard labels", part.part->hard_labels.value_or(0),
+                   first.part->hard_labels.value_or(0));
   if (part.transceivers != first.transceivers) return "its candidates differ";
   return {};
 }
@@ -82,8 +83,8 @@ std::vector<SignalPart> open_parts(std::span<const std::filesystem::path> paths)
   return parts;
 }
 
-void expect_same(const SignalPart& file, const SignalMatrix& part, const SignalPart& first_file,
-                 const SignalMatrix& first) {
+void expect_same(const SignalPart& file, const StoredSignals& part, const SignalPart& first_file,
+                 const StoredSignals& first) {
   if (const std::string found = difference(part, first); !found.empty())
     refuse(file,
            fmt::format("belongs to a different simulation from '{}': {}", first_file.path().string(), found));

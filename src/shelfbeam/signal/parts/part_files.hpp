@@ -14,8 +14,8 @@ namespace shelfbeam::detail {
 std::vector<SignalPart> open_parts(std::span<const std::filesystem::path> paths);
 
 /// Throws InputError if a part belongs to a different simulation from the first.
-void expect_same(const SignalPart& file, const SignalMatrix& part, const SignalPart& first_file,
-                 const SignalMatrix& first);
+void expect_same(const SignalPart& file, const StoredSignals& part, const SignalPart& first_file,
+                 const StoredSignals& first);
 
 /// Throws InputError that names the part.
 [[noreturn]] void refuse(

@@ -6,14 +6,14 @@ namespace shelfbeam {
 
 SampledStates::SampledStates(std::span<const std::filesystem::path> parts)
     : parts_(detail::open_parts(parts)) {
-  SignalMatrix first;
+  StoredSignals first;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const detail::SignalPart& file = parts_[p];
     if (!file.serves_plan()) refuse(file, "has no states for a plan", "simulate states for a plan");
-    const SignalMatrix part = file.matrix();
+    const StoredSignals part = file.matrix();
     if (p == 0) first = part;
     expect_same(file, part, parts_.front(), first);
-    if (part.states.hard.size() != part.rows()) refuse(file, "does not have all labels in its states");
+    if (part.states->hard.size() != part.rows()) refuse(file, "does not have all labels in its states");
     const auto& members = file.share().members;
     for (std::uint32_t k = 0; k < members.size(); ++k) {
       if (members[k] != places_.size())

@@ -28,11 +28,11 @@ std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, std::span<
 }  // namespace
 
 void StateSummary::add(std::span<const float> signals, std::span<const float> errors) {
-  StateTensor& states = matrix_.states;
+  StateTensor& states = *signals_.states;
   for (std::size_t e = 0; e < moments_.size(); ++e) moments_[e].add(static_cast<double>(signals[e]));
-  if (states.states == 0) states.hard = hardest_labels(matrix_, signals, max_hard_);
+  if (states.states == 0) states.hard = hardest_labels(signals_, signals, max_hard_);
   ++states.states;
-  const std::size_t n = matrix_.columns();
+  const std::size_t n = signals_.columns();
   for (const std::uint32_t i : states.hard) {
     const auto append = [&](std::vector<float>& all, std::span<const float> row) {
       all.insert(all.end(), row.begin(), row.end());
@@ -42,16 +42,17 @@ void StateSummary::add(std::span<const float> signals, std::span<const float> er
   }
 }
 
-void StateSummary::finish() {
-  for (auto* values : {&matrix_.mean, &matrix_.standard_error, &matrix_.states.deviation})
+StoredSignals StateSummary::result() && {
+  for (auto* values : {&signals_.mean, &signals_.standard_error, &signals_.states->deviation})
     values->resize(moments_.size());
   for (std::size_t e = 0; e < moments_.size(); ++e) {
     const Moments& moments = moments_[e];
     const bool has_spread = moments.count() > 1;
-    matrix_.mean[e] = static_cast<float>(moments.mean());
-    matrix_.standard_error[e] = static_cast<float>(has_spread ? moments.standard_error() : 0);
-    matrix_.states.deviation[e] = static_cast<float>(has_spread ? std::sqrt(moments.variance()) : 0);
+    signals_.mean[e] = static_cast<float>(moments.mean());
+    signals_.standard_error[e] = static_cast<float>(has_spread ? moments.standard_error() : 0);
+    signals_.states->deviation[e] = static_cast<float>(has_spread ? std::sqrt(moments.variance()) : 0);
   }
+  return std::move(signals_);
 }
 
 }  // namespace shelfbeam::detail

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/signal/signal_matrix.hpp"
@@ -13,18 +15,21 @@ namespace shelfbeam::detail {
 /// which the fewest candidates reach (docs/formats/signal.md).
 class StateSummary {
  public:
-  /// Fills the entries of `matrix`, except `direct`; it must outlive the object.
-  StateSummary(SignalMatrix& matrix, std::size_t max_hard)
-      : matrix_(matrix), max_hard_(max_hard), moments_(matrix.rows() * matrix.columns()) {}
+  /// `head`: the matrix without means and errors.
+  StateSummary(SignalMatrix head, std::size_t max_hard)
+      : signals_{std::move(head), StateTensor(), {}},
+        max_hard_(max_hard),
+        moments_(signals_.rows() * signals_.columns()) {}
 
   /// Adds the signals of the next state, by label and transceiver, and their errors if the states serve a
   /// plan.
   void add(std::span<const float> signals, std::span<const float> errors = {});
+  std::uint32_t states() const { return signals_.states->states; }
   /// After the last state.
-  void finish();
+  StoredSignals result() &&;
 
  private:
-  SignalMatrix& matrix_;
+  StoredSignals signals_;
   std::size_t max_hard_;
   std::vector<Moments> moments_;
 };

@@ -109,7 +109,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
     };
     const std::vector<std::uint32_t>& simulated = prepared.labels();
     const auto head_of = [&](const detail::MatrixRows& rows) {
-      SignalMatrix head = detail::matrix_head(scene, hash, options.seed, estimator.name());
+      StoredSignals head{detail::matrix_head(scene, hash, options.seed, estimator.name())};
       head.length_step = options.by_length.step;
       for (std::size_t i = 0; i < head.rows(); ++i) {
         head.labels[i].batches = rows.batches(i);
@@ -119,7 +119,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       std::vector<LabelRow> labels;
       for (const std::uint32_t i : simulated) labels.push_back(std::move(head.labels[i]));
       head.labels = std::move(labels);
-      head.part = {options.part.number, options.part.count, simulated};
+      head.part = {options.part.number, options.part.count, simulated, {}};
       return head;
     };
     try {
@@ -136,7 +136,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
             "the part was stopped before it was complete; resuming continues from its checkpoint",
             Setting::resumption);
       const detail::MatrixRows rows = rows_so_far();
-      SignalMatrix head = head_of(rows);
+      StoredSignals head = head_of(rows);
       summary = summarise(head, scheduler);
       summary.complete = complete;
       summary.has_all_in_checkpoint = is_saved;
@@ -180,7 +180,7 @@ SimulationResult simulate(const PreparedScene& prepared, const SimulationOptions
                           const RunControl& control) {
   const Stopwatch watch;
   SimulationResult result;
-  result.summary = run(prepared, options, control, [&](SignalMatrix head, const SignalRows& rows) {
+  result.summary = run(prepared, options, control, [&](StoredSignals head, const SignalRows& rows) {
     result.matrix = detail::filled(std::move(head), rows);
   });
   result.summary.seconds = watch.seconds();
@@ -200,7 +200,7 @@ SimulationSummary simulate_to_file(const Scene& scene, const SimulationOptions& 
   const auto prepared = prepare(scene, options, false, control);
   SimulationSummary summary =
       run(*prepared, options, control,
-          [&](const SignalMatrix& head, const auto& rows) { write_signal_file(head, rows, output); });
+          [&](const StoredSignals& head, const auto& rows) { write_signal_file(head, rows, output); });
   summary.seconds = watch.seconds();
   if (summary.complete && !options.checkpoint.path.empty()) remove_checkpoint(options.checkpoint.path);
   return summary;

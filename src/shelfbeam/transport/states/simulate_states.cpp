@@ -151,47 +151,48 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
 namespace {
 
 // `max_hard`: nothing for the states of a plan.
-SignalMatrix summary_of_states(const Store& store, const Scene& scene, const SimulationOptions& options,
-                               const StateRange& range, std::optional<std::size_t> max_hard, ResultLog& log,
-                               const RunControl& control) {
+StoredSignals summary_of_states(const Store& store, const Scene& scene, const SimulationOptions& options,
+                                const StateRange& range, std::optional<std::size_t> max_hard, ResultLog& log,
+                                const RunControl& control) {
   const StoreStates states(store, scene, options.seed);
   SimulationOptions whole = options;
   whole.part = {};
   const auto first = prepare(scene, whole, true, control);
-  SignalMatrix matrix =
-      detail::matrix_head(scene, scene.store_hash, options.seed, first->estimator().name() + ", states");
-  const std::size_t n = matrix.columns(), entries = matrix.rows() * n;
+  const std::size_t rows = scene.labels.size();
   const StateRange own = part_of(range, options.part);
   const bool keeps_all = !max_hard || !options.part.is_whole();
-  if (keeps_all) {
-    matrix.part = {options.part.number, options.part.count, std::vector<std::uint32_t>(own.count),
-                   static_cast<std::uint32_t>(max_hard.value_or(matrix.rows()))};
-    std::iota(matrix.part.members.begin(), matrix.part.members.end(), static_cast<std::uint32_t>(own.first));
-  }
-  detail::StateSummary summary(matrix, keeps_all ? matrix.rows() : *max_hard);
+  detail::StateSummary summary(
+      detail::matrix_head(scene, scene.store_hash, options.seed, first->estimator().name() + ", states"),
+      keeps_all ? rows : *max_hard);
   const auto add = [&](const StateSignals& state) {
     summary.add(state.signals.mean, max_hard ? std::span<const float>() : state.signals.standard_error);
   };
   simulate_states([&](std::uint64_t k) { return states.state(k); }, *first, whole, own, add, log,
                   max_hard ? "states" : planning_states, control);
-  summary.finish();
-  matrix.direct.resize(entries);
-  for (std::size_t e = 0; e < entries; ++e)
-    matrix.direct[e] = static_cast<float>(first->direct().straight(e / n, e % n));
-  return matrix;
+  StoredSignals found = std::move(summary).result();
+  if (keeps_all) {
+    found.part = {options.part.number, options.part.count, std::vector<std::uint32_t>(own.count),
+                  static_cast<std::uint32_t>(max_hard.value_or(rows))};
+    std::iota(found.part->members.begin(), found.part->members.end(), static_cast<std::uint32_t>(own.first));
+  }
+  const std::size_t n = found.columns();
+  found.direct.resize(rows * n);
+  for (std::size_t e = 0; e < found.direct.size(); ++e)
+    found.direct[e] = static_cast<float>(first->direct().straight(e / n, e % n));
+  return found;
 }
 
 }  // namespace
 
-SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
-                             const StateRange& range, std::size_t max_hard, ResultLog& log,
-                             const RunControl& control) {
+StoredSignals simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
+                              const StateRange& range, std::size_t max_hard, ResultLog& log,
+                              const RunControl& control) {
   return summary_of_states(store, scene, options, range, max_hard, log, control);
 }
 
-SignalMatrix simulate_planning_states(const Store& store, const Scene& scene,
-                                      const SimulationOptions& options, const StateRange& range,
-                                      ResultLog& log, const RunControl& control) {
+StoredSignals simulate_planning_states(const Store& store, const Scene& scene,
+                                       const SimulationOptions& options, const StateRange& range,
+                                       ResultLog& log, const RunControl& control) {
   return summary_of_states(store, scene, options, range, std::nullopt, log, control);
 }
 

@@ -49,15 +49,15 @@ inline constexpr std::string_view planning_states = "sample";
 /// sum of min(1, M_ij / requirement_i) over all candidates j, in the first of the states, is smallest. Memory
 /// does not grow with the number of states otherwise. With `options.part`, simulates that part of the states
 /// and keeps the signals of all labels in each, for `merge_parts`. `scene` is that of the store.
-SignalMatrix simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
-                             const StateRange& range, std::size_t max_hard, ResultLog& log,
-                             const RunControl& control = {});
+StoredSignals simulate_states(const Store& store, const Scene& scene, const SimulationOptions& options,
+                              const StateRange& range, std::size_t max_hard, ResultLog& log,
+                              const RunControl& control = {});
 
 /// The states on which a plan places units (`options.part` of them), with the signals of all labels and their
 /// errors, for SampledStates. `store` and `scene` have their reflectances as the plan assumes them.
-SignalMatrix simulate_planning_states(const Store& store, const Scene& scene,
-                                      const SimulationOptions& options, const StateRange& range,
-                                      ResultLog& log, const RunControl& control = {});
+StoredSignals simulate_planning_states(const Store& store, const Scene& scene,
+                                       const SimulationOptions& options, const StateRange& range,
+                                       ResultLog& log, const RunControl& control = {});
 
 /// The part of a unit in the keys of a log.
 std::string key_text(const Transceiver& unit);

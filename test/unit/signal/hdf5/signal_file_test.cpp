@@ -67,7 +67,7 @@ TEST(SignalFile, WritesFlagsRowByRow) {
     std::size_t bounce_layers() const override { return 0; }
     std::size_t length_layers() const override { return 0; }
   };
-  SignalMatrix head;
+  StoredSignals head;
   head.labels.resize(7);
   head.transceivers.resize(300'000);
   write_signal_file(head, Rows(), folder / "signal.h5");
@@ -94,20 +94,20 @@ TEST(SignalFile, KeepsTheMatricesOfBouncesAndLengths) {
 
 TEST(SignalFile, KeepsTheStatesOfAShop) {
   const TempFolder folder;
-  SignalMatrix written = small_matrix(4, 3);
-  written.states = {2, written.direct, {1, 3}, std::vector<float>(2 * 2 * 3), {}};
-  for (std::size_t k = 0; k < written.states.signal.size(); ++k)
-    written.states.signal[k] = static_cast<float>(k) - 2;
+  StoredSignals written{small_matrix(4, 3)};
+  written.states = StateTensor{2, written.direct, {1, 3}, std::vector<float>(12), {}};
+  for (std::size_t k = 0; k < written.states->signal.size(); ++k)
+    written.states->signal[k] = static_cast<float>(k) - 2;
   write_signal_file(written, folder / "signal.h5");
   EXPECT_TRUE(read_signal_file(folder / "signal.h5") == written);
   const auto expect_refused = [&](std::vector<std::uint32_t> hard, std::string_view place) {
-    written.states.hard = std::move(hard);
+    written.states->hard = std::move(hard);
     write_signal_file(written, folder / "signal.h5");
     test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", place);
   };
   expect_refused({1, 4}, "/states/hard");
   expect_refused({3, 1}, "/states/hard");
-  written.states.signal[5] = std::numeric_limits<float>::infinity();
+  written.states->signal[5] = std::numeric_limits<float>::infinity();
   expect_refused({1, 3}, "/states/signal");
 }
 
@@ -308,7 +308,7 @@ TEST(SignalFile, FailedWritesLeaveNothing) {
   uneven = matrix;
   uneven.flags.pop_back();
   EXPECT_THROW(write_signal_file(uneven, folder / "signal.h5"), std::invalid_argument);
-  EXPECT_THROW(write_signal_file({}, folder / "signal.h5"), std::invalid_argument);
+  EXPECT_THROW(write_signal_file(SignalMatrix(), folder / "signal.h5"), std::invalid_argument);
   EXPECT_EQ(folder.count(), 0);
 }
 

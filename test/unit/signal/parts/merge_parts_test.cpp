@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -38,18 +39,18 @@ class MergeParts : public testing::Test {
     return matrix;
   }
 
-  static SignalMatrix part(const SignalMatrix& all, std::uint32_t number) {
-    SignalMatrix part = all;
-    part.part = {number, count, {}};
+  static StoredSignals part(const SignalMatrix& all, std::uint32_t number) {
+    StoredSignals part{all};
+    part.part = {number, count, {}, {}};
     part.labels.clear();
     for (std::uint32_t i = number - 1; i < all.rows(); i += count) {
-      part.part.members.push_back(i);
+      part.part->members.push_back(i);
       part.labels.push_back(all.labels[i]);
     }
     const auto keep = [&](auto& values) {
       auto kept = values;
       kept.clear();
-      for (const std::uint32_t i : part.part.members)
+      for (const std::uint32_t i : part.part->members)
         for (std::size_t j = 0; j < all.columns(); ++j) kept.push_back(values[i * all.columns() + j]);
       values = kept;
     };
@@ -63,8 +64,8 @@ class MergeParts : public testing::Test {
     return part;
   }
 
-  std::filesystem::path file(std::uint32_t number, const std::function<void(SignalMatrix&)>& change = {}) {
-    SignalMatrix of_part = part(whole(), number);
+  std::filesystem::path file(std::uint32_t number, const std::function<void(StoredSignals&)>& change = {}) {
+    StoredSignals of_part = part(whole(), number);
     if (change) change(of_part);
     const auto path = folder_ / fmt::format("{}-{}.h5", number, ++files_);
     write_signal_file(of_part, path);
@@ -99,7 +100,7 @@ TEST_F(MergeParts, RefusesMissingAndDuplicatePartsByName) {
   refused({third}, "of 3 parts, numbers 1, 2 are missing");
   refused({first, second, third, again}, again.string(), "is part 2 of 3, as '" + second.string());
   refused({first, second, third, first}, "is part 1 of 3, as '" + first.string());
-  refused({first, second, file(3, [](SignalMatrix& part) { part.part.count = 4; })}, "3-5.h5",
+  refused({first, second, file(3, [](StoredSignals& part) { part.part->count = 4; })}, "3-5.h5",
           "is one of 4 parts, but '" + first.string() + "' is one of 3");
   write_signal_file(whole(), folder_ / "whole.h5");
   refused({folder_ / "whole.h5"}, "whole.h5: is not a part of a simulation");
@@ -108,21 +109,21 @@ TEST_F(MergeParts, RefusesMissingAndDuplicatePartsByName) {
 
 TEST_F(MergeParts, RefusesPartsOfOtherSimulations) {
   const auto first = file(1), second = file(2);
-  const std::vector<std::pair<std::string, std::function<void(SignalMatrix&)>>> changes{
-      {"program version", [](SignalMatrix& part) { part.provenance.program_version = "0.0.1"; }},
-      {"store hash", [](SignalMatrix& part) { part.provenance.store_hash[0] = 'f'; }},
-      {"seed is '7'", [](SignalMatrix& part) { part.provenance.seed = 7; }},
-      {"estimator", [](SignalMatrix& part) { part.provenance.estimator = "reuse"; }},
+  const std::vector<std::pair<std::string, std::function<void(StoredSignals&)>>> changes{
+      {"program version", [](StoredSignals& part) { part.provenance.program_version = "0.0.1"; }},
+      {"store hash", [](StoredSignals& part) { part.provenance.store_hash[0] = 'f'; }},
+      {"seed is '7'", [](StoredSignals& part) { part.provenance.seed = 7; }},
+      {"estimator", [](StoredSignals& part) { part.provenance.estimator = "reuse"; }},
       {"number of samples per label is '64'",
-       [](SignalMatrix& part) {
+       [](StoredSignals& part) {
          for (LabelRow& label : part.labels) label.samples = 64;
        }},
-      {"number of bounce layers", [](SignalMatrix& part) { part.by_bounce.pop_back(); }},
-      {"lengths of paths", [](SignalMatrix& part) { part.length_step = 1; }},
-      {"candidates differ", [](SignalMatrix& part) { part.transceivers[1].id = "other"; }},
-      {"was interrupted", [](SignalMatrix& part) { part.labels[0].samples /= 2; }},
-      {"has label 0 of 7 labels", [](SignalMatrix& part) { part.part.members[0] = 0; }},
-      {"has label 7 of 7 labels", [](SignalMatrix& part) { part.part.members[1] = 7; }}};
+      {"number of bounce layers", [](StoredSignals& part) { part.by_bounce.pop_back(); }},
+      {"lengths of paths", [](StoredSignals& part) { part.length_step = 1; }},
+      {"candidates differ", [](StoredSignals& part) { part.transceivers[1].id = "other"; }},
+      {"was interrupted", [](StoredSignals& part) { part.labels[0].samples /= 2; }},
+      {"has label 0 of 7 labels", [](StoredSignals& part) { part.part->members[0] = 0; }},
+      {"has label 7 of 7 labels", [](StoredSignals& part) { part.part->members[1] = 7; }}};
   for (const auto& [expected, change] : changes) {
     const auto third = file(3, change);
     refused({first, second, third}, third.string(), expected);
@@ -143,25 +144,24 @@ TEST(MergeStates, GivesTheBytesOfOneRun) {
     SignalMatrix matrix = test::small_matrix();
     const SignalMatrix base = matrix;
     matrix.flags.clear();
-    detail::StateSummary states_of(matrix, hard);
+    detail::StateSummary states_of(std::move(matrix), hard);
     for (std::uint32_t k = first; k < last; ++k) states_of.add(signals(base, k));
-    states_of.finish();
-    return matrix;
+    return std::move(states_of).result();
   };
   write_signal_file(summary(0, states, max_hard), folder / "whole.h5");
   Paths files;
   for (std::uint32_t number = 1; number <= parts; ++number) {
     const std::uint32_t first = number == 1 ? 0 : 2, last = number == 1 ? 2 : states;
-    SignalMatrix part = summary(first, last, 1000);
+    StoredSignals part = summary(first, last, 1000);
     part.part = {number, parts, std::vector<std::uint32_t>(last - first), max_hard};
-    std::iota(part.part.members.begin(), part.part.members.end(), first);
+    std::iota(part.part->members.begin(), part.part->members.end(), first);
     files.push_back(folder / fmt::format("{}.h5", number));
     write_signal_file(part, files.back());
   }
   std::reverse(files.begin(), files.end());
   EXPECT_EQ(merge_parts(files, folder / "merged.h5").states, states);
   EXPECT_TRUE(read_file(folder / "merged.h5") == read_file(folder / "whole.h5"));
-  EXPECT_EQ(read_signal_file(folder / "merged.h5").states.hard.size(), max_hard);
+  EXPECT_EQ(read_signal_file(folder / "merged.h5").states->hard.size(), max_hard);
 }
 
 }  // namespace

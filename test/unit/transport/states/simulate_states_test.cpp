@@ -43,7 +43,8 @@ ResultLog no_log() {
   return {{}, {}, false, 0};
 }
 
-SignalMatrix states_of(const Store& store, std::uint32_t count, std::uint32_t batches, unsigned threads = 0) {
+StoredSignals states_of(const Store& store, std::uint32_t count, std::uint32_t batches,
+                        unsigned threads = 0) {
   RunControl control;
   control.threads = threads;
   ResultLog log = no_log();
@@ -64,17 +65,17 @@ std::vector<SignalLayer> layers_of(const StateMaker& states, const Scene& nomina
 
 TEST(SimulateStates, IsTheSameForAnyNumberOfThreads) {
   const Store store = shop();
-  const SignalMatrix one = states_of(store, 3, 4, 1);
+  const StoredSignals one = states_of(store, 3, 4, 1);
   EXPECT_EQ(states_of(store, 3, 4, 2), one);
-  EXPECT_EQ(one.states.states, 3U);
+  EXPECT_EQ(one.states->states, 3U);
   // A state does not depend on the others.
   const Scene scene = make_scene(store);
   ResultLog log = no_log();
-  const SignalMatrix last =
+  const StoredSignals last =
       simulate_states(store, scene, {}, {.first = 2, .count = 1, .batches = 4}, every_label, log);
   const std::size_t entries = one.mean.size();
-  EXPECT_TRUE(std::equal(last.states.signal.begin(), last.states.signal.end(),
-                         one.states.signal.begin() + static_cast<std::ptrdiff_t>(2 * entries)));
+  EXPECT_TRUE(std::equal(last.states->signal.begin(), last.states->signal.end(),
+                         one.states->signal.begin() + static_cast<std::ptrdiff_t>(2 * entries)));
 }
 
 // The file of a state contains all of it.
@@ -213,46 +214,46 @@ TEST(SimulateStatesSlow, UpperLimitsFromFewBatchesHold) {
 }
 
 TEST(SimulateStates, SummarisesTheStates) {
-  const SignalMatrix matrix = states_of(shop(), 5, 2);
+  const StoredSignals matrix = states_of(shop(), 5, 2);
   const std::size_t entries = matrix.mean.size();
-  ASSERT_EQ(matrix.states.signal.size(), 5 * entries);
+  ASSERT_EQ(matrix.states->signal.size(), 5 * entries);
   for (std::size_t e = 0; e < entries; e += 7) {
     Moments moments;
     for (std::size_t s = 0; s < 5; ++s)
-      moments.add(static_cast<double>(matrix.states.signal[s * entries + e]));
+      moments.add(static_cast<double>(matrix.states->signal[s * entries + e]));
     EXPECT_FLOAT_EQ(matrix.mean[e], static_cast<float>(moments.mean()));
     EXPECT_FLOAT_EQ(matrix.standard_error[e], static_cast<float>(moments.standard_error()));
-    EXPECT_FLOAT_EQ(matrix.states.deviation[e], static_cast<float>(std::sqrt(moments.variance())));
+    EXPECT_FLOAT_EQ(matrix.states->deviation[e], static_cast<float>(std::sqrt(moments.variance())));
   }
 }
 
 TEST(SimulateStates, KeepsTheHardestLabels) {
   const Store store = shop();
-  const SignalMatrix all = states_of(store, 2, 2);
+  const StoredSignals all = states_of(store, 2, 2);
   ResultLog log = no_log();
-  const SignalMatrix some =
+  const StoredSignals some =
       simulate_states(store, make_scene(store), {}, {.first = 0, .count = 2, .batches = 2}, 4, log);
-  ASSERT_EQ(some.states.hard.size(), 4U);
+  ASSERT_EQ(some.states->hard.size(), 4U);
   EXPECT_EQ(some.mean, all.mean);
   const std::size_t n = all.columns();
   const auto degree = [&](std::size_t i) {
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j)
-      sum += std::min(1.0, static_cast<double>(all.states.signal[i * n + j]) / all.labels[i].requirement);
+      sum += std::min(1.0, static_cast<double>(all.states->signal[i * n + j]) / all.labels[i].requirement);
     return sum;
   };
   double most = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::uint32_t i = some.states.hard[k];
+    const std::uint32_t i = some.states->hard[k];
     most = std::max(most, degree(i));
     for (std::size_t s = 0; s < 2; ++s)
       EXPECT_TRUE(
-          std::equal(some.states.signal.begin() + static_cast<std::ptrdiff_t>((s * 4 + k) * n),
-                     some.states.signal.begin() + static_cast<std::ptrdiff_t>((s * 4 + k + 1) * n),
-                     all.states.signal.begin() + static_cast<std::ptrdiff_t>((s * all.rows() + i) * n)));
+          std::equal(some.states->signal.begin() + static_cast<std::ptrdiff_t>((s * 4 + k) * n),
+                     some.states->signal.begin() + static_cast<std::ptrdiff_t>((s * 4 + k + 1) * n),
+                     all.states->signal.begin() + static_cast<std::ptrdiff_t>((s * all.rows() + i) * n)));
   }
   for (std::uint32_t i = 0; i < all.rows(); ++i) {
-    const bool is_hard = std::binary_search(some.states.hard.begin(), some.states.hard.end(), i);
+    const bool is_hard = std::binary_search(some.states->hard.begin(), some.states->hard.end(), i);
     EXPECT_TRUE(is_hard || degree(i) >= most) << i;
   }
 }
