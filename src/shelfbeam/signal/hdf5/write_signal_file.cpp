@@ -16,6 +16,12 @@ namespace {
 
 using Quantity = SignalRows::Quantity;
 
+template <class T>
+void copy_row(const std::vector<T>& from, std::size_t row, std::span<T> values) {
+  const auto part = std::span(from).subspan(row * values.size(), values.size());
+  std::copy(part.begin(), part.end(), values.begin());
+}
+
 class MatrixWriter {
  public:
   MatrixWriter(const SignalMatrix& head, const SignalRows& rows, detail::Hdf5Writer& file)
@@ -31,15 +37,15 @@ class MatrixWriter {
     file_.attribute("wavelength_nm", matrix_.wavelength_nm);
     if (!matrix_.currency.empty()) file_.attribute("currency", matrix_.currency);
 
-    entries("/mean", Quantity::mean);
-    entries("/standard_error", Quantity::standard_error);
-    if (rows_.has_flags())
+    entries("/mean", {Quantity::mean});
+    entries("/standard_error", {Quantity::standard_error});
+    if (rows_.fill_flags)
       file_.rows<std::uint8_t>("/flags", {matrix_.rows(), matrix_.columns()},
                                [&](std::size_t row, auto flags) { rows_.fill_flags(row, flags); });
-    entries("/direct", Quantity::direct);
-    layers("bounce", "/bounces", 0, rows_.bounce_layers());
-    if (rows_.length_layers() > 0) file_.attribute("length_step", matrix_.length_step);
-    layers("length", "/lengths", rows_.bounce_layers(), rows_.length_layers());
+    entries("/direct", {Quantity::direct});
+    layers("bounce", "/bounces", 0, rows_.bounce_layers);
+    if (rows_.length_layers > 0) file_.attribute("length_step", matrix_.length_step);
+    layers("length", "/lengths", rows_.bounce_layers, rows_.length_layers);
     if (of_states) states(*of_states);
     if (of_part) part(*of_part);
 
@@ -68,13 +74,9 @@ class MatrixWriter {
         file_.numbers(path, std::span<const detail::Stored<T>>(values), {rows.size()});
     }
   }
-  void entries(const std::string& path, Quantity quantity) {
+  void entries(const std::string& path, const SignalRows::Source& source) {
     file_.rows<float>(path, {matrix_.rows(), matrix_.columns()},
-                      [&](std::size_t row, auto values) { rows_.fill(quantity, row, values); });
-  }
-  void layer(const std::string& path, std::size_t k, Quantity quantity) {
-    file_.rows<float>(path, {matrix_.rows(), matrix_.columns()},
-                      [&](std::size_t row, auto values) { rows_.fill_layer(k, quantity, row, values); });
+                      [&](std::size_t row, auto values) { rows_.fill(source, row, values); });
   }
   void layers(const std::string& kind, const std::string& path, std::size_t first, std::size_t count) {
     if (count == 0) return;
@@ -83,17 +85,14 @@ class MatrixWriter {
     for (std::size_t k = 0; k < count; ++k) {
       const std::string group = fmt::format("{}/{}", path, k);
       file_.group(group);
-      layer(group + "/mean", first + k, Quantity::mean);
-      layer(group + "/standard_error", first + k, Quantity::standard_error);
+      entries(group + "/mean", {Quantity::mean, first + k});
+      entries(group + "/standard_error", {Quantity::standard_error, first + k});
     }
   }
   void states(const StateTensor& states) {
-    const std::size_t n = matrix_.columns();
     const auto matrix = [&](const char* path, const std::vector<float>& from, std::size_t rows) {
-      file_.rows<float>(path, {rows, n}, [&](std::size_t row, auto values) {
-        const auto part = std::span(from).subspan(row * n, n);
-        std::copy(part.begin(), part.end(), values.begin());
-      });
+      file_.rows<float>(path, {rows, matrix_.columns()},
+                        [&](std::size_t row, auto values) { copy_row(from, row, values); });
     };
     file_.attribute("states", states.states);
     file_.group("/states");
@@ -118,41 +117,30 @@ class MatrixWriter {
 };
 
 // The rows of a SignalMatrix with all entries.
-class OwnRows : public SignalRows {
- public:
-  explicit OwnRows(const SignalMatrix& matrix) : matrix_(matrix) {}
-
-  void fill(Quantity quantity, std::size_t row, std::span<float> values) const override {
-    copy(quantity == Quantity::mean     ? matrix_.mean
-         : quantity == Quantity::direct ? matrix_.direct
-                                        : matrix_.standard_error,
-         row, values);
-  }
-  bool has_flags() const override { return !matrix_.flags.empty(); }
-  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
-    copy(matrix_.flags, row, flags);
-  }
-  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
-                  std::span<float> values) const override {
-    const SignalLayer& part = layer_of(layer);
-    copy(quantity == Quantity::mean ? part.mean : part.standard_error, row, values);
-  }
-  std::size_t bounce_layers() const override { return matrix_.by_bounce.size(); }
-  std::size_t length_layers() const override { return matrix_.by_length.size(); }
-
- private:
-  const SignalLayer& layer_of(std::size_t layer) const {
-    const std::size_t bounces = matrix_.by_bounce.size();
-    return layer < bounces ? matrix_.by_bounce[layer] : matrix_.by_length[layer - bounces];
-  }
-  template <class T>
-  static void copy(const std::vector<T>& from, std::size_t row, std::span<T> values) {
-    const auto part = std::span(from).subspan(row * values.size(), values.size());
-    std::copy(part.begin(), part.end(), values.begin());
-  }
-
-  const SignalMatrix& matrix_;
-};
+SignalRows rows_of(const SignalMatrix& matrix) {
+  SignalRows rows;
+  rows.fill = [&matrix](const SignalRows::Source& source, std::size_t row, std::span<float> values) {
+    const bool is_mean = source.quantity == Quantity::mean;
+    if (!source.layer) {
+      copy_row(is_mean                               ? matrix.mean
+               : source.quantity == Quantity::direct ? matrix.direct
+                                                     : matrix.standard_error,
+               row, values);
+      return;
+    }
+    const std::size_t bounces = matrix.by_bounce.size();
+    const SignalLayer& layer =
+        *source.layer < bounces ? matrix.by_bounce[*source.layer] : matrix.by_length[*source.layer - bounces];
+    copy_row(is_mean ? layer.mean : layer.standard_error, row, values);
+  };
+  if (!matrix.flags.empty())
+    rows.fill_flags = [&matrix](std::size_t row, std::span<std::uint8_t> flags) {
+      copy_row(matrix.flags, row, flags);
+    };
+  rows.bounce_layers = matrix.by_bounce.size();
+  rows.length_layers = matrix.by_length.size();
+  return rows;
+}
 
 void write(const SignalMatrix& head, const SignalRows& rows, AtomicFile& target,
            const std::optional<StateTensor>& states = {}, const std::optional<MatrixPart>& part = {}) {
@@ -173,7 +161,7 @@ void expect_entries(const SignalMatrix& matrix) {
 
 void write_signal_file(const SignalMatrix& matrix, AtomicFile& target) {
   expect_entries(matrix);
-  write(matrix, OwnRows(matrix), target);
+  write(matrix, rows_of(matrix), target);
 }
 
 void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& path) {
@@ -184,7 +172,7 @@ void write_signal_file(const SignalMatrix& matrix, const std::filesystem::path& 
 
 void write_signal_file(const StoredSignals& signals, const std::filesystem::path& path) {
   expect_entries(signals);
-  write_signal_file(signals, OwnRows(signals), path);
+  write_signal_file(signals, rows_of(signals), path);
 }
 
 void write_signal_file(const StoredSignals& head, const SignalRows& rows, const std::filesystem::path& path) {

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 
 #include "shelfbeam/base/file.hpp"
@@ -10,24 +12,20 @@
 
 namespace shelfbeam {
 
-/// Provides the entries of a signal matrix row by row on request, for matrices in another representation.
-class SignalRows {
- public:
+/// Provides the entries of a signal matrix row by row on request, for matrices in another representation. The
+/// functions fill `values`, one per column.
+struct SignalRows {
+  /// A quantity of the matrix, or of a layer: SignalMatrix::by_bounce, then by_length. Layers have no direct
+  /// part.
   enum class Quantity { mean, standard_error, direct };
+  struct Source {
+    Quantity quantity = Quantity::mean;
+    std::optional<std::size_t> layer = {};
+  };
 
-  virtual ~SignalRows() = default;
-  /// Fills `values`, one per column.
-  virtual void fill(Quantity quantity, std::size_t row, std::span<float> values) const = 0;
-  /// Whether SignalMatrix::flags is known.
-  virtual bool has_flags() const = 0;
-  /// Fills the flags, one per column.
-  virtual void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const = 0;
-  /// Fills a row of a layer: SignalMatrix::by_bounce, then by_length. Layers have no direct part.
-  virtual void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
-                          std::span<float> values) const = 0;
-  /// Numbers of layers; 0 unless requested.
-  virtual std::size_t bounce_layers() const = 0;
-  virtual std::size_t length_layers() const = 0;
+  std::function<void(const Source& source, std::size_t row, std::span<float> values)> fill;
+  std::function<void(std::size_t row, std::span<std::uint8_t> values)> fill_flags;  ///< empty: unknown
+  std::size_t bounce_layers = 0, length_layers = 0;
 };
 
 /// Like `write_signal_file` (signal_file.hpp), but the caller commits the file.

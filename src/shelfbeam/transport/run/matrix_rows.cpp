@@ -6,6 +6,8 @@
 
 namespace shelfbeam::detail {
 
+using Quantity = SignalRows::Quantity;
+
 MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums,
                        const AnalyticDirect& analytic_direct, std::size_t rows, std::size_t bounce_layers,
                        std::size_t length_layers)
@@ -78,6 +80,18 @@ void MatrixRows::fill_layer(std::size_t layer, Quantity quantity, std::size_t ro
   });
 }
 
+SignalRows MatrixRows::of(std::span<const std::uint32_t> labels) const {
+  const auto fill_row = [this, labels](const SignalRows::Source& source, std::size_t k,
+                                       std::span<float> values) {
+    if (source.layer)
+      fill_layer(*source.layer, source.quantity, labels[k], values);
+    else
+      fill(source.quantity, labels[k], values);
+  };
+  return {fill_row, [this, labels](std::size_t k, auto flags) { fill_flags(labels[k], flags); },
+          bounce_layers_, length_layers_};
+}
+
 std::uint32_t MatrixRows::batches(std::size_t row) const {
   std::uint32_t fewest = std::numeric_limits<std::uint32_t>::max();
   each_item(row, [&](std::size_t item, std::size_t) { fewest = std::min(fewest, sums_[item].batches); });
@@ -122,33 +136,27 @@ SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint6
 }
 
 SignalMatrix filled(SignalMatrix head, const SignalRows& rows) {
-  using Quantity = SignalRows::Quantity;
   const auto fill_all = [&](auto& values, const auto& fill) {
     values.resize(head.rows() * head.columns());
     for (std::size_t i = 0; i < head.rows(); ++i)
       fill(i, std::span(values).subspan(i * head.columns(), head.columns()));
   };
-  const auto of_all = [&](Quantity quantity) {
-    return [&rows, quantity](std::size_t i, std::span<float> row) { rows.fill(quantity, i, row); };
+  const auto fill = [&](std::vector<float>& values, const SignalRows::Source& source) {
+    fill_all(values, [&](std::size_t i, std::span<float> row) { rows.fill(source, i, row); });
   };
-  fill_all(head.mean, of_all(Quantity::mean));
-  fill_all(head.standard_error, of_all(Quantity::standard_error));
-  fill_all(head.direct, of_all(Quantity::direct));
-  fill_all(head.flags, [&](std::size_t i, std::span<std::uint8_t> row) { rows.fill_flags(i, row); });
-  const auto of_layer = [&](std::size_t layer, Quantity quantity) {
-    return [&rows, layer, quantity](std::size_t i, std::span<float> row) {
-      rows.fill_layer(layer, quantity, i, row);
-    };
-  };
+  fill(head.mean, {Quantity::mean});
+  fill(head.standard_error, {Quantity::standard_error});
+  fill(head.direct, {Quantity::direct});
+  fill_all(head.flags, rows.fill_flags);
   const auto fill_layers = [&](std::vector<SignalLayer>& layers, std::size_t first, std::size_t count) {
     layers.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-      fill_all(layers[k].mean, of_layer(first + k, Quantity::mean));
-      fill_all(layers[k].standard_error, of_layer(first + k, Quantity::standard_error));
+      fill(layers[k].mean, {Quantity::mean, first + k});
+      fill(layers[k].standard_error, {Quantity::standard_error, first + k});
     }
   };
-  fill_layers(head.by_bounce, 0, rows.bounce_layers());
-  fill_layers(head.by_length, rows.bounce_layers(), rows.length_layers());
+  fill_layers(head.by_bounce, 0, rows.bounce_layers);
+  fill_layers(head.by_length, rows.bounce_layers, rows.length_layers);
   return head;
 }
 

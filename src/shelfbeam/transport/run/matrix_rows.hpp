@@ -15,20 +15,14 @@
 namespace shelfbeam::detail {
 
 /// The rows of the signal matrix, from the items' sums and the analytic direct light.
-class MatrixRows : public SignalRows {
+class MatrixRows {
  public:
   MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& sums,
              const AnalyticDirect& analytic_direct, std::size_t rows, std::size_t bounce_layers,
              std::size_t length_layers);
 
-  void fill(Quantity quantity, std::size_t row, std::span<float> values) const override;
-  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
-                  std::span<float> values) const override;
-  bool has_flags() const override { return true; }
-  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override;
-  std::size_t bounce_layers() const override { return bounce_layers_; }
-  std::size_t length_layers() const override { return length_layers_; }
-
+  /// The rows of some labels. The object and the labels must outlive them.
+  SignalRows of(std::span<const std::uint32_t> labels) const;
   /// Number of batches of a row: the minimum over the items with entries in the row.
   std::uint32_t batches(std::size_t row) const;
 
@@ -44,6 +38,10 @@ class MatrixRows : public SignalRows {
     for (std::size_t p = starts_[row]; p < starts_[row + 1]; ++p) use(parts_[p].item, parts_[p].row);
   }
 
+  void fill(SignalRows::Quantity quantity, std::size_t row, std::span<float> values) const;
+  void fill_layer(std::size_t layer, SignalRows::Quantity quantity, std::size_t row,
+                  std::span<float> values) const;
+  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const;
   template <class Known, class Sampled>
   void fill_with(std::size_t row, std::span<float> values, const Known& known, const Sampled& sampled) const;
 

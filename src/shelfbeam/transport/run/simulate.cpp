@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,30 +67,6 @@ SimulationSummary summarise(const SignalMatrix& head, const detail::BatchSchedul
   return summary;
 }
 
-// Only the rows of some labels.
-class SomeRows : public SignalRows {
- public:
-  SomeRows(const SignalRows& all, std::span<const std::uint32_t> labels) : all_(all), labels_(labels) {}
-
-  void fill(Quantity quantity, std::size_t row, std::span<float> values) const override {
-    all_.fill(quantity, labels_[row], values);
-  }
-  bool has_flags() const override { return all_.has_flags(); }
-  void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
-    all_.fill_flags(labels_[row], flags);
-  }
-  void fill_layer(std::size_t layer, Quantity quantity, std::size_t row,
-                  std::span<float> values) const override {
-    all_.fill_layer(layer, quantity, labels_[row], values);
-  }
-  std::size_t bounce_layers() const override { return all_.bounce_layers(); }
-  std::size_t length_layers() const override { return all_.length_layers(); }
-
- private:
-  const SignalRows& all_;
-  std::span<const std::uint32_t> labels_;
-};
-
 // Runs a simulation and calls use(head, rows): the matrix without its entries, and the entries.
 template <class Use>
 SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& options,
@@ -117,6 +92,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       }
       if (options.part.is_whole()) return head;
       std::vector<LabelRow> labels;
+      labels.reserve(simulated.size());
       for (const std::uint32_t i : simulated) labels.push_back(std::move(head.labels[i]));
       head.labels = std::move(labels);
       head.part = {options.part.number, options.part.count, simulated, {}};
@@ -142,7 +118,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       summary.has_all_in_checkpoint = is_saved;
       if (complete && options.relative_error) find_unmet(*options.relative_error, scheduler, summary);
       if (options.has_fixed_samples()) summary.requested_samples = options.samples;
-      use(std::move(head), SomeRows(rows, simulated));
+      use(std::move(head), rows.of(simulated));
     } catch (const OutputError& error) {
       const bool is_saved = scheduler.try_to_save();
       const bool has_checkpoint = scheduler.has_checkpoint();
@@ -151,7 +127,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       if (scheduler.fewest_batches() >= 2)
         folder = keep_elsewhere([&](const std::filesystem::path& elsewhere) {
           const detail::MatrixRows rows = rows_so_far();
-          write_signal_file(head_of(rows), SomeRows(rows, simulated), elsewhere / kept_name);
+          write_signal_file(head_of(rows), rows.of(simulated), elsewhere / kept_name);
         });
       if (!folder && !has_checkpoint) throw;
       const std::string kept =
@@ -200,7 +176,7 @@ SimulationSummary simulate_to_file(const Scene& scene, const SimulationOptions& 
   const auto prepared = prepare(scene, options, false, control);
   SimulationSummary summary =
       run(*prepared, options, control,
-          [&](const StoredSignals& head, const auto& rows) { write_signal_file(head, rows, output); });
+          [&](const StoredSignals& head, const SignalRows& rows) { write_signal_file(head, rows, output); });
   summary.seconds = watch.seconds();
   if (summary.complete && !options.checkpoint.path.empty()) remove_checkpoint(options.checkpoint.path);
   return summary;

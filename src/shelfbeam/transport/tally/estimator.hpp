@@ -30,7 +30,7 @@ struct BatchValues {
     double direct = 0;        ///< the part of the signal without a bounce
   };
   struct LayerValue {
-    std::uint32_t layer = 0;  ///< index as in SignalRows::fill_layer
+    std::uint32_t layer = 0;  ///< index as in SignalRows::Source
     std::uint32_t entry = 0;
     double value = 0;
   };

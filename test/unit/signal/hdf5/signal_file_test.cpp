@@ -53,24 +53,18 @@ TEST(SignalFile, MayHaveNoFlags) {
 // The rows are streamed and fill several chunks: 2^18 of 300,000 columns each.
 TEST(SignalFile, WritesFlagsRowByRow) {
   const TempFolder folder;
-  class Rows : public SignalRows {
-   public:
-    void fill(Quantity, std::size_t, std::span<float> values) const override {
-      std::fill(values.begin(), values.end(), 1.0F);
-    }
-    bool has_flags() const override { return true; }
-    void fill_flags(std::size_t row, std::span<std::uint8_t> flags) const override {
-      std::fill(flags.begin(), flags.end(), std::uint8_t{0});
-      flags[flags.size() - 1 - row] = 1;
-    }
-    void fill_layer(std::size_t, Quantity, std::size_t, std::span<float>) const override {}
-    std::size_t bounce_layers() const override { return 0; }
-    std::size_t length_layers() const override { return 0; }
+  SignalRows rows;
+  rows.fill = [](const SignalRows::Source&, std::size_t, std::span<float> values) {
+    std::fill(values.begin(), values.end(), 1.0F);
+  };
+  rows.fill_flags = [](std::size_t row, std::span<std::uint8_t> flags) {
+    std::fill(flags.begin(), flags.end(), std::uint8_t{0});
+    flags[flags.size() - 1 - row] = 1;
   };
   StoredSignals head;
   head.labels.resize(7);
   head.transceivers.resize(300'000);
-  write_signal_file(head, Rows(), folder / "signal.h5");
+  write_signal_file(head, rows, folder / "signal.h5");
   const SignalMatrix read = read_signal_file(folder / "signal.h5");
   ASSERT_EQ(read.flags.size(), 7u * 300'000u);
   EXPECT_EQ(std::count(read.flags.begin(), read.flags.end(), 1), 7);
