@@ -5,13 +5,13 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 #include "shelfbeam/stats/robust_mean.hpp"
 
@@ -126,14 +126,13 @@ struct HalfWidth {
 /// errors shared by the pairs of a label, of a transceiver, or of both (Cameron, Gelbach, Miller 2011).
 HalfWidth interval_half_width(std::span<const ComparedPair> pairs, std::span<const std::size_t> fitted,
                               std::span<const double> influences, double effective_count, double confidence) {
-  std::vector<std::uint32_t> alone(fitted.size()), labels, transceivers;
-  std::iota(alone.begin(), alone.end(), 0U);
+  std::vector<std::uint32_t> labels, transceivers;
   for (const std::size_t k : fitted) {
     labels.push_back(pairs[k].label);
     transceivers.push_back(pairs[k].transceiver.value_or(0));
   }
   HalfWidth widest;
-  const GroupedError plain = grouped_error(influences, alone);
+  const GroupedError plain = grouped_error(influences, all_numbers(fitted.size()));
   // Unequal weights reduce the effective number of pairs.
   const auto n = static_cast<double>(fitted.size());
   const double count = std::max(effective_count, 1.5);

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam::detail {
 
@@ -16,10 +17,7 @@ std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, std::span<
     const std::size_t i = e / matrix.columns();
     degree[i] += std::min(1.0, static_cast<double>(first[e]) / matrix.labels[i].requirement);
   }
-  std::vector<std::uint32_t> order(degree.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return degree[a] < degree[b]; });
+  std::vector<std::uint32_t> order = ordered_by(degree.size(), [&](std::uint32_t i) { return degree[i]; });
   order.resize(std::min(order.size(), std::max<std::size_t>(1, max_count)));
   std::sort(order.begin(), order.end());
   return order;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/reuse/bright_spots.hpp"
 #include "shelfbeam/transport/reuse/residual.hpp"
@@ -27,12 +27,6 @@ constexpr std::size_t largest_cluster = 96;
 constexpr ReuseEffort effort_of_states{.lookups = 48, .points = 1, .gather_rays = 12, .later_gather_rays = 8};
 // The cache keeps irradiances above this share of the smallest requirement.
 constexpr double min_share = 0.005;
-
-std::vector<std::uint32_t> all_numbers(std::size_t count) {
-  std::vector<std::uint32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  return numbers;
-}
 
 double smallest_requirement(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity();

@@ -1,9 +1,8 @@
 #include "shelfbeam/transport/run/prepared_scene.hpp"
 
-#include <numeric>
-
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/transport/run/make_estimator.hpp"
 
 namespace shelfbeam {
@@ -23,19 +22,13 @@ std::unique_ptr<Estimator> estimator_that_fits(const World& world, const Simulat
   return estimator;
 }
 
-std::vector<std::uint32_t> all_labels(const Scene& scene) {
-  std::vector<std::uint32_t> labels(scene.labels.size());
-  std::iota(labels.begin(), labels.end(), 0U);
-  return labels;
-}
-
 }  // namespace
 
 PreparedScene::PreparedScene(const Scene& scene, const SimulationOptions& options, bool keeps_matrix,
                              const RunControl& control)
     : world_(that_fits(scene, options, keeps_matrix)),
       estimator_(estimator_that_fits(world_, options, keeps_matrix, control)),
-      labels_(options.part.is_whole() ? all_labels(scene) : rows_of(*estimator_)),
+      labels_(options.part.is_whole() ? all_numbers(scene.labels.size()) : rows_of(*estimator_)),
       direct_(world_, options.rules(), labels_, control) {
   if (!direct_.is_complete()) throw Interrupted("the simulation was stopped");
 }
@@ -44,7 +37,7 @@ PreparedScene::PreparedScene(const Scene& state, const PreparedScene& first, con
                              const RunControl& control)
     : world_(state),
       estimator_(first.estimator_->for_state(world_, options.seed)),
-      labels_(all_labels(state)),
+      labels_(all_numbers(state.labels.size())),
       direct_(world_, options.rules(), labels_, control) {
   if (!direct_.is_complete()) throw Interrupted("the simulation was stopped");
 }

@@ -1,10 +1,10 @@
 #include "shelfbeam/transport/run/sample_batches.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/transport/run/batch_driver.hpp"
 
 namespace shelfbeam {
@@ -40,9 +40,8 @@ void sample(const PreparedScene& prepared, const BatchRequest& request, BatchRun
       run.known.push_back(
           static_cast<float>(prepared.direct().straight(i, j) + prepared.direct().mirrored(i, j)));
   }
-  std::vector<std::uint32_t> items(estimator->items());
+  const std::vector<std::uint32_t> items = all_numbers(estimator->items());
   if (items.empty()) return;
-  std::iota(items.begin(), items.end(), 0U);
   detail::BatchDriver driver(prepared.world().scene, *estimator, control);
   const std::uint32_t at_once = detail::BatchDriver::at_once(items.size());
   const std::uint32_t end = request.first + request.batches;
@@ -72,8 +71,7 @@ BatchRun sample_batches(const PreparedScene& prepared, const BatchRequest& reque
 BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, std::uint32_t batches,
                         const std::function<void(const BatchRow&)>& take, const RunControl& control) {
   const auto prepared = prepare(scene, options, false, control);
-  std::vector<std::uint32_t> labels(scene.labels.size());
-  std::iota(labels.begin(), labels.end(), 0U);
+  const std::vector<std::uint32_t> labels = all_numbers(scene.labels.size());
   BatchRun run = sample_batches(*prepared, {labels, options.seed, batches}, take, control);
   run.rays += prepared->direct().rays();
   return run;

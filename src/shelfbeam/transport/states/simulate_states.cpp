@@ -14,6 +14,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/signal/parts/state_summary.hpp"
 #include "shelfbeam/stats/moments.hpp"
@@ -32,8 +33,7 @@ SignalLayer simulate_state(const Scene& scene, const PreparedScene& first, const
                            std::uint32_t batches, const RunControl& control) {
   const PreparedScene prepared(scene, first, options, control);
   const std::size_t m = scene.labels.size(), n = scene.transceivers.size();
-  std::vector<std::uint32_t> labels(m);
-  std::iota(labels.begin(), labels.end(), 0U);
+  const std::vector<std::uint32_t> labels = all_numbers(m);
   std::vector<PowerSums> sums(m * n);
   const BatchRun run = sample_batches(
       prepared, {labels, options.seed, batches},

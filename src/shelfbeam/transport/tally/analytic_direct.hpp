@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/transport/world/path_rules.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 
@@ -24,7 +24,7 @@ class AnalyticDirect {
                  const RunControl& control);
   /// Those of all labels.
   AnalyticDirect(const World& world, const PathRules& rules, const RunControl& control)
-      : AnalyticDirect(world, rules, every_label(world), control) {}
+      : AnalyticDirect(world, rules, all_numbers(world.receivers.size()), control) {}
 
   double straight(std::size_t i, std::size_t j) const { return at(straight_, i, j); }
   double mirrored(std::size_t i, std::size_t j) const { return at(mirrored_, i, j); }
@@ -36,11 +36,6 @@ class AnalyticDirect {
     return values.empty() ? 0 : static_cast<double>(values[i * columns_ + j]);
   }
 
-  static std::vector<std::uint32_t> every_label(const World& world) {
-    std::vector<std::uint32_t> labels(world.receivers.size());
-    std::iota(labels.begin(), labels.end(), 0U);
-    return labels;
-  }
   std::uint64_t fill_row(const World& world, std::size_t i);
 
   std::size_t columns_;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/transport/uniform/walks.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
@@ -32,8 +32,7 @@ UniformEstimator::UniformEstimator(const World& world, const PathRules& rules, s
   for (const EmittingSurface& surface : world.scene.emitting_surfaces)
     source_keys_.push_back(hash64(surface.id));
 
-  std::vector<std::uint32_t> all(width_);
-  std::iota(all.begin(), all.end(), 0U);
+  const std::vector<std::uint32_t> all = all_numbers(width_);
   const std::size_t count = by_source_ ? world.emitters.size() : world.receivers.size();
   blocks_.reserve(count);
   for (std::uint32_t item = 0; item < count; ++item)

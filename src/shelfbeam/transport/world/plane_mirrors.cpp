@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
+
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam {
 
@@ -59,12 +60,8 @@ PlaneMirrors::PlaneMirrors(const Scene& scene) : scene_(scene), left_out_(scene.
     group_of[t] = found->second;
   }
 
-  std::vector<std::uint32_t> order(groups.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return groups[a].area > groups[b].area; });
   std::vector<std::uint32_t> kept(groups.size(), std::numeric_limits<std::uint32_t>::max());
-  for (const std::uint32_t g : order) {
+  for (const std::uint32_t g : ordered_by(groups.size(), [&](std::uint32_t g) { return -groups[g].area; })) {
     if (mirrors_.size() == max_mirrors || groups[g].area < min_area) break;
     kept[g] = static_cast<std::uint32_t>(mirrors_.size());
     Mirror mirror = groups[g];
