@@ -100,8 +100,18 @@ const std::string& JsonCursor::file() const {
   return document_->name;
 }
 
-void JsonCursor::fail(const std::string& problem, const std::string& suggestion) const {
-  throw InputError(where(), problem, suggestion);
+void JsonCursor::fail(const std::string& problem, const std::string& suggestion, FindingCode code,
+                      FindingValues values) const {
+  throw JsonError(where(), path_, problem, suggestion, code, std::move(values));
+}
+
+void JsonCursor::fail_kind(const char* expected) const {
+  fail("is " + kind(as_node(node_)), fmt::format("{} is expected", expected), FindingCode::wrong_kind);
+}
+
+void JsonCursor::fail_limits(const std::string& problem, double value, double low, double high,
+                             const std::string& suggestion) const {
+  fail(problem, suggestion, FindingCode::outside_limits, {{"value", value}, {"least", low}, {"most", high}});
 }
 
 bool JsonCursor::is_object() const {
@@ -122,16 +132,25 @@ bool JsonCursor::is_number() const {
 }
 
 void JsonCursor::expect_keys(std::span<const std::string_view> known) const {
-  if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
-  for (const auto& [key, value] : as_node(node_).items()) {
+  for (const JsonError& error : unknown_keys(known)) throw error;
+}
+
+std::vector<JsonError> JsonCursor::unknown_keys(std::span<const std::string_view> known) const {
+  if (!is_object()) fail_kind("an object { ... }");
+  std::vector<JsonError> errors;
+  for (const auto& [key, value] : as_node(node_).items())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw InputError(where(member_path(path_, key)), fmt::format("has the unknown key {}", in_quotes(key)),
-                       suggest(key, known));
-  }
+      errors.push_back({where(member_path(path_, key)),
+                        path_,
+                        fmt::format("has the unknown key {}", in_quotes(key)),
+                        suggest(key, known),
+                        FindingCode::unknown_key,
+                        {{"name", key}}});
+  return errors;
 }
 
 std::optional<JsonCursor> JsonCursor::find(std::string_view key) const {
-  if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
+  if (!is_object()) fail_kind("an object { ... }");
   const auto found = as_node(node_).find(std::string(key));
   if (found == as_node(node_).end()) return std::nullopt;
   return member(key, &*found);
@@ -146,11 +165,12 @@ JsonCursor JsonCursor::member(std::string_view key, const void* node) const {
 
 JsonCursor JsonCursor::operator[](std::string_view key) const {
   if (auto found = find(key)) return *found;
-  fail(fmt::format("is missing the key '{}'", key), "add it");
+  fail(fmt::format("is missing the key '{}'", key), "add it", FindingCode::missing_key,
+       {{"name", std::string(key)}});
 }
 
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
-  if (!is_object()) fail("is " + kind(as_node(node_)), "an object { ... } is expected");
+  if (!is_object()) fail_kind("an object { ... }");
   std::vector<std::pair<std::string, JsonCursor>> result;
   for (const auto& [key, value] : as_node(node_).items()) result.emplace_back(key, member(key, &value));
   return result;
@@ -163,7 +183,7 @@ std::vector<JsonCursor> JsonCursor::elements() const {
 }
 
 std::size_t JsonCursor::size() const {
-  if (!is_array()) fail("is " + kind(as_node(node_)), "an array [ ... ] is expected");
+  if (!is_array()) fail_kind("an array [ ... ]");
   return as_node(node_).size();
 }
 
@@ -172,7 +192,7 @@ JsonCursor JsonCursor::element(std::size_t index) const {
 }
 
 double JsonCursor::number() const {
-  if (!is_number()) fail("is " + kind(as_node(node_)), "a number is expected");
+  if (!is_number()) fail_kind("a number");
   const auto value = as_node(node_).get<double>();
   if (!std::isfinite(value)) fail("is not finite", "a finite number is expected");
   return value;
@@ -181,7 +201,7 @@ double JsonCursor::number() const {
 double JsonCursor::number(double low, double high) const {
   const double value = number();
   if (value < low || value > high)
-    fail(fmt::format("is {}, which is outside {} to {}", value, low, high), "use a value in that range");
+    fail_limits(fmt::format("is {}, which is outside {} to {}", value, low, high), value, low, high);
   return value;
 }
 
@@ -192,8 +212,8 @@ double JsonCursor::metres() const {
 double JsonCursor::metres(double low, double high) const {
   const double value = metres();
   if (!(value >= low && value <= high))
-    fail(fmt::format("is {}, which is outside {} to {} m", length_text(), low, high),
-         "use a value in that range");
+    fail_limits(fmt::format("is {}, which is outside {} to {} m", length_text(), low, high), value, low,
+                high);
   return value;
 }
 
@@ -203,13 +223,13 @@ std::string JsonCursor::length_text() const {
 
 double JsonCursor::positive() const {
   const double value = number();
-  if (value <= 0) fail(fmt::format("is {}", value), "it must be greater than 0");
+  if (value <= 0) fail_limits(fmt::format("is {}", value), value, 0, HUGE_VAL, "it must be greater than 0");
   return value;
 }
 
 double JsonCursor::non_negative() const {
   const double value = number();
-  if (value < 0) fail(fmt::format("is {}", value), "it must not be negative");
+  if (value < 0) fail_limits(fmt::format("is {}", value), value, 0, HUGE_VAL, "it must not be negative");
   return value;
 }
 
@@ -220,12 +240,12 @@ std::int64_t JsonCursor::integer(std::int64_t low, std::int64_t high) const {
 }
 
 bool JsonCursor::boolean() const {
-  if (!as_node(node_).is_boolean()) fail("is " + kind(as_node(node_)), "true or false is expected");
+  if (!as_node(node_).is_boolean()) fail_kind("true or false");
   return as_node(node_).get<bool>();
 }
 
 std::string JsonCursor::text() const {
-  if (!is_string()) fail("is " + kind(as_node(node_)), "a string is expected");
+  if (!is_string()) fail_kind("a string");
   return as_node(node_).get<std::string>();
 }
 
@@ -245,7 +265,8 @@ std::vector<double> JsonCursor::numbers(std::size_t count) const {
 std::string JsonCursor::one_of(std::span<const std::string_view> known) const {
   std::string word = text();
   if (std::find(known.begin(), known.end(), word) == known.end())
-    fail(fmt::format("has the unknown value {}", in_quotes(word)), suggest(word, known));
+    fail(fmt::format("has the unknown value {}", in_quotes(word)), suggest(word, known),
+         FindingCode::unknown_name, {{"name", word}});
   return word;
 }
 

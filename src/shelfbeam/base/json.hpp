@@ -15,10 +15,32 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/finding/finding.hpp"
 #include "shelfbeam/base/length_unit.hpp"
 #include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
+
+/// An error at a position of a JSON document.
+class JsonError : public InputError {
+ public:
+  JsonError(const std::string& where, std::string path, const std::string& problem,
+            const std::string& suggestion, FindingCode code, FindingValues values)
+      : InputError(where, problem, suggestion),
+        path_(std::move(path)),
+        code_(code),
+        values_(std::move(values)) {}
+
+  const std::string& path() const { return path_; }
+  FindingCode code() const { return code_; }
+  const FindingValues& values() const { return values_; }
+
+ private:
+  std::string path_;
+  FindingCode code_;
+  FindingValues values_;
+};
 
 /// A position in a JSON document that is read strictly. Every access states the expected type and range; any
 /// other value throws InputError with the file and the JSON path ("store.json: fixtures[3].labels.spacing").
@@ -49,7 +71,11 @@ class JsonCursor {
   std::string where() const;
   /// The name of the file.
   const std::string& file() const;
-  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion = {}) const;
+  /// Throws JsonError.
+  [[noreturn]] void fail(const std::string& problem, const std::string& suggestion = {},
+                         FindingCode code = FindingCode::invalid, FindingValues values = {}) const;
+  [[noreturn]] void fail_limits(const std::string& problem, double value, double low, double high,
+                                const std::string& suggestion = "use a value in that range") const;
 
   bool is_object() const;
   bool is_array() const;
@@ -62,6 +88,8 @@ class JsonCursor {
     expect_keys(std::span{known.begin(), known.size()});
   }
   void expect_keys(std::span<const std::string_view> known) const;
+  /// The errors that `expect_keys` throws for keys.
+  std::vector<JsonError> unknown_keys(std::span<const std::string_view> known) const;
   JsonCursor operator[](std::string_view key) const;                ///< throws when the key is missing
   std::optional<JsonCursor> find(std::string_view key) const;       ///< nothing when the key is missing
   std::vector<std::pair<std::string, JsonCursor>> members() const;  ///< in the order of the file
@@ -102,6 +130,7 @@ class JsonCursor {
   /// "file: path", with the note of the origin of `part`.
   std::string where(const std::string& part) const;
   std::string one_of(std::span<const std::string_view> known) const;
+  [[noreturn]] void fail_kind(const char* expected) const;
   JsonCursor(std::shared_ptr<const Document> document, const void* node, std::string path, LengthUnit unit);
 
   std::shared_ptr<const Document> document_;

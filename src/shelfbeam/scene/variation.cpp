@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/fields/fields.hpp"
 #include "shelfbeam/base/json.hpp"
 
 namespace shelfbeam {
@@ -17,6 +18,13 @@ Range read_share_range(const JsonCursor& json) {
   const Range range{ends.element(0).number(0, 1), ends.element(1).number(0, 1)};
   if (range.high < range.low) ends.fail("has its second number below its first", "swap them");
   return range;
+}
+
+bool describe_share_range(Fields& f, std::string_view key, Range& range, const Field& field) {
+  return f.custom(key,
+                  {[&](const JsonCursor& json) { range = read_share_range(json); },
+                   [&] { return resolved(range); }, R"({"$ref": "#/$defs/share_range"})"},
+                  field);
 }
 
 nlohmann::ordered_json resolved(const Range& range) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -20,11 +21,14 @@ struct Range {
   double at(double share) const { return low + share * (high - low); }
 };
 
+class Fields;
 class JsonCursor;
+struct Field;
 
 /// A share from 0 to 1: a number, or { "uniform": [low, high] }. Throws InputError.
 Range read_share_range(const JsonCursor& json);
 nlohmann::ordered_json resolved(const Range& range);
+bool describe_share_range(Fields& f, std::string_view key, Range& range, const Field& field);
 
 /// Distributions of the number of boxes.
 struct PoissonNumber {

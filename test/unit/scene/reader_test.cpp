@@ -211,11 +211,11 @@ TEST_F(StoreCsv, IdsThatASpreadsheetHasChangedAreNamed) {
 TEST_F(StoreCsv, ErrorsNameFileAndLine) {
   folder.write("lists/units.csv", units);
   const std::string file = (folder / "labels.csv").string();
-  struct Case {
+  struct CsvCase {
     std::string text, where, what;
   };
   const std::string head = "id,x,y,z,nx,ny,nz,type\n";
-  const std::vector<Case> cases = {
+  const std::vector<CsvCase> cases = {
       {"", "", "id,x,y,z,nx,ny,nz,type"},
       {"L1,5,2,1,0,0,2,large\n", ": line 1", "header"},
       {head + "L1,5,2,1,0,0,2\n", ": line 2", "7 fields"},

@@ -109,7 +109,7 @@ TEST(Units, ErrorsGiveTheValueAsWritten) {
   refuses("/fixtures/0/depth", 99, "is 99 mm, below 0.1 m");
   refuses("/fixtures/1/length", 299, "is 299 mm, below 0.3 m");
   refuses("/fixtures/0/shelves/2", 1800, "is at 1800 mm, not below the height 1800 mm");
-  refuses("/fixtures/0/shelves/0", 49, "is at 49 mm; boards must be at 0.05 m or higher");
+  refuses("/fixtures/0/shelves/0", 49, "is 49 mm, below 0.05 m; boards must be at 0.05 m or higher");
   refuses("/label_types/deep/threshold/at_m", 1001, "at_m: is 1001 m, which is outside 0.001 to 1000 m");
   Json json = sample_store();
   json["units"] = "km";

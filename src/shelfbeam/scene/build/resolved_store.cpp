@@ -6,7 +6,7 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
-#include "shelfbeam/scene/fixture/fixture_builder.hpp"
+#include "shelfbeam/scene/field_writer.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
@@ -126,12 +126,8 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   std::string text = json.dump(1);
   text.resize(text.size() - 2);  // without "\n}"
   text += ",\n \"fixtures\": ";
-  append_list(text, 1, store.fixtures, store.cancel, [&](const auto& listed) {
-    Json object;
-    FixtureWriter writer{object, store.materials};
-    write(listed.value, writer);
-    return object;
-  });
+  append_list(text, 1, store.fixtures, store.cancel,
+              [&](const auto& listed) { return resolved(listed.value, store.materials); });
   text += ",\n \"labels\": ";
   append_list(text, 1, scene.labels, store.cancel, [&](const Label& label) {
     Json one{{"id", label.id},

@@ -27,6 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view number_place = "{n}";  // in ids of copies
+const std::string fixture_part = "fixture ";      // for Problems::mark
 
 // A straight line in plan to place a fixture against, with the direction away from it.
 struct Edge {
@@ -37,100 +38,102 @@ struct Edge {
   Vec2 direction() const { return {(to[0] - from[0]) / length(), (to[1] - from[1]) / length()}; }
 };
 
-// The sides of a rectangle in plan.
-struct Footing {
-  Vec2 at{};
-  double rotation_deg = 0, length = 0, depth = 0;
-
-  Vec2 point(double along, double across) const {
-    const auto [x, y] = turned({along, across}, rotation_deg);
-    return {at[0] + x, at[1] + y};
+Edge side_of(const Footing& footing, Face face) {
+  const double length = footing.length, depth = footing.depth;
+  const auto point = [&](double along, double across) -> Vec2 {
+    const auto [x, y] = turned({along, across}, footing.rotation_deg);
+    return {footing.at[0] + x, footing.at[1] + y};
+  };
+  const auto edge = [&](const Vec2& from, const Vec2& to, double along, double across) {
+    const Vec2 origin = point(0, 0), tip = point(along, across);
+    return Edge{from, to, {tip[0] - origin[0], tip[1] - origin[1]}};
+  };
+  switch (face) {
+    case Face::front:
+      return edge(point(length, 0), point(0, 0), 0, -1);
+    case Face::back:
+      return edge(point(0, depth), point(length, depth), 0, 1);
+    case Face::left:
+      return edge(point(0, 0), point(0, depth), -1, 0);
+    case Face::right:
+      return edge(point(length, depth), point(length, 0), 1, 0);
   }
-  Edge side(Face face) const {
-    const Vec2 origin = point(0, 0);
-    const auto edge = [&](const Vec2& from, const Vec2& to, double along, double across) {
-      const Vec2 tip = point(along, across);
-      return Edge{from, to, {tip[0] - origin[0], tip[1] - origin[1]}};
-    };
-    switch (face) {
-      case Face::front:
-        return edge(point(length, 0), point(0, 0), 0, -1);
-      case Face::back:
-        return edge(point(0, depth), point(length, depth), 0, 1);
-      case Face::left:
-        return edge(point(0, 0), point(0, depth), -1, 0);
-      case Face::right:
-        return edge(point(length, depth), point(length, 0), 1, 0);
-    }
-    return {};
-  }
-};
-
-std::optional<Footing> footing_of(const Fixture& fixture) {
-  if (const Shelving* one = shelving_of(fixture))
-    return Footing{one->at, one->rotation_deg, one->length, one->depth};
-  if (const auto* box = std::get_if<Box>(&fixture))
-    return Footing{
-        {box->min.x, box->min.y}, box->rotation_deg, box->max.x - box->min.x, box->max.y - box->min.y};
   return {};
 }
 
 // The direction in which a number as 'step' moves copies; nothing for fixtures without a length.
 std::optional<Vec2> length_direction(const Fixture& fixture) {
   if (const auto footing = footing_of(fixture)) return turned({1, 0}, footing->rotation_deg);
-  if (const auto* mesh = std::get_if<MeshFixture>(&fixture)) return turned({1, 0}, mesh->rotation_deg);
+  if (const auto frame = frame_of(fixture)) return turned({1, 0}, frame->rotation_deg);
   return {};
 }
 
-// The frame of a fixture: its origin in the store and its rotation.
-struct Frame {
-  Vec3 at;
-  double rotation_deg = 0;
-
-  Vec3 in_store(const Vec3& local) const {
-    const auto [x, y] = turned({local.x, local.y}, rotation_deg);
-    return {x, y, local.z};
-  }
-};
-
-std::optional<Frame> frame_of(const Fixture& fixture) {
-  if (const auto* mesh = std::get_if<MeshFixture>(&fixture)) return Frame{mesh->at, mesh->rotation_deg};
-  const auto* box = std::get_if<Box>(&fixture);
-  if (box != nullptr && box->size) return Frame{box->min, box->rotation_deg};
-  return {};
+Vec3 in_store(const Vec3& local, double rotation_deg) {
+  const auto [x, y] = turned({local.x, local.y}, rotation_deg);
+  return {x, y, local.z};
 }
 
 class FixtureList {
  public:
-  FixtureList(const StoreNames& names, const StoreFolder& folder, Presets& presets, Store& store)
-      : names_(names), folder_(folder), presets_(presets), store_(store), memory_(folder.memory()) {}
+  FixtureList(const StoreNames& names, const StoreFolder& folder, Presets& presets, Store& store,
+              Problems& problems)
+      : names_(names),
+        folder_(folder),
+        presets_(presets),
+        store_(store),
+        problems_(problems),
+        memory_(folder.memory()) {}
 
   void read(const JsonCursor& given) {
     expect_running(store_.cancel);
-    JsonCursor json = presets_.complete(given);
-    expect_fixture_keys(json);
+    const std::size_t failures = problems_.failures();
+    problems_.collect([&] { read_whole(presets_.complete(given)); });
+    // References to it are no further problems.
+    if (const auto id = given.is_object() ? given.find("id") : std::nullopt;
+        id && id->is_string() && problems_.failures() > failures)
+      problems_.mark(fixture_part + id->text());
+  }
+
+ private:
+  void read_whole(JsonCursor json) {
+    const std::size_t failures = problems_.failures();
+    const std::string type = json["type"].text();
     const auto repeat = json.find("repeat");
     const auto labels = json.find("labels");
     const auto against = json.find("against");
     const bool has_places = labels && labels->is_array();
-    if (const std::string type = json["type"].text();
-        labels && !has_places && type != Gondola::type_name && type != Freezer::type_name)
-      labels->fail("is not a list", fmt::format("list the labels of a {} with their positions", type));
+    const Fixture* empty = fixture_type(type);
+    if (labels && !has_places && empty != nullptr && !label_edges(*empty))
+      problems_.collect([&] {
+        labels->fail("is not a list", fmt::format("list the labels of a {} with their positions", type));
+      });
     Json value = json.value();
     value.erase("repeat");
-    if (has_places) value.erase("labels");
+    if (has_places || failures != problems_.failures()) value.erase("labels");
     std::optional<Edge> edge;
     if (against) {
-      edge = place(json, *against, value);
+      if (!problems_.collect([&] { edge = place(json, *against, value); })) {
+        value["at"] = json.find("size") ? Json{0, 0, 0} : Json{0, 0};
+        value.erase("rotation_deg");
+      }
       value.erase("against");
     }
-    if (repeat || has_places || against) json = json.replaced(std::move(value));
-    const Fixture fixture = read_fixture(json, {names_, folder_});
+    if (repeat || has_places || against || failures != problems_.failures())
+      json = json.replaced(std::move(value));
+    const Fixture fixture = read_fixture(json, names_, folder_, problems_);
     std::optional<Repeat> copies;
     if (repeat) {
       const bool is_by_wall = against && against->find("wall");
-      const auto forwards = is_by_wall ? edge->direction() : length_direction(fixture);
-      copies = read_repeat(*repeat, forwards, json["type"].text());
+      problems_.collect([&] {
+        const auto forwards = is_by_wall && edge ? edge->direction() : length_direction(fixture);
+        copies = read_repeat(*repeat, forwards, json["type"].text());
+      });
+    }
+    if (failures != problems_.failures()) {
+      if (has_places)
+        for (const JsonCursor& label : labels->elements())
+          problems_.collect([&] { read_label(label, names_); });
+      return;
     }
     expect_few_labels(labels, fixture, copies ? copies->count() : 1);
     const std::size_t first = store_.fixtures.size();
@@ -147,7 +150,6 @@ class FixtureList {
         add_labels(*labels, store_.fixtures[k].value, copies.has_value());
   }
 
- private:
   struct Row {
     std::int64_t count = 1;
     Vec2 step{};  ///< m
@@ -188,8 +190,7 @@ class FixtureList {
   static double label_count(const Fixture& fixture) {
     const Shelving* shelves = shelving_of(fixture);
     if (shelves == nullptr || !shelves->labels) return 0;
-    const auto* gondola = std::get_if<Gondola>(&fixture);
-    const auto levels = static_cast<double>(gondola != nullptr ? gondola->shelves.size() : 1);
+    const auto levels = static_cast<double>(label_edges(fixture)->heights.size());
     double count = 0;
     for (const Face face : shelves->labels->faces)
       count += levels * static_cast<double>(shelves->labels->along(edge_length(*shelves, face)).size());
@@ -274,17 +275,17 @@ class FixtureList {
   void add_labels(const JsonCursor& labels, const Fixture& fixture, bool is_copy) {
     const auto frame = frame_of(fixture);
     if (!frame)
-      labels.fail("lists labels of a fixture that is neither a mesh nor a box with 'at'",
-                  "list them in 'labels' of the store, with their positions in the store");
-    if (const auto* mesh = std::get_if<MeshFixture>(&fixture); mesh != nullptr && mesh->is_moved)
-      labels.fail("lists labels of a mesh in map coordinates",
-                  "list them in 'labels' of the store, with their positions in the store");
+      labels.fail(
+          "lists labels of a fixture that is neither a box with 'at' nor a mesh, or of a mesh in map "
+          "coordinates",
+          "list them in 'labels' of the store, with their positions in the store");
     for (const JsonCursor& json : labels.elements()) {
       expect_running(store_.cancel);
-      Label label = read_label(json, names_);
+      Label label;
+      if (!problems_.collect([&] { label = read_label(json, names_); })) continue;
       label.id = fmt::format("{}-{}", id_of(fixture), label.id);
-      label.position = frame->at + frame->in_store(label.position);
-      label.normal = frame->in_store(label.normal);
+      label.position = frame->at + in_store(label.position, frame->rotation_deg);
+      label.normal = in_store(label.normal, frame->rotation_deg);
       const std::string where = is_copy ? copy_of(json, id_of(fixture)) : json.where();
       store_.labels.push_back({std::move(label), where});
     }
@@ -302,10 +303,10 @@ class FixtureList {
     against.expect_keys(by_wall ? std::initializer_list<std::string_view>{"wall", "from", "gap"}
                                 : std::initializer_list<std::string_view>{"fixture", "side", "shift", "gap"});
     const std::string type = json["type"].text();
-    if ((type == Box::type_name && !json.find("size")) ||
-        (type != Box::type_name && type != Gondola::type_name && type != Freezer::type_name))
+    const Fixture* empty = fixture_type(type);
+    if (!json.find("size") && (empty == nullptr || shelving_of(*empty) == nullptr))
       against.fail(
-          fmt::format("does not apply to a {}", type == Box::type_name ? "box with 'min' and 'max'" : type),
+          fmt::format("does not apply to a {}{}", type, json.find("min") ? " with 'min' and 'max'" : ""),
           "use it for gondolas, freezers and boxes with 'size'");
     const Edge edge = by_wall ? wall_edge(against["wall"]) : side_of(against);
     const auto gap_found = against.find("gap");
@@ -324,7 +325,7 @@ class FixtureList {
                       edge.from[1] + start * y + (gap + depth) * edge.outward[1]};
     const double factor = to_metres(1, json.unit());
     value["at"] = {corner[0] / factor, corner[1] / factor};
-    if (value["type"] == "box") value["at"].push_back(0);
+    if (json.find("size")) value["at"].push_back(0);
     value["rotation_deg"] = rounded_degrees(std::atan2(edge.outward[0], -edge.outward[1]));
     return edge;
   }
@@ -355,6 +356,7 @@ class FixtureList {
   }
 
   Edge wall_edge(const JsonCursor& json) const {
+    problems_.expect_complete("room");
     if (!store_.room) json.fail("names a wall, but the store has no room", "add a room");
     const RoomShape& shape = store_.room->shape;
     const auto last = static_cast<std::int64_t>(shape.outline.size()) - 1;
@@ -366,18 +368,20 @@ class FixtureList {
     const JsonCursor name = against["fixture"];
     const std::string id = name.text();
     const auto found = index_.find(id);
+    if (found == index_.end()) problems_.expect_complete(fixture_part + id);
     if (found == index_.end())
       name.fail(fmt::format("names the fixture {}, which is not listed before", in_quotes(id)),
                 "list it before, or correct the id");
     const auto footing = footing_of(store_.fixtures[found->second].value);
     if (!footing) name.fail("names a fixture without sides", "use a gondola, a freezer or a box");
-    return footing->side(against["side"].choice<Face>());
+    return shelfbeam::side_of(*footing, against["side"].choice<Face>());
   }
 
   const StoreNames& names_;
   const StoreFolder& folder_;
   Presets& presets_;
   Store& store_;
+  Problems& problems_;
   SceneMemory memory_;
   std::unordered_map<std::string, std::size_t> index_;
 };
@@ -385,8 +389,8 @@ class FixtureList {
 }  // namespace
 
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
-                   Presets& presets, Store& store) {
-  FixtureList list(names, folder, presets, store);
+                   Presets& presets, Store& store, Problems& problems) {
+  FixtureList list(names, folder, presets, store, problems);
   for (const JsonCursor& cursor : section.elements()) list.read(cursor);
 }
 

@@ -117,17 +117,6 @@ class Planogram {
     return columns;
   }
 
-  static std::vector<Face> faces_of(const Fixture& fixture) {
-    if (const auto* gondola = std::get_if<Gondola>(&fixture)) return gondola->faces;
-    return {Face::front, Face::back, Face::left, Face::right};
-  }
-
-  // The heights of the edges, from the lowest.
-  static std::vector<double> levels_of(const Fixture& fixture) {
-    if (const auto* gondola = std::get_if<Gondola>(&fixture)) return gondola->shelves;
-    return {shelving_of(fixture)->height - Shelving::label_below_rim};
-  }
-
   LabelTypeId read_type(const CsvReader& csv, const Columns& at) const {
     if (!at.type) return labels_.type;
     const std::string name(csv.text(*at.type));
@@ -146,9 +135,8 @@ class Planogram {
     place.type = read_type(csv, at);
     const Fixture& fixture = store_.fixtures[place.fixture].value;
     const Shelving* shelves = shelving_of(fixture);
-    const std::vector<double> levels = shelves != nullptr ? levels_of(fixture) : std::vector<double>();
+    const auto [faces, levels] = label_edges(fixture).value_or(LabelEdges{});
     if (levels.empty()) csv.fail(at.fixture, "names a fixture without boards", "use a gondola or a freezer");
-    const std::vector<Face> faces = faces_of(fixture);
     const auto face = from_text<Face>(lower_case(csv.text(at.face)));
     if (!face || std::find(faces.begin(), faces.end(), *face) == faces.end()) {
       std::vector<std::string_view> known;
@@ -202,7 +190,7 @@ class Planogram {
   Label label_at(const Place& place, double along) const {
     const Fixture& fixture = store_.fixtures[place.fixture].value;
     const Shelving& one = *shelving_of(fixture);
-    const double z = levels_of(fixture)[static_cast<std::size_t>(place.level) - 1];
+    const double z = label_edges(fixture)->heights[static_cast<std::size_t>(place.level) - 1];
     const auto& [position, normal] = edge_place(one, place.face, along, labels_.hook, z, labels_.tilt_deg);
     const Vec2 from_origin = turned({position.x, position.y}, one.rotation_deg),
                direction = turned({normal.x, normal.y}, one.rotation_deg);

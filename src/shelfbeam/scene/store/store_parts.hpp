@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/device/emission.hpp"
 #include "shelfbeam/scene/store/presets.hpp"
@@ -18,7 +19,7 @@ void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder
 void read_label_types(const JsonCursor& section, Store& store);
 /// Completes presets, expands repeats, and places fixtures against walls and others. Requires the room.
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
-                   Presets& presets, Store& store);
+                   Presets& presets, Store& store, Problems& problems);
 /// Adds a label per row of a CSV with the columns `article`, `fixture`, `face`, `level`, and `x` or
 /// `position`, in any order and among others. Requires the fixtures.
 void read_planogram(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,

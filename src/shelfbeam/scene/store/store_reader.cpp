@@ -98,7 +98,10 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
 
   const StoreNames names(store);
   if (const auto room = root.find("room")) store.room = read_room(*room, names);
-  if (const auto fixtures = root.find("fixtures")) read_fixtures(*fixtures, names, folder, presets, store);
+  Problems problems(name);
+  if (const auto fixtures = root.find("fixtures"))
+    read_fixtures(*fixtures, names, folder, presets, store, problems);
+  problems.throw_first();
   if (const auto labels = root.find("labels")) read_labels(*labels, names, folder, store);
   if (const auto planogram = root.find("planogram")) read_planogram(*planogram, names, folder, store);
   read_transceivers(root["transceivers"], names, folder, store);

@@ -12,8 +12,8 @@
 
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
+#include "shelfbeam/scene/field_writer.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
-#include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 

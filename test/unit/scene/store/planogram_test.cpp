@@ -64,7 +64,7 @@ TEST(FixtureLabels, RefuseFaultsWithTheirPlace) {
             "labels.level_types: names level 3, but the fixture has 2"},
            {R"({"type": "small", "count": 2, "level_types": {"low": "large"}})",
             "labels.level_types.low: is not the number of a level"},
-           {R"({"type": "small", "count": 2, "on_top": true})", "labels.on_top: applies to freezers only"},
+           {R"({"type": "small", "count": 2, "on_top": true})", "labels: has the unknown key 'on_top'"},
            {R"({"type": "small", "count": 2, "level_types": {"1": "large", "01": "small"}})",
             "labels.level_types.01: "}})
     test::expect_input_error([&, &json = labels] { labels_of(json, shelf); }, std::string_view(message));

@@ -1,0 +1,269 @@
+#include "shelfbeam/scene/field_reader.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/read_values.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+class KeyList final : public Fields {
+ public:
+  std::vector<std::string_view> keys;
+
+  bool scalar(std::string_view key, Scalar, double&, const Field&) override { return add(key); }
+  bool array(std::string_view key, Scalar, std::span<double>, const Field&) override { return add(key); }
+  bool list(std::string_view key, Scalar, std::vector<double>&, const Field&) override { return add(key); }
+  bool polygon(std::string_view key, Polygon&, const Field&) override { return add(key); }
+  bool integer(std::string_view key, std::int64_t&, const Field&) override { return add(key); }
+  bool boolean(std::string_view key, bool&, const Field&) override { return add(key); }
+  bool text(std::string_view key, std::string&, const Field&) override { return add(key); }
+  bool choices(std::string_view key, std::vector<std::string_view>&, std::span<const std::string_view>, bool,
+               const Field&) override {
+    return add(key);
+  }
+  bool reference(std::string_view key, NameList, std::uint32_t&, const Field&) override { return add(key); }
+  bool references(std::string_view key, NameList, std::vector<std::pair<std::string, std::uint32_t>>&,
+                  const Field&) override {
+    return add(key);
+  }
+  bool object(std::string_view key, const Part&, const Field&) override { return add(key); }
+  bool objects(std::string_view key, std::size_t, const std::function<void(Fields&, std::size_t)>&,
+               const Field&) override {
+    return add(key);
+  }
+  bool custom(std::string_view key, const CustomValue&, const Field&) override { return add(key); }
+  void either(std::initializer_list<std::string_view>, bool, const Part& first, const Part& second) override {
+    first(*this);
+    second(*this);
+  }
+  void one_of(std::initializer_list<std::string_view>) override {}
+
+ private:
+  bool add(std::string_view key) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+    return false;
+  }
+};
+
+double read_number(const JsonCursor& json, Scalar kind, const Field& field) {
+  const auto within = [&](double low, double high) {
+    return json.number(std::max(low, field.least), std::min(high, field.most));
+  };
+  switch (kind) {
+    case Scalar::length:
+      return read_length(json);
+    case Scalar::distance:
+      return json.metres(0, 1e3);
+    case Scalar::coordinate:
+      return read_coordinate(json);
+    case Scalar::degrees:
+      return within(-360, 360);
+    case Scalar::share:
+      return within(0, 1);
+    case Scalar::quantity:
+      return read_quantity(json);
+    case Scalar::amount:
+      return read_amount(json);
+    case Scalar::number:
+      break;
+  }
+  return within(-HUGE_VAL, HUGE_VAL);
+}
+
+void expect_size(const JsonCursor& json, const Field& field) {
+  const std::size_t size = json.is_object() ? json.value().size() : json.size();
+  if (size < field.fewest || (field.longest > 0 && size > field.longest))
+    json.fail(size == 0 ? "is empty" : fmt::format("has {} members", size),
+              field.longest == 0  ? fmt::format("give at least {}", field.fewest)
+              : field.fewest == 0 ? fmt::format("at most {} are allowed", field.longest)
+                                  : fmt::format("give {} to {}", field.fewest, field.longest));
+}
+
+}  // namespace
+
+std::vector<std::string_view> keys_of(const Fields::Part& part) {
+  KeyList list;
+  part(list);
+  return list.keys;
+}
+
+double read_scalar(const JsonCursor& json, Scalar kind, const Field& field) {
+  const double value = read_number(json, kind, field);
+  if (value >= field.least && value <= field.most) return value;
+  const bool is_low = value < field.least;
+  const double limit = is_low ? field.least : field.most;
+  json.fail_limits(fmt::format("is {}, {} {} m", json.length_text(), is_low ? "below" : "above", limit),
+                   value, field.least, field.most,
+                   std::string(field.remedy.empty() ? "use another value" : field.remedy));
+}
+
+void FieldReader::expect_keys(std::span<const std::string_view> known) {
+  problems_.collect([&] {
+    for (const JsonError& error : json_.unknown_keys(known)) problems_.keep(error);
+  });
+}
+
+void FieldReader::rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check) {
+  for (const std::string_view key : keys)
+    if (std::find(failed_.begin(), failed_.end(), key) != failed_.end()) return;
+  problems_.collect(check);
+}
+
+template <class Read>
+bool FieldReader::read(std::string_view key, const Field& field, Read read_value) {
+  bool is_read = false;
+  const std::size_t failures = problems_.failures();
+  problems_.collect([&] {
+    const auto found = field.is_optional ? json_.find(key) : std::optional(json_[key]);
+    if (!found) return;
+    read_value(*found);
+    is_read = problems_.failures() == failures;
+  });
+  if (problems_.failures() != failures) failed_.push_back(key);
+  return is_read;
+}
+
+bool FieldReader::scalar(std::string_view key, Scalar kind, double& value, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) { value = read_scalar(json, kind, field); });
+}
+
+bool FieldReader::array(std::string_view key, Scalar kind, std::span<double> values, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) {
+    json.numbers(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k)
+      problems_.collect([&] { values[k] = read_scalar(json.element(k), kind, field); });
+  });
+}
+
+bool FieldReader::list(std::string_view key, Scalar kind, std::vector<double>& values, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) {
+    expect_size(json, field);
+    values.assign(json.size(), 0);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      problems_.collect([&] { values[k] = read_scalar(json.element(k), kind, field); });
+  });
+}
+
+bool FieldReader::polygon(std::string_view key, Polygon& corners, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) { corners = read_polygon(json); });
+}
+
+bool FieldReader::integer(std::string_view key, std::int64_t& value, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) {
+    value = json.integer(static_cast<std::int64_t>(field.least), static_cast<std::int64_t>(field.most));
+  });
+}
+
+bool FieldReader::boolean(std::string_view key, bool& value, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) { value = json.boolean(); });
+}
+
+bool FieldReader::text(std::string_view key, std::string& value, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) { value = json.text(); });
+}
+
+bool FieldReader::choices(std::string_view key, std::vector<std::string_view>& values,
+                          std::span<const std::string_view> known, bool single, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) {
+    std::vector<std::string_view> chosen;
+    const auto choose = [&](const JsonCursor& one) {
+      const std::string_view name = *std::find(known.begin(), known.end(), one.choice(known));
+      if (std::find(chosen.begin(), chosen.end(), name) != chosen.end())
+        one.fail("is a duplicate", "remove it");
+      chosen.push_back(name);
+    };
+    if (single) {
+      choose(json);
+    } else {
+      for (const JsonCursor& one : json.elements()) problems_.collect([&] { choose(one); });
+      if (json.size() == 0) json.fail("is empty", "name at least one, or remove the key");
+    }
+    values = std::move(chosen);
+  });
+}
+
+std::uint32_t FieldReader::index(NameList list, const JsonCursor& name) const {
+  switch (list) {
+    case NameList::material:
+      return names_.material(name).value;
+    case NameList::label_type:
+      return names_.label_type(name).value;
+    case NameList::transceiver_type:
+      return names_.transceiver_type(name).value;
+  }
+  return 0;
+}
+
+bool FieldReader::reference(std::string_view key, NameList list, std::uint32_t& value, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) { value = index(list, json); });
+}
+
+bool FieldReader::references(std::string_view key, NameList list,
+                             std::vector<std::pair<std::string, std::uint32_t>>& values, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) {
+    for (const auto& [name, value] : json.members())
+      problems_.collect([&, &name = name, &value = value] { values.emplace_back(name, index(list, value)); });
+  });
+}
+
+void FieldReader::expect_part(const JsonCursor& json, const Part& part) {
+  FieldReader reader(json, names_, problems_);
+  const std::size_t failures = problems_.failures();
+  reader.expect_keys(keys_of(part));
+  if (json.is_object()) part(reader);
+  if (failures != problems_.failures()) throw Consequence{};
+}
+
+bool FieldReader::object(std::string_view key, const Part& part, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) { expect_part(json, part); });
+}
+
+bool FieldReader::objects(std::string_view key, std::size_t,
+                          const std::function<void(Fields&, std::size_t)>& part, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) {
+    expect_size(json, field);
+    for (std::size_t k = 0; k < json.size(); ++k)
+      problems_.collect([&] { expect_part(json.element(k), [&](Fields& fields) { part(fields, k); }); });
+  });
+}
+
+bool FieldReader::custom(std::string_view key, const CustomValue& value, const Field& field) {
+  return read(key, field, [&](const JsonCursor& json) { value.read(json); });
+}
+
+void FieldReader::either(std::initializer_list<std::string_view> marks, bool, const Part& first,
+                         const Part& second) {
+  const bool is_first = std::any_of(marks.begin(), marks.end(), [&](auto key) { return is_given(key); });
+  const Part &chosen = is_first ? first : second, &other = is_first ? second : first;
+  const std::vector<std::string_view> own = keys_of(chosen);
+  for (const std::string_view key : keys_of(other))
+    if (const auto found = json_.find(key); found && std::find(own.begin(), own.end(), key) == own.end())
+      problems_.collect([&] {
+        if (is_first)
+          found->fail(fmt::format("has no effect beside '{}'", fmt::join(marks, "' and '")),
+                      "remove one of the two");
+        found->fail(fmt::format("has no effect without '{}'", fmt::join(marks, "' and '")),
+                    "remove it, or add them");
+      });
+  chosen(*this);
+}
+
+void FieldReader::one_of(std::initializer_list<std::string_view> keys) {
+  if (std::count_if(keys.begin(), keys.end(), [&](auto key) { return is_given(key); }) == 1) return;
+  problems_.collect([&] {
+    std::string list;
+    for (const std::string_view key : keys)
+      list += fmt::format("{}'{}'", list.empty() ? "" : key == *(keys.end() - 1) ? " and " : ", ", key);
+    json_.fail("must have one of " + list, "keep one of them");
+  });
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "shelfbeam/base/fields/fields.hpp"
+#include "shelfbeam/base/fields/problems.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/store_names.hpp"
+
+namespace shelfbeam {
+
+/// The keys of a struct, of both of its forms and without those of its parts.
+std::vector<std::string_view> keys_of(const Fields::Part& part);
+
+/// Reads a number of the kind.
+double read_scalar(const JsonCursor& json, Scalar kind, const Field& field = {});
+
+/// Reads the keys of a struct that an object of a store file has. It collects the problems of all keys; the
+/// value of a key with a problem remains. Keys that it does not know are left to `expect_keys`.
+class FieldReader final : public Fields {
+ public:
+  FieldReader(const JsonCursor& json, const StoreNames& names, Problems& problems)
+      : json_(json), names_(names), problems_(problems) {}
+
+  const JsonCursor& json() const { return json_; }
+  const StoreNames& names() const { return names_; }
+  Problems& problems() const { return problems_; }
+  void expect_keys(std::span<const std::string_view> known);
+  bool is_given(std::string_view key) const { return json_.find(key).has_value(); }
+  /// Collects the problem of a rule that ties keys together, unless one of them has a problem.
+  void rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check);
+
+  bool scalar(std::string_view key, Scalar kind, double& value, const Field& field) override;
+  bool array(std::string_view key, Scalar kind, std::span<double> values, const Field& field) override;
+  bool list(std::string_view key, Scalar kind, std::vector<double>& values, const Field& field) override;
+  bool polygon(std::string_view key, Polygon& corners, const Field& field) override;
+  bool integer(std::string_view key, std::int64_t& value, const Field& field) override;
+  bool boolean(std::string_view key, bool& value, const Field& field) override;
+  bool text(std::string_view key, std::string& value, const Field& field) override;
+  bool choices(std::string_view key, std::vector<std::string_view>& values,
+               std::span<const std::string_view> known, bool single, const Field& field) override;
+  bool reference(std::string_view key, NameList list, std::uint32_t& index, const Field& field) override;
+  bool references(std::string_view key, NameList list,
+                  std::vector<std::pair<std::string, std::uint32_t>>& values, const Field& field) override;
+  bool object(std::string_view key, const Part& part, const Field& field) override;
+  bool objects(std::string_view key, std::size_t count, const std::function<void(Fields&, std::size_t)>& part,
+               const Field& field) override;
+  bool custom(std::string_view key, const CustomValue& value, const Field& field) override;
+  void either(std::initializer_list<std::string_view> marks, bool is_first, const Part& first,
+              const Part& second) override;
+  void one_of(std::initializer_list<std::string_view> keys) override;
+
+ private:
+  template <class Read>
+  bool read(std::string_view key, const Field& field, Read read_value);
+  std::uint32_t index(NameList list, const JsonCursor& name) const;
+  void expect_part(const JsonCursor& json, const Part& part);
+
+  JsonCursor json_;
+  const StoreNames& names_;
+  Problems& problems_;
+  std::vector<std::string_view> failed_;
+};
+
+}  // namespace shelfbeam

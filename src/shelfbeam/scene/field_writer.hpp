@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/fields/fields.hpp"
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+inline nlohmann::ordered_json array_of(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// Writes the values of a struct to an object of the resolved store, from which FieldReader restores them to
+/// the bit.
+class FieldWriter final : public Fields {
+ public:
+  FieldWriter(nlohmann::ordered_json& json, const std::vector<NamedMaterial>& materials)
+      : json_(json), materials_(materials) {}
+
+  bool scalar(std::string_view key, Scalar, double& value, const Field& field) override {
+    return write(key, value, field);
+  }
+  bool array(std::string_view key, Scalar, std::span<double> values, const Field& field) override {
+    return write(key, std::vector(values.begin(), values.end()), field);
+  }
+  bool list(std::string_view key, Scalar, std::vector<double>& values, const Field& field) override {
+    return write(key, values, field);
+  }
+  bool polygon(std::string_view key, Polygon& corners, const Field& field) override {
+    return write(key, corners, field);
+  }
+  bool integer(std::string_view key, std::int64_t& value, const Field& field) override {
+    return write(key, value, field);
+  }
+  bool boolean(std::string_view key, bool& value, const Field& field) override {
+    return write(key, value, field);
+  }
+  bool text(std::string_view key, std::string& value, const Field& field) override {
+    return write(key, value, field);
+  }
+  bool choices(std::string_view key, std::vector<std::string_view>& values, std::span<const std::string_view>,
+               bool single, const Field& field) override {
+    return single ? write(key, values.front(), field) : write(key, values, field);
+  }
+  bool reference(std::string_view key, NameList, std::uint32_t& index, const Field& field) override {
+    return field.is_written && write(key, materials_[index].name, field);
+  }
+  bool references(std::string_view key, NameList, std::vector<std::pair<std::string, std::uint32_t>>& values,
+                  const Field& field) override;
+  bool object(std::string_view key, const Part& part, const Field& field) override;
+  bool objects(std::string_view key, std::size_t count, const std::function<void(Fields&, std::size_t)>& part,
+               const Field& field) override;
+  bool custom(std::string_view key, const CustomValue& value, const Field& field) override {
+    return field.is_written && write(key, value.write(), field);
+  }
+  void either(std::initializer_list<std::string_view>, bool is_first, const Part& first,
+              const Part& second) override {
+    (is_first ? first : second)(*this);
+  }
+  void one_of(std::initializer_list<std::string_view>) override {}
+
+ private:
+  template <class Value>
+  bool write(std::string_view key, const Value& value, const Field& field) {
+    if (field.is_written) json_[key] = value;
+    return false;
+  }
+
+  nlohmann::ordered_json& json_;
+  const std::vector<NamedMaterial>& materials_;
+};
+
+}  // namespace shelfbeam

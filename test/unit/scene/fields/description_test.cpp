@@ -1,0 +1,96 @@
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/scene/fixture/fixture.hpp"
+
+#include "unit/scene/fields/schema_fields.hpp"
+#include "unit/scene/fields/table_fields.hpp"
+
+// The schema and the tables of the documentation are written from the descriptions of the stored values.
+// SHELFBEAM_UPDATE_SNAPSHOTS=1 writes both files anew.
+
+namespace shelfbeam {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string schema_file = SHELFBEAM_SOURCE_DIR "/data/store.schema.json";
+const std::string pages = SHELFBEAM_SOURCE_DIR "/docs/formats/store/";
+
+void expect_file(const std::string& file, const std::string& text) {
+  if (std::getenv("SHELFBEAM_UPDATE_SNAPSHOTS") != nullptr) write_file(file, text);
+  EXPECT_EQ(text, read_file(file)) << "SHELFBEAM_UPDATE_SNAPSHOTS=1 writes the new text";
+}
+
+Fields::Part fields_of(Fixture fixture) {
+  return [fixture](Fields& fields) {
+    Fixture empty = fixture;
+    describe(empty, fields);
+  };
+}
+
+// With the keys of all fixtures.
+Json fixture_schema(const Fixture& type) {
+  Json schema = test::schema_of(fields_of(type));
+  const auto complete = [&](Json& form) {
+    Json properties{{"type", {{"const", type_name(type)}}}, {"id", {{"$ref", "#/$defs/name"}}}};
+    properties.update(form["properties"]);
+    properties["repeat"] = {{"$ref", "#/$defs/repeat"}};
+    form["properties"] = properties;
+    Json required{"type", "id"};
+    for (const Json& key : form["required"]) required.push_back(key);
+    form["required"] = required;
+  };
+  if (schema.contains("oneOf") && !schema.contains("properties"))
+    for (Json& form : schema["oneOf"]) complete(form);
+  else
+    complete(schema);
+  Json described{{"description", description(type)}};
+  described.update(schema);
+  return described;
+}
+
+TEST(Description, SchemaIsUpToDate) {
+  Json schema = Json::parse(read_file(schema_file));
+  Json types = Json::array(), alternatives = Json::array();
+  for (const Fixture& type : fixture_types()) {
+    const std::string name(type_name(type));
+    types.push_back(name);
+    alternatives.push_back({{"$ref", "#/$defs/" + name}});
+    schema["$defs"][name] = fixture_schema(type);
+  }
+  schema["$defs"]["fixture_key"] = {{"enum", all_fixture_keys()}};
+  schema["$defs"]["whole_fixture"] = {
+      {"required", {"type", "id"}}, {"properties", {{"type", {{"enum", types}}}}}, {"oneOf", alternatives}};
+  expect_file(schema_file, test::compact(schema) + "\n");
+}
+
+// Replaces the rows of the first table below a heading.
+void replace_table(std::string& page, const std::string& heading, const Fields::Part& part) {
+  test::TableFields table;
+  part(table);
+  const std::size_t section = page.find("\n" + heading + "\n");
+  ASSERT_NE(section, std::string::npos) << heading;
+  const std::string line = "| --- | --- | --- | --- |\n";
+  const std::size_t begin = page.find(line, section) + line.size();
+  ASSERT_GT(begin, line.size());
+  page.replace(begin, page.find("\n\n", begin) + 1 - begin, table.rows);
+}
+
+TEST(Description, TablesAreUpToDate) {
+  std::string fixtures = read_file(pages + "fixtures.md");
+  for (const Fixture& type : fixture_types()) {
+    std::string heading(type_name(type));
+    heading.front() = static_cast<char>(heading.front() - 'a' + 'A');
+    replace_table(fixtures, "## " + heading, fields_of(type));
+  }
+  expect_file(pages + "fixtures.md", fixtures);
+}
+
+}  // namespace
+}  // namespace shelfbeam
