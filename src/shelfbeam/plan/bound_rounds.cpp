@@ -54,53 +54,32 @@ void BoundRounds::raise(double bound, std::size_t labels) {
   if (holds()) obstacle_.clear();
 }
 
-void BoundRounds::set_obstacle(double bound, double cost, const Rounds& rounds) {
+void BoundRounds::set_obstacle(double bound, double cost) {
   obstacle_ = fmt::format("proving that {} would take about {:.0f} {}", goal_.text(bound),
-                          std::max(1.0, cost), rounds.unit());
+                          std::max(1.0, cost), rounds_.unit());
 }
 
-// Before the first batch of all candidates, that of the chosen units, which takes at least a third of the
-// time.
-double BoundRounds::cost(const Rounds& rounds, double label_cost) const {
-  if (cost_ > 0) return cost_;
-  return (rounds.counts_samples() ? 1 : 3) * label_cost;
-}
-
-void BoundRounds::measure(const std::vector<ValidationRow>& fresh, double begun, Rounds& rounds) {
-  double batches = 0;
-  for (const ValidationRow& row : fresh) {
-    rounds.spend(row.samples);
-    batches += row.batches;
-  }
-  if (batches > 0) cost_ = std::max(1e-12, (rounds.spent() - begun) / batches);
-}
-
-bool BoundRounds::prove(const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds, double level,
-                        double label_cost) {
-  const double each = cost(rounds, label_cost);
+bool BoundRounds::prove(const PlannedSignals& signals) {
   if (goal_.problem.model == CommunicationModel::non_cooperative || goal_.problem.redundant)
-    return prove_by_entries(table, matrix, rounds, level, each);
+    return prove_by_entries(signals);
   const std::vector<double> targets = goal_.targets(proven());
   // A bound that takes much of the budget waits for smaller ones that take little.
   constexpr double little = 0.25;
   const auto prove_one = [&](double share) {
-    return std::any_of(targets.begin(), targets.end(), [&](double bound) {
-      return refute(bound, table, matrix, rounds, level, each, share);
-    });
+    return std::any_of(targets.begin(), targets.end(),
+                       [&](double bound) { return refute(bound, signals, share); });
   };
   return (targets.size() > 1 && prove_one(little)) || prove_one(1);
 }
 
 // Returns whether it has tested a refutation of all selections that cost less than the bound.
-bool BoundRounds::refute(double bound, const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds,
-                         double level, double cost, double share) {
-  BudgetRefuter::Attempt attempt = refuter_.attempt(goal_, bound, table, matrix, rounds, level, cost, share);
+bool BoundRounds::refute(double bound, const PlannedSignals& signals, double share) {
+  BudgetRefuter::Attempt attempt = refuter_.attempt(goal_, bound, signals, share);
   if (!attempt.counterexample.empty()) counterexample_ = std::move(attempt.counterexample);
   if (!attempt.is_tested) {
-    if (attempt.cost > 0) set_obstacle(bound, attempt.cost, rounds);
+    if (attempt.cost > 0) set_obstacle(bound, attempt.cost);
     return false;
   }
-  measure(attempt.fresh, attempt.begun, rounds);
   fresh_ = std::move(attempt.fresh);
   if (attempt.is_proven) raise(bound, attempt.labels);
   return true;
@@ -114,74 +93,83 @@ LimitCounts BoundRounds::counts(std::size_t rows, std::size_t columns) const {
 
 // The upper limits that new batches are expected to give. Where one unit alone must reach a label, this table
 // also fixes the entries that count as too weak, some distance from the requirement.
-SignalTable BoundRounds::expected_table(const SignalTable& table, const SignalMatrix& matrix, double level,
-                                        std::size_t rows, std::uint32_t batches) const {
+SignalTable BoundRounds::expected_table(const PlannedSignals& signals, std::size_t rows,
+                                        std::uint32_t batches) const {
   const bool is_fixed = goal_.problem.model == CommunicationModel::non_cooperative;
   const double samples = batches * Rounds::samples_per_batch(prepared_);
-  return raised_table(table, matrix, expected_errors(level, counts(rows, table.columns()), batches), samples,
-                      is_fixed ? errors_of_fixed : 0);
+  const LimitCounts counts = this->counts(rows, signals.table.columns());
+  return raised_table(signals.table, *signals.matrix, expected_errors(rounds_.level(), counts, batches),
+                      samples, is_fixed ? errors_of_fixed : 0);
 }
 
 // Core rows for the goal, expected from the batches of this round or from the smallest larger number that
 // suffices. Sets batches_ if there are any.
-CoreRows BoundRounds::promising_rows(const SignalTable& table, const SignalMatrix& matrix,
-                                     const Rounds& rounds, double level) {
+CoreRows BoundRounds::promising_rows(const PlannedSignals& signals) {
   CoreRows found;
-  const Deadline deadline(rounds.counts_samples() ? place_.time_limit_s
-                                                  : share_of_search * std::max(0.0, rounds.left()));
+  const Deadline deadline(rounds_.seconds_for(share_of_search, place_.time_limit_s));
   for (std::uint32_t batches = batches_;; batches = Rounds::more(batches)) {
-    control_.report("proving", -1,
-                    fmt::format("round {}, core rows to prove that {}, {} batches", rounds.round(),
-                                goal_.text(goal_.value), batches));
+    rounds_.report("proving",
+                   fmt::format("core rows to prove that {}, {} batches", goal_.text(goal_.value), batches));
     PlaceOptions options;
     options.time_limit_s = deadline.seconds_left();
     options.step_limit = place_.step_limit;
-    CoreRows core = core_rows(expected_table(table, matrix, level, rows_, batches), goal_, goal_.value,
-                              options, control_);
+    CoreRows core =
+        core_rows(expected_table(signals, rows_, batches), goal_, goal_.value, options, rounds_.control());
     if (found.rows.empty() || core.suffice) found = std::move(core);
     if (found.suffice) batches_ = batches;
-    const bool is_late = deadline.has_passed() || control_.cancelled();
+    const bool is_late = deadline.has_passed() || rounds_.control().cancelled();
     if (found.suffice || batches >= Rounds::max_batches || is_late) return found;
   }
 }
 
-bool BoundRounds::prove_by_entries(const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds,
-                                   double level, double cost) {
+// The cost of a batch of some labels.
+double BoundRounds::cost_of(std::size_t labels) const {
+  return rounds_.cost(TracedUnits::all) * static_cast<double>(labels);
+}
+
+// Upper limits from independent batches, if the budget allows these.
+std::optional<SignalTable> BoundRounds::upper_limits(const SignalTable& table,
+                                                     const std::vector<std::uint32_t>& labels,
+                                                     const LimitCounts& counts) {
+  const std::uint32_t batches = rounds_.affordable(batches_, batches_, cost_of(labels.size()));
+  if (batches == 0) return std::nullopt;
+  rounds_.report("proving", fmt::format("{} labels, {} batches", labels.size(), batches));
+  const double begun = rounds_.spent();
+  UpperConfidenceRows upper =
+      upper_confidence_rows(prepared_, table, rounds_.request(Purpose::bound, labels, batches),
+                            rounds_.level(), counts, rounds_.control());
+  rounds_.measure(begun, upper.fresh);
+  fresh_ = std::move(upper.fresh);
+  return std::move(upper.table);
+}
+
+bool BoundRounds::prove_by_entries(const PlannedSignals& signals) {
   const std::uint32_t before = batches_;
-  const CoreRows core = promising_rows(table, matrix, rounds, level);
+  const CoreRows core = promising_rows(signals);
   if (core.rows.empty()) return false;
   obstacle_.clear();
-  const double each = cost * static_cast<double>(core.rows.size());
-  const std::uint32_t batches = rounds.affordable(batches_, batches_, each);
-  if (batches == 0) {
-    set_obstacle(goal_.value, each * batches_, rounds);
+  std::optional<SignalTable> rows =
+      upper_limits(signals.table, core.rows, counts(core.rows.size(), signals.table.columns()));
+  if (!rows) {
+    set_obstacle(goal_.value, cost_of(core.rows.size()) * batches_);
     batches_ = before;
     return false;
   }
-  control_.report("proving", -1,
-                  fmt::format("round {}, {} labels, {} batches", rounds.round(), core.rows.size(), batches));
-  const double begun = rounds.spent();
-  const LimitCounts counts = this->counts(core.rows.size(), table.columns());
-  UpperConfidenceRows upper = upper_confidence_rows(
-      prepared_, table, rounds.request(Purpose::bound, core.rows, batches), level, counts, control_);
-  measure(upper.fresh, begun, rounds);
-  fresh_ = std::move(upper.fresh);
   rows_ = std::max(rows_, core.rows.size());
-  const bool is_fixed = goal_.problem.model == CommunicationModel::non_cooperative;
   bool holds_fixed = true;
-  SignalTable rows = std::move(upper.table);
-  if (is_fixed) {
+  if (goal_.problem.model == CommunicationModel::non_cooperative) {
     SignalTable fixed =
-        table_of_rows(expected_table(table, matrix, level, core.rows.size(), batches), core.rows);
-    holds_fixed = !has_refuted_entry(fixed, rows, goal_.problem.model);
+        table_of_rows(expected_table(signals, core.rows.size(), fresh_.front().batches), core.rows);
+    holds_fixed = !has_refuted_entry(fixed, *rows, goal_.problem.model);
     rows = std::move(fixed);
   }
   if (holds_fixed) {
     PlaceOptions options = place_;
     options.settles_ties = false;
-    if (!rounds.counts_samples())
-      options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, rounds.left()));
-    const Placement cheapest = place(goal_.priced(std::move(rows)), goal_.problem, options, control_);
+    if (!rounds_.counts_samples())
+      options.time_limit_s = std::min(options.time_limit_s, std::max(1.0, rounds_.left()));
+    const Placement cheapest =
+        place(goal_.priced(std::move(*rows)), goal_.problem, options, rounds_.control());
     raise(goal_.bound_of(cheapest), core.rows.size());
     if (!holds() && cheapest.has_selection()) counterexample_ = cheapest.selected;
   }
@@ -189,29 +177,25 @@ bool BoundRounds::prove_by_entries(const SignalTable& table, const SignalMatrix&
   return true;
 }
 
-bool BoundRounds::prove_unreachable(const SignalTable& table, const std::vector<std::uint32_t>& labels,
-                                    const PlacementProblem& problem, Rounds& rounds, double level,
-                                    double label_cost) {
+bool BoundRounds::prove_unreachable(const SignalTable& table, const Placement& placement) {
+  std::vector<std::uint32_t> labels;
+  for (const Unreachable& label : placement.unreachable) labels.push_back(label.label);
+  labels.resize(std::min(labels.size(), max_undecided));
+  std::sort(labels.begin(), labels.end());
   if (labels.empty()) return false;
-  const double each = cost(rounds, label_cost) * static_cast<double>(labels.size());
-  const std::uint32_t batches = rounds.affordable(batches_, batches_, each);
-  if (batches == 0) return false;
-  control_.report("proving", -1,
-                  fmt::format("round {}, {} labels, {} batches", rounds.round(), labels.size(), batches));
-  const double begun = rounds.spent();
   const std::size_t limits = labels.size() * table.columns();
-  UpperConfidenceRows upper = upper_confidence_rows(
-      prepared_, table, rounds.request(Purpose::bound, labels, batches), level, {limits, limits}, control_);
-  measure(upper.fresh, begun, rounds);
-  fresh_ = std::move(upper.fresh);
+  const std::optional<SignalTable> upper = upper_limits(table, labels, {limits, limits});
+  if (!upper) return false;
   PlaceOptions options;
   options.solver = SolverChoice::greedy;
-  for (const Unreachable& label : place(upper.table, problem, options, control_).unreachable) {
+  for (const Unreachable& label : place(*upper, placement.problem, options, rounds_.control()).unreachable) {
     LabelVerdict& verdict = certificate_.labels[labels[label.label]];
     verdict.verdict = Verdict::missed;
     verdict.upper = label.max_signal;
     verdict.samples = fresh_[label.label].samples;
   }
+  for (const Unreachable& label : placement.unreachable)
+    certificate_.labels[label.label].signal = label.max_signal;
   batches_ = Rounds::more(batches_);
   return true;
 }

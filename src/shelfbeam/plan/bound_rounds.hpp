@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/plan/bound_goal.hpp"
@@ -31,13 +30,13 @@ class BoundRounds {
   static constexpr std::size_t max_undecided = 64;  ///< labels that get more samples at once
 
   /// Bounds are written to `certificate`.
-  BoundRounds(const PreparedScene& prepared, const PlaceOptions& place, const RunControl& control,
+  BoundRounds(const PreparedScene& prepared, const PlaceOptions& place, Rounds& rounds,
               Certificate& certificate)
       : prepared_(prepared),
         place_(place),
-        control_(control),
+        rounds_(rounds),
         certificate_(certificate),
-        refuter_(prepared, place, control) {}
+        refuter_(prepared, place, rounds) {}
 
   /// Sets the goal: the bound of a placement with a selection on its table.
   void aim(const SignalTable& table, const Placement& placement);
@@ -45,15 +44,13 @@ class BoundRounds {
   /// The goal is the count or the cost of the placement itself, or nothing is to be proven.
   bool is_tight() const { return goal_.value == 0 || goal_.value >= value_ * (1 - 1e-9); }
 
-  /// Tests one bound, the largest that the budget allows. `label_cost`: of a batch of a label with the chosen
-  /// units only. Returns whether it has sampled. Throws as `sample_batches`.
-  bool prove(const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds, double level,
-             double label_cost);
+  /// Tests one bound, the largest that the budget allows. Returns whether it has sampled. Throws as
+  /// `sample_batches`.
+  bool prove(const PlannedSignals& signals);
 
-  /// Lists as missed the given labels whose upper limits leave them out of reach of all candidates together.
-  /// Returns whether it has sampled.
-  bool prove_unreachable(const SignalTable& table, const std::vector<std::uint32_t>& labels,
-                         const PlacementProblem& problem, Rounds& rounds, double level, double label_cost);
+  /// Lists as missed the first unreachable labels of a placement whose upper limits leave them out of reach
+  /// of all candidates together. Returns whether it has sampled.
+  bool prove_unreachable(const SignalTable& table, const Placement& placement);
 
   /// Independent batches of all candidates that no test needs any more.
   std::vector<ValidationRow> take_fresh();
@@ -62,38 +59,31 @@ class BoundRounds {
   /// After a change of the matrix.
   void forget_failures() { refuter_.forget_failures(); }
 
-  /// Cost of a batch of a label for all candidates, in the budget's unit of measure.
-  double cost(const Rounds& rounds, double label_cost) const;
-  /// Measures this cost from new batches, and counts their samples.
-  void measure(const std::vector<ValidationRow>& fresh, double begun, Rounds& rounds);
-
   /// The reason why the bound does not hold; empty if it is unknown.
   const std::string& obstacle() const { return obstacle_; }
 
  private:
   double proven() const;
   void raise(double bound, std::size_t labels);
-  void set_obstacle(double bound, double cost, const Rounds& rounds);
-  bool refute(double bound, const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds,
-              double level, double cost, double share);
-  bool prove_by_entries(const SignalTable& table, const SignalMatrix& matrix, Rounds& rounds, double level,
-                        double cost);
-  CoreRows promising_rows(const SignalTable& table, const SignalMatrix& matrix, const Rounds& rounds,
-                          double level);
-  SignalTable expected_table(const SignalTable& table, const SignalMatrix& matrix, double level,
-                             std::size_t rows, std::uint32_t batches) const;
+  void set_obstacle(double bound, double cost);
+  bool refute(double bound, const PlannedSignals& signals, double share);
+  bool prove_by_entries(const PlannedSignals& signals);
+  CoreRows promising_rows(const PlannedSignals& signals);
+  SignalTable expected_table(const PlannedSignals& signals, std::size_t rows, std::uint32_t batches) const;
+  double cost_of(std::size_t labels) const;
+  std::optional<SignalTable> upper_limits(const SignalTable& table, const std::vector<std::uint32_t>& labels,
+                                          const LimitCounts& counts);
   LimitCounts counts(std::size_t rows, std::size_t columns) const;
 
   const PreparedScene& prepared_;
   const PlaceOptions& place_;
-  const RunControl& control_;
+  Rounds& rounds_;
   Certificate& certificate_;
   BoundGoal goal_;
   double value_ = 0;  ///< count or cost of the placement
   BudgetRefuter refuter_;
   std::uint32_t batches_ = min_verifying_batches;  ///< of the next test of entries
   std::size_t rows_ = max_undecided;               ///< expected maximum number of core rows
-  double cost_ = 0;
   std::string obstacle_;
   std::vector<ValidationRow> fresh_;
   std::vector<std::uint32_t> counterexample_;

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <utility>
 
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
@@ -74,11 +74,7 @@ constexpr double share_of_entries = 0.8, share_of_sums = 0.1, share_of_rare = 0.
 std::vector<std::uint32_t> by_strength(const SignalTable& planned, std::uint32_t row) {
   std::vector<double> signal(planned.columns(), 0.0);
   for (const SignalEntry& entry : planned.row(row)) signal[entry.transceiver] = entry.signal;
-  std::vector<std::uint32_t> order(planned.columns());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return signal[a] > signal[b]; });
-  return order;
+  return ordered_by(planned.columns(), [&](std::uint32_t j) { return -signal[j]; });
 }
 
 struct LimitLevels {
@@ -144,7 +140,7 @@ void raise_row(SignalTable& table, const SignalMatrix& matrix, std::size_t i, do
   for (std::size_t e = table.row_begin[i]; e < table.row_begin[i + 1]; ++e) {
     SignalEntry& entry = table.entries[e];
     const std::size_t at = matrix.at(i, entry.transceiver);
-    const double times = !matrix.flags.empty() && matrix.flags[at] != 0 ? errors_of_flagged * errors : errors;
+    const double times = matrix.is_flagged(at) ? errors_of_flagged * errors : errors;
     entry.signal = std::max(0.0, entry.signal + times * static_cast<double>(matrix.standard_error[at]));
   }
 }

@@ -34,49 +34,46 @@ void BudgetRefuter::forget_failures() {
   }
 }
 
-BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double bound, const SignalTable& table,
-                                              const SignalMatrix& matrix, Rounds& rounds, double level,
-                                              double cost, double share) {
+BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double bound,
+                                              const PlannedSignals& signals, double share) {
   Attempt attempt;
   Progress& progress = progress_[bound];
   if (progress.has_failed || progress.failures >= max_failures) return attempt;
-  control_.report("proving", -1, fmt::format("round {}, whether {}", rounds.round(), goal.text(bound)));
-  const double seconds =
-      rounds.counts_samples() ? seconds_of_search : share_of_refutation * std::max(0.0, rounds.left());
+  rounds_.report("proving", fmt::format("whether {}", goal.text(bound)));
+  const auto cost_of = [&](const Promising& one) {
+    return rounds_.cost(TracedUnits::all) * static_cast<double>(one.refutation.labels.size());
+  };
   const auto affordable = [&](const Promising& one, double part) {
-    const double of_batch = cost * static_cast<double>(one.refutation.labels.size());
-    return rounds.affordable(one.wanted, one.needed, of_batch / part);
+    return rounds_.affordable(one.wanted, one.needed, cost_of(one) / part);
   };
   // If a repetition exceeds the budget, its leaves are split, which takes fewer batches.
   if (progress.pending && progress.pending->is_repeat && affordable(*progress.pending, 1) == 0)
     progress.pending.reset();
   auto found = progress.pending ? std::exchange(progress.pending, {})
-                                : promising(goal.below(bound), goal, bound, progress, table, matrix, seconds,
-                                            level, attempt.counterexample);
+                                : promising(goal, bound, progress, signals, attempt.counterexample);
   if (!found) {
     progress.has_failed = true;
     if (attempt.counterexample.empty()) ++progress.failures;
     return attempt;
   }
   attempt.labels = found->refutation.labels.size();
-  attempt.batches = affordable(*found, share);
-  if (attempt.batches == 0) {
+  const std::uint32_t batches = affordable(*found, share);
+  if (batches == 0) {
     if (share < 1) {
       progress.pending = std::move(found);
     } else {
-      attempt.cost = cost * static_cast<double>(attempt.labels) * found->wanted;
+      attempt.cost = cost_of(*found) * found->wanted;
       progress.has_failed = true;
     }
     return attempt;
   }
-  control_.report(
-      "proving", -1,
-      fmt::format("round {}, {} labels, {} batches", rounds.round(), attempt.labels, attempt.batches));
-  attempt.begun = rounds.spent();
+  rounds_.report("proving", fmt::format("{} labels, {} batches", attempt.labels, batches));
+  const double begun = rounds_.spent();
   TestedRefutation tested =
-      test_refutation(prepared_, found->refutation, table,
-                      rounds.request(Purpose::bound, found->refutation.labels, attempt.batches), level,
-                      Deadline(rounds.counts_samples() ? no_limit : rounds.left()), control_);
+      test_refutation(prepared_, found->refutation, signals.table,
+                      rounds_.request(Purpose::bound, found->refutation.labels, batches), rounds_.level(),
+                      Deadline(rounds_.counts_samples() ? no_limit : rounds_.left()), rounds_.control());
+  rounds_.measure(begun, tested.fresh);
   attempt.is_tested = true;
   attempt.is_proven = tested.open.empty();
   attempt.fresh = std::move(tested.fresh);
@@ -93,20 +90,22 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
 // A refutation of the matrix with the largest reserve that allows one, and the batches that it is expected
 // to need.
 std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
-    const SelectionBudget& limit, const BoundGoal& goal, double bound, const Progress& progress,
-    const SignalTable& table, const SignalMatrix& matrix, double seconds, double level,
+    const BoundGoal& goal, double bound, const Progress& progress, const PlannedSignals& signals,
     std::vector<std::uint32_t>& counterexample) const {
   constexpr double reserve_of_batches = 1.5;
-  const Deadline deadline(seconds);
+  const SelectionBudget limit = goal.below(bound);
+  const SignalTable& table = signals.table;
+  const RunControl& control = rounds_.control();
+  const Deadline deadline(rounds_.seconds_for(share_of_refutation, seconds_of_search));
   constexpr double reserves[] = {10.0, 7.0, 5.0, 3.5, 2.5, 1.7, 1.2, 0.8, 0.5, 0.3, 0.15};
   const double of_batch = Rounds::samples_per_batch(prepared_);
   const auto raised_by = [&](double errors) {
-    return raised_table(table, matrix, errors, min_verifying_batches * of_batch);
+    return raised_table(table, *signals.matrix, errors, min_verifying_batches * of_batch);
   };
   // Labels that refute nothing with the smallest reserve refute nothing with a larger one. If the relaxation
   // refutes, exact searches for core rows, which take seconds for large stores, are not needed.
   const SignalTable smallest = raised_by(*std::rbegin(reserves));
-  const bool is_relaxed = relaxed_cover(smallest, limit, deadline, control_).is_refuted;
+  const bool is_relaxed = relaxed_cover(smallest, limit, deadline, control).is_refuted;
   // Leaves that stay open may be refuted although the whole is not.
   const bool has_leaves = !progress.open.empty();
   if (!is_relaxed && !has_leaves)
@@ -124,18 +123,18 @@ std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
     const SignalTable raised = raised_by(reserves[middle]);
     const CoreRows core = is_relaxed ? CoreRows() : core_labels(raised, goal, bound, deadline);
     const std::vector<std::uint32_t> labels =
-        is_relaxed ? relaxed_cover(raised, limit, deadline, control_).labels : core.rows;
+        is_relaxed ? relaxed_cover(raised, limit, deadline, control).labels : core.rows;
     RefutationSearch search;
     search.counterexample = core.counterexample;
     if (!labels.empty() && (is_relaxed || core.suffice || has_leaves))
-      search = find_refutation(raised, labels, limit, progress.open, leaves, deadline, control_);
+      search = find_refutation(raised, labels, limit, progress.open, leaves, deadline, control);
     if (!search.found) {
       if (!search.counterexample.empty()) counterexample = std::move(search.counterexample);
       low = middle + 1;
       continue;
     }
     high = middle;
-    const double needed = needed_samples(*search.found, table, matrix, level) / of_batch;
+    const double needed = needed_samples(*search.found, table, *signals.matrix, rounds_.level()) / of_batch;
     const double wanted = std::max<double>(progress.min_batches, reserve_of_batches * needed);
     if (wanted <= Rounds::max_batches) best = {std::move(*search.found), needed, wanted};
   }
@@ -149,7 +148,7 @@ CoreRows BudgetRefuter::core_labels(const SignalTable& raised, const BoundGoal& 
   PlaceOptions options;
   options.time_limit_s = std::min(5.0, 0.2 * deadline.seconds_left());
   options.step_limit = place_.step_limit;
-  return core_rows(raised, goal, bound, options, control_);
+  return core_rows(raised, goal, bound, options, rounds_.control());
 }
 
 }  // namespace shelfbeam

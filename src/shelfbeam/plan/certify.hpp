@@ -1,24 +1,18 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <optional>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
+#include "shelfbeam/plan/answer/certified_plan.hpp"
+#include "shelfbeam/plan/answer/round_budget.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/transport/run/simulation_options.hpp"
 
 namespace shelfbeam {
-
-/// The budget of all rounds: time, or samples for machine-independent results.
-struct RoundBudget {
-  double seconds = 600;
-  std::optional<std::uint64_t> samples = {};  ///< replaces the time: samples of all labels together
-};
 
 class PreparedScene;
 
@@ -68,5 +62,11 @@ Certified certify(const PreparedScene& prepared, const TableRule& table, const C
 /// Prepares the scene first.
 Certified certify(const Scene& scene, const TableRule& table, const CertifyOptions& options,
                   SignalMatrix matrix, Placement placement, const RunControl& control = {});
+
+/// Verifies mounted units, all transceivers of the scene, in such rounds, until every label is reached or
+/// missed. The certificate has no lower bound. Non-cooperative: a simulation with `options` plans the link of
+/// each label. Throws as `simulate`.
+CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& problem,
+                                  const CertifyOptions& options, const RunControl& control = {});
 
 }  // namespace shelfbeam

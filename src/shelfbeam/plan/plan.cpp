@@ -106,9 +106,9 @@ SimulationResult result_of(SignalMatrix matrix, const Scene& scene, const Prepar
 Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control) {
   Plan plan;
   const auto prepared = prepare(scene, options.simulation, true, control);
-  plan.simulation = options.matrix.labels.empty()
-                        ? simulate(*prepared, options.simulation, control)
-                        : result_of(std::move(options.matrix), scene, *prepared, options.simulation.seed);
+  plan.simulation = options.matrix
+                        ? result_of(std::move(*options.matrix), scene, *prepared, options.simulation.seed)
+                        : simulate(*prepared, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   // A certificate may place again, on signals that are more accurate where they decide.

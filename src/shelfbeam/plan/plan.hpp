@@ -18,9 +18,8 @@ inline constexpr std::uint64_t decision_samples = 2000;
 
 struct PlanOptions {
   SimulationOptions simulation;
-  /// Empty, or the result of this simulation, as a file has it: then nothing is simulated for the first
-  /// placement.
-  SignalMatrix matrix;
+  /// The result of this simulation, as a file has it: then nothing is simulated for the first placement.
+  std::optional<SignalMatrix> matrix;
   PlacementProblem problem;
   PlaceOptions place;
   TableRule table;                          ///< empty: the matrix without constraints

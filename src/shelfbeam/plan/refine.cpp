@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <type_traits>
-#include <utility>
+
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam {
 
@@ -60,42 +59,11 @@ std::vector<ValidationRow> validation_rows(const PreparedScene& prepared, const 
   };
   const std::size_t columns = prepared.world().emitters.size();
   const ValidationEstimates fresh = validation_estimates(prepared, request, columns, each, control);
-  std::vector<std::uint32_t> in_order(columns);
-  std::iota(in_order.begin(), in_order.end(), 0U);
+  const std::vector<std::uint32_t> in_order = all_numbers(columns);
   std::vector<ValidationRow> rows;
   for (std::size_t k = 0; k < request.labels.size(); ++k)
     rows.push_back(validation_row(fresh, k, request.labels[k], in_order));
   return rows;
-}
-
-RowsBefore::RowsBefore(SignalMatrix& matrix, std::span<const ValidationRow> fresh)
-    : by_bounce_(std::move(matrix.by_bounce)), by_length_(std::move(matrix.by_length)) {
-  matrix.by_bounce.clear();
-  matrix.by_length.clear();
-  for (const ValidationRow& one : fresh) {
-    const auto row_of = [&](const auto& values) {
-      if (values.empty()) return values;
-      const auto first = values.begin() + static_cast<std::ptrdiff_t>(matrix.at(one.label, 0));
-      return std::decay_t<decltype(values)>(first, first + static_cast<std::ptrdiff_t>(matrix.columns()));
-    };
-    rows_.push_back({one.label, matrix.labels[one.label], row_of(matrix.mean), row_of(matrix.standard_error),
-                     row_of(matrix.flags)});
-  }
-}
-
-void RowsBefore::restore(SignalMatrix& matrix) {
-  for (const Row& row : rows_) {
-    const auto put = [&](const auto& values, auto& all) {
-      std::copy(values.begin(), values.end(),
-                all.begin() + static_cast<std::ptrdiff_t>(matrix.at(row.label, 0)));
-    };
-    matrix.labels[row.label] = row.about;
-    put(row.mean, matrix.mean);
-    put(row.standard_error, matrix.standard_error);
-    if (!row.flags.empty()) put(row.flags, matrix.flags);
-  }
-  matrix.by_bounce = std::move(by_bounce_);
-  matrix.by_length = std::move(by_length_);
 }
 
 }  // namespace shelfbeam

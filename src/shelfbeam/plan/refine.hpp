@@ -2,14 +2,22 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/plan/validation_estimates.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
+
+/// The signals on which units are placed: a matrix, which rounds refine, and its table with all constraints.
+struct PlannedSignals {
+  std::shared_ptr<SignalMatrix> matrix;
+  SignalTable table;
+};
 
 /// Independent batches of one label: means, standard errors and flags (SignalMatrix::flags) by column.
 struct ValidationRow {
@@ -32,23 +40,5 @@ std::vector<ValidationRow> validation_rows(const PreparedScene& prepared, const 
 /// samples. An entry is flagged if a flagged part has at least half of the samples or of the error. Layers by
 /// bounce and by path length are dropped, those of direct light stay.
 void join(const ValidationRow& fresh, SignalMatrix& matrix);
-
-/// The rows of a matrix before `join`, for restoring them.
-class RowsBefore {
- public:
-  /// Moves the layers by bounce and by path length out of the matrix.
-  RowsBefore(SignalMatrix& matrix, std::span<const ValidationRow> fresh);
-  void restore(SignalMatrix& matrix);
-
- private:
-  struct Row {
-    std::uint32_t label = 0;
-    LabelRow about;
-    std::vector<float> mean, standard_error;
-    std::vector<std::uint8_t> flags;  ///< empty where the matrix has none
-  };
-  std::vector<Row> rows_;
-  std::vector<SignalLayer> by_bounce_, by_length_;
-};
 
 }  // namespace shelfbeam

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/distributions.hpp"
@@ -28,6 +26,26 @@ constexpr double share_to_spend = 0.9;
 // values are skewed towards larger ones.
 constexpr double wide_margin = 1.5;
 constexpr std::uint32_t batches_of_wide = 16;
+
+void Rounds::report(std::string_view task, std::string_view detail) const {
+  control_.report(task, -1, fmt::format("round {}, {}", round_, detail));
+}
+
+void Rounds::measure(TracedUnits units, double begun, std::uint64_t samples, double batches) {
+  samples_ += samples;
+  double& cost = units == TracedUnits::all ? cost_of_all_ : cost_of_chosen_;
+  if (batches > 0) cost = std::max(1e-12, (spent() - begun) / batches);
+}
+
+void Rounds::measure(double begun, std::span<const ValidationRow> fresh) {
+  std::uint64_t samples = 0;
+  double batches = 0;
+  for (const ValidationRow& row : fresh) {
+    samples += row.samples;
+    batches += row.batches;
+  }
+  measure(TracedUnits::all, begun, samples, batches);
+}
 
 std::uint32_t Rounds::affordable(double wanted, double needed, double cost) const {
   const double fitting = cost > 0 ? share_to_spend * left() / cost : wanted;
@@ -89,9 +107,11 @@ std::vector<LabelRounds::Need> LabelRounds::needs(double level) const {
 
 // The labels, the first in order, that fit into the budget with at least half of their batches. Reduces the
 // batches if these labels do not fit with all of them.
-std::size_t LabelRounds::shrink_to(double left, std::vector<Need>& needs) const {
+std::size_t LabelRounds::shrink_to_budget(const Rounds& rounds, std::vector<Need>& needs) {
   constexpr double min_share = 0.5;
-  double fitting = cost_ > 0 ? share_to_spend * left / cost_ : std::numeric_limits<double>::infinity();
+  const double cost = rounds.cost(TracedUnits::chosen);
+  const double fitting =
+      cost > 0 ? share_to_spend * rounds.left() / cost : std::numeric_limits<double>::infinity();
   double batches = 0;
   std::size_t count = 0;
   for (; count < needs.size() && needs[count].batches <= Rounds::max_batches; ++count) {
@@ -106,17 +126,14 @@ std::size_t LabelRounds::shrink_to(double left, std::vector<Need>& needs) const 
 }
 
 void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part,
-                         Rounds& rounds, const VerdictLevels& levels, const RunControl& control) {
-  control.report("verifying", -1,
-                 fmt::format("round {}, {} labels, {} batches", rounds.round(), rows.size(), batches));
+                         Rounds& rounds, const VerdictLevels& levels) {
+  rounds.report("verifying", fmt::format("{} labels, {} batches", rows.size(), batches));
   std::sort(rows.begin(), rows.end());
   if (!prepared_) {
-    std::vector<std::uint32_t> all(labels_.size());
-    std::iota(all.begin(), all.end(), 0U);
-    part_ = sub_scene(scene_, all, selected_);
+    part_ = with_units(scene_, selected_);
     SimulationOptions own = simulation_;
     own.seed = mix_key(simulation_.seed ^ 0x766572696679, 0);  // the tables of the matrix chose the units
-    prepared_ = prepare(*part_, own, false, control);
+    prepared_ = prepare(*part_, own, false, rounds.control());
   }
   std::vector<float> planned;
   if (!planned_.empty())
@@ -126,7 +143,8 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
     }
   const double begun = rounds.spent();
   const auto verdicts = shelfbeam::verify(*prepared_, rounds.request(Purpose::verify, rows, batches, part),
-                                          problem_, planned, levels, control);
+                                          problem_, planned, levels, rounds.control());
+  std::uint64_t samples = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     labels_[rows[k]] = verdicts[k];
     // Upper limits need more batches.
@@ -134,9 +152,9 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
       labels_[rows[k]].verdict = Verdict::undecided;
     batches_[rows[k]] = batches;
     if (is_met(verdicts[k].joint_lower, verdicts[k].requirement)) passes_[rows[k]] = true;
-    rounds.spend(verdicts[k].samples);
+    samples += verdicts[k].samples;
   }
-  cost_ = std::max(1e-12, (rounds.spent() - begun) / (static_cast<double>(rows.size()) * batches));
+  rounds.measure(TracedUnits::chosen, begun, samples, static_cast<double>(rows.size()) * batches);
 }
 
 // The planned signals that verdicts are about, as shares of the requirements.
@@ -155,25 +173,25 @@ std::vector<double> LabelRounds::planned_margins() const {
 
 // Samples together the labels that follow each other with the same number of batches.
 void LabelRounds::sample_classes(std::span<const Need> needs, std::uint32_t& part, Rounds& rounds,
-                                 const VerdictLevels& levels, const RunControl& control) {
+                                 const VerdictLevels& levels) {
   for (std::size_t k = 0; k < needs.size();) {
     std::vector<std::uint32_t> rows;
     const double batches = needs[k].batches;
     for (; k < needs.size() && needs[k].batches == batches; ++k) rows.push_back(needs[k].label);
-    sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels, control);
+    sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels);
   }
 }
 
-std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& control) {
-  const VerdictLevels levels{level / 2, labels_.size(), level / 2};
+std::size_t LabelRounds::verify(Rounds& rounds) {
+  const VerdictLevels levels{rounds.level() / 2, labels_.size(), rounds.level() / 2};
   const double of_list = levels.list / static_cast<double>(labels_.size());
   std::vector<Need> all = needs(aims_at_all_ ? levels.joint : of_list);
-  std::size_t count = shrink_to(rounds.left(), all);
+  std::size_t count = shrink_to_budget(rounds, all);
   if (count < all.size() && aims_at_all_) {
     // Some labels stay undecided, so the others need verdicts of the list.
     aims_at_all_ = false;
     all = needs(of_list);
-    count = shrink_to(rounds.left(), all);
+    count = shrink_to_budget(rounds, all);
   }
   // A new selection often fails at the labels that are nearest to their requirements.
   std::size_t verified = count;
@@ -185,16 +203,16 @@ std::size_t LabelRounds::verify(Rounds& rounds, double level, const RunControl& 
   }
   const std::span<const Need> fitting(all.data(), count);
   std::uint32_t part = 0;
-  sample_classes(fitting.first(verified), part, rounds, levels, control);
+  sample_classes(fitting.first(verified), part, rounds, levels);
   if (verified < count && undecided_labels().empty()) {
-    sample_classes(fitting.subspan(verified), part, rounds, levels, control);
+    sample_classes(fitting.subspan(verified), part, rounds, levels);
     verified = count;
   }
   skipped_ = {};
   for (std::size_t k = verified; k < all.size(); ++k) {
     const bool is_near = all[k].batches > Rounds::max_batches;
     ++(is_near ? skipped_.near : skipped_.others);
-    if (!is_near) skipped_.cost += cost_ * all[k].batches;
+    if (!is_near) skipped_.cost += rounds.cost(TracedUnits::chosen) * all[k].batches;
   }
   const auto is_missed = [](const LabelVerdict& label) { return label.verdict == Verdict::missed; };
   const bool has_missed = std::any_of(labels_.begin(), labels_.end(), is_missed);
@@ -225,44 +243,6 @@ std::string LabelRounds::obstacle(const Rounds& rounds) const {
   const std::string labels = skipped_.near == 0 ? "the rest" : fmt::format("{} of the rest", skipped_.others);
   return fmt::format("deciding {} would take about {:.0f} {}", labels,
                      std::max(1.0, std::ceil(skipped_.cost)), rounds.unit());
-}
-
-CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& problem,
-                                  const CertifyOptions& options, const RunControl& control) {
-  // The signals that plan the links; sums need no plan.
-  std::vector<float> planned;
-  if (problem.model == CommunicationModel::non_cooperative)
-    planned = simulate(scene, options.simulation, control).matrix.mean;
-  CertifiedPlan plan;
-  Placement& placement = plan.placement;
-  // These units are mounted, so no objective chooses them.
-  placement.problem.model = problem.model;
-  placement.problem.redundant = problem.redundant;
-  placement.selected.resize(scene.transceivers.size());
-  std::iota(placement.selected.begin(), placement.selected.end(), 0U);
-  placement.objective_value = static_cast<double>(placement.count());
-  Certificate& certificate = plan.certificate.emplace();
-  certificate.confidence = options.confidence;
-  for (const Label& label : scene.labels)
-    certificate.labels.push_back({.requirement = scene.requirement_of(label)});
-  Rounds rounds(options.confidence, options.budget, options.simulation.seed);
-  LabelRounds verdicts(scene, options.simulation, certificate.labels);
-  verdicts.select(problem, placement.selected, std::move(planned), true);
-  try {
-    while (certificate.count(Verdict::undecided) > 0) {
-      rounds.next();
-      if (verdicts.verify(rounds, rounds.level(1), control) == 0) {
-        certificate.open = verdicts.obstacle(rounds);
-        break;
-      }
-      certificate.rounds = rounds.round();
-    }
-  } catch (const Interrupted&) {
-    certificate.open = "it was interrupted";
-  }
-  certificate.seconds = rounds.seconds();
-  certificate.mark_unverified();
-  return plan;
 }
 
 }  // namespace shelfbeam

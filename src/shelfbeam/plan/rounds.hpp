@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,17 +12,23 @@
 #include <string_view>
 #include <vector>
 
-#include "shelfbeam/plan/answer/certified_plan.hpp"
-#include "shelfbeam/plan/certify.hpp"
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/plan/answer/certificate.hpp"
+#include "shelfbeam/plan/answer/round_budget.hpp"
+#include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/verification.hpp"
-#include "shelfbeam/transport/run/simulate.hpp"
+#include "shelfbeam/transport/run/prepared_scene.hpp"
 
 namespace shelfbeam {
 
 /// Purposes of independent samples. Samples of one purpose in one round serve no other.
 enum class Purpose : std::uint64_t { verify = 1, bound, refine };
 
-/// Budget, levels and random numbers of rounds r = 1, 2, ... that share one joint level.
+/// The units for which a label is sampled: the chosen ones, or all candidates.
+enum class TracedUnits { chosen, all };
+
+/// Drives rounds r = 1, 2, ... that share one joint level: budget, costs, levels, random numbers and end.
 class Rounds {
  public:
   static constexpr std::uint32_t growth = 4;  ///< factor of the batches from round to round
@@ -28,15 +36,25 @@ class Rounds {
   /// Minimum samples per label and batch: smaller batches are so skewed that limits fail too often.
   static constexpr std::uint64_t min_samples = 256;
 
-  /// The seed is that of the planning matrix.
-  Rounds(double confidence, const RoundBudget& budget, std::uint64_t seed)
-      : error_(1 - confidence), budget_(budget), seed_(seed) {}
+  /// `statements`: of each round. The seed is that of the planning matrix.
+  Rounds(double confidence, int statements, const RoundBudget& budget, std::uint64_t seed,
+         const RunControl& control)
+      : error_((1 - confidence) / statements), budget_(budget), seed_(seed), control_(control) {}
+
+  /// Runs `work`, which returns the reason why it leaves something open, if any.
+  template <class Work>
+  static std::string reason_after(const Work& work) {
+    try {
+      return work();
+    } catch (const Interrupted&) {
+      return interrupted;
+    }
+  }
+  static constexpr auto interrupted = "it was interrupted";
 
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   }
-  /// Adds samples to the amount spent.
-  void spend(std::uint64_t samples) { samples_ += samples; }
   bool counts_samples() const { return budget_.samples.has_value(); }
   /// In the budget's unit of measure: seconds or samples.
   double spent() const { return counts_samples() ? static_cast<double>(samples_) : seconds(); }
@@ -47,6 +65,11 @@ class Rounds {
   double left() const {
     return (counts_samples() ? static_cast<double>(*budget_.samples) : budget_.seconds) - spent();
   }
+  /// The time for a search: a share of the time that is left, or `otherwise` if the budget is in samples.
+  double seconds_for(double share, double otherwise) const {
+    return counts_samples() ? otherwise : share * std::max(0.0, left());
+  }
+
   std::string_view unit() const { return counts_samples() ? "samples" : "s"; }
 
   /// First rays per label and batch of every request.
@@ -55,10 +78,12 @@ class Rounds {
   /// Begins the next round; the first is 1.
   void next() { ++round_; }
   std::uint32_t round() const { return round_; }
-  /// The level of each of `statements` statements of round r: a_r / statements with a_r = (1 - confidence) /
-  /// 2^r. All rounds together keep sum_r a_r = 1 - confidence, for any number of rounds and any reason for
-  /// their end.
-  double level(int statements) const { return std::ldexp(error_, -static_cast<int>(round_)) / statements; }
+  /// The level of each statement of round r: a_r / statements with a_r = (1 - confidence) / 2^r. Some
+  /// statement of some round is wrong with probability at most sum_r a_r = 1 - confidence, for any dependence
+  /// between them (Bonferroni), any number of rounds and any reason for their end.
+  double level() const { return std::ldexp(error_, -static_cast<int>(round_)); }
+  const RunControl& control() const { return control_; }
+  void report(std::string_view task, std::string_view detail) const;
   /// Batches of some labels in this round; `part` distinguishes requests of one purpose.
   BatchRequest request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
                        std::uint32_t part = 0) const;
@@ -66,6 +91,18 @@ class Rounds {
   /// The batches of a test that fit into the budget that is left, at `cost` per batch: the `wanted` ones,
   /// which contain a reserve, or fewer if these are at least half of the `needed` ones; 0 if too few fit.
   std::uint32_t affordable(double wanted, double needed, double cost) const;
+
+  /// The cost of a batch of a label, in the budget's unit of measure, as last measured; 0: not yet. Before
+  /// the first batch for all candidates, it is estimated from that for the chosen units, which takes at least
+  /// a third of the time.
+  double cost(TracedUnits units) const {
+    if (units == TracedUnits::chosen || cost_of_all_ > 0)
+      return units == TracedUnits::chosen ? cost_of_chosen_ : cost_of_all_;
+    return (counts_samples() ? 1 : 3) * cost_of_chosen_;
+  }
+  /// Counts the samples of new batches, and measures their cost; `begun`: spent() before them.
+  void measure(TracedUnits units, double begun, std::uint64_t samples, double batches);
+  void measure(double begun, std::span<const ValidationRow> fresh);  ///< for all candidates
 
   static std::uint32_t more(std::uint32_t batches) {
     return batches < max_batches / growth ? growth * batches : max_batches;
@@ -75,8 +112,10 @@ class Rounds {
   double error_;
   RoundBudget budget_;
   std::uint64_t seed_;
+  const RunControl& control_;
   std::uint32_t round_ = 0;
   std::uint64_t samples_ = 0;
+  double cost_of_chosen_ = 0, cost_of_all_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -98,11 +137,9 @@ class LabelRounds {
   /// undecided. The labels of a new selection begin with the `riskiest_labels` of the smallest planned
   /// margins. If one of these seems to be missed and the selection is not final, the others are left for a
   /// later round. Labels that would exceed the budget are omitted, the most expensive first.
-  std::size_t verify(Rounds& rounds, double level, const RunControl& control);
+  std::size_t verify(Rounds& rounds);
   static constexpr std::size_t riskiest_labels = 256;
 
-  /// Cost of a batch of a label, in the budget's unit of measure; 0 before the first.
-  double cost() const { return cost_; }
   /// Labels whose estimated signal is below the requirement, or so little above that many batches have not
   /// decided them.
   std::vector<std::uint32_t> undecided_labels() const;
@@ -115,13 +152,13 @@ class LabelRounds {
     std::uint32_t label = 0;
   };
   std::vector<Need> needs(double level) const;
-  std::size_t shrink_to(double left, std::vector<Need>& needs) const;
+  static std::size_t shrink_to_budget(const Rounds& rounds, std::vector<Need>& needs);
   bool holds_jointly() const;
   std::vector<double> planned_margins() const;
   void sample_classes(std::span<const Need> needs, std::uint32_t& part, Rounds& rounds,
-                      const VerdictLevels& levels, const RunControl& control);
+                      const VerdictLevels& levels);
   void sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
-              const VerdictLevels& levels, const RunControl& control);
+              const VerdictLevels& levels);
 
   const Scene& scene_;
   SimulationOptions simulation_;
@@ -136,18 +173,11 @@ class LabelRounds {
   std::vector<bool> passes_;            ///< has met its requirement at the level of the joint statement
   std::vector<std::uint32_t> batches_;  ///< of the present estimate; 0: none
   bool aims_at_all_ = true;             ///< the joint statement can still hold
-  double cost_ = 0;                     ///< of a batch of a label, in the budget's unit of measure
   /// Labels omitted from the last round: too near to their requirements, or too expensive for the budget.
   struct Skipped {
     std::size_t near = 0, others = 0;
     double cost = 0;  ///< of the others
   } skipped_;
 };
-
-/// Verifies mounted units, all transceivers of the scene, in rounds as `certify` does, until every label is
-/// reached or missed. The certificate has no lower bound. Non-cooperative: a simulation with `options` plans
-/// the link of each label. Throws as `simulate`.
-CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& problem,
-                                  const CertifyOptions& options, const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
@@ -30,9 +30,7 @@ inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels
 
 /// The scene with all of its labels and some of its transceivers.
 inline Scene with_units(const Scene& scene, std::span<const std::uint32_t> transceivers) {
-  std::vector<std::uint32_t> labels(scene.labels.size());
-  std::iota(labels.begin(), labels.end(), 0U);
-  return sub_scene(scene, labels, transceivers);
+  return sub_scene(scene, all_numbers(scene.labels.size()), transceivers);
 }
 
 }  // namespace shelfbeam

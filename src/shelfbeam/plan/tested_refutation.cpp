@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/validation_estimates.hpp"
 #include "shelfbeam/stats/distributions.hpp"
@@ -54,16 +55,13 @@ class Test {
       requirement_[k] = planned.labels[tree_.labels[k]].requirement;
     entries_.resize(tree_.labels.size() * columns_);
     for (const Refutation::Weights& weights : tree_.weights) {
-      WeightedSums sums{std::vector<ValidationEstimate>(columns_), std::vector<ValidationEstimate>(columns_),
-                        std::vector<double>(columns_, 0.0), std::vector<std::uint32_t>(columns_)};
       std::vector<double> value(columns_, 0.0);
       for (std::size_t k = 0; k < weights.rows.size(); ++k)
         for (const SignalEntry& entry : planned.row(tree_.labels[weights.rows[k]]))
           value[entry.transceiver] += weights.weight[k] * entry.signal / requirement_[weights.rows[k]];
-      std::iota(sums.order.begin(), sums.order.end(), 0U);
-      std::stable_sort(sums.order.begin(), sums.order.end(),
-                       [&](std::uint32_t a, std::uint32_t b) { return value[a] > value[b]; });
-      sums_.push_back(std::move(sums));
+      sums_.push_back({std::vector<ValidationEstimate>(columns_), std::vector<ValidationEstimate>(columns_),
+                       std::vector<double>(columns_, 0.0),
+                       ordered_by(columns_, [&](std::uint32_t j) { return -value[j]; })});
     }
   }
 
@@ -156,7 +154,7 @@ class Test {
       });
     };
     if (!refutes(*std::rbegin(multiples))) return std::numeric_limits<double>::infinity();
-    return *std::find_if(std::begin(multiples), std::end(multiples), refutes);
+    return *std::find_if(std::begin(multiples), std::prev(std::end(multiples)), refutes);
   }
 
   std::vector<ValidationRow> rows(std::uint32_t batches, std::uint64_t samples_per_batch) const {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/plan/validation_estimates.hpp"
 
 namespace shelfbeam {
@@ -54,10 +55,8 @@ void judge_sums(LabelVerdict& label, std::span<const ValidationEstimate> sums, d
 void judge_links(LabelVerdict& label, std::span<const ValidationEstimate> sums, double largest,
                  std::span<const float> planned, std::size_t needed, double level, double joint_level) {
   if (sums.size() < needed) return;
-  std::vector<std::size_t> order(sums.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return planned[a] > planned[b]; });
+  const std::vector<std::uint32_t> order =
+      ordered_by(sums.size(), [&](std::uint32_t k) { return -planned[k]; });
   label.lower = label.joint_lower = std::numeric_limits<double>::infinity();
   std::size_t weakest = order[0];
   for (std::size_t k = 0; k < needed; ++k) {
@@ -124,8 +123,7 @@ std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& pro
                                  std::span<const float> planned, double level,
                                  const VerificationEffort& effort, const RunControl& control) {
   const auto prepared = prepare(scene, effort.simulation, false, control);
-  std::vector<std::uint32_t> labels(scene.labels.size());
-  std::iota(labels.begin(), labels.end(), 0U);
+  const std::vector<std::uint32_t> labels = all_numbers(scene.labels.size());
   return verify(*prepared, {labels, effort.simulation.seed, effort.batches}, problem, planned,
                 {level, labels.size(), level}, control);
 }

@@ -38,10 +38,10 @@ TEST(LabelRoundsSlow, BeginWithTheRiskiestLabels) {
     std::vector<LabelVerdict> labels(scene.labels.size(), {.requirement = store.threshold});
     LabelRounds verdicts(scene, options, labels);
     verdicts.select({}, selected, planned, is_final);
-    Rounds rounds(0.99, {.samples = 8'000'000}, options.seed);
+    const RunControl control;
+    Rounds rounds(0.99, 2, {.samples = 8'000'000}, options.seed, control);
     rounds.next();
-    EXPECT_EQ(verdicts.verify(rounds, rounds.level(2), {}),
-              is_final ? labels.size() : LabelRounds::riskiest_labels);
+    EXPECT_EQ(verdicts.verify(rounds), is_final ? labels.size() : LabelRounds::riskiest_labels);
     double largest_verified = 0, smallest_left = 1e9;
     for (std::size_t i = 0; i < labels.size(); ++i) {
       double& extreme = labels[i].samples > 0 ? largest_verified : smallest_left;
@@ -50,7 +50,7 @@ TEST(LabelRoundsSlow, BeginWithTheRiskiestLabels) {
     EXPECT_LE(largest_verified, is_final ? 1e9 : smallest_left);
     EXPECT_FALSE(verdicts.undecided_labels().empty());
     rounds.next();
-    verdicts.verify(rounds, rounds.level(2), {});
+    verdicts.verify(rounds);
     for (const LabelVerdict& label : labels) EXPECT_GT(label.samples, 0U);
   }
 }

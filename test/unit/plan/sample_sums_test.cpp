@@ -253,30 +253,5 @@ TEST(Refine, FlagsFreshBatchesAsASimulation) {
   EXPECT_LT(flagged, static_cast<std::ptrdiff_t>(matrix.columns()));
 }
 
-TEST(Refine, CanBeUndone) {
-  const Scene scene = test::PlanStore().scene();
-  SimulationOptions options = options_of(EstimatorKind::uniform);
-  options.max_bounces = 2;
-  options.by_bounce = true;
-  SignalMatrix matrix = simulate(scene, options).matrix;
-  matrix.flags.assign(matrix.mean.size(), 0);
-  matrix.flags[matrix.at(5, 1)] = 1;
-  const SignalMatrix was = matrix;
-  options.seed = 77;
-  const std::vector<ValidationRow> fresh = test::fresh_rows(scene, {2, 5}, options, 64);
-  RowsBefore before(matrix, fresh);
-  for (const ValidationRow& row : fresh) join(row, matrix);
-  EXPECT_NE(matrix.mean, was.mean);
-  matrix.flags[matrix.at(2, 0)] ^= 1;
-  EXPECT_TRUE(matrix.by_bounce.empty());
-  before.restore(matrix);
-  EXPECT_EQ(matrix.mean, was.mean);
-  EXPECT_EQ(matrix.standard_error, was.standard_error);
-  EXPECT_EQ(matrix.flags, was.flags);
-  EXPECT_EQ(matrix.labels[5].batches, was.labels[5].batches);
-  EXPECT_EQ(matrix.labels[5].samples, was.labels[5].samples);
-  EXPECT_EQ(matrix.by_bounce.size(), was.by_bounce.size());
-}
-
 }  // namespace
 }  // namespace shelfbeam

@@ -1,7 +1,8 @@
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam {
 
@@ -21,8 +22,7 @@ DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all
                                const PlacementProblem& problem, std::span<const std::uint32_t> start)
     : sample_(sample), all_(all), problem_(problem), row_of_(all.rows(), no_row) {
   table_ = make_state_table(all_, {}, sample_.count());
-  std::vector<std::uint32_t> every(all.rows());
-  std::iota(every.begin(), every.end(), 0U);
+  const std::vector<std::uint32_t> every = all_numbers(all.rows());
   const std::size_t entries = all.rows() * all.columns() * sample_.count();
   if (entries * 2 * sizeof(float) <= small_table) {
     add(every);

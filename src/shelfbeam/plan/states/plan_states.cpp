@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/states/place_over_states.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 #include "shelfbeam/plan/states/fresh_states.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
@@ -56,17 +56,17 @@ class Planner {
     if (options_.sampled != nullptr)
       options_.sampled->expect(scene_.store_hash, options_.simulation.seed, scene_.labels.size(),
                                scene_.transceivers.size(), options_.sample);
+    Availability& answer = result_.availability;
     const auto begun = std::chrono::steady_clock::now();
-    try {
+    answer.open = Rounds::reason_after([&] {
       place();
-      if (result_.availability.unreachable.empty() && options_.certifies && !selected_.empty()) certify();
+      const bool certifies = answer.unreachable.empty() && options_.certifies && !selected_.empty();
+      std::string open = certifies ? certify() : "";
       explain();
-    } catch (const Interrupted&) {
-      result_.availability.open = "it was interrupted";
-    }
+      return open;
+    });
     log_.flush();
-    result_.availability.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     finish();
     return std::move(result_);
   }
@@ -89,9 +89,7 @@ class Planner {
     deciding_.emplace(sample_, all_, problem(), result_.placement.selected);
     answer.nominal =
         outcome_of(deciding_->misses_of_start(), result_.placement.selected.size(), options_.sample);
-    std::vector<std::uint32_t> every(all_.rows());
-    std::iota(every.begin(), every.end(), 0U);
-    const MissAllowance of_all = allowance(every);
+    const MissAllowance of_all = allowance(all_numbers(all_.rows()));
     PlaceOptions part = options_.place;
     const Deadline deadline((1 - share_of_bound) * options_.place.time_limit_s);
     for (bool grows = true; grows;) {
@@ -139,27 +137,27 @@ class Planner {
         enough);
   }
 
-  void certify() {
+  // Returns the reason why the plan is not certified.
+  std::string certify() {
     Availability& answer = result_.availability;
-    const Deadline deadline(options_.budget_s);
+    // The other statement is the bound.
+    Rounds rounds(options_.confidence, 2, {options_.budget_s}, options_.simulation.seed, control_);
     const std::uint32_t factor = states_factor(options_.goal, answer.required);
     Selection named = selected_;
-    for (std::uint32_t round = 1; round <= max_state_rounds; ++round) {
-      if (round > 1) {
-        named = with_another(deadline);
+    while (rounds.round() < max_state_rounds) {
+      if (rounds.round() > 0) {
+        named = with_another(rounds);
         stop_if_cancelled();
-        if (named.size() == selected_.size()) {
-          answer.open = deadline.has_passed() ? "the time limit was reached" : "no other transceiver helps";
-          return;
-        }
+        if (named.size() == selected_.size())
+          return rounds.left() > 0 ? "no other transceiver helps" : "the time limit was reached";
       }
+      rounds.next();
       const Scene units = with_units(scene_, named);
       const StateExamination examination(states_, units, problem(), options_.simulation, log_, control_);
-      FreshStatesOptions of_round{.round = round,
-                                  .level = (1 - options_.confidence) / 2 / std::pow(2, round)};
+      FreshStatesOptions of_round{.round = rounds.round(), .level = rounds.level()};
       for (std::uint32_t& look : of_round.looks) look *= factor;
       FreshStates fresh = examine([&](std::uint64_t k) { return examination.missed(k); }, options_.goal,
-                                  answer.required, of_round, deadline, control_);
+                                  answer.required, of_round, Deadline(rounds.left()), control_);
       if (fresh.outcome.states > 0) {
         selected_ = named;
         fresh.outcome.units = named.size();
@@ -168,24 +166,21 @@ class Planner {
         answer.responsible = std::move(fresh.undecided);
       }
       answer.certified = fresh.certified;
-      if (fresh.certified) return;
+      if (fresh.certified) return {};
       stop_if_cancelled();
-      if (fresh.out_of_time) {
-        answer.open = "the time limit was reached";
-        return;
-      }
+      if (fresh.out_of_time) return "the time limit was reached";
     }
-    answer.open = "too many plans failed";
+    return "too many plans failed";
   }
 
   // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
-  Selection with_another(const Deadline& deadline) {
+  Selection with_another(const Rounds& rounds) {
     const Selection& undecided = result_.availability.responsible;
     deciding_->add_if(
         [&](std::uint32_t i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
     allowance_ = allowance(deciding_->labels());
     const StateSearch search(deciding_->table(), problem(), allowance_,
-                             [&] { return control_.cancelled() || deadline.has_passed(); });
+                             [&] { return control_.cancelled() || rounds.left() <= 0; });
     Selection more = search.with_another(selected_);
     if (more == selected_) {
       // The sampled states do not show the risk of the fresh ones.

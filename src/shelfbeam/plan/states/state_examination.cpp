@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -11,6 +10,7 @@
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/plan/verification.hpp"
@@ -71,9 +71,7 @@ StateExamination::StateExamination(const StoreStates& states, const Scene& units
       key_(key_of(units, problem)),
       control_(quiet(control)),
       first_(prepare(units, options, false, control_)),
-      labels_(units.labels.size()) {
-  std::iota(labels_.begin(), labels_.end(), 0U);
-}
+      labels_(all_numbers(units.labels.size())) {}
 
 std::vector<std::uint32_t> StateExamination::missed(std::uint64_t k) const {
   const std::uint64_t key = mix_key(key_, k);

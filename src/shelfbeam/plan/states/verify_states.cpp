@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
@@ -52,8 +52,7 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
   const std::uint32_t count = std::min(options.states, max_sample);
   const SignalTable table = table_without_signals(all);
   const StateSample sample(states, all, options.simulation, count, log, control);
-  std::vector<std::uint32_t> selected(mounted);
-  std::iota(selected.begin(), selected.end(), 0U);
+  const std::vector<std::uint32_t> selected = all_numbers(mounted);
   DecidingLabels deciding(sample, table, problem, selected);
   deciding.add_if([&](std::uint32_t i) { return found.answer().missed[i] > 0; });
   const MissAllowance allowance = allowance_of(found.goal, found.required, deciding.labels(), count);

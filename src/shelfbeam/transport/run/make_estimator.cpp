@@ -11,7 +11,6 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/transport/reuse/reuse.hpp"
 #include "shelfbeam/transport/run/batch_scheduler.hpp"
-#include "shelfbeam/transport/run/simulate.hpp"
 #include "shelfbeam/transport/tally/estimator_share.hpp"
 #include "shelfbeam/transport/uniform/uniform.hpp"
 
