@@ -73,6 +73,14 @@ bool is_opaque(const Material& material) {
   return std::visit([](const auto& m) { return m.is_opaque(); }, material);
 }
 
+bool is_pane(const Material& material) {
+  return std::holds_alternative<ThinDielectric>(material);
+}
+
+bool is_solid(const Material& material) {
+  return std::holds_alternative<Dielectric>(material);
+}
+
 std::optional<double> given_reflectance(const Material& material) {
   const auto given = [](const auto& m) -> std::optional<double> {
     if constexpr (requires { m.reflectance; })

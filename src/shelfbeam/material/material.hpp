@@ -49,6 +49,11 @@ bool has_only_specular(const Material& material);
 /// Whether the surface transmits no light.
 bool is_opaque(const Material& material);
 
+/// Whether the surface is a whole pane without thickness, on both sides of which is air.
+bool is_pane(const Material& material);
+/// Whether the surface bounds a clear solid, so that its inside must be known.
+bool is_solid(const Material& material);
+
 /// The reflectance given in a store file: of a diffuse surface, or of the base under a coat. Nothing for
 /// other materials, whose reflectance follows from their indices.
 std::optional<double> given_reflectance(const Material& material);

@@ -19,7 +19,7 @@
 namespace shelfbeam {
 
 void expect_pane(const NamedMaterial& material, const std::string& where) {
-  if (std::holds_alternative<Dielectric>(material.material))
+  if (is_solid(material.material))
     throw InputError(
         where,
         fmt::format("{} is a solid 'dielectric', but a pane has no thickness", in_quotes(material.name)),

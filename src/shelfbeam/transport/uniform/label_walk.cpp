@@ -60,7 +60,7 @@ class LabelWalk {
   // Adds the connection and samples the next direction; false if the walk ends.
   bool scatter(const Hit& hit, std::uint32_t step) {
     const Material& material = world_.material(hit);
-    const bool is_pane = std::holds_alternative<ThinDielectric>(material);
+    const bool is_pane = shelfbeam::is_pane(material);
     if (bounces_ == rules_.max_bounces && !is_pane) return false;
     const Frame frame = Frame::of_surface(hit.point.normal);
     const Vec3 outgoing = frame.to_local(-direction_);

@@ -174,12 +174,12 @@ void Contacts::find_solids(const Scene& scene) {
   };
   std::optional<Windings> windings;
   for (Face& own : faces_) {
-    if (std::holds_alternative<Dielectric>(material_of(own))) own.solid = 1;
+    if (is_solid(material_of(own))) own.solid = 1;
     if (!is_opaque(material_of(own))) continue;
     bool is_before = false, is_behind = false;
     for (const std::uint32_t partner : partners(own.triangle)) {
       const Face& other = face(partner);
-      if (!std::holds_alternative<Dielectric>(material_of(other))) continue;
+      if (!is_solid(material_of(other))) continue;
       (dot(own.normal, other.normal) < 0 ? is_before : is_behind) = true;
     }
     if (is_before != is_behind) {

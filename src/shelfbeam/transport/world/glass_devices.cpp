@@ -18,8 +18,8 @@ class Glass {
     const TriangleMesh& mesh = scene.mesh;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const Material& material = scene.materials[mesh.materials[t].value].material;
-      const bool is_solid = std::holds_alternative<Dielectric>(material);
-      if (!is_solid && !std::holds_alternative<ThinDielectric>(material)) continue;
+      const bool is_solid = shelfbeam::is_solid(material);
+      if (!is_solid && !is_pane(material)) continue;
       Face& face = faces_.emplace_back(Face{{}, is_solid});
       for (std::size_t k = 0; k < 3; ++k) face.corners[k] = mesh.vertices[mesh.triangles[t][k]];
     }

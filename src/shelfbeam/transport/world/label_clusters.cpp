@@ -20,8 +20,7 @@ double opposite_distance(const World& world, const SurfacePoint& at) {
   for (;;) {
     const auto hit = world.rays.intersect(from, at.normal);
     if (!hit) return std::numeric_limits<double>::infinity();
-    if (!std::holds_alternative<ThinDielectric>(world.material(*hit)))
-      return hit->distance(at.position, at.normal);
+    if (!is_pane(world.material(*hit))) return hit->distance(at.position, at.normal);
     from = hit->point;
   }
 }
