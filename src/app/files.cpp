@@ -14,8 +14,8 @@
 namespace shelfbeam::app {
 
 Store load_store(const std::filesystem::path& path, bool allow_outside, std::size_t memory,
-                 const std::filesystem::path& output, const CancelToken* cancel) {
-  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output, cancel});
+                 const std::filesystem::path& output, const CancelToken* cancel, Problems* problems) {
+  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output, cancel}, problems);
 }
 
 void protect_store(const std::filesystem::path& folder, const std::filesystem::path& file,
@@ -31,7 +31,7 @@ void expect_no_warnings(const Scene& scene, bool strict) {
   if (!strict || scene.warnings.empty()) return;
   const std::size_t others = scene.warnings.size() - 1;
   throw InputError(
-      "", scene.warnings.front(),
+      "", scene.warnings.front().sentence,
       others == 0 ? "warnings count as errors"
                   : fmt::format("there are {}; warnings count as errors", counted(others, "other warning")),
       Setting::strictness);

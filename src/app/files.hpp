@@ -15,9 +15,11 @@ namespace shelfbeam::app {
 
 /// Reads a store file and the files that it names; these must be in its folder unless `allow_outside`.
 /// `memory`: limit in bytes, 0 for memory_limit(). `output`: a file that the run will write. `cancel` ends
-/// the reading and all work on the store.
+/// the reading and all work on the store. With `problems`, collects all of them instead of throwing the
+/// first.
 Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0,
-                 const std::filesystem::path& output = {}, const CancelToken* cancel = nullptr);
+                 const std::filesystem::path& output = {}, const CancelToken* cancel = nullptr,
+                 Problems* problems = nullptr);
 
 /// Throws InputError if `folder` is that of the store file, unless `plan` wrote the file: its text is
 /// `resolved`. Protects the lists in its folder, too.

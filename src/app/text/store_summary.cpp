@@ -151,7 +151,9 @@ void print_warning(const std::string& text) {
 }
 
 void print_warnings(const Scene& scene) {
-  for (const std::string& warning : scene.warnings) print_warning(warning);
+  for (const Finding& warning : scene.warnings) print_warning(warning.sentence);
+  if (scene.ignored_warnings > 0)
+    fmt::print("{}\n", counted(scene.ignored_warnings, "warning") + " ignored, as the store asks");
 }
 
 }  // namespace
@@ -192,6 +194,18 @@ void print_summary(const Scene& scene, const std::string& written) {
   print_transceiver_types(scene, counts);
   print_list("not simulated unless the transceiver type has a radius", uncovered_light(scene));
   print_list("hard to sample, with large standard errors", chance_light(scene));
+}
+
+nlohmann::ordered_json json_of(const std::vector<Finding>& findings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [code, path, values, sentence] : findings) {
+    auto& one = list.emplace_back(nlohmann::ordered_json{
+        {"code", name_of(code)}, {"path", path}, {"values", nlohmann::ordered_json::array()}});
+    for (const FindingValue& value : values)
+      std::visit([&](const auto& plain) { one["values"].push_back(plain); }, value);
+    one["sentence"] = sentence;
+  }
+  return list;
 }
 
 nlohmann::ordered_json summary_json(const Scene& scene) {
@@ -245,7 +259,9 @@ nlohmann::ordered_json summary_json(const Scene& scene) {
   }
   json["not_simulated"] = uncovered_light(scene);
   json["found_by_chance"] = chance_light(scene);
-  json["warnings"] = scene.warnings;
+  json["warnings"] = sentences(scene.warnings);
+  json["findings"] = json_of(scene.warnings);
+  json["ignored_warnings"] = scene.ignored_warnings;
   return json;
 }
 

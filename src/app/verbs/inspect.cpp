@@ -1,14 +1,18 @@
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
@@ -19,6 +23,7 @@
 #include "app/files.hpp"
 #include "app/options/arguments.hpp"
 #include "app/text/store_summary.hpp"
+#include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/text/variation_text.hpp"
 #include "app/verbs.hpp"
@@ -55,11 +60,25 @@ const DrawingFormat& format_of(const std::filesystem::path& drawing) {
       "use .svg for the floor plan, .glb for the 3-D model or .json for the store");
 }
 
+/// Prints all problems of a store; with `--json`, on standard output, too. Returns the exit code.
+int print_problems(const Problems& problems, bool json) {
+  constexpr std::size_t most = 100;
+  if (json) print_json({{"problems", json_of(problems.all())}});
+  for (const Finding& problem : std::span(problems.all()).first(std::min(most, problems.all().size())))
+    print_message("{} {}\n", styled(Style::error, "error:", stderr), one_line(problem.sentence));
+  if (problems.all().size() > most) print_message("and {} more errors\n", problems.all().size() - most);
+  return wrong_input;
+}
+
 int run_inspect(const InspectArguments& options) {
   const std::filesystem::path& drawing = options.drawing;
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
-  Store store = load_store(options.store, options.allow_outside, 0, drawing);
+  Problems problems(options.store.string());
+  Store store = load_store(options.store, options.allow_outside, 0, drawing, nullptr, &problems);
+  if (problems.all().size() > 1 || (options.common.json && !problems.all().empty()))
+    return print_problems(problems, options.common.json);
+  problems.throw_first();
   const Scene nominal = make_inspected_scene(store);
   if (options.state) store = StoreStates(store, nominal, options.common.seed).state(*options.state);
   const Scene scene = options.state ? make_scene(store) : nominal;

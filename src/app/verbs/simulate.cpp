@@ -115,7 +115,7 @@ int run_simulate(const SimulateArguments& options) {
   if (options.common.json) {
     nlohmann::ordered_json json{{"signal", options.output.string()}};
     json.update(to_json(summary));
-    json["warnings"] = scene.warnings;
+    json["warnings"] = sentences(scene.warnings);
     json["found_by_chance"] = chance_light(scene, simulation.rules().strategy);
     print_json(json);
   } else if (!options.common.quiet) {

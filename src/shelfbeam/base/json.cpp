@@ -111,7 +111,7 @@ void JsonCursor::fail_kind(const char* expected) const {
 
 void JsonCursor::fail_limits(const std::string& problem, double value, double low, double high,
                              const std::string& suggestion) const {
-  fail(problem, suggestion, FindingCode::outside_limits, {{"value", value}, {"least", low}, {"most", high}});
+  fail(problem, suggestion, FindingCode::outside_limits, {value, low, high});
 }
 
 bool JsonCursor::is_object() const {
@@ -145,7 +145,7 @@ std::vector<JsonError> JsonCursor::unknown_keys(std::span<const std::string_view
                         fmt::format("has the unknown key {}", in_quotes(key)),
                         suggest(key, known),
                         FindingCode::unknown_key,
-                        {{"name", key}}});
+                        {key}});
   return errors;
 }
 
@@ -165,8 +165,7 @@ JsonCursor JsonCursor::member(std::string_view key, const void* node) const {
 
 JsonCursor JsonCursor::operator[](std::string_view key) const {
   if (auto found = find(key)) return *found;
-  fail(fmt::format("is missing the key '{}'", key), "add it", FindingCode::missing_key,
-       {{"name", std::string(key)}});
+  fail(fmt::format("is missing the key '{}'", key), "add it", FindingCode::missing_key, {std::string(key)});
 }
 
 std::vector<std::pair<std::string, JsonCursor>> JsonCursor::members() const {
@@ -266,7 +265,7 @@ std::string JsonCursor::one_of(std::span<const std::string_view> known) const {
   std::string word = text();
   if (std::find(known.begin(), known.end(), word) == known.end())
     fail(fmt::format("has the unknown value {}", in_quotes(word)), suggest(word, known),
-         FindingCode::unknown_name, {{"name", word}});
+         FindingCode::unknown_name, {word});
   return word;
 }
 

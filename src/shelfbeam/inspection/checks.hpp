@@ -46,9 +46,11 @@ struct Inspected {
 
 // Each function adds warnings about one subject.
 
+/// Values outside the usual limits of their descriptions (base/fields/fields.hpp).
+void warn_of_unusual_values(const Inspected& store, WarningList& warnings);
 /// Requirements, responses, sizes and prices of label and transceiver types; types without devices.
 void warn_of_types(const Inspected& store, WarningList& warnings);
-/// The room's height, the wavelength, materials, keep-out areas and the spacing of candidates.
+/// The room's height, the wavelength, materials and keep-out areas.
 void warn_of_room(const Inspected& store, WarningList& warnings);
 /// Overlaps, floating boxes, odd scales and rotations.
 void warn_of_fixtures(const Inspected& store, WarningList& warnings);

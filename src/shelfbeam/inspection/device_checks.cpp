@@ -111,11 +111,11 @@ class LabelChecks {
       check_direction(i);
       if (store_.blocks.contain(labels_[i].position)) continue;  // make_scene warns of it
       if (is_turned_sideways(store_, labels_[i]))
-        warn("labels that are turned sideways", i,
+        warn(FindingCode::label_sideways, i,
              "is turned along the surface beside it, which is not behind it; a label usually faces away "
              "from its shelf or wall; turn its normal");
       else if (!has_support(store_, labels_[i]) && !has_back_to_back(i))
-        warn("labels in mid-air", i,
+        warn(FindingCode::label_in_mid_air, i,
              "has no surface within 0.3 m behind it; a label is typically mounted on a shelf, a wall or a "
              "rail; correct its position or its normal");
       check_free_space(i);
@@ -123,10 +123,10 @@ class LabelChecks {
   }
 
  private:
-  void warn(std::string_view kind, std::size_t i, std::string_view problem) {
+  void warn(FindingCode code, std::size_t i, std::string_view problem) {
     const Vec3& p = labels_[i].position;
-    warnings_.add(kind, fmt::format("{}: label '{}' at ({:.6g}, {:.6g}, {:.6g}) {}", store_.sources.labels[i],
-                                    labels_[i].id, p.x, p.y, p.z, problem));
+    warnings_.add(code, store_.sources.labels[i], "label '{}' at ({:.6g}, {:.6g}, {:.6g}) {}", labels_[i].id,
+                  p.x, p.y, p.z, problem);
   }
 
   // The other label of a sign with a label on either side.
@@ -143,7 +143,7 @@ class LabelChecks {
     constexpr double nearest = 0.015;  // half the width of the smallest labels
     const auto faces_alike = [&](const Label& other) { return dot(other.normal, labels_[i].normal) > 0.5; };
     if (const auto other = earlier(labels_, index_, i, nearest, faces_alike))
-      warn("labels at one place", i,
+      warn(FindingCode::label_twice, i,
            fmt::format("is {:.2g} mm from label '{}'; labels are typically at least 3 cm apart; remove one "
                        "of them, or correct its position",
                        1000 * length(labels_[*other].position - labels_[i].position), labels_[*other].id));
@@ -158,10 +158,10 @@ class LabelChecks {
     const double ceiling = room ? room->ceiling_over(plan).at(plan) : store_.scene.upper.z;
     const bool is_at_ceiling = height > standing && label.position.z > ceiling - below_ceiling;
     if (is_at_ceiling || height > highest || (height < lowest && std::abs(label.normal.z) < 0.5))
-      warn("labels at an unusual height", i,
+      warn(FindingCode::label_height, i,
            fmt::format("is {:.3g} m above the floor; 0.1 to 2.2 m are typical; correct its height", height));
     if (label.normal.z < -0.8)
-      warn("labels that face the floor", i,
+      warn(FindingCode::label_faces_floor, i,
            "faces the floor; a label usually faces the aisle; correct its normal, or 'tilt_deg' of its "
            "fixture");
   }
@@ -173,7 +173,7 @@ class LabelChecks {
     const SurfacePoint from{label.position, label.normal};
     if (const auto before = opaque_before(store_, from, label.normal, Blocks::too_near)) {
       if (before->is_mesh)
-        warn("labels that face a surface right in front of them", i,
+        warn(FindingCode::label_faces_surface, i,
              fmt::format(
                  "faces a surface of '{}', {:.2g} cm in front of it; reverse its normal, or move it away "
                  "from the surface",
@@ -183,7 +183,7 @@ class LabelChecks {
     if (std::abs(label.normal.z) > 0.8) return;
     const Vec3 ahead = normalized({label.normal.x, label.normal.y, 0});
     if (const auto before = opaque_before(store_, from, ahead, narrowest))
-      warn("labels without an aisle", i,
+      warn(FindingCode::label_without_aisle, i,
            fmt::format(
                "has {:.2g} cm of free space in front of it, up to a surface of '{}'; aisles of 0.9 m and "
                "more are typical; move one of the fixtures",
@@ -212,10 +212,10 @@ class UnitChecks {
   }
 
  private:
-  void warn(std::string_view kind, std::size_t j, std::string_view problem) {
+  void warn(FindingCode code, std::size_t j, std::string_view problem) {
     const Vec3& p = units_[j].position;
-    warnings_.add(kind, fmt::format("{}: transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) {}",
-                                    store_.sources.transceivers[j], units_[j].id, p.x, p.y, p.z, problem));
+    warnings_.add(code, store_.sources.transceivers[j], "transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) {}",
+                  units_[j].id, p.x, p.y, p.z, problem);
   }
 
   void check_twins(std::size_t j) {
@@ -226,7 +226,7 @@ class UnitChecks {
              std::abs(other.roll_deg - unit.roll_deg) < 0.1;
     };
     if (const auto other = earlier(units_, index_, j, same_place, is_twin))
-      warn("candidates that are listed twice", j,
+      warn(FindingCode::unit_twice, j,
            fmt::format("has the place, type, axis and roll of '{}'; usually each candidate is listed once; "
                        "remove one of them, or correct its position",
                        units_[*other].id));
@@ -239,12 +239,12 @@ class UnitChecks {
     const bool is_up = unit.axis.z > 0.5;
     const auto before = opaque_before(store_, from, unit.axis, is_up ? below_ceiling : nearest);
     if (before && before->metres <= nearest)
-      warn("transceivers aimed at a surface", j,
+      warn(FindingCode::unit_faces_surface, j,
            fmt::format("is aimed at a surface of '{}', {:.2g} cm in front of it; units are typically aimed "
                        "at the shelves; correct 'axis' or the position",
                        before->material->name, 100 * before->metres));
     else if (before)
-      warn("transceivers aimed at the ceiling", j,
+      warn(FindingCode::unit_faces_ceiling, j,
            "is aimed up at the ceiling; units are typically aimed at the shelves; correct 'axis', which is "
            "[0, 0, -1] for straight down");
   }
@@ -254,7 +254,7 @@ class UnitChecks {
     constexpr double lowest = 1.5;
     const double height = units_[j].position.z - store_.floor();
     if (units_[j].axis.z < -0.5 && height < lowest)
-      warn("transceivers at an unusual height", j,
+      warn(FindingCode::unit_height, j,
            fmt::format(
                "is aimed down from {:.3g} m above the floor; 2.2 m and more are typical; correct its height",
                height));

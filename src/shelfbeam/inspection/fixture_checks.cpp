@@ -51,10 +51,9 @@ class Overlaps {
     for (const Part& part : store_.scene.parts)
       if (part.kind == PartKind::mesh) check_mesh(part);
     if (budget_ == 0 || store_.blocks.is_exhausted())
-      warnings_.add("overlaps that were not checked",
-                    fmt::format("{}: fixtures: too many fixtures lie close together to check all of them for "
-                                "overlaps; check their positions on the floor plan",
-                                store_.store.file));
+      warnings_.add(FindingCode::overlap_unchecked, store_.store.file + ": fixtures",
+                    "too many fixtures lie close together to check all of them for "
+                    "overlaps; check their positions on the floor plan");
   }
 
  private:
@@ -109,11 +108,10 @@ class Overlaps {
   bool report(const Part& one, const Part& other) {
     is_reported_[one.fixture] = is_reported_[other.fixture] = true;
     const std::string& where = store_.sources.fixtures[one.fixture];
-    warnings_.add(
-        "fixtures that overlap others",
-        fmt::format("{}: fixture '{}' overlaps fixture '{}'; fixtures usually stand side by side; "
-                    "move one of them, or remove a duplicate",
-                    where, store_.scene.fixtures[one.fixture].id, store_.scene.fixtures[other.fixture].id));
+    warnings_.add(FindingCode::fixture_overlap, where,
+                  "fixture '{}' overlaps fixture '{}'; fixtures usually stand side by side; "
+                  "move one of them, or remove a duplicate",
+                  store_.scene.fixtures[one.fixture].id, store_.scene.fixtures[other.fixture].id);
     return true;
   }
 
@@ -221,13 +219,6 @@ bool touches_room(const Scene& scene, const Part& part) {
                      [&](const Polygon& hole) { return is_near(part.footprint, hole, contact); });
 }
 
-// The values to correct if a fixture floats; empty for fixtures that stand on the floor by definition.
-std::string_view height_keys(const Fixture& fixture) {
-  if (const auto* box = std::get_if<Box>(&fixture)) return box->size ? "'at' and 'size'" : "'min' and 'max'";
-  if (std::holds_alternative<Prism>(fixture) || std::holds_alternative<Cylinder>(fixture)) return "'bottom'";
-  return {};
-}
-
 // A block above the floor that nothing supports. Signs and lamps are small or high.
 void warn_of_floating(const Inspected& store, WarningList& warnings) {
   constexpr double largest_sign = 0.3, headroom = 2;
@@ -256,11 +247,10 @@ void warn_of_floating(const Inspected& store, WarningList& warnings) {
         touches_room(scene, block) || store.blocks.any(near, touches) || store.blocks.is_exhausted())
       continue;
     const std::string& where = store.sources.fixtures[block.fixture];
-    warnings.add(
-        "fixtures that float",
-        fmt::format("{}: fixture '{}' floats {:.2g} m above the floor; a fixture stands on the floor or "
-                    "touches a wall, the ceiling or another fixture; correct {}",
-                    where, scene.fixtures[block.fixture].id, bottom, keys));
+    warnings.add(FindingCode::fixture_floating, where,
+                 "fixture '{}' floats {:.2g} m above the floor; a fixture stands on the floor or "
+                 "touches a wall, the ceiling or another fixture; correct {}",
+                 scene.fixtures[block.fixture].id, bottom, keys);
   }
 }
 
@@ -284,12 +274,10 @@ void warn_of_copies(const Inspected& store, WarningList& warnings) {
       if (!is_mesh(first) || differs(meshes[first].low, meshes[f].low) ||
           differs(meshes[first].high, meshes[f].high))
         continue;
-      warnings.add(
-          "meshes at the same place",
-          fmt::format(
-              "{}: mesh '{}' has the place and the size of mesh '{}'; usually each mesh is placed once; "
-              "remove one of them",
-              store.sources.fixtures[f], store.scene.fixtures[f].id, store.scene.fixtures[first].id));
+      warnings.add(FindingCode::mesh_twice, store.sources.fixtures[f],
+                   "mesh '{}' has the place and the size of mesh '{}'; usually each mesh is placed once; "
+                   "remove one of them",
+                   store.scene.fixtures[f].id, store.scene.fixtures[first].id);
       break;
     }
   }
@@ -302,12 +290,10 @@ void warn_of_scale(const Inspected& store, WarningList& warnings) {
     const Vec3 size = meshes[f].high - meshes[f].low;
     const double extent = std::max({size.x, size.y, size.z});
     if (!std::isfinite(extent) || (extent >= smallest && extent <= largest)) continue;
-    warnings.add(
-        "meshes of an unusual size",
-        fmt::format(
-            "{}.scale: mesh '{}' extends {:.2g} m; 0.1 to 100 m are typical; give the metres per unit "
-            "of length of its file, such as 0.001 for millimetres",
-            store.sources.fixtures[f], store.scene.fixtures[f].id, extent));
+    warnings.add(FindingCode::mesh_size, store.sources.fixtures[f] + ".scale",
+                 "mesh '{}' extends {:.2g} m; 0.1 to 100 m are typical; give the metres per unit "
+                 "of length of its file, such as 0.001 for millimetres",
+                 store.scene.fixtures[f].id, extent);
   }
 }
 
@@ -327,11 +313,10 @@ void warn_of_radians(const Inspected& store, WarningList& warnings) {
   for (const auto& [fixture, where] : store.store.fixtures) {
     const double angle = rotation_deg(fixture), eighths = std::round(angle / (pi / 4));
     if (eighths == 0 || std::abs(eighths) > 8 || std::abs(angle - eighths * pi / 4) > 0.004) continue;
-    warnings.add(
-        "rotations in radians",
-        fmt::format("{}.rotation_deg: is {:g}, which is {:g} degrees in radians; 0, 90, 180 and 270 are "
-                    "typical; give degrees",
-                    where, angle, eighths * 45));
+    warnings.add(FindingCode::rotation_in_radians, where + ".rotation_deg",
+                 "is {:g}, which is {:g} degrees in radians; 0, 90, 180 and 270 are "
+                 "typical; give degrees",
+                 angle, eighths * 45);
   }
 }
 

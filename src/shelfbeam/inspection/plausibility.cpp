@@ -11,14 +11,16 @@ Scene make_inspected_scene(const Store& store) {
   DeviceSources sources;
   Scene scene = make_scene(store, &sources);
   const Inspected inspected(store, scene, sources);
-  WarningList warnings;
+  WarningList warnings(store.file, store.ignored);
+  warn_of_unusual_values(inspected, warnings);
   warn_of_types(inspected, warnings);
   warn_of_room(inspected, warnings);
   warn_of_fixtures(inspected, warnings);
   warn_of_labels(inspected, warnings);
   warn_of_units(inspected, warnings);
   warn_of_separated(inspected, warnings);
-  for (std::string& text : warnings.texts()) scene.warnings.push_back(std::move(text));
+  for (Finding& warning : warnings.findings()) scene.warnings.push_back(std::move(warning));
+  scene.ignored_warnings += warnings.ignored();
   return scene;
 }
 

@@ -2,8 +2,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <type_traits>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -22,15 +20,7 @@ std::vector<bool> named_materials(const Store& store, const Scene& scene) {
   std::vector<bool> named = scene.used_materials();
   const auto use = [&](MaterialId material) { named[material.value] = true; };
   for (const auto& [fixture, where] : store.fixtures)
-    std::visit(
-        [&](const auto& one) {
-          if constexpr (std::is_base_of_v<Shelving, std::remove_cvref_t<decltype(one)>>) {
-            use(one.material);
-            use(one.goods);
-            if (one.doors) use(*one.doors);
-          }
-        },
-        fixture);
+    for (const MaterialId material : materials_of(fixture)) use(material);
   if (store.variation)
     for (const StandingBoxes& boxes : store.variation->boxes) use(boxes.material);
   return named;
@@ -42,15 +32,14 @@ void warn_of_materials(const Inspected& store, WarningList& warnings) {
   for (std::size_t k = 0; k < named.size(); ++k) {
     const auto& [name, material, range] = scene.materials[k];
     if (!named[k])
-      warnings.add("materials that nothing uses",
-                   fmt::format("{}: materials.{}: no surface has it; remove it, or name it where it belongs",
-                               store.store.file, name));
+      warnings.add(FindingCode::material_unused, fmt::format("{}: materials.{}", store.store.file, name),
+                   "no surface has it; remove it, or name it where it belongs");
     else if (const auto reflectance = given_reflectance(material); reflectance && *reflectance < 0.02)
-      warnings.add(
-          "materials that reflect almost nothing",
-          fmt::format("{}: materials.{}.reflectance: is {:.3g}; 0.03 (black paint) to 0.95 are typical; "
-                      "give a fraction, such as 0.8 for 80 %",
-                      store.store.file, name, *reflectance));
+      warnings.add(FindingCode::material_dark,
+                   fmt::format("{}: materials.{}.reflectance", store.store.file, name),
+                   "is {:.3g}; 0.03 (black paint) to 0.95 are typical; "
+                   "give a fraction, such as 0.8 for 80 %",
+                   *reflectance);
   }
 }
 
@@ -71,48 +60,20 @@ void warn_of_keep_out(const Inspected& store, WarningList& warnings) {
     const Vec2 &min = areas[k].min, &max = areas[k].max;
     if (max[0] >= low.x && max[1] >= low.y && min[0] <= high.x && min[1] <= high.y) {
       if (store.scene.room && !meets_room(areas[k], *store.scene.room))
-        warnings.add(
-            "keep-out areas outside the shop",
-            fmt::format("{}: transceivers.keep_out[{}]: from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is "
-                        "outside the walls of the room; it removes no candidate; move it inside",
-                        store.store.file, k, min[0], min[1], max[0], max[1]));
+        warnings.add(FindingCode::keep_out_outside,
+                     fmt::format("{}: transceivers.keep_out[{}]", store.store.file, k),
+                     "from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is "
+                     "outside the walls of the room; it removes no candidate; move it inside",
+                     min[0], min[1], max[0], max[1]);
       continue;
     }
-    warnings.add(
-        "keep-out areas outside the shop",
-        fmt::format("{}: transceivers.keep_out[{}]: extends from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), but "
-                    "the shop from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); it removes no candidate; "
-                    "check its unit of length",
-                    store.store.file, k, min[0], min[1], max[0], max[1], low.x, low.y, high.x, high.y));
+    warnings.add(FindingCode::keep_out_outside,
+                 fmt::format("{}: transceivers.keep_out[{}]", store.store.file, k),
+                 "extends from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), but "
+                 "the shop from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); it removes no candidate; "
+                 "check its unit of length",
+                 min[0], min[1], max[0], max[1], low.x, low.y, high.x, high.y);
   }
-}
-
-// `kind` names the parts of the store with this spacing: "grids".
-void warn_of_spacing(double spacing, const std::string& where, const std::string& kind,
-                     WarningList& warnings) {
-  constexpr double narrowest = 0.25, widest = 8;
-  if (spacing < narrowest)
-    warnings.add("narrow " + kind,
-                 fmt::format("{}.spacing: is {:.3g} m, which makes very many candidates; 0.5 to 3 m are "
-                             "typical; use a wider spacing",
-                             where, spacing));
-  if (spacing > widest)
-    warnings.add("wide " + kind,
-                 fmt::format("{}.spacing: is {:.3g} m, which leaves few candidates to choose from; 0.5 to 3 "
-                             "m are typical; use a narrower spacing",
-                             where, spacing));
-}
-
-// The faces of `on` are exempt, because columns are small.
-void warn_of_spacings(const Inspected& store, WarningList& warnings) {
-  const Store& file = store.store;
-  for (std::size_t g = 0; g < file.grids.size(); ++g)
-    warn_of_spacing(file.grids[g].spacing, fmt::format("{}: transceivers.grids[{}]", file.file, g), "grids",
-                    warnings);
-  for (const auto& [area, where] : file.areas)
-    warn_of_spacing(area.spacing, where, "grids of areas", warnings);
-  for (const auto& [rail, where] : file.rails)
-    warn_of_spacing(rail.spacing, where, "spacings of rails", warnings);
 }
 
 // The share of devices, up to 200 of them, from which a vertical ray meets no surface.
@@ -133,12 +94,10 @@ void warn_of_open_building(const Inspected& store, WarningList& warnings) {
   constexpr double many = 0.1;
   const auto warn = [&](double share, std::string_view devices, std::string_view surface) {
     if (share > many)
-      warnings.add(
-          "buildings that are open",
-          fmt::format(
-              "{}: fixtures: {:.0f} % of the {} have no surface {} them; a floor and a ceiling are typical; "
-              "add a 'room', or check which parts of the building the mesh contains and where it stands",
-              store.store.file, 100 * share, devices, surface));
+      warnings.add(FindingCode::room_open, store.store.file + ": fixtures",
+                   "{:.0f} % of the {} have no surface {} them; a floor and a ceiling are typical; "
+                   "add a 'room', or check which parts of the building the mesh contains and where it stands",
+                   100 * share, devices, surface);
   };
   warn(open_share(store, store.scene.labels, {0, 0, -1}), "labels", "below");
   warn(open_share(store, store.scene.transceivers, {0, 0, 1}), "transceivers", "above");
@@ -154,10 +113,8 @@ void warn_of_heights(const Inspected& store, WarningList& warnings) {
   const auto check = [&](const std::string& key, const std::string& what, double height, bool has_least) {
     constexpr double least = 2, most = 15;
     if (height > most || (has_least && height < least))
-      warnings.add(
-          "unusual heights of rooms",
-          fmt::format("{}: {}: {} is {:.3g} m high; 2.5 to 12 m are typical; check its unit of length",
-                      store.store.file, key, what, height));
+      warnings.add(FindingCode::room_height, fmt::format("{}: {}", store.store.file, key),
+                   "{} is {:.3g} m high; 2.5 to 12 m are typical; check its unit of length", what, height);
   };
   const Scene& scene = store.scene;
   if (!scene.room) {
@@ -178,15 +135,13 @@ void warn_of_room(const Inspected& store, WarningList& warnings) {
   const Scene& scene = store.scene;
   warn_of_heights(store, warnings);
   if (scene.wavelength_nm < 700 || scene.wavelength_nm > 1700)
-    warnings.add(
-        "unusual wavelengths",
-        fmt::format("{}: wavelength_nm: {:g} nm is not near-infrared light; 850 to 950 nm are typical; "
-                    "correct it",
-                    store.store.file, scene.wavelength_nm));
+    warnings.add(FindingCode::wavelength, store.store.file + ": wavelength_nm",
+                 "{:g} nm is not near-infrared light; 850 to 950 nm are typical; "
+                 "correct it",
+                 scene.wavelength_nm);
   if (!scene.room) warn_of_open_building(store, warnings);
   warn_of_materials(store, warnings);
   warn_of_keep_out(store, warnings);
-  warn_of_spacings(store, warnings);
 }
 
 }  // namespace shelfbeam

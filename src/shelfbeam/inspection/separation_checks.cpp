@@ -242,24 +242,21 @@ void warn_of_separated(const Inspected& store, WarningList& warnings) {
     if ((units > 0 && static_cast<double>(labels) >= few) || !groups.is_known(i) ||
         store.blocks.contain(label.position))
       continue;
-    warnings.add("labels behind closed walls",
-                 fmt::format("{}: label '{}' at {} is separated from {} by closed surfaces, so that no light "
-                             "reaches it; usually some light passes between all parts of a shop; check its "
-                             "position, the walls, and doors of an opaque material",
-                             store.sources.labels[store.labels[i]], label.id, position_text(label.position),
-                             units == 0 ? "all transceivers" : "most labels"));
+    warnings.add(FindingCode::label_separated, store.sources.labels[store.labels[i]],
+                 "label '{}' at {} is separated from {} by closed surfaces, so that no light "
+                 "reaches it; usually some light passes between all parts of a shop; check its "
+                 "position, the walls, and doors of an opaque material",
+                 label.id, position_text(label.position), units == 0 ? "all transceivers" : "most labels");
   }
   for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j) {
     const Transceiver& unit = scene.transceivers[j];
     if (members.at(groups.group(groups.unit(j))).labels > 0 || !groups.is_known(groups.unit(j)) ||
         store.blocks.contain(unit.position))
       continue;
-    warnings.add(
-        "transceivers behind closed walls",
-        fmt::format(
-            "{}: transceiver '{}' at {} is separated from all labels by closed surfaces; usually light "
-            "reaches labels from every candidate; correct its position, or cover it with 'keep_out'",
-            store.sources.transceivers[j], unit.id, position_text(unit.position)));
+    warnings.add(FindingCode::unit_separated, store.sources.transceivers[j],
+                 "transceiver '{}' at {} is separated from all labels by closed surfaces; usually light "
+                 "reaches labels from every candidate; correct its position, or cover it with 'keep_out'",
+                 unit.id, position_text(unit.position));
   }
 }
 

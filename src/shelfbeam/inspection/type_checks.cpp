@@ -98,9 +98,8 @@ class TypeChecks {
   }
 
   void unused(std::string_view section, const std::string& name, std::string_view why) {
-    warnings_.add("types that nothing uses",
-                  fmt::format("{}: {}; remove it, or correct the 'type' of the devices that should have it",
-                              at(section, name), why));
+    warnings_.add(FindingCode::type_unused, at(section, name),
+                  "{}; remove it, or correct the 'type' of the devices that should have it", why);
   }
 
   // `threshold`: with or without the safety factor.
@@ -122,51 +121,35 @@ class TypeChecks {
             ? "milliwatts and watts may be confused: thresholds are in W/m^2, flux in W, intensity in W/sr"
             : "check 'threshold', 'safety_factor' and the emission of the transceiver";
     if (type.range_m > farthest_ || (type.range_m > 0 && type.range_m < 1))
-      warnings_.add(
-          "requirements that every unit or none meets",
-          fmt::format("{}: the label receives signals at {} m; 3 to 20 m are typical, in this shop up to {} "
-                      "m; check 'at_m'",
-                      at("label_types", type.name, ".threshold"), plain(type.range_m), plain(farthest_)));
+      warnings_.add(FindingCode::requirement, at("label_types", type.name, ".threshold"),
+                    "the label receives signals at {} m; 3 to 20 m are typical, in this shop up to {} "
+                    "m; check 'at_m'",
+                    plain(type.range_m), plain(farthest_));
     // A narrow beam may reach farther than the room; its mean then does not.
     else if (range.peak > farthest_ && range.mean > farthest_ / 2)
-      warnings_.add(
-          "requirements that every unit or none meets",
-          fmt::format(
-              "{}: a single '{}' meets the requirement of {} W/m^2 from {} m; 3 to 20 m are typical, in "
-              "this shop up to {} m; {}",
-              at("label_types", type.name), range.unit, plain(type.requirement()), plain(range.peak),
-              plain(farthest_), remedy));
+      warnings_.add(FindingCode::requirement, at("label_types", type.name),
+                    "a single '{}' meets the requirement of {} W/m^2 from {} m; 3 to 20 m are typical, in "
+                    "this shop up to {} m; {}",
+                    range.unit, plain(type.requirement()), plain(range.peak), plain(farthest_), remedy);
     else if (range.peak < 1)
-      warnings_.add(
-          "requirements that every unit or none meets",
-          fmt::format(
-              "{}: a single '{}' meets the requirement of {} W/m^2 only up to {} m, and no other unit "
-              "farther; 3 to 20 m are typical; {}",
-              at("label_types", type.name), range.unit, plain(type.requirement()), plain(range.peak),
-              remedy));
+      warnings_.add(FindingCode::requirement, at("label_types", type.name),
+                    "a single '{}' meets the requirement of {} W/m^2 only up to {} m, and no other unit "
+                    "farther; 3 to 20 m are typical; {}",
+                    range.unit, plain(type.requirement()), plain(range.peak), remedy);
   }
 
   void check_label(const LabelType& type) {
-    if (type.safety_factor < 1 || type.safety_factor > 10)
-      warnings_.add(
-          "unusual safety factors",
-          fmt::format("{}: is {}{}; 1 to 4 are typical; correct it",
-                      at("label_types", type.name, ".safety_factor"), plain(type.safety_factor),
-                      type.safety_factor < 1 ? ", so labels count as reached below their threshold" : ""));
     constexpr double largest = 0.6;
     if (std::max(type.size[0], type.size[1]) > largest)
-      warnings_.add(
-          "unusual sizes of labels",
-          fmt::format("{}: is {} x {} m; 0.03 to 0.3 m are typical; correct it",
-                      at("label_types", type.name, ".size"), plain(type.size[0]), plain(type.size[1])));
+      warnings_.add(FindingCode::label_size, at("label_types", type.name, ".size"),
+                    "is {} x {} m; 0.03 to 0.3 m are typical; correct it", plain(type.size[0]),
+                    plain(type.size[1]));
     if (const auto* power = std::get_if<CosinePowerResponse>(&type.responsivity);
         power != nullptr && power->cutoff < radians(10))
-      warnings_.add(
-          "unusual responses of labels",
-          fmt::format("{}: is {}, so the label receives light only from straight ahead; 40 to 90 are "
-                      "typical; give degrees, not radians",
-                      at("label_types", type.name, ".responsivity.cutoff_deg"),
-                      plain(power->cutoff * 180 / pi)));
+      warnings_.add(FindingCode::label_response, at("label_types", type.name, ".responsivity.cutoff_deg"),
+                    "is {}, so the label receives light only from straight ahead; 40 to 90 are "
+                    "typical; give degrees, not radians",
+                    plain(power->cutoff * 180 / pi));
   }
 
   // The shares of the flux within 4 degrees of the axis and behind the unit.
@@ -186,44 +169,34 @@ class TypeChecks {
     const auto [ahead, behind] = shares(type.emission);
     const std::string where = at("transceiver_types", type.name, ".emission");
     if (ahead > 0.9)
-      warnings_.add(
-          "unusual directions of emission",
-          fmt::format("{}: all light leaves within 4 degrees of the axis; beams of 20 degrees and more are "
-                      "typical; give angles in degrees, not radians",
-                      where));
+      warnings_.add(FindingCode::emission_direction, where,
+                    "all light leaves within 4 degrees of the axis; beams of 20 degrees and more are "
+                    "typical; give angles in degrees, not radians");
     if (behind > 0.5)
-      warnings_.add(
-          "unusual directions of emission",
-          fmt::format(
-              "{}: {:.0f} % of the light leaves backwards, beyond 90 degrees from the axis; less than "
-              "half is typical; reverse the angles of the profile",
-              where, 100 * behind));
+      warnings_.add(FindingCode::emission_direction, where,
+                    "{:.0f} % of the light leaves backwards, beyond 90 degrees from the axis; less than "
+                    "half is typical; reverse the angles of the profile",
+                    100 * behind);
   }
 
   void check_unit(const TransceiverType& type, std::size_t k) {
     check_directions(type);
     const double flux = power(type.emission);
     if (flux > 100 || flux < 1e-3)
-      warnings_.add(
-          "unusual flux",
-          fmt::format("{}: emits {} W in total; 0.01 to 20 W are typical; check its flux or intensity, "
-                      "which are in W and W/sr",
-                      at("transceiver_types", type.name, ".emission"), plain(flux)));
-    if (type.radius > 0.3)
-      warnings_.add("unusual radii of transceivers",
-                    fmt::format("{}: is {} m; up to 0.1 m is typical; correct it",
-                                at("transceiver_types", type.name, ".radius"), plain(type.radius)));
+      warnings_.add(FindingCode::flux, at("transceiver_types", type.name, ".emission"),
+                    "emits {} W in total; 0.01 to 20 W are typical; check its flux or intensity, "
+                    "which are in W and W/sr",
+                    plain(flux));
     if (type.cost == 0 && new_units_[k] > 0)
-      warnings_.add("units that cost nothing",
-                    fmt::format("{}: is 0, so a plan may have many of them; a price above 0 is typical; "
-                                "give a price",
-                                at("transceiver_types", type.name, ".cost")));
+      warnings_.add(FindingCode::unit_free, at("transceiver_types", type.name, ".cost"),
+                    "is 0, so a plan may have many of them; a price above 0 is typical; "
+                    "give a price");
   }
 
   // The smallest and the largest value of the used types.
   template <class Types, class Value>
   void compare(const Types& types, const std::vector<std::size_t>& used, std::string_view section,
-               std::string_view subject, std::string_view unit, Value value) {
+               FindingCode code, std::string_view subject, std::string_view unit, Value value) {
     const auto* low = static_cast<decltype(&types[0])>(nullptr);
     const auto* high = low;
     for (std::size_t k = 0; k < types.size(); ++k) {
@@ -232,17 +205,18 @@ class TypeChecks {
       if (high == nullptr || value(types[k]) > value(*high)) high = &types[k];
     }
     if (low == nullptr || value(*high) < 50 * value(*low)) return;
-    warnings_.add(subject, fmt::format("{}: has a {} of {} {}, and '{}' one of {} {}; a factor below 10 is "
-                                       "typical; check the units of measure of both",
-                                       at(section, low->name), subject, plain(value(*low)), unit, high->name,
-                                       plain(value(*high)), unit));
+    warnings_.add(
+        code, at(section, low->name),
+        "has a {} of {} {}, and '{}' one of {} {}; a factor below 10 is typical; check the units of "
+        "measure of both",
+        subject, plain(value(*low)), unit, high->name, plain(value(*high)), unit);
   }
   void compare_requirements() {
-    compare(scene_.label_types, labels_, "label_types", "requirement", "W/m^2",
-            [](const LabelType& type) { return type.requirement(); });
+    compare(scene_.label_types, labels_, "label_types", FindingCode::requirement_ratio, "requirement",
+            "W/m^2", [](const LabelType& type) { return type.requirement(); });
   }
   void compare_flux() {
-    compare(scene_.transceiver_types, units_, "transceiver_types", "flux", "W",
+    compare(scene_.transceiver_types, units_, "transceiver_types", FindingCode::flux_ratio, "flux", "W",
             [](const TransceiverType& type) { return power(type.emission); });
   }
 

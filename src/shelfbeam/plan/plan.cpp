@@ -138,7 +138,7 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
     plan.alternatives = alternatives_to(plan.placement, table(plan.simulation.matrix), control);
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
     plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
-  plan.warnings = scene.warnings;
+  plan.warnings = sentences(scene.warnings);
   if (std::string text = margin_warning(table(plan.simulation.matrix), plan.placement); !text.empty())
     plan.warnings.push_back(std::move(text));
   plan.complete = plan.simulation.summary.complete && !control.cancelled();

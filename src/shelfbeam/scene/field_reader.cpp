@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/fields/each_key.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 
@@ -14,42 +15,12 @@ namespace shelfbeam {
 
 namespace {
 
-class KeyList final : public Fields {
+class KeyList final : public EachKey {
  public:
   std::vector<std::string_view> keys;
 
-  bool scalar(std::string_view key, Scalar, double&, const Field&) override { return add(key); }
-  bool array(std::string_view key, Scalar, std::span<double>, const Field&) override { return add(key); }
-  bool list(std::string_view key, Scalar, std::vector<double>&, const Field&) override { return add(key); }
-  bool polygon(std::string_view key, Polygon&, const Field&) override { return add(key); }
-  bool integer(std::string_view key, std::int64_t&, const Field&) override { return add(key); }
-  bool boolean(std::string_view key, bool&, const Field&) override { return add(key); }
-  bool text(std::string_view key, std::string&, const Field&) override { return add(key); }
-  bool choices(std::string_view key, std::vector<std::string_view>&, std::span<const std::string_view>, bool,
-               const Field&) override {
-    return add(key);
-  }
-  bool reference(std::string_view key, NameList, std::uint32_t&, const Field&) override { return add(key); }
-  bool references(std::string_view key, NameList, std::vector<std::pair<std::string, std::uint32_t>>&,
-                  const Field&) override {
-    return add(key);
-  }
-  bool object(std::string_view key, const Part&, const Field&) override { return add(key); }
-  bool objects(std::string_view key, std::size_t, const std::function<void(Fields&, std::size_t)>&,
-               const Field&) override {
-    return add(key);
-  }
-  bool custom(std::string_view key, const CustomValue&, const Field&) override { return add(key); }
-  void either(std::initializer_list<std::string_view>, bool, const Part& first, const Part& second) override {
-    first(*this);
-    second(*this);
-  }
-  void one_of(std::initializer_list<std::string_view>) override {}
-
- private:
-  bool add(std::string_view key) {
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-    return false;
+  void key(std::string_view name, const Field&) override {
+    if (std::find(keys.begin(), keys.end(), name) == keys.end()) keys.push_back(name);
   }
 };
 
@@ -62,6 +33,8 @@ double read_number(const JsonCursor& json, Scalar kind, const Field& field) {
       return read_length(json);
     case Scalar::distance:
       return json.metres(0, 1e3);
+    case Scalar::extent:
+      return read_extent(json, 1e-4);
     case Scalar::coordinate:
       return read_coordinate(json);
     case Scalar::degrees:
@@ -93,6 +66,16 @@ std::vector<std::string_view> keys_of(const Fields::Part& part) {
   KeyList list;
   part(list);
   return list.keys;
+}
+
+bool read_object(const JsonCursor& json, const StoreNames& names, Problems& problems,
+                 const Fields::Part& part, const std::function<void(FieldReader&)>& complete) {
+  const std::size_t failures = problems.failures();
+  FieldReader reader(json, names, problems);
+  reader.expect_keys(keys_of(part));
+  if (json.is_object()) part(reader);
+  if (json.is_object() && complete) complete(reader);
+  return failures == problems.failures();
 }
 
 double read_scalar(const JsonCursor& json, Scalar kind, const Field& field) {
@@ -167,7 +150,10 @@ bool FieldReader::boolean(std::string_view key, bool& value, const Field& field)
 }
 
 bool FieldReader::text(std::string_view key, std::string& value, const Field& field) {
-  return read(key, field, [&](const JsonCursor& json) { value = json.text(); });
+  return read(key, field, [&](const JsonCursor& json) {
+    value = field.is_name ? read_name(json) : json.text();
+    if (value.size() < field.fewest) json.fail("is empty", "give a text");
+  });
 }
 
 bool FieldReader::choices(std::string_view key, std::vector<std::string_view>& values,
@@ -214,16 +200,8 @@ bool FieldReader::references(std::string_view key, NameList list,
   });
 }
 
-void FieldReader::expect_part(const JsonCursor& json, const Part& part) {
-  FieldReader reader(json, names_, problems_);
-  const std::size_t failures = problems_.failures();
-  reader.expect_keys(keys_of(part));
-  if (json.is_object()) part(reader);
-  if (failures != problems_.failures()) throw Consequence{};
-}
-
 bool FieldReader::object(std::string_view key, const Part& part, const Field& field) {
-  return read(key, field, [&](const JsonCursor& json) { expect_part(json, part); });
+  return read(key, field, [&](const JsonCursor& json) { read_object(json, names_, problems_, part); });
 }
 
 bool FieldReader::objects(std::string_view key, std::size_t,
@@ -231,7 +209,7 @@ bool FieldReader::objects(std::string_view key, std::size_t,
   return read(key, field, [&](const JsonCursor& json) {
     expect_size(json, field);
     for (std::size_t k = 0; k < json.size(); ++k)
-      problems_.collect([&] { expect_part(json.element(k), [&](Fields& fields) { part(fields, k); }); });
+      read_object(json.element(k), names_, problems_, [&](Fields& fields) { part(fields, k); });
   });
 }
 

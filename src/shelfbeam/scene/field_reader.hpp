@@ -21,6 +21,11 @@ namespace shelfbeam {
 /// The keys of a struct, of both of its forms and without those of its parts.
 std::vector<std::string_view> keys_of(const Fields::Part& part);
 
+/// Reads an object with the keys of a struct and no others, and collects its problems. `complete` checks
+/// rules that tie keys together. Returns whether there was no problem.
+bool read_object(const JsonCursor& json, const StoreNames& names, Problems& problems,
+                 const Fields::Part& part, const std::function<void(class FieldReader&)>& complete = {});
+
 /// Reads a number of the kind.
 double read_scalar(const JsonCursor& json, Scalar kind, const Field& field = {});
 
@@ -63,7 +68,6 @@ class FieldReader final : public Fields {
   template <class Read>
   bool read(std::string_view key, const Field& field, Read read_value);
   std::uint32_t index(NameList list, const JsonCursor& name) const;
-  void expect_part(const JsonCursor& json, const Part& part);
 
   JsonCursor json_;
   const StoreNames& names_;

@@ -5,6 +5,7 @@
 
 #include "shelfbeam/base/fields/fields.hpp"
 #include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/variation.hpp"
 
 namespace shelfbeam {
 
@@ -20,5 +21,11 @@ inline bool describe_triple(Fields& f, std::string_view key, Scalar kind, Vec3& 
 inline bool describe_point(Fields& f, std::string_view key, Vec3& value, const Field& field) {
   return describe_triple(f, key, Scalar::coordinate, value, field);
 }
+/// A direction of any length, which becomes 1.
+bool describe_direction(Fields& f, std::string_view key, Vec3& direction, const Field& field);
+/// A share, or a range of shares.
+bool describe_share_range(Fields& f, std::string_view key, Range& range, const Field& field);
+/// "room", the id of a zone, or a polygon. The reader does not look up the id.
+bool describe_plan_area(Fields& f, PlanArea& area, std::string_view says);
 
 }  // namespace shelfbeam

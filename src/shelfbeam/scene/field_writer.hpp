@@ -21,12 +21,18 @@ inline nlohmann::ordered_json array_of(const Vec3& v) {
   return {v.x, v.y, v.z};
 }
 
+/// The lists of the store whose members have names.
+struct StoreLists {
+  const std::vector<NamedMaterial>& materials;
+  const std::vector<LabelType>& label_types;
+  const std::vector<TransceiverType>& transceiver_types;
+};
+
 /// Writes the values of a struct to an object of the resolved store, from which FieldReader restores them to
 /// the bit.
 class FieldWriter final : public Fields {
  public:
-  FieldWriter(nlohmann::ordered_json& json, const std::vector<NamedMaterial>& materials)
-      : json_(json), materials_(materials) {}
+  FieldWriter(nlohmann::ordered_json& json, const StoreLists& lists) : json_(json), lists_(lists) {}
 
   bool scalar(std::string_view key, Scalar, double& value, const Field& field) override {
     return write(key, value, field);
@@ -53,8 +59,8 @@ class FieldWriter final : public Fields {
                bool single, const Field& field) override {
     return single ? write(key, values.front(), field) : write(key, values, field);
   }
-  bool reference(std::string_view key, NameList, std::uint32_t& index, const Field& field) override {
-    return field.is_written && write(key, materials_[index].name, field);
+  bool reference(std::string_view key, NameList list, std::uint32_t& index, const Field& field) override {
+    return field.is_written && write(key, name_of(list, index), field);
   }
   bool references(std::string_view key, NameList, std::vector<std::pair<std::string, std::uint32_t>>& values,
                   const Field& field) override;
@@ -77,8 +83,10 @@ class FieldWriter final : public Fields {
     return false;
   }
 
+  const std::string& name_of(NameList list, std::uint32_t index) const;
+
   nlohmann::ordered_json& json_;
-  const std::vector<NamedMaterial>& materials_;
+  const StoreLists& lists_;
 };
 
 }  // namespace shelfbeam

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/finding/finding.hpp"
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/material/material.hpp"
@@ -97,7 +98,8 @@ struct Scene {
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
   std::vector<EmittingSurface> emitting_surfaces;
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
+  std::size_t ignored_warnings = 0;  ///< by the key "ignore" of elements of the store
 
   const LabelType& type_of(const Label& label) const { return label_types[label.type.value]; }
   const TransceiverType& type_of(const Transceiver& t) const { return transceiver_types[t.type.value]; }

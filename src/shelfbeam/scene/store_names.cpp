@@ -11,12 +11,16 @@
 namespace shelfbeam {
 
 template <class Id>
-std::uint32_t NameIndex<Id>::find(const std::string& name, const std::string& where) const {
+std::uint32_t NameIndex<Id>::find(const std::string& name, const std::string& where,
+                                  const JsonCursor* cursor) const {
   if (const auto found = names_.find(name); found != names_.end()) return found->second;
+  if (problems_ != nullptr) problems_->expect_complete(what_);
   std::vector<std::string_view> known;
   for (const auto& [key, index] : names_) known.push_back(key);
-  throw InputError(where, fmt::format("names the unknown {} {}", what_, in_quotes(name)),
-                   known.empty() ? "define it first" : suggest(name, known));
+  const std::string problem = fmt::format("names the unknown {} {}", what_, in_quotes(name)),
+                    remedy = known.empty() ? "define it first" : suggest(name, known);
+  if (cursor != nullptr) cursor->fail(problem, remedy, FindingCode::unknown_name, {name});
+  throw InputError(where, problem, remedy);
 }
 
 template class NameIndex<MaterialId>;

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -23,12 +22,10 @@ struct Range {
 
 class Fields;
 class JsonCursor;
-struct Field;
 
 /// A share from 0 to 1: a number, or { "uniform": [low, high] }. Throws InputError.
 Range read_share_range(const JsonCursor& json);
 nlohmann::ordered_json resolved(const Range& range);
-bool describe_share_range(Fields& f, std::string_view key, Range& range, const Field& field);
 
 /// Distributions of the number of boxes.
 struct PoissonNumber {
@@ -47,15 +44,19 @@ struct StandingBoxes {
   std::string id;  ///< the boxes are named after it
   PlanArea area;
   std::variant<PoissonNumber, UniformNumber, Presence> number;
-  Vec3 size;  ///< m
+  Vec3 size{};  ///< m
   MaterialId material;
   bool is_person = false;
+
+  void fields(Fields& f);
 };
 
 /// Doors of the fixtures whose ids match a pattern ('*' and '?').
 struct OpenDoors {
   std::string fixtures;
   double open = 0;  ///< share of the time
+
+  void fields(Fields& f);
 };
 
 /// The changes of a shop (docs/formats/store/variation.md). A state is one draw of all of them.
@@ -68,6 +69,8 @@ struct StoreVariation {
   std::vector<StandingBoxes> boxes;  ///< people, then objects
   /// Standard deviations.
   double position = 0, tilt_deg = 0, unit_power_db = 0, label_sensitivity_db = 0;
+
+  void fields(Fields& f);
 };
 
 }  // namespace shelfbeam

@@ -1,42 +1,60 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
-#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
+
+#include <fmt/core.h>
+
+#include "shelfbeam/base/finding/finding.hpp"
 
 namespace shelfbeam {
 
-/// Warnings by kind. The first five of each kind are printed in full, and the others are counted, because an
-/// error in one fixture may affect thousands of labels.
+/// The paths of elements of a store file, each with a code of warnings that it ignores.
+using IgnoredCodes = std::set<std::pair<std::string, FindingCode>>;
+
+/// Warnings by code. The first five of each code are kept, and the others are counted, because an error in
+/// one fixture may affect thousands of labels.
 class WarningList {
  public:
-  /// `kind` completes the line "and 123 more ...", for example "labels inside a fixture".
-  void add(std::string_view kind, const std::string& warning) {
-    auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.kind == kind; });
-    if (group == groups_.end()) group = groups_.insert(group, Group{std::string(kind), {}, 0});
-    if (++group->count <= shown) group->first.push_back(warning);
+  WarningList(const std::string& file, const IgnoredCodes& ignored) : file_(file), ignored_(ignored) {}
+
+  /// `where` is the location: "store.json: fixtures[3]". It is put before the text.
+  template <class... Values>
+  void add(FindingCode code, const std::string& where, fmt::format_string<const Values&...> text,
+           const Values&... values) {
+    add(code, where, fmt::format(text, values...), FindingValues{value_of(values)...});
   }
-  /// The warnings, with kinds in the order of their first appearance.
-  std::vector<std::string> texts() const {
-    std::vector<std::string> texts;
-    for (const Group& group : groups_) {
-      texts.insert(texts.end(), group.first.begin(), group.first.end());
-      if (group.count > shown)
-        texts.push_back("and " + std::to_string(group.count - shown) + " more " + group.kind);
-    }
-    return texts;
-  }
+  /// Codes in the order of their first appearance.
+  std::vector<Finding> findings() const;
+  /// The number of warnings that an element of the store, or the store itself, ignores.
+  std::size_t ignored() const { return ignored_count_; }
 
  private:
+  template <class Value>
+  static FindingValue value_of(const Value& value) {
+    if constexpr (std::is_arithmetic_v<Value>)
+      return static_cast<double>(value);
+    else
+      return std::string(value);
+  }
+  void add(FindingCode code, const std::string& where, const std::string& text, FindingValues values);
+  std::string path_of(const std::string& where) const;
+  bool is_ignored(FindingCode code, std::string path) const;
+
   static constexpr std::size_t shown = 5;
   struct Group {
-    std::string kind;
-    std::vector<std::string> first;
+    FindingCode code;
+    std::vector<Finding> first;
     std::size_t count = 0;
   };
+  const std::string& file_;
+  const IgnoredCodes& ignored_;
   std::vector<Group> groups_;
+  std::size_t ignored_count_ = 0;
 };
 
 }  // namespace shelfbeam

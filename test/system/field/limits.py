@@ -372,9 +372,7 @@ ROWS = [
         warnings(lambda: hall(gondola(id="A{n}", repeat={"count": 3, "step": 1.7}))),
         lambda found: (
             len(found) == 2
-            and all(
-                f"copy '{name}' of fixtures[0]: fixture '{name}'" in line for name, line in zip(("A2", "A3"), found)
-            )
+            and all(f"fixtures[0] (copy '{name}'): fixture '{name}'" in line for name, line in zip(("A2", "A3"), found))
         ),
     ),
 ]

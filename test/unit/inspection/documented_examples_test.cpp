@@ -21,7 +21,7 @@ Json example(const std::string& page) {
 
 void expect_no_warnings(const Json& store) {
   const Scene scene = make_inspected_scene(parse_store(store.dump(), "store.json", {}));
-  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
+  EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front().sentence;
 }
 
 TEST(DocumentedExamples, CauseNoWarnings) {

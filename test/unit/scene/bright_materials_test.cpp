@@ -18,7 +18,7 @@ std::vector<std::string> warnings(const Json& white, const Json& snow) {
   Json store = test::sample_store();
   store["materials"]["white"] = white;
   store["materials"]["snow"] = snow;
-  return test::scene_of(store).warnings;
+  return sentences(test::scene_of(store).warnings);
 }
 
 Json diffuse(double reflectance) {

@@ -137,7 +137,7 @@ TEST(Grocery, EqualsTheListOfItsFixtures) {
 // Every shape, source of labels and source of candidates.
 TEST(MarketHall, UsesEveryShape) {
   const Scene scene = example("market-hall");
-  EXPECT_EQ(scene.warnings, std::vector<std::string>{});
+  EXPECT_EQ(sentences(scene.warnings), std::vector<std::string>{});
   std::set<std::string> kinds, sources;
   for (const FixtureOutline& fixture : scene.fixtures) kinds.insert(fixture.type);
   EXPECT_EQ(kinds,
@@ -195,7 +195,7 @@ TEST(Markets, HaveTheirCountsAndNoWarnings) {
     const Scene scene = example(name);
     EXPECT_EQ(scene.labels.size(), labels) << name;
     EXPECT_EQ(scene.transceivers.size(), candidates) << name;
-    EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings.front();
+    EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings.front().sentence;
     std::set<double> heights;
     for (const FixtureOutline& fixture : scene.fixtures)
       if (fixture.type == "gondola") heights.insert(fixture.height);

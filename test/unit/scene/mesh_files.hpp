@@ -94,7 +94,7 @@ inline Scene read_mesh(const std::string& name, const std::string& content,
 
 /// The warnings about the mesh file itself.
 inline std::vector<std::string> file_warnings(const Scene& scene) {
-  std::vector<std::string> warnings = scene.warnings;
+  std::vector<std::string> warnings = sentences(scene.warnings);
   std::erase_if(warnings, [](const std::string& w) { return w.find("the mesh '") == std::string::npos; });
   return warnings;
 }

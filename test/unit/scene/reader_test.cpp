@@ -199,10 +199,10 @@ TEST_F(StoreCsv, IdsThatASpreadsheetHasChangedAreNamed) {
   folder.write("lists/units.csv", units);
   const std::string header = "ID,X,Y,Z,NX,NY,NZ,Type\n", row = ",5,2,1e0,0,0,2,large\n";
   folder.write("labels.csv", header + "1.0" + row + "2.0" + row);
-  EXPECT_NE(
-      scene().warnings.front().find("labels.csv: has ids that look as if a spreadsheet has changed them: "
-                                    "'1.0' in line 2, '2.0' in line 3;"),
-      std::string::npos);
+  EXPECT_NE(scene().warnings.front().sentence.find(
+                "labels.csv: has ids that look as if a spreadsheet has changed them: "
+                "'1.0' in line 2, '2.0' in line 3;"),
+            std::string::npos);
   folder.write("labels.csv", header + "4.00638E+12" + row + "4.00638E+12" + row);
   expect_input_error([&] { scene(); }, "labels.csv: line 3: ", "duplicate label id '4.00638E+12'",
                      "it looks as if a spreadsheet has changed it");
@@ -250,7 +250,7 @@ TEST_F(StoreCsv, ErrorsNameFileAndLine) {
 TEST(StoreReader, WarnsOfPartsOutsideTheRoom) {
   const Scene scene = scene_of(changed_store("/fixtures/2/max", "[8.5, 0.5, 3]"));
   ASSERT_EQ(scene.warnings.size(), 1u);
-  EXPECT_TRUE(scene.warnings[0].starts_with("store.json: fixtures[2]: fixture 'C' "));
+  EXPECT_TRUE(scene.warnings[0].sentence.starts_with("store.json: fixtures[2]: fixture 'C' "));
   EXPECT_TRUE(scene_of(sample_store()).warnings.empty());
 }
 

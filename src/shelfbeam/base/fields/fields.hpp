@@ -24,6 +24,7 @@ class JsonCursor;
 enum class Scalar : std::uint8_t {
   length,      ///< m, 1 mm to 1 km
   distance,    ///< m, 0 to 1 km
+  extent,      ///< m, 0 for a point, or 0.1 mm to 10 m
   coordinate,  ///< m, within 10 km of the origin
   degrees,     ///< up to a full turn in either direction
   share,       ///< 0 to 1
@@ -41,11 +42,13 @@ struct Field {
   /// Limits narrower than those of the kind, and the remedy for values outside them.
   double least = -HUGE_VAL, most = HUGE_VAL;
   std::string_view remedy = {};
-  /// `inspect` warns of other values.
+  /// `inspect` warns of values outside these limits, with this text: "1 to 4 are typical".
   double usual_least = -HUGE_VAL, usual_most = HUGE_VAL;
+  std::string_view usual = {};
   std::size_t fewest = 0, longest = 0;  ///< members of a list or characters of a text; 0: no limit
   std::string_view pattern = {};        ///< of the keys of an object, for schemas
   std::string_view unit = {};           ///< of measure, unless the kind gives it
+  bool is_name = false;                 ///< of a text: an id or a name, not empty and printable
   bool is_optional = false;             ///< without the key, the struct keeps its value
   std::string_view instead = {};        ///< another key of the element that gives the value, too
   std::string_view otherwise = {};      ///< the default in words, unless it is the value of an empty struct

@@ -20,13 +20,15 @@ class Problems {
  public:
   explicit Problems(std::string file) : file_(std::move(file)) {}
 
-  /// Calls `read` and keeps the InputError that it throws, if any. Returns whether it succeeded.
+  /// Calls `read` and keeps the InputError that it throws, unless it concerns a limit of memory. Returns
+  /// whether it succeeded.
   template <class Read>
   bool collect(Read read) {
     try {
       read();
       return true;
     } catch (const InputError& error) {
+      if (error.setting() == Setting::memory) throw;  // the rest would exceed the limit, too
       keep(error);
     } catch (const Consequence&) {
       ++failures_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -8,7 +9,7 @@
 
 namespace shelfbeam {
 
-/// What is wrong with a part of a store.
+/// What is wrong with a part of a store: the codes of problems, then those of warnings.
 enum class FindingCode : std::uint8_t {
   invalid,
   wrong_kind,
@@ -16,15 +17,71 @@ enum class FindingCode : std::uint8_t {
   unknown_key,
   outside_limits,
   unknown_name,
+  changed_ids,
+  fixture_outside_room,
+  fixture_overlap,
+  fixture_floating,
+  rotation_in_radians,
+  mesh_remark,
+  mesh_open,
+  mesh_inside_out,
+  mesh_repeated,
+  mesh_large,
+  mesh_zero_area,
+  mesh_twice,
+  mesh_size,
+  device_outside_room,
+  label_inside_fixture,
+  label_hidden,
+  label_faces_surface,
+  label_sideways,
+  label_in_mid_air,
+  label_twice,
+  label_height,
+  label_faces_floor,
+  label_without_aisle,
+  label_separated,
+  unit_inside_fixture,
+  unit_hidden,
+  unit_outside,
+  unit_faces_surface,
+  unit_faces_ceiling,
+  unit_height,
+  unit_twice,
+  unit_separated,
+  mount_empty,
+  keep_out_outside,
+  unusual_value,
+  material_bright,
+  material_dark,
+  material_unused,
+  type_unused,
+  requirement,
+  requirement_ratio,
+  flux_ratio,
+  label_size,
+  label_response,
+  emission_direction,
+  flux,
+  unit_free,
+  room_height,
+  room_open,
+  wavelength,
+  overlap_unchecked,
+  place_unchecked,
 };
 /// Its name in files.
 std::string_view name_of(FindingCode code);
+/// The names of all codes of warnings, for the key "ignore".
+std::vector<std::string_view> warning_names();
+/// The warning with this name.
+std::optional<FindingCode> warning_of(std::string_view name);
+/// Completes "and 123 more".
+std::string_view subject_of(FindingCode warning);
 
-/// A number or a name in the sentence of a finding: "value", "least", "name".
-struct FindingValue {
-  std::string_view name;
-  std::variant<double, std::string> value;
-};
+/// The numbers and names in the sentence of a finding, in its order. For a value outside its limits: the
+/// value and the limits.
+using FindingValue = std::variant<double, std::string>;
 using FindingValues = std::vector<FindingValue>;
 
 /// A problem of a store, or a warning about it.
@@ -34,5 +91,8 @@ struct Finding {
   FindingValues values;
   std::string sentence;  ///< with the name of the file
 };
+
+/// The sentences of findings.
+std::vector<std::string> sentences(const std::vector<Finding>& findings);
 
 }  // namespace shelfbeam

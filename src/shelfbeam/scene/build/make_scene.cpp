@@ -71,7 +71,8 @@ class SceneMaker {
     scene_.materials = store_.materials;
     scene_.label_types = store_.label_types;
     scene_.transceiver_types = store_.transceiver_types;
-    for (const std::string& warning : store_.warnings) warnings_.add("files with changed ids", warning);
+    for (const auto& [text, where] : store_.warnings)
+      warnings_.add(FindingCode::changed_ids, where, "{}", text.substr(where.size() + 2));
     expect_memory();
     add_room();
     add_fixtures();
@@ -84,7 +85,8 @@ class SceneMaker {
     mark_installed();
     warn_of_bright_materials();
     warn_of_misplaced(scene_, sources_, warnings_, store_.cancel);
-    scene_.warnings = warnings_.texts();
+    scene_.warnings = warnings_.findings();
+    scene_.ignored_warnings = warnings_.ignored();
     scene_.store_hash = content_hash(resolved_store_json(store_, scene_));
     return std::move(scene_);
   }
@@ -128,9 +130,9 @@ class SceneMaker {
       const std::size_t first_vertex = scene_.mesh.vertices.size(), first_part = scene_.parts.size();
       add_fixture(scene_, fixture, where, warnings_);
       if (extends_outside_room(scene_, first_vertex, first_part))
-        warnings_.add("fixtures that extend outside the room",
-                      fmt::format("{}: fixture {} extends outside the room; move it, or correct {}", where,
-                                  in_quotes(id), sized_by(fixture)));
+        warnings_.add(FindingCode::fixture_outside_room, where,
+                      "fixture {} extends outside the room; move it, or correct {}", in_quotes(id),
+                      sized_by(fixture));
       sources_.labels.resize(scene_.labels.size(), where);
     }
   }
@@ -180,12 +182,13 @@ class SceneMaker {
                                  : is_rough_metal ? albedo(named.material, normalized(Vec3{1, 0, 1}))
                                                   : 0;
       if (reflectance <= usual) continue;
-      warnings_.add(
-          "materials that reflect almost all light",
-          fmt::format("{0}: materials.{1}{2}: material '{1}' reflects {3:.3g} of the light, so paths between "
-                      "such surfaces end late: the simulation is slow and its standard errors are less "
-                      "reliable; white paint reflects 0.8 to 0.9, rough metal 0.6 to 0.9",
-                      store_.file, shortened(named.name, 60), given ? ".reflectance" : "", reflectance));
+      warnings_.add(FindingCode::material_bright,
+                    fmt::format("{}: materials.{}{}", store_.file, shortened(named.name, 60),
+                                given ? ".reflectance" : ""),
+                    "material '{}' reflects {:.3g} of the light, so paths between "
+                    "such surfaces end late: the simulation is slow and its standard errors are less "
+                    "reliable; white paint reflects 0.8 to 0.9, rough metal 0.6 to 0.9",
+                    shortened(named.name, 60), reflectance);
     }
   }
 
@@ -282,8 +285,7 @@ class SceneMaker {
         store_, scene_,
         [&](const Transceiver& unit, const std::string& where) { add_transceiver(unit, where); });
     for (const auto& [where, problem] : empty)
-      warnings_.add("mounting areas without candidates",
-                    fmt::format("{}: {}; {}", where, problem, EmptyMount::remedy));
+      warnings_.add(FindingCode::mount_empty, where, "{}; {}", problem, EmptyMount::remedy);
     for (const auto& [unit, where] : store_.transceivers) add_transceiver(unit, where);
     if (!scene_.transceivers.empty()) return;
     if (!empty.empty()) throw InputError(empty.front().where, empty.front().problem, EmptyMount::remedy);
@@ -321,7 +323,7 @@ class SceneMaker {
   const BoxIndex keep_out_;
   Scene scene_;
   DeviceSources sources_;
-  WarningList warnings_;
+  WarningList warnings_{store_.file, store_.ignored};
   SceneMemory memory_;
   std::unordered_map<std::string, std::size_t> unit_index_;
   std::set<std::string> kept_out_ids_, fixture_ids_;

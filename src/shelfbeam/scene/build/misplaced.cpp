@@ -97,10 +97,10 @@ void warn_of_overhang(const Scene& scene, const std::string& place, const std::s
                       const Device& device, WarningList& warnings) {
   for (const Vec3& p : rim(scene, device))
     if (const std::string side = beyond_room(scene, p); !side.empty()) {
-      warnings.add("devices that extend outside the room",
-                   fmt::format("{}: {} extends {}, where no light arrives; move it inwards, or make it "
-                               "smaller",
-                               place, what, side));
+      warnings.add(FindingCode::device_outside_room, place,
+                   "{} extends {}, where no light arrives; move it inwards, or make it "
+                   "smaller",
+                   what, side);
       return;
     }
 }
@@ -129,27 +129,26 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
     expect_running(cancel);
     const Label& label = scene.labels[i];
     const auto looks_at = [&](const std::string& what, double distance) {
-      warnings.add("labels that face a surface right in front of them",
-                   fmt::format("{}: label {} faces {}, {:.2g} cm in front of it; reverse its normal, or move "
-                               "it away from the surface",
-                               sources[i], in_quotes(label.id), what, 100 * std::max(0.0, distance)));
+      warnings.add(FindingCode::label_faces_surface, sources[i],
+                   "label {} faces {}, {:.2g} cm in front of it; reverse its normal, or move "
+                   "it away from the surface",
+                   in_quotes(label.id), what, 100 * std::max(0.0, distance));
     };
     const auto hit = blocks.next(label.position, label.normal);
     if (hit && hit->is_within())
-      warnings.add("labels inside a fixture",
-                   fmt::format("{}: label {} is inside fixture {} and receives no light; "
-                               "move one of them",
-                               sources[i], in_quotes(label.id), in_quotes(*hit->fixture)));
+      warnings.add(FindingCode::label_inside_fixture, sources[i],
+                   "label {} is inside fixture {} and receives no light; "
+                   "move one of them",
+                   in_quotes(label.id), in_quotes(*hit->fixture));
     else if (hit)
       looks_at(fmt::format("fixture {}", in_quotes(*hit->fixture)), hit->distance);
     else if (const auto surface = room_surface_before(scene, label))
       looks_at(surface->first, surface->second);
     else if (const std::string* fixture = around_a_part(scene, blocks, label, label.normal))
-      warnings.add(
-          "labels that are partly hidden",
-          fmt::format("{}: part of label {} is inside fixture {} and receives no light; move it, turn it, "
-                      "or change the 'size' of its type",
-                      sources[i], in_quotes(label.id), in_quotes(*fixture)));
+      warnings.add(FindingCode::label_hidden, sources[i],
+                   "part of label {} is inside fixture {} and receives no light; move it, turn it, "
+                   "or change the 'size' of its type",
+                   in_quotes(label.id), in_quotes(*fixture));
     else
       warn_of_overhang(scene, sources[i], fmt::format("label {}", in_quotes(label.id)), label, warnings);
   }
@@ -170,24 +169,21 @@ void warn_of_transceivers(const Scene& scene, const Blocks& blocks, const std::v
     const Vec3& p = unit.position;
     const auto hit = blocks.next(p, unit.axis);
     if (hit && hit->is_within())
-      warnings.add("transceivers inside a fixture",
-                   fmt::format("{}: transceiver {} is inside fixture {}, which blocks its light; move it, or "
-                               "cover the position with 'keep_out'",
-                               sources[j], in_quotes(unit.id), in_quotes(*hit->fixture)));
+      warnings.add(FindingCode::unit_inside_fixture, sources[j],
+                   "transceiver {} is inside fixture {}, which blocks its light; move it, or "
+                   "cover the position with 'keep_out'",
+                   in_quotes(unit.id), in_quotes(*hit->fixture));
     else if (!scene.room && !is_within_bounds(scene, p))
-      warnings.add(
-          "transceivers outside all surfaces",
-          fmt::format("{}: transceiver {} at ({:.6g}, {:.6g}, {:.6g}) is outside all surfaces, which "
-                      "extend from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
-                      "the store a 'room'",
-                      sources[j], in_quotes(unit.id), p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y,
-                      high.z));
+      warnings.add(FindingCode::unit_outside, sources[j],
+                   "transceiver {} at ({:.6g}, {:.6g}, {:.6g}) is outside all surfaces, which "
+                   "extend from ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g}); move it, or give "
+                   "the store a 'room'",
+                   in_quotes(unit.id), p.x, p.y, p.z, low.x, low.y, low.z, high.x, high.y, high.z);
     else if (const std::string* fixture = around_a_part(scene, blocks, unit, unit.axis))
-      warnings.add(
-          "transceivers that are partly hidden",
-          fmt::format("{}: part of transceiver {} is inside fixture {}, which blocks its light; move it, or "
-                      "change the 'radius' of its type",
-                      sources[j], in_quotes(unit.id), in_quotes(*fixture)));
+      warnings.add(FindingCode::unit_hidden, sources[j],
+                   "part of transceiver {} is inside fixture {}, which blocks its light; move it, or "
+                   "change the 'radius' of its type",
+                   in_quotes(unit.id), in_quotes(*fixture));
     else
       warn_of_overhang(scene, sources[j], fmt::format("the disc of transceiver {}", in_quotes(unit.id)), unit,
                        warnings);
@@ -246,10 +242,9 @@ void warn_of_misplaced(const Scene& scene, const DeviceSources& sources, Warning
   warn_of_labels(scene, blocks, sources.labels, warnings, cancel);
   warn_of_transceivers(scene, blocks, sources.transceivers, warnings, cancel);
   if (blocks.is_exhausted())
-    warnings.add("places that were not checked",
-                 fmt::format("{}: too many fixtures lie at one place to check whether labels and units are "
-                             "inside them; check their positions on the floor plan",
-                             sources.fixtures.front()));
+    warnings.add(FindingCode::place_unchecked, sources.fixtures.front(),
+                 "too many fixtures lie at one place to check whether labels and units are "
+                 "inside them; check their positions on the floor plan");
 }
 
 }  // namespace shelfbeam

@@ -8,6 +8,7 @@
 #include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/field_writer.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
@@ -16,67 +17,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json in_degrees(const std::vector<double>& angles) {
-  Json result = Json::array();
-  for (const double angle : angles) result.push_back(degrees_of(angle));
-  return result;
-}
-
-// Types in the resolved store: without references, and identical to the bit when read back.
-
-Json keys(const SinTwoTheta& e) {
-  return {{"peak", e.peak}};
-}
-Json keys(const IsotropicHemisphere& e) {
-  return {{"intensity", e.intensity}};
-}
-Json keys(const GeneralizedLambertian& e) {
-  return {{"order", e.order}, {"flux", e.flux}};
-}
-Json keys(const EmissionTable& e) {
-  const DirectionTable& table = e.intensity;
-  Json json{{"theta_deg", in_degrees(table.theta())}};
-  if (table.phi().size() == 1) {
-    json["intensity"] = table.values();
-    return json;
-  }
-  json["phi_deg"] = in_degrees(table.phi());
-  json["intensity"] = Json::array();
-  const auto width = static_cast<std::ptrdiff_t>(table.theta().size());
-  for (auto row = table.values().begin(); row != table.values().end(); row += width)
-    json["intensity"].push_back(std::vector<double>(row, row + width));
-  return json;
-}
-Json keys(const CosineResponse&) {
-  return Json::object();
-}
-Json keys(const CosinePowerResponse& r) {
-  return {{"exponent", r.exponent}, {"cutoff_deg", degrees_of(r.cutoff)}};
-}
-Json keys(const ResponseTable& r) {
-  return {{"theta_deg", in_degrees(r.response.theta())}, {"response", r.response.values()}};
-}
-
-template <class Variant>
-Json with_type(const Variant& value) {
-  Json json{{"type", type_name(value)}};
-  json.update(std::visit([](const auto& one) { return keys(one); }, value));
+Json resolved(StoreVariation variation, const StoreLists& lists) {
+  Json json;
+  FieldWriter writer(json, lists);
+  variation.fields(writer);
   return json;
 }
 
-Json resolved(const LabelType& type) {
-  Json json{{"responsivity", with_type(type.responsivity)},
-            {"size", type.size},
-            {"threshold", type.threshold},
-            {"safety_factor", type.safety_factor},
-            {"link_cost", type.link_cost},
-            {"signal_cost", type.signal_cost}};
-  if (type.availability != LabelType{}.availability) json["availability"] = type.availability;
+template <class Described>
+Json resolved(Described value, const StoreLists& lists) {
+  Json json;
+  FieldWriter writer(json, lists);
+  describe(value, writer);
   return json;
-}
-
-Json resolved(const TransceiverType& type) {
-  return {{"emission", with_type(type.emission)}, {"radius", type.radius}, {"cost", type.cost}};
 }
 
 // Hashes the bytes of the numbers, because conversion to text would be slow for a large mesh.
@@ -109,6 +62,7 @@ void append_list(std::string& text, std::size_t level, const Items& items, const
 }  // namespace
 
 std::string resolved_store_json(const Store& store, const Scene& scene) {
+  const StoreLists lists{store.materials, store.label_types, store.transceiver_types};
   Json json;
   json["format"] = store_format_version;
   json["name"] = store.name;
@@ -119,34 +73,21 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
     Json& written = json["materials"][name] = resolved(material);
     if (range) written["reflectance_range"] = *range;
   }
-  for (const LabelType& type : store.label_types) json["label_types"][type.name] = resolved(type);
+  for (const LabelType& type : store.label_types) json["label_types"][type.name] = resolved(type, lists);
   for (const TransceiverType& type : store.transceiver_types)
-    json["transceiver_types"][type.name] = resolved(type);
-  if (store.variation) json["variation"] = resolved(*store.variation, store);
+    json["transceiver_types"][type.name] = resolved(type, lists);
+  if (store.variation) json["variation"] = resolved(*store.variation, lists);
   std::string text = json.dump(1);
   text.resize(text.size() - 2);  // without "\n}"
   text += ",\n \"fixtures\": ";
   append_list(text, 1, store.fixtures, store.cancel,
-              [&](const auto& listed) { return resolved(listed.value, store.materials); });
+              [&](const auto& listed) { return resolved(listed.value, lists); });
   text += ",\n \"labels\": ";
-  append_list(text, 1, scene.labels, store.cancel, [&](const Label& label) {
-    Json one{{"id", label.id},
-             {"position", array_of(label.position)},
-             {"normal", array_of(label.normal)},
-             {"type", scene.type_of(label).name}};
-    if (label.relative_sensitivity != 1) one["relative_sensitivity"] = label.relative_sensitivity;
-    return one;
-  });
+  append_list(text, 1, scene.labels, store.cancel,
+              [&](const Label& label) { return resolved(label, lists); });
   text += ",\n \"transceivers\": {\n  \"list\": ";
-  append_list(text, 2, scene.transceivers, store.cancel, [&](const Transceiver& unit) {
-    Json one{{"id", unit.id},
-             {"position", array_of(unit.position)},
-             {"axis", array_of(unit.axis)},
-             {"roll_deg", unit.roll_deg},
-             {"type", scene.type_of(unit).name}};
-    if (unit.relative_power != 1) one["relative_power"] = unit.relative_power;
-    return one;
-  });
+  append_list(text, 2, scene.transceivers, store.cancel,
+              [&](const Transceiver& unit) { return resolved(unit, lists); });
   std::vector<std::string> installed;
   for (const Transceiver& unit : scene.transceivers)
     if (unit.installed) installed.push_back(unit.id);
@@ -157,14 +98,16 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
 
 std::string scene_hash(const Scene& scene) {
   if (!scene.store_hash.empty()) return scene.store_hash;
+  const StoreLists lists{scene.materials, scene.label_types, scene.transceiver_types};
   Json json{{"wavelength_nm", scene.wavelength_nm},
             {"vertices", hash_of(scene.mesh.vertices)},
             {"triangles", hash_of(scene.mesh.triangles)},
             {"surfaces", hash_of(scene.mesh.materials)}};
   for (const NamedMaterial& one : scene.materials) json["materials"].push_back(resolved(one.material));
-  for (const LabelType& type : scene.label_types) json["label_types"].push_back({type.name, resolved(type)});
+  for (const LabelType& type : scene.label_types)
+    json["label_types"].push_back({type.name, resolved(type, lists)});
   for (const TransceiverType& type : scene.transceiver_types)
-    json["transceiver_types"].push_back({type.name, resolved(type)});
+    json["transceiver_types"].push_back({type.name, resolved(type, lists)});
   for (const Label& label : scene.labels) {
     json["labels"].push_back({label.id, array_of(label.position), array_of(label.normal), label.type.value});
     if (label.relative_sensitivity != 1) json["labels"].back().push_back(label.relative_sensitivity);

@@ -178,10 +178,8 @@ class StoreStates::Drawing {
         shelves.row_stocking[face].push_back(level(0.5 * std::erfc(-z / std::sqrt(2.0))));
       }
     };
-    if constexpr (std::is_same_v<T, Gondola>)
-      for (const Face face : shelves.faces) add_rows(face, shelves.shelves.size() + 1);
-    else
-      for (const Face face : {Face::front, Face::back}) add_rows(face, 1);
+    const GoodsRows rows = shelves.goods_rows();
+    for (const Face face : rows.faces) add_rows(face, rows.levels);
   }
 
   // Boxes without a free place after many attempts are omitted: the area is full. If a thousand do not fit,

@@ -17,6 +17,7 @@
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
@@ -27,7 +28,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view number_place = "{n}";  // in ids of copies
-const std::string fixture_part = "fixture ";      // for Problems::mark
 
 // A straight line in plan to place a fixture against, with the direction away from it.
 struct Edge {
@@ -88,25 +88,24 @@ class FixtureList {
     expect_running(store_.cancel);
     const std::size_t failures = problems_.failures();
     problems_.collect([&] { read_whole(presets_.complete(given)); });
-    // References to it are no further problems.
-    if (const auto id = given.is_object() ? given.find("id") : std::nullopt;
-        id && id->is_string() && problems_.failures() > failures)
-      problems_.mark(fixture_part + id->text());
+    if (problems_.failures() == failures) return;
+    problems_.mark("some fixture");
+    const auto id = given.is_object() ? given.find("id") : std::nullopt;
+    const bool is_one = id && id->is_string() && id->text().find(number_place) == std::string::npos;
+    problems_.mark(is_one ? "fixture " + id->text() : "fixture");
   }
 
  private:
   void read_whole(JsonCursor json) {
     const std::size_t failures = problems_.failures();
     const std::string type = json["type"].text();
-    const auto repeat = json.find("repeat");
-    const auto labels = json.find("labels");
-    const auto against = json.find("against");
+    const auto repeat = json.find("repeat"), labels = json.find("labels"), against = json.find("against");
     const bool has_places = labels && labels->is_array();
     const Fixture* empty = fixture_type(type);
-    if (labels && !has_places && empty != nullptr && !label_edges(*empty))
-      problems_.collect([&] {
+    problems_.collect([&] {
+      if (labels && !has_places && empty != nullptr && !label_edges(*empty))
         labels->fail("is not a list", fmt::format("list the labels of a {} with their positions", type));
-      });
+    });
     Json value = json.value();
     value.erase("repeat");
     if (has_places || failures != problems_.failures()) value.erase("labels");
@@ -131,8 +130,7 @@ class FixtureList {
     }
     if (failures != problems_.failures()) {
       if (has_places)
-        for (const JsonCursor& label : labels->elements())
-          problems_.collect([&] { read_label(label, names_); });
+        for (const JsonCursor& label : labels->elements()) read_placed_label(label);
       return;
     }
     expect_few_labels(labels, fixture, copies ? copies->count() : 1);
@@ -197,13 +195,10 @@ class FixtureList {
     return count;
   }
 
-  // "store.json: copy 'A3' of fixtures[2]": all copies have one place in the file.
+  // "store.json: fixtures[2] (copy 'A3')": all copies have one place in the file.
   static std::string copy_of(const JsonCursor& json, const std::string& id) {
     constexpr std::size_t longest = 60;
-    const std::string where = json.where();
-    const std::size_t path = json.file().size() + 2;
-    return fmt::format("{}copy {} of {}", where.substr(0, path), in_quotes(shortened(id, longest)),
-                       where.substr(path));
+    return fmt::format("{} (copy {})", json.where(), in_quotes(shortened(id, longest)));
   }
 
   // A number moves copies `forwards`.
@@ -271,6 +266,12 @@ class FixtureList {
     return id.append(pattern);
   }
 
+  Label read_placed_label(const JsonCursor& json) {
+    Label label;
+    read_object(json, names_, problems_, [&](Fields& f) { describe(label, f); });
+    return label;
+  }
+
   // Labels at given places of a fixture, which move and turn with it.
   void add_labels(const JsonCursor& labels, const Fixture& fixture, bool is_copy) {
     const auto frame = frame_of(fixture);
@@ -281,8 +282,7 @@ class FixtureList {
           "list them in 'labels' of the store, with their positions in the store");
     for (const JsonCursor& json : labels.elements()) {
       expect_running(store_.cancel);
-      Label label;
-      if (!problems_.collect([&] { label = read_label(json, names_); })) continue;
+      Label label = read_placed_label(json);
       label.id = fmt::format("{}-{}", id_of(fixture), label.id);
       label.position = frame->at + in_store(label.position, frame->rotation_deg);
       label.normal = in_store(label.normal, frame->rotation_deg);
@@ -368,7 +368,7 @@ class FixtureList {
     const JsonCursor name = against["fixture"];
     const std::string id = name.text();
     const auto found = index_.find(id);
-    if (found == index_.end()) problems_.expect_complete(fixture_part + id);
+    if (found == index_.end()) expect_fixtures(problems_, id);
     if (found == index_.end())
       name.fail(fmt::format("names the fixture {}, which is not listed before", in_quotes(id)),
                 "list it before, or correct the id");

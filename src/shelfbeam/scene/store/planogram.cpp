@@ -21,19 +21,13 @@
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-/// The labels of all articles, except where a record has its own type.
-struct ArticleLabels {
-  LabelTypeId type;
-  double hook = FixtureLabels{}.hook;
-  double tilt_deg = 0;
-};
 
 /// A place on the edge of a board.
 struct Place {
@@ -50,8 +44,8 @@ using Board = std::tuple<std::size_t, Face, int>;
 
 class Planogram {
  public:
-  Planogram(const ArticleLabels& labels, const StoreNames& names, Store& store)
-      : labels_(labels), names_(names), store_(store) {
+  Planogram(const ArticleLabels& labels, const StoreNames& names, Store& store, Problems& problems)
+      : labels_(labels), names_(names), store_(store), problems_(problems) {
     for (std::size_t f = 0; f < store.fixtures.size(); ++f) index_.emplace(id_of(store.fixtures[f].value), f);
   }
 
@@ -62,12 +56,14 @@ class Planogram {
     SceneMemory memory(store_.memory);
     while (csv.next()) {
       expect_running(store_.cancel);
-      csv.expect_fields(columns.required, columns.width);
-      places_.push_back(read_place(csv, columns));
-      memory.add(device_bytes_of(places_.back().article), csv.where());
+      if (problems_.collect([&] {
+            csv.expect_fields(columns.required, columns.width);
+            places_.push_back(read_place(csv, columns));
+          }))
+        memory.add(device_bytes_of(places_.back().article), csv.where());
     }
     if (std::string warning = csv.warning_of_ids(); !warning.empty())
-      store_.warnings.push_back(std::move(warning));
+      store_.warnings.push_back({std::move(warning), path.string()});
     add_labels();
   }
 
@@ -128,6 +124,7 @@ class Planogram {
     place.article = csv.id(at.article);
     place.where = csv.where();
     const auto found = index_.find(csv.text(at.fixture));
+    if (found == index_.end()) expect_fixtures(problems_, csv.text(at.fixture));
     if (found == index_.end())
       csv.fail(at.fixture, fmt::format("names the unknown fixture {}", in_quotes(csv.text(at.fixture))),
                id_remedy(csv.text(at.fixture), "correct the id, or add the fixture to the store"));
@@ -204,6 +201,7 @@ class Planogram {
   ArticleLabels labels_;
   const StoreNames& names_;
   Store& store_;
+  Problems& problems_;
   std::map<std::string, std::size_t, std::less<>> index_;
   std::vector<Place> places_;
 };
@@ -211,13 +209,10 @@ class Planogram {
 }  // namespace
 
 void read_planogram(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
-                    Store& store) {
-  section.expect_keys({"file", "type", "hook", "tilt_deg"});
+                    Store& store, Problems& problems) {
   ArticleLabels labels;
-  labels.type = names.label_type(section["type"]);
-  if (const auto hook = section.find("hook")) labels.hook = read_length(*hook);
-  if (const auto tilt = section.find("tilt_deg")) labels.tilt_deg = tilt->number(-89, 89);
-  Planogram(labels, names, store).read(folder.find(section["file"]));
+  if (read_object(section, names, problems, [&](Fields& f) { describe(labels, f); }))
+    Planogram(labels, names, store, problems).read(folder.find(section["file"]));
 }
 
 }  // namespace shelfbeam

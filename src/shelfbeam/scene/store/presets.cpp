@@ -81,23 +81,39 @@ void lay_over(Json& whole, JsonCursor::Origins& origins, const JsonCursor& layer
 
 }  // namespace
 
-void Presets::add(const JsonCursor& section) {
+void Presets::add(const JsonCursor& section, Problems& problems) {
+  problems_ = &problems;
   const std::vector<std::string_view> known = all_fixture_keys();
-  for (const auto& [name, preset] : section.members()) {
-    check_name(name, preset.where());
-    if (!preset.is_object()) preset.fail("is not an object", "give the keys of a fixture");
-    preset.expect_keys(known);
-    if (const auto [other, is_new] = presets_.emplace(name, preset); !is_new)
-      preset.fail(fmt::format("duplicates {}", other->second.where()), "rename one of the two");
-    sizes_.emplace(name, count_values(preset.value()));
-  }
+  for (const auto& [name, given] : section.members())
+    if (!problems.collect([&, &name = name, &given = given] {
+          check_name(name, given.where());
+          if (!given.is_object()) given.fail("is not an object", "give the keys of a fixture");
+          JsonCursor preset = given;
+          if (const auto unknown = given.unknown_keys(known); !unknown.empty()) {
+            Json value = given.value();
+            for (const JsonError& error : unknown) {
+              problems.keep(error);
+              value.erase(std::get<std::string>(error.values().front()));
+            }
+            preset = given.replaced(std::move(value));
+          }
+          sizes_.emplace(name, count_values(preset.value()));
+          if (const auto [other, is_new] = presets_.emplace(name, preset); !is_new)
+            preset.fail(fmt::format("duplicates {}", other->second.where()), "rename one of the two");
+        }))
+      problems.mark("preset " + name);
 }
 
-void Presets::check() const {
-  for (const auto& [name, preset] : presets_) chain_of(preset, &name);
+void Presets::check(Problems& problems) {
+  problems_ = &problems;
+  for (const auto& [name, preset] : presets_)
+    if (!problems.collect([&, &name = name, &preset = preset] { chain_of(preset, &name); }))
+      problems.mark("preset " + name);
 }
 
 void Presets::fail_unknown(const JsonCursor& reference, const std::string& name) const {
+  problems_->expect_complete("preset");
+  problems_->expect_complete("preset " + name);
   std::vector<std::string_view> known;
   for (const auto& [key, preset] : presets_) known.push_back(key);
   reference.fail(fmt::format("names the unknown preset {}", in_quotes(name)),
@@ -131,6 +147,7 @@ std::vector<Presets::Named> Presets::chain_of(const JsonCursor& json, const std:
 JsonCursor Presets::complete(const JsonCursor& fixture) {
   const auto reference = fixture.find("preset");
   if (!reference) return fixture;
+  if (reference->is_string()) problems_->expect_complete("preset " + reference->text());
   const std::vector<Named> chain = chain_of(fixture);
   constexpr std::size_t most = 5'000'000;
   for (const auto& [name, preset] : chain) copied_ += sizes_.at(name);

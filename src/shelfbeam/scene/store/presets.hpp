@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/json.hpp"
 
 namespace shelfbeam {
@@ -13,12 +14,12 @@ namespace shelfbeam {
 /// Named beginnings of fixtures, from the store file and its catalogues.
 class Presets {
  public:
-  /// Adds the members of an object "presets". Throws InputError for a name that another file has used, and
-  /// for keys that no fixture has.
-  void add(const JsonCursor& section);
+  /// Adds the members of an object "presets". Collects problems of names that another file has used, and of
+  /// keys that no fixture has, which it then drops.
+  void add(const JsonCursor& section, Problems& problems);
 
-  /// Throws InputError for a preset that refers to an unknown preset or to itself. Requires all presets.
-  void check() const;
+  /// Collects problems of presets that refer to an unknown preset or to themselves. Requires all presets.
+  void check(Problems& problems);
 
   /// The fixture with the keys of its preset that it lacks; objects within it are completed in the same way.
   /// Errors in a key of a preset name the preset. A fixture without "preset" is returned unchanged. Throws
@@ -30,11 +31,12 @@ class Presets {
 
   /// The preset of a fixture or preset, the preset of that preset, and so on. `name`: of a preset.
   std::vector<Named> chain_of(const JsonCursor& json, const std::string* name = nullptr) const;
-  [[noreturn]] void fail_unknown(const JsonCursor& reference, const std::string& name) const;
+  void fail_unknown(const JsonCursor& reference, const std::string& name) const;
 
   std::map<std::string, JsonCursor, std::less<>> presets_;
   std::map<std::string, std::size_t, std::less<>> sizes_;  ///< number of values, by preset
-  std::size_t copied_ = 0;                                 ///< values, into all fixtures
+  Problems* problems_ = nullptr;
+  std::size_t copied_ = 0;  ///< values, into all fixtures
 };
 
 }  // namespace shelfbeam

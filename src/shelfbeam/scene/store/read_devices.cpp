@@ -12,8 +12,10 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
+#include "shelfbeam/scene/field_reader.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
@@ -21,43 +23,52 @@ namespace shelfbeam {
 
 namespace {
 
-void expect_extent(const JsonCursor& cursor, const Vec2& low, const Vec2& high) {
-  if (high[0] < low[0] || high[1] < low[1]) cursor["max"].fail("is below 'min'", "swap them");
+void complete_extent(FieldReader& reader, const Vec2& low, const Vec2& high) {
+  reader.rule({"min", "max"}, [&] {
+    if (high[0] < low[0] || high[1] < low[1]) reader.json()["max"].fail("is below 'min'", "swap them");
+  });
 }
 
-TransceiverGrid read_grid(const JsonCursor& cursor, const StoreNames& names) {
-  cursor.expect_keys({"type", "min", "max", "spacing", "z", "axis", "roll_deg"});
-  TransceiverGrid grid;
-  grid.type = names.transceiver_type(cursor["type"]);
-  grid.min = read_plan_point(cursor["min"]);
-  grid.max = read_plan_point(cursor["max"]);
-  expect_extent(cursor, grid.min, grid.max);
-  grid.spacing = read_length(cursor["spacing"]);
-  grid.z = read_coordinate(cursor["z"]);
-  if (const auto axis = cursor.find("axis")) grid.axis = read_direction(*axis);
-  if (const auto roll = cursor.find("roll_deg")) grid.roll_deg = read_angle_deg(*roll);
-  const double count =
-      ((grid.max[0] - grid.min[0]) / grid.spacing + 1) * ((grid.max[1] - grid.min[1]) / grid.spacing + 1);
-  if (count > 1e6)
-    cursor["spacing"].fail(fmt::format("produces a grid of {:.0f} candidates", count), "use a wider spacing");
-  return grid;
+void complete(FieldReader& reader, const TransceiverGrid& grid) {
+  complete_extent(reader, grid.min, grid.max);
+  reader.rule({"min", "max", "spacing"}, [&] {
+    const double count =
+        ((grid.max[0] - grid.min[0]) / grid.spacing + 1) * ((grid.max[1] - grid.min[1]) / grid.spacing + 1);
+    if (count > 1e6)
+      reader.json()["spacing"].fail(fmt::format("produces a grid of {:.0f} candidates", count),
+                                    "use a wider spacing");
+  });
 }
 
-double read_factor(const JsonCursor& device, std::string_view key) {
-  const auto factor = device.find(key);
-  return factor ? factor->number(1e-3, 1e3) : 1;
+void complete(FieldReader& reader, const KeepOut& area) {
+  complete_extent(reader, area.min, area.max);
+  reader.rule({"z"}, [&] {
+    if (area.high < area.low) reader.json()["z"].fail("has its second height below its first", "swap them");
+  });
 }
 
-Transceiver read_transceiver(const JsonCursor& cursor, const StoreNames& names) {
-  cursor.expect_keys({"id", "position", "axis", "roll_deg", "type", "relative_power"});
-  Transceiver unit;
-  unit.id = read_name(cursor["id"]);
-  unit.position = read_point(cursor["position"]);
-  if (const auto axis = cursor.find("axis")) unit.axis = read_direction(*axis);
-  if (const auto roll = cursor.find("roll_deg")) unit.roll_deg = read_angle_deg(*roll);
-  unit.type = names.transceiver_type(cursor["type"]);
-  unit.relative_power = read_factor(cursor, "relative_power");
-  return unit;
+template <class T>
+void complete(FieldReader&, const T&) {}
+
+// The members of a list without problems. `to` has values, or values with their locations.
+template <class To>
+void read_list(const JsonCursor& list, const StoreNames& names, const Store& store, Problems& problems,
+               To& to) {
+  for (const JsonCursor& json : list.elements()) {
+    expect_running(store.cancel);
+    const auto read = [&](auto& value) {
+      return read_object(
+          json, names, problems, [&](Fields& f) { describe(value, f); },
+          [&](FieldReader& reader) { complete(reader, value); });
+    };
+    typename To::value_type member{};
+    if constexpr (requires { member.where; }) {
+      member.where = json.where();
+      if (read(member.value)) to.push_back(std::move(member));
+    } else if (read(member)) {
+      to.push_back(std::move(member));
+    }
+  }
 }
 
 std::filesystem::path csv_path(const JsonCursor& section, const StoreFolder& folder) {
@@ -113,7 +124,8 @@ bool continues_with(const CsvReader& csv, std::size_t first, std::string_view he
 
 // Calls `use(record)` for each record of a CSV whose first columns are those of its header.
 template <class Use>
-void each_record(const std::filesystem::path& path, const Columns& known, Store& store, Use use) {
+void each_record(const std::filesystem::path& path, const Columns& known, Store& store, Problems* problems,
+                 Use use) {
   const auto& [header, ours] = known;
   const std::string text = read_file(path);
   CsvReader csv(text, path.string());
@@ -126,57 +138,54 @@ void each_record(const std::filesystem::path& path, const Columns& known, Store&
   SceneMemory memory(store.memory);
   while (csv.next()) {
     expect_running(store.cancel);
-    csv.expect_fields(required, width, meaning);
-    use(record);
+    const auto use_record = [&] {
+      csv.expect_fields(required, width, meaning);
+      use(record);
+    };
+    if (problems != nullptr)
+      problems->collect(use_record);
+    else
+      use_record();
     memory.add(device_bytes, csv.where());
   }
   expect_unit(record, path.string());
   if (std::string warning = csv.warning_of_ids(); !warning.empty())
-    store.warnings.push_back(std::move(warning));
+    store.warnings.push_back({std::move(warning), path.string()});
 }
 
 }  // namespace
 
-Label read_label(const JsonCursor& json, const StoreNames& names) {
-  json.expect_keys({"id", "position", "normal", "type", "relative_sensitivity"});
-  return {read_name(json["id"]), read_point(json["position"]), read_direction(json["normal"]),
-          names.label_type(json["type"]), read_factor(json, "relative_sensitivity")};
-}
-
-void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
-                 Store& store) {
-  if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store);
-  for (const JsonCursor& cursor : section.elements()) {
-    expect_running(store.cancel);
-    store.labels.push_back({read_label(cursor, names), cursor.where()});
-  }
+void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store,
+                 Problems& problems) {
+  if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store, &problems);
+  read_list(section, names, store, problems, store.labels);
 }
 
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
-                       Store& store) {
-  section.expect_keys({"grids", "areas", "rails", "on", "list", "keep_out", "installed"});
-  read_mounts(section, names, store);
-  if (const auto grids = section.find("grids"))
-    for (const JsonCursor& cursor : grids->elements()) store.grids.push_back(read_grid(cursor, names));
-  if (const auto list = section.find("list")) {
-    if (list->is_object()) {
-      read_transceivers_csv(csv_path(*list, folder), names, store);
-    } else {
-      for (const JsonCursor& cursor : list->elements()) {
-        expect_running(store.cancel);
-        store.transceivers.push_back({read_transceiver(cursor, names), cursor.where()});
-      }
-    }
-  }
-  if (const auto areas = section.find("keep_out"))
-    for (const JsonCursor& cursor : areas->elements()) store.keep_out.push_back(read_keep_out(cursor));
-  if (const auto installed = section.find("installed"))
-    for (const JsonCursor& cursor : installed->elements())
-      store.installed.push_back({cursor.text(), cursor.where()});
+                       Store& store, Problems& problems) {
+  problems.collect(
+      [&] { section.expect_keys({"grids", "areas", "rails", "on", "list", "keep_out", "installed"}); });
+  const auto each = [&](const char* key, const auto& read) {
+    if (const auto list = section.find(key)) problems.collect([&] { read(*list); });
+  };
+  read_mounts(section, names, store, problems);
+  each("grids", [&](const JsonCursor& list) { read_list(list, names, store, problems, store.grids); });
+  each("list", [&](const JsonCursor& list) {
+    if (list.is_object())
+      read_transceivers_csv(csv_path(list, folder), names, store, &problems);
+    else
+      read_list(list, names, store, problems, store.transceivers);
+  });
+  each("keep_out", [&](const JsonCursor& list) { read_list(list, names, store, problems, store.keep_out); });
+  each("installed", [&](const JsonCursor& list) {
+    for (const JsonCursor& id : list.elements())
+      problems.collect([&] { store.installed.push_back({id.text(), id.where()}); });
+  });
 }
 
-void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, label_columns, store, [&](Record& record) {
+void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,
+                     Problems* problems) {
+  each_record(path, label_columns, store, problems, [&](Record& record) {
     CsvReader& csv = record.csv;
     Label label;
     label.id = csv.id(0);
@@ -187,8 +196,9 @@ void read_labels_csv(const std::filesystem::path& path, const StoreNames& names,
   });
 }
 
-void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store) {
-  each_record(path, unit_columns, store, [&](Record& record) {
+void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,
+                           Problems* problems) {
+  each_record(path, unit_columns, store, problems, [&](Record& record) {
     CsvReader& csv = record.csv;
     Transceiver unit;
     unit.id = csv.id(0);

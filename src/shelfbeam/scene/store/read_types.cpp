@@ -4,17 +4,69 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
 namespace shelfbeam {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json in_degrees(const std::vector<double>& angles) {
+  Json result = Json::array();
+  for (const double angle : angles) result.push_back(degrees_of(angle));
+  return result;
+}
+
+// Types in the resolved store: without references, and identical to the bit when read back.
+
+Json keys(const SinTwoTheta& e) {
+  return {{"peak", e.peak}};
+}
+Json keys(const IsotropicHemisphere& e) {
+  return {{"intensity", e.intensity}};
+}
+Json keys(const GeneralizedLambertian& e) {
+  return {{"order", e.order}, {"flux", e.flux}};
+}
+Json keys(const EmissionTable& e) {
+  const DirectionTable& table = e.intensity;
+  Json json{{"theta_deg", in_degrees(table.theta())}};
+  if (table.phi().size() == 1) {
+    json["intensity"] = table.values();
+    return json;
+  }
+  json["phi_deg"] = in_degrees(table.phi());
+  json["intensity"] = Json::array();
+  const auto width = static_cast<std::ptrdiff_t>(table.theta().size());
+  for (auto row = table.values().begin(); row != table.values().end(); row += width)
+    json["intensity"].push_back(std::vector<double>(row, row + width));
+  return json;
+}
+Json keys(const CosineResponse&) {
+  return Json::object();
+}
+Json keys(const CosinePowerResponse& r) {
+  return {{"exponent", r.exponent}, {"cutoff_deg", degrees_of(r.cutoff)}};
+}
+Json keys(const ResponseTable& r) {
+  return {{"theta_deg", in_degrees(r.response.theta())}, {"response", r.response.values()}};
+}
+
+template <class Variant>
+Json with_type(const Variant& value) {
+  Json json{{"type", type_name(value)}};
+  json.update(std::visit([](const auto& one) { return keys(one); }, value));
+  return json;
+}
 
 EmissionTable read_emission_table(const JsonCursor& cursor) {
   cursor.expect_keys({"type", "theta_deg", "phi_deg", "intensity"});
@@ -113,10 +165,11 @@ std::array<double, 2> read_size(const JsonCursor& cursor) {
 }
 
 /// The threshold as the signal of an unobstructed unit straight in front of the label: tau = I R(0) / d^2.
-double read_range(const JsonCursor& cursor, const Store& store, const StoreNames& names,
-                  const Responsivity& responsivity) {
+double read_range(const JsonCursor& cursor, const TypeSource& source, const Responsivity& responsivity) {
   cursor.expect_keys({"hears", "at_m", "angle_deg"});
-  const TransceiverType& unit = store.transceiver_types[names.transceiver_type(cursor["hears"]).value];
+  const TransceiverType& unit =
+      source.store.transceiver_types[source.names.transceiver_type(cursor["hears"]).value];
+  source.problems.expect_complete("transceiver type " + unit.name);
   const double distance = read_length(cursor["at_m"].with_unit(LengthUnit::m));
   const auto given = cursor.find("angle_deg");
   const double angle_deg = given ? given->number(0, 180) : 0;
@@ -144,41 +197,114 @@ Emission read_emission(const JsonCursor& cursor, const StoreFolder& folder) {
   return emission;
 }
 
-void read_label_types(const JsonCursor& section, Store& store) {
-  const StoreNames names(store);
-  for (const auto& [name, cursor] : section.members()) {
-    cursor.expect_keys(
-        {"responsivity", "size", "threshold", "safety_factor", "link_cost", "signal_cost", "availability"});
+void describe(LabelType& type, Fields& f, const TypeSource* source) {
+  const CustomValue responsivity{
+      [&](const JsonCursor& json) {
+        type.responsivity = make_or_fail(json, [&] { return read_responsivity(json); });
+        if (!(integral(type.responsivity) > 0)) json.fail("is zero", "give a positive response");
+      },
+      [&] { return with_type(type.responsivity); }, R"({"$ref": "#/$defs/responsivity"})"};
+  f.custom("responsivity", responsivity,
+           {.says = "[response](#responsivity) of the label by angle",
+            .is_optional = true,
+            .otherwise = "`{ \"type\": \"cosine\" }`"});
+  const CustomValue size{[&](const JsonCursor& json) { type.size = read_size(json); },
+                         [&] { return nlohmann::ordered_json(type.size); },
+                         R"({"$ref": "#/$defs/label_size"})"};
+  f.custom(
+      "size", size,
+      {.says =
+           "`[width, height]`, width horizontal, each 0.001 to 10; the signal is averaged over this area; "
+           "`[0, 0]` is a point",
+       .unit = "m",
+       .is_optional = true,
+       .otherwise = "`[0, 0]`"});
+  const CustomValue threshold{[&](const JsonCursor& json) {
+                                if (json.is_object()) {
+                                  type.threshold = read_range(json, *source, type.responsivity);
+                                  type.range_m = json["at_m"].number();
+                                } else {
+                                  type.threshold = read_quantity(json);
+                                }
+                              },
+                              [&] { return nlohmann::ordered_json(type.threshold); },
+                              R"({"$ref": "#/$defs/threshold"})"};
+  f.custom(
+      "threshold", threshold,
+      {.says =
+           "activation threshold: a signal, or a [distance](#threshold-by-distance) at which the label is "
+           "reached",
+       .unit = "W/m²"});
+  f.scalar("safety_factor", Scalar::quantity, type.safety_factor,
+           {.says = "the requirement is `safety_factor` x `threshold`",
+            .usual_least = 1,
+            .usual_most = 10,
+            .usual = "1 to 4 are typical; below 1, labels count as reached below their threshold",
+            .is_optional = true});
+  f.scalar(
+      "link_cost", Scalar::amount, type.link_cost,
+      {.says = "cost of a link to a label of this type, for the objectives `links` and `effective-links`",
+       .unit = "cost",
+       .is_optional = true});
+  f.scalar("signal_cost", Scalar::amount, type.signal_cost,
+           {.says = "cost of signal at a label of this type, for the objective `signal`",
+            .unit = "cost per W/m²",
+            .is_optional = true});
+  f.scalar(
+      "availability", Scalar::share, type.availability,
+      {.says =
+           "minimum share of the states in which a label must be reached, if the shop [varies](variation.md)",
+       .least = 0.01,
+       .most = 0.9999,
+       .is_optional = true,
+       .is_written = type.availability != LabelType{}.availability});
+}
+
+void describe(TransceiverType& type, Fields& f, const TypeSource* source) {
+  const CustomValue emission{[&](const JsonCursor& json) {
+                               type.emission = read_emission(json, source->folder);
+                               if (const auto file = json.find("file"))
+                                 type.file = std::filesystem::path(file->text()).filename().string();
+                             },
+                             [&] { return with_type(type.emission); }, R"({"$ref": "#/$defs/emission"})"};
+  f.custom("emission", emission, {.says = "radiant intensity by [direction](#emission)"});
+  f.scalar("radius", Scalar::extent, type.radius,
+           {.says = "radius of a flat disc about the axis, 0.0001 to 10; 0 is a point",
+            .usual_most = 0.3,
+            .usual = "up to 0.1 m is typical; correct it",
+            .is_optional = true});
+  f.scalar("cost", Scalar::amount, type.cost,
+           {.says = "price of one unit. Where the prices of the candidates differ, `plan` and `place` "
+                    "minimise the new "
+                    "spend first ([rules](../../methods/placement.md#prices))",
+            .unit = "cost",
+            .is_optional = true});
+}
+
+void read_label_types(const JsonCursor& section, const StoreFolder& folder, Store& store,
+                      Problems& problems) {
+  const StoreNames names(store, &problems);
+  const TypeSource source{store, names, folder, problems};
+  // The names stay known if the types have problems.
+  for (const auto& [name, json] : section.members()) {
     LabelType type;
-    type.name = new_name(name, store.label_types, cursor);
-    if (const auto responsivity = cursor.find("responsivity")) {
-      type.responsivity = make_or_fail(*responsivity, [&] { return read_responsivity(*responsivity); });
-      if (!(integral(type.responsivity) > 0)) responsivity->fail("is zero", "give a positive response");
-    }
-    if (const auto size = cursor.find("size")) type.size = read_size(*size);
-    const JsonCursor threshold = cursor["threshold"];
-    type.threshold = threshold.is_object() ? read_range(threshold, store, names, type.responsivity)
-                                           : read_quantity(threshold);
-    if (threshold.is_object()) type.range_m = threshold["at_m"].number();
-    if (const auto factor = cursor.find("safety_factor")) type.safety_factor = read_quantity(*factor);
-    if (const auto share = cursor.find("availability")) type.availability = share->number(0.01, 0.9999);
-    if (const auto cost = cursor.find("link_cost")) type.link_cost = read_amount(*cost);
-    if (const auto cost = cursor.find("signal_cost")) type.signal_cost = read_amount(*cost);
+    problems.collect([&, &key = name, &object = json] { new_name(key, store.label_types, object); });
+    type.name = name;
+    read_object(json, names, problems, [&](Fields& f) { describe(type, f, &source); });
     store.label_types.push_back(std::move(type));
   }
 }
 
-void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store) {
-  for (const auto& [name, cursor] : section.members()) {
-    cursor.expect_keys({"emission", "radius", "cost"});
+void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store,
+                            Problems& problems) {
+  const StoreNames names(store, &problems);
+  const TypeSource source{store, names, folder, problems};
+  for (const auto& [name, json] : section.members()) {
     TransceiverType type;
-    type.name = new_name(name, store.transceiver_types, cursor);
-    const JsonCursor emission = cursor["emission"];
-    type.emission = read_emission(emission, folder);
-    if (const auto file = emission.find("file"))
-      type.file = std::filesystem::path(file->text()).filename().string();
-    if (const auto radius = cursor.find("radius")) type.radius = read_extent(*radius, 1e-4);
-    if (const auto cost = cursor.find("cost")) type.cost = read_amount(*cost);
+    problems.collect([&, &key = name, &object = json] { new_name(key, store.transceiver_types, object); });
+    type.name = name;
+    if (!read_object(json, names, problems, [&](Fields& f) { describe(type, f, &source); }))
+      problems.mark("transceiver type " + name);
     store.transceiver_types.push_back(std::move(type));
   }
 }

@@ -16,8 +16,11 @@
 #include "shelfbeam/scene/store/mounts.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 #include "shelfbeam/scene/variation.hpp"
+#include "shelfbeam/scene/warning_list.hpp"
 
 namespace shelfbeam {
+
+class Problems;
 
 struct TransceiverGrid {
   Vec2 min{}, max{};
@@ -57,7 +60,8 @@ struct Store {
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;
   std::optional<StoreVariation> variation;
-  std::vector<std::string> warnings;  ///< about the ids in its CSV files
+  std::vector<Listed<std::string>> warnings;  ///< about the ids in its CSV files
+  IgnoredCodes ignored;
   /// Memory limit of its scene, bytes (StoreLimits::memory).
   std::size_t memory = StoreLimits{}.memory;
   /// Ends making and checking its scene and drawing its states with Interrupted (StoreLimits::cancel).
@@ -69,11 +73,13 @@ inline constexpr int store_format_version = 1;
 
 /// Reads a store file (docs/formats/store.md) and the CSV and mesh files it names, relative to its folder.
 /// Throws InputError with file and JSON path.
-Store read_store(const std::filesystem::path& path, const StoreLimits& trust = {});
+/// With `problems`, collects all of them instead of throwing the first; the store is then incomplete.
+Store read_store(const std::filesystem::path& path, const StoreLimits& trust = {},
+                 Problems* problems = nullptr);
 
 /// As above, from a text; named files are relative to `folder`.
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                  const StoreLimits& trust = {});
+                  const StoreLimits& trust = {}, Problems* problems = nullptr);
 
 /// The locations in the store file of a scene's fixtures, labels and transceivers, in their order, for
 /// messages. A generated device has the location of its fixture or grid.

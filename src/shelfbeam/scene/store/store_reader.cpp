@@ -1,10 +1,14 @@
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/store.hpp"
@@ -14,12 +18,16 @@ namespace shelfbeam {
 
 namespace {
 
-void read_materials(const JsonCursor& section, Store& store) {
+void read_materials(const JsonCursor& section, Store& store, Problems& problems) {
   for (const auto& [name, json] : section.members()) {
-    const Material material =
-        make_or_fail(json, [&, &object = json] { return read_material(object, store.wavelength_nm); });
-    store.materials.push_back({new_name(name, store.materials, json), material,
-                               read_reflectance_range(json, material, store.wavelength_nm)});
+    // The name stays known if the material has problems.
+    NamedMaterial named{name, {}, {}};
+    problems.collect([&, &object = json, &key = name] {
+      static_cast<void>(new_name(key, store.materials, object));
+      named.material = make_or_fail(object, [&] { return read_material(object, store.wavelength_nm); });
+      named.reflectance_range = read_reflectance_range(object, named.material, store.wavelength_nm);
+    });
+    store.materials.push_back(std::move(named));
   }
 }
 
@@ -42,76 +50,153 @@ std::vector<JsonCursor> read_catalogues(const JsonCursor& root, const StoreFolde
   return files;
 }
 
-// The section of every catalogue and of the store file, which may omit it if a catalogue has it.
-template <class Read>
-void each_section(const std::vector<JsonCursor>& catalogues, const JsonCursor& root, const char* key,
-                  Read read) {
-  bool is_found = false;
-  for (const JsonCursor& file : catalogues)
-    if (const auto section = file.find(key)) {
-      read(*section);
-      is_found = true;
+// The keys "ignore", which the reader then need not know: a list of codes of warnings.
+void take_ignored(nlohmann::ordered_json& json, const std::string& path, const JsonCursor& root, Store& store,
+                  Problems& problems) {
+  if (json.is_object())
+    if (const auto found = json.find("ignore"); found != json.end() && found->is_array()) {
+      for (const auto& code : *found)
+        problems.collect([&] {
+          const auto warning = code.is_string() ? warning_of(code.get<std::string>()) : std::nullopt;
+          if (!warning)
+            throw JsonError(fmt::format("{}: {}", root.file(), path.empty() ? "ignore" : path + ".ignore"),
+                            path, fmt::format("has the unknown code {}", code.dump()),
+                            code.is_string() ? suggest(code.get<std::string>(), warning_names())
+                                             : "give the codes of warnings, in quotes",
+                            FindingCode::unknown_name, {code.dump()});
+          store.ignored.emplace(path, *warning);
+        });
+      json.erase(found);
     }
-  if (const auto section = root.find(key))
-    read(*section);
-  else if (!is_found)
-    static_cast<void>(root[key]);  // throws
+  if (!json.is_structured()) return;
+  for (auto& [key, value] : json.items())
+    if (value.is_structured())
+      take_ignored(value,
+                   json.is_array() ? fmt::format("{}[{}]", path, key)
+                                   : fmt::format("{}{}{}", path, path.empty() ? "" : ".", key),
+                   root, store, problems);
 }
+
+class StoreReader {
+ public:
+  StoreReader(Store& store, const StoreFolder& folder, Problems& problems)
+      : store_(store), folder_(folder), problems_(problems) {}
+
+  void read(const JsonCursor& file) {
+    const auto units = file.find("units");
+    const JsonCursor root = file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m);
+    if (const auto format = root.find("format"))
+      expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
+    problems_.collect([&] {
+      for (const JsonError& error : root.unknown_keys(keys)) problems_.keep(error);
+    });
+    store_.unit = root.unit();
+    read_values(root);
+    read_lists(root);
+    const StoreNames names(store_, &problems_);
+    if (!section(root, "room", [&](const JsonCursor& json) { store_.room = read_room(json, names); }))
+      problems_.mark("room");
+    if (!section(root, "fixtures", [&](const JsonCursor& json) {
+          read_fixtures(json, names, folder_, presets_, store_, problems_);
+        })) {
+      problems_.mark("fixture");
+      problems_.mark("some fixture");
+    }
+    section(root, "labels",
+            [&](const JsonCursor& json) { read_labels(json, names, folder_, store_, problems_); });
+    section(root, "planogram",
+            [&](const JsonCursor& json) { read_planogram(json, names, folder_, store_, problems_); });
+    problems_.collect([&] { read_transceivers(root["transceivers"], names, folder_, store_, problems_); });
+    section(root, "variation", [&](const JsonCursor& json) {
+      store_.variation = read_variation(json, names, store_, problems_);
+    });
+  }
+
+ private:
+  static constexpr auto keys = std::to_array<std::string_view>(
+      {"$schema", "format", "units", "currency", "name", "wavelength_nm", "catalogues", "presets", "room",
+       "materials", "label_types", "transceiver_types", "fixtures", "labels", "planogram", "transceivers",
+       "variation"});
+
+  // Returns whether the section is omitted or could be read as a whole.
+  template <class Read>
+  bool section(const JsonCursor& root, std::string_view key, Read read) {
+    return problems_.collect([&] {
+      if (const auto found = root.find(key)) read(*found);
+    });
+  }
+
+  void read_values(const JsonCursor& root) {
+    section(root, "$schema", [](const JsonCursor& json) { json.text(); });
+    section(root, "name", [&](const JsonCursor& json) {
+      store_.name = json.text();
+      expect_printable(store_.name, json.where());
+    });
+    section(root, "wavelength_nm",
+            [&](const JsonCursor& json) { store_.wavelength_nm = json.number(100, 1e5); });
+    section(root, "currency", [&](const JsonCursor& json) { store_.currency = read_currency(json); });
+  }
+
+  void read_lists(const JsonCursor& root) {
+    std::vector<JsonCursor> files;
+    if (!problems_.collect([&] { files = read_catalogues(root, folder_); }))
+      for (const char* list : {"preset", "material", "label type", "transceiver type"}) problems_.mark(list);
+    files.push_back(root);
+    for (const JsonCursor& file : files)
+      if (!section(file, "presets", [&](const JsonCursor& json) { presets_.add(json, problems_); }))
+        problems_.mark("preset");
+    presets_.check(problems_);
+    each_section(files, "materials", "material",
+                 [&](const JsonCursor& json) { read_materials(json, store_, problems_); });
+    each_section(files, "transceiver_types", "transceiver type",
+                 [&](const JsonCursor& json) { read_transceiver_types(json, folder_, store_, problems_); });
+    each_section(files, "label_types", "label type",
+                 [&](const JsonCursor& json) { read_label_types(json, folder_, store_, problems_); });
+  }
+
+  // The section of every catalogue and of the store file, which comes last and may omit it if a catalogue has
+  // it.
+  template <class Read>
+  void each_section(const std::vector<JsonCursor>& files, const char* key, const char* list, Read read) {
+    const bool is_found = std::any_of(files.begin(), files.end(),
+                                      [&](const JsonCursor& file) { return file.find(key).has_value(); });
+    for (const JsonCursor& file : files)
+      if (!section(file, key, read)) problems_.mark(list);
+    if (!is_found && !problems_.collect([&] { static_cast<void>(files.back()[key]); })) problems_.mark(list);
+  }
+
+  Store& store_;
+  const StoreFolder& folder_;
+  Problems& problems_;
+  Presets presets_;
+};
 
 }  // namespace
 
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,
-                  const StoreLimits& trust) {
-  const JsonCursor file = JsonCursor::parse(text, name);
-  const auto units = file.find("units");
-  const JsonCursor root = file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m);
-  if (const auto format = root.find("format"))
-    expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
-  root.expect_keys({"$schema", "format", "units", "currency", "name", "wavelength_nm", "catalogues",
-                    "presets", "room", "materials", "label_types", "transceiver_types", "fixtures", "labels",
-                    "planogram", "transceivers", "variation"});
+                  const StoreLimits& trust, Problems* problems) {
+  Problems own(name);
+  Problems& all = problems != nullptr ? *problems : own;
   const StoreFolder folder(path, trust);
   Store store;
   store.file = name;
-  store.unit = root.unit();
   store.memory = folder.memory();
   store.cancel = folder.cancel();
-  if (const auto schema = root.find("$schema")) schema->text();
-  if (const auto title = root.find("name")) {
-    store.name = title->text();
-    expect_printable(store.name, title->where());
-  }
-  if (const auto wavelength = root.find("wavelength_nm")) store.wavelength_nm = wavelength->number(100, 1e5);
-  if (const auto currency = root.find("currency")) store.currency = read_currency(*currency);
-  const std::vector<JsonCursor> catalogues = read_catalogues(root, folder);
-  Presets presets;
-  for (const JsonCursor& catalogue : catalogues)
-    if (const auto section = catalogue.find("presets")) presets.add(*section);
-  if (const auto section = root.find("presets")) presets.add(*section);
-  presets.check();
-  each_section(catalogues, root, "materials",
-               [&](const JsonCursor& section) { read_materials(section, store); });
-  each_section(catalogues, root, "transceiver_types",
-               [&](const JsonCursor& section) { read_transceiver_types(section, folder, store); });
-  each_section(catalogues, root, "label_types",
-               [&](const JsonCursor& section) { read_label_types(section, store); });
-
-  const StoreNames names(store);
-  if (const auto room = root.find("room")) store.room = read_room(*room, names);
-  Problems problems(name);
-  if (const auto fixtures = root.find("fixtures"))
-    read_fixtures(*fixtures, names, folder, presets, store, problems);
-  problems.throw_first();
-  if (const auto labels = root.find("labels")) read_labels(*labels, names, folder, store);
-  if (const auto planogram = root.find("planogram")) read_planogram(*planogram, names, folder, store);
-  read_transceivers(root["transceivers"], names, folder, store);
-  if (const auto variation = root.find("variation"))
-    store.variation = read_variation(*variation, names, store);
+  all.collect([&] {
+    JsonCursor file = JsonCursor::parse(text, name);
+    if (text.find("\"ignore\"") != std::string::npos) {
+      nlohmann::ordered_json json = file.value();
+      take_ignored(json, "", file, store, all);
+      file = file.replaced(std::move(json));
+    }
+    StoreReader(store, folder, all).read(file);
+  });
+  if (problems == nullptr) own.throw_first();
   return store;
 }
 
-Store read_store(const std::filesystem::path& path, const StoreLimits& trust) {
-  return parse_store(read_file(path), path.string(), path.parent_path(), trust);
+Store read_store(const std::filesystem::path& path, const StoreLimits& trust, Problems* problems) {
+  return parse_store(read_file(path), path.string(), path.parent_path(), trust, problems);
 }
 
 }  // namespace shelfbeam

@@ -29,7 +29,7 @@ Json label(const std::string& id, const std::vector<double>& position, const std
 std::vector<std::string> warnings_with(const Json& listed) {
   Json store = sample_store();
   store["labels"].push_back(listed);
-  return scene_of(store).warnings;
+  return sentences(scene_of(store).warnings);
 }
 
 TEST(Misplaced, SampleHasNone) {
@@ -40,7 +40,7 @@ TEST(Misplaced, DevicesInsideFixtures) {
   Json store = changed_store("/labels/0/position", "[7.2, 0.2, 1]");
   store["transceivers"]["list"][1]["position"] = {7.3, 0.3, 2.9};
   const Scene scene = scene_of(store);
-  EXPECT_THAT(scene.warnings,
+  EXPECT_THAT(sentences(scene.warnings),
               ElementsAre(StartsWith("store.json: labels[0]: label 'L1' is inside fixture 'C'"),
                           StartsWith("store.json: transceivers.list[1]: transceiver 'T2' is inside")));
   // Points on the surface and above it are not inside; the hull of a mesh does not count either.
@@ -59,7 +59,7 @@ TEST(Misplaced, DiscsAndLabelsThatReachOutsideTheRoom) {
                                           {"radius", 0.3}};
     store["transceivers"]["list"].push_back(
         {{"id", "D"}, {"position", {4, 3, z}}, {"axis", {0.6, 0, -0.8}}, {"type", "wide"}});
-    return scene_of(store).warnings;
+    return sentences(scene_of(store).warnings);
   };
   EXPECT_TRUE(warnings(2.8199, 0.2001).empty());
   EXPECT_THAT(warnings(2.83, 0.15),
@@ -74,7 +74,7 @@ TEST(Misplaced, GeneratedLabelsNameTheirFixture) {
       R"({ "type": "box", "id": "C", "min": [2, 0.5, 0], "max": [2.3, 0.999, 2], "material": "m" })"));
   store["transceivers"]["list"][0]["position"] = {3, 1, 0.5};
   const Scene scene = scene_of(store);
-  EXPECT_THAT(scene.warnings,
+  EXPECT_THAT(sentences(scene.warnings),
               ElementsAre(StartsWith("store.json: fixtures[0]: label 'F-front-1-1' is inside fixture 'C'")));
 }
 
@@ -112,7 +112,7 @@ TEST(Misplaced, LabelThatLooksIntoItsShelf) {
   for (const double rotation : {0.0, 1e-9}) {
     store["fixtures"][0]["rotation_deg"] = rotation;
     const Scene scene = scene_of(store);
-    EXPECT_THAT(scene.warnings,
+    EXPECT_THAT(sentences(scene.warnings),
                 ElementsAre(StartsWith("store.json: labels[0]: label 'turned' faces fixture 'A', 2 cm")));
   }
 }
@@ -147,7 +147,7 @@ TEST(Misplaced, ManyOfAKindAreCounted) {
     store["labels"].push_back(label("in " + std::to_string(k), {7.2, 0.2, 1 + k / 100.0}, {-1, 0, 0}));
     store["labels"].push_back(label("at " + std::to_string(k), {6.99, 0.2, 1 + k / 100.0}, {1, 0, 0}));
   }
-  const auto warnings = scene_of(store).warnings;
+  const auto warnings = sentences(scene_of(store).warnings);
   ASSERT_EQ(warnings.size(), 12u);
   EXPECT_NE(warnings[4].find("'in 4'"), std::string::npos);
   EXPECT_EQ(warnings[5], "and 123 more labels inside a fixture");
@@ -167,7 +167,7 @@ TEST(Misplaced, BodiesInsideFixtures) {
     changed["labels"] = {label("W", position, normal)};
     changed["transceivers"]["list"] = {{{"id", "U"}, {"position", unit}, {"type", "wide"}}};
     changed["transceivers"].erase("installed");
-    return scene_of(changed).warnings;
+    return sentences(scene_of(changed).warnings);
   };
   // Upright and 1 cm from the column, and a disc flush with the ceiling, both as near to a side as possible.
   EXPECT_EQ(warnings({6.99, 0.3, 1}, {-1, 0, 0}, {7.2, 0.81, 3}), std::vector<std::string>{});
@@ -191,7 +191,7 @@ TEST(Misplaced, BeyondTheRoomSaysWhere) {
 
 TEST(Misplaced, WithoutARoomUnitsOutsideOfAllSurfaces) {
   Json store = test::gondola_store();
-  EXPECT_THAT(scene_of(store).warnings,
+  EXPECT_THAT(sentences(scene_of(store).warnings),
               ElementsAre(AllOf(StartsWith("store.json: transceivers.list[0]: transceiver 'T' at (0, 0, 3) "),
                                 HasSubstr("from (2, 1, 0) to (5.2, 1.9, 1.8)"))));
   store["transceivers"]["list"][0]["position"] = {3, 1.02, 1.79};

@@ -201,7 +201,7 @@ TEST(MountPoints, WarnOfMountsWithoutCandidates) {
       list + "}");
   const Scene scene = make_scene(test::read_text(store.dump()));
   EXPECT_THAT(
-      scene.warnings,
+      sentences(scene.warnings),
       testing::ElementsAre(
           HasSubstr("areas[0]: has no candidates: no point of its grid is within both the area and the room"),
           HasSubstr("areas[1]: has no candidates: the point (2, 8, 2.7) is above the ceiling of zone 'low' "

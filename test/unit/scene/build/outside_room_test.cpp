@@ -50,21 +50,23 @@ TEST(OutsideRoom, FixturesWithAllCornersInTheRoom) {
                                     box("[7, 0.5, 0]", "[9.5, 1.5, 1.5]")}) {  // none
     const bool is_warned =
         across != box("[5, 3, 0]", "[8, 3.9, 2.9]") && across != box("[7, 0.5, 0]", "[9.5, 1.5, 1.5]");
-    const auto warnings = scene_with(across).warnings;
+    const auto warnings = sentences(scene_with(across).warnings);
     if (is_warned)
       EXPECT_THAT(warnings, Contains(HasSubstr("fixture 'B' extends outside the room"))) << across;
     else
       EXPECT_THAT(warnings, IsEmpty()) << across;
   }
   // Across the corner (6, 4) where the outline turns inwards, with all its corners in the room.
-  EXPECT_THAT(scene_with(R"({"type": "box", "id": "B", "at": [5, 5.2, 0], "size": [3.1, 0.5, 1],
+  EXPECT_THAT(sentences(scene_with(R"({"type": "box", "id": "B", "at": [5, 5.2, 0], "size": [3.1, 0.5, 1],
                              "rotation_deg": -45, "material": "white"})")
-                  .warnings,
+                            .warnings),
               Contains(HasSubstr("extends outside the room")));
   EXPECT_THAT(
-      scene_with(R"({"type": "prism", "id": "P", "polygon": [[1.5, 1.5], [3.5, 1.5], [3.5, 3.5], [1.5, 3.5],
+      sentences(
+          scene_with(
+              R"({"type": "prism", "id": "P", "polygon": [[1.5, 1.5], [3.5, 1.5], [3.5, 3.5], [1.5, 3.5],
                              [1.5, 3.2], [3.2, 3.2], [3.2, 1.8], [1.5, 1.8]], "top": 1, "material": "white"})")
-          .warnings,
+              .warnings),
       IsEmpty())
       << "around the hole";
 }
@@ -88,7 +90,7 @@ TEST(OutsideRoom, FlushLabelsOnSlantedWallsAreInside) {
     store["label_types"]["small"]["size"] = {0.2, 0.1};
     store["labels"][0]["position"] = Json::parse(position);
     store["labels"][0]["normal"] = Json::parse(normal);
-    return test::scene_of(store).warnings;
+    return sentences(test::scene_of(store).warnings);
   };
   EXPECT_THAT(warnings("[4, 8, 1]", "[-1, -1, 0]"), IsEmpty());
   EXPECT_THAT(warnings("[3.99, 7.99, 1]", "[-1, 0, 0]"),
@@ -100,7 +102,7 @@ TEST(OutsideRoom, DiscsAtSlantedWalls) {
     Json store = store_of_room();
     store["transceivers"]["list"][0]["type"] = "disc";
     store["transceivers"]["list"][0]["position"] = {x, x + 4, 2};
-    return test::scene_of(store).warnings;
+    return sentences(test::scene_of(store).warnings);
   };
   EXPECT_THAT(warnings(4 - 0.1415), IsEmpty());
   EXPECT_THAT(warnings(4 - 0.1413), Contains(HasSubstr("the disc of transceiver 'T' extends")));

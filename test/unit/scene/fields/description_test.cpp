@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 
 #include "unit/scene/fields/schema_fields.hpp"
 #include "unit/scene/fields/table_fields.hpp"
@@ -55,6 +56,15 @@ Json fixture_schema(const Fixture& type) {
   return described;
 }
 
+// Every object of the store may have the key "ignore".
+void add_ignore(Json& schema) {
+  if (schema.is_object() && schema.contains("properties") && schema.contains("additionalProperties") &&
+      schema["additionalProperties"] == false)
+    schema["properties"]["ignore"] = {{"$ref", "#/$defs/ignore"}};
+  if (!schema.is_structured()) return;
+  for (Json& part : schema) add_ignore(part);
+}
+
 TEST(Description, SchemaIsUpToDate) {
   Json schema = Json::parse(read_file(schema_file));
   Json types = Json::array(), alternatives = Json::array();
@@ -64,9 +74,26 @@ TEST(Description, SchemaIsUpToDate) {
     alternatives.push_back({{"$ref", "#/$defs/" + name}});
     schema["$defs"][name] = fixture_schema(type);
   }
+  const auto set = [&](const char* name, auto value) {
+    schema["$defs"][name] = test::schema_of([&](Fields& fields) { describe(value, fields); });
+  };
+  set("label_type", LabelType{});
+  set("transceiver_type", TransceiverType{});
+  set("planogram", ArticleLabels{});
+  set("label", Label{});
+  set("transceiver", Transceiver{});
+  set("grid", TransceiverGrid{});
+  set("mount_area", MountArea{});
+  set("mount_rail", MountRail{});
+  set("mount_faces", MountFaces{});
+  set("keep_out", KeepOut{});
+  StoreVariation variation;
+  schema["$defs"]["variation"] = test::schema_of([&](Fields& fields) { variation.fields(fields); });
+  schema["$defs"]["ignore"]["items"] = {{"enum", warning_names()}};
   schema["$defs"]["fixture_key"] = {{"enum", all_fixture_keys()}};
   schema["$defs"]["whole_fixture"] = {
       {"required", {"type", "id"}}, {"properties", {{"type", {{"enum", types}}}}}, {"oneOf", alternatives}};
+  add_ignore(schema);
   expect_file(schema_file, test::compact(schema) + "\n");
 }
 
@@ -74,7 +101,7 @@ TEST(Description, SchemaIsUpToDate) {
 void replace_table(std::string& page, const std::string& heading, const Fields::Part& part) {
   test::TableFields table;
   part(table);
-  const std::size_t section = page.find("\n" + heading + "\n");
+  const std::size_t section = page.find(heading + "\n");
   ASSERT_NE(section, std::string::npos) << heading;
   const std::string line = "| --- | --- | --- | --- |\n";
   const std::size_t begin = page.find(line, section) + line.size();
@@ -90,6 +117,37 @@ TEST(Description, TablesAreUpToDate) {
     replace_table(fixtures, "## " + heading, fields_of(type));
   }
   expect_file(pages + "fixtures.md", fixtures);
+
+  const auto part = [](auto value) {
+    return [value](Fields& fields) {
+      auto empty = value;
+      describe(empty, fields);
+    };
+  };
+  std::string label_types = read_file(pages + "label_types.md");
+  replace_table(label_types, "# Label types", part(LabelType{}));
+  expect_file(pages + "label_types.md", label_types);
+  std::string transceiver_types = read_file(pages + "transceiver_types.md");
+  replace_table(transceiver_types, "# Transceiver types", part(TransceiverType{}));
+  expect_file(pages + "transceiver_types.md", transceiver_types);
+  std::string labels = read_file(pages + "labels.md");
+  replace_table(labels, "## Labels of a fixture",
+                [](Fields& fields) { FixtureLabels{}.fields(fields, true); });
+  replace_table(labels, "## Labels of articles", part(ArticleLabels{}));
+  replace_table(labels, "## Other labels", part(Label{}));
+  expect_file(pages + "labels.md", labels);
+  std::string transceivers = read_file(pages + "transceivers.md");
+  replace_table(transceivers, "## Grids", part(TransceiverGrid{}));
+  replace_table(transceivers, "## Areas", part(MountArea{}));
+  replace_table(transceivers, "## Rails", part(MountRail{}));
+  replace_table(transceivers, "## Fixtures and walls", part(MountFaces{}));
+  replace_table(transceivers, "## List", part(Transceiver{}));
+  replace_table(transceivers, "## Areas without candidates", part(KeepOut{}));
+  expect_file(pages + "transceivers.md", transceivers);
+  std::string variation = read_file(pages + "variation.md");
+  replace_table(variation, "# Variation: a changing shop",
+                [](Fields& fields) { StoreVariation{}.fields(fields); });
+  expect_file(pages + "variation.md", variation);
 }
 
 }  // namespace

@@ -24,12 +24,14 @@ Json schema_of_kind(Scalar kind, const Field& field) {
       return is_narrow ? number(1e-3, longest) : reference("length");
     case Scalar::distance:
       return number(0, longest);
+    case Scalar::extent:
+      return reference("radius");
     case Scalar::coordinate:
       return reference("coordinate");
     case Scalar::degrees:
       return is_narrow ? number(-360, 360) : reference("angle_deg");
     case Scalar::share:
-      return reference("share");
+      return std::isfinite(field.least) || std::isfinite(field.most) ? number(0, 1) : reference("share");
     case Scalar::quantity:
       return reference("quantity");
     case Scalar::amount:
@@ -153,7 +155,10 @@ bool SchemaFields::boolean(std::string_view key, bool& value, const Field& field
 }
 
 bool SchemaFields::text(std::string_view key, std::string& value, const Field& field) {
-  return describe(key, {{"type", "string"}, {"minLength", field.fewest}}, field, value);
+  if (field.is_name) return describe(key, {{"$ref", "#/$defs/name"}}, field, value);
+  Json schema{{"type", "string"}};
+  if (field.fewest > 0) schema["minLength"] = field.fewest;
+  return describe(key, std::move(schema), field, value);
 }
 
 bool SchemaFields::choices(std::string_view key, std::vector<std::string_view>& values,
@@ -182,11 +187,10 @@ bool SchemaFields::object(std::string_view key, const Part& part, const Field& f
 
 bool SchemaFields::objects(std::string_view key, std::size_t,
                            const std::function<void(Fields&, std::size_t)>& part, const Field& field) {
-  return describe(key,
-                  {{"type", "array"}, {"minItems", field.fewest}, {"items", schema_of([&](Fields& fields) {
-                                                                     part(fields, 0);
-                                                                   })}},
-                  field);
+  Json schema{{"type", "array"}};
+  if (field.fewest > 0) schema["minItems"] = field.fewest;
+  schema["items"] = schema_of([&](Fields& fields) { part(fields, 0); });
+  return describe(key, std::move(schema), field);
 }
 
 bool SchemaFields::custom(std::string_view key, const CustomValue& value, const Field& field) {

@@ -11,6 +11,7 @@ std::string_view unit_of(Scalar kind) {
   switch (kind) {
     case Scalar::length:
     case Scalar::distance:
+    case Scalar::extent:
     case Scalar::coordinate:
       return "m";
     case Scalar::degrees:
@@ -53,6 +54,10 @@ bool TableFields::add(std::string_view key, std::string_view unit, const std::st
   return false;
 }
 
+void TableFields::key(std::string_view name, const Field& field) {
+  add(name, "", "", field);
+}
+
 bool TableFields::scalar(std::string_view key, Scalar kind, double& value, const Field& field) {
   return add(key, unit_of(kind), fmt::format("{}", value), field);
 }
@@ -63,10 +68,6 @@ bool TableFields::array(std::string_view key, Scalar kind, std::span<double> val
 
 bool TableFields::list(std::string_view key, Scalar kind, std::vector<double>& values, const Field& field) {
   return add(key, unit_of(kind), code(values), field);
-}
-
-bool TableFields::polygon(std::string_view key, Polygon&, const Field& field) {
-  return add(key, "m", "", field);
 }
 
 bool TableFields::integer(std::string_view key, std::int64_t& value, const Field& field) {
@@ -84,34 +85,6 @@ bool TableFields::text(std::string_view key, std::string& value, const Field& fi
 bool TableFields::choices(std::string_view key, std::vector<std::string_view>& values,
                           std::span<const std::string_view>, bool single, const Field& field) {
   return add(key, "", single && !values.empty() ? code(values.front()) : code(values), field);
-}
-
-bool TableFields::reference(std::string_view key, NameList, std::uint32_t&, const Field& field) {
-  return add(key, "", "", field);
-}
-
-bool TableFields::references(std::string_view key, NameList,
-                             std::vector<std::pair<std::string, std::uint32_t>>&, const Field& field) {
-  return add(key, "", "", field);
-}
-
-bool TableFields::object(std::string_view key, const Part&, const Field& field) {
-  return add(key, "", "", field);
-}
-
-bool TableFields::objects(std::string_view key, std::size_t, const std::function<void(Fields&, std::size_t)>&,
-                          const Field& field) {
-  return add(key, "", "", field);
-}
-
-bool TableFields::custom(std::string_view key, const CustomValue&, const Field& field) {
-  return add(key, "", "", field);
-}
-
-void TableFields::either(std::initializer_list<std::string_view>, bool, const Part& first,
-                         const Part& second) {
-  first(*this);
-  second(*this);
 }
 
 }  // namespace shelfbeam::test

@@ -182,7 +182,8 @@ TEST(MeshFormats, TrianglesWithoutAreaAreDropped) {
     EXPECT_EQ(scene.mesh.triangles.size(), 4u) << name;
     EXPECT_NEAR(mesh_area(scene), test::tetrahedron_area, 1e-12);
     ASSERT_EQ(scene.warnings.size(), 1u) << name;
-    EXPECT_EQ(scene.warnings[0], "store.json: fixtures[0]: mesh 'M': dropped 4 of 8 triangles of zero area");
+    EXPECT_EQ(scene.warnings[0].sentence,
+              "store.json: fixtures[0]: mesh 'M': dropped 4 of 8 triangles of zero area");
   }
   // A needle of 5 m by 0.01 mm is not thin by rounding, so it stays.
   triangles = tetrahedron();
@@ -198,7 +199,7 @@ TEST(MeshFormats, TrianglesWithoutAreaAreDropped) {
 TEST(MeshFormats, PartsAreCheckedLikeFiles) {
   Store store = test::read_text(test::changed_store("/fixtures/3/parts/0/faces/0", "[1, 1, 2]").dump());
   store.materials[0].material = make_dielectric(1.5);
-  const auto warnings = make_scene(store).warnings;
+  const auto warnings = sentences(make_scene(store).warnings);
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_NE(warnings[0].find("'white' is not closed"), std::string::npos) << warnings[0];
   EXPECT_NE(warnings[1].find("1 of 2 triangles"), std::string::npos) << warnings[1];
@@ -209,7 +210,7 @@ TEST(MeshFormats, ImplausibleSizes) {
     Json store = test::sample_store();
     store["fixtures"][3]["scale"] = scale;
     if (!with_room) store.erase("room");
-    return [store] { return test::scene_of(store).warnings; };
+    return [store] { return sentences(test::scene_of(store).warnings); };
   };
   // The sample's mesh has a size of 1, its room of 8 m.
   expect_input_error(scaled(80, true), "store.json: fixtures[3]: ", "'M'", "80 m", "\"scale\": 0.001");
@@ -322,7 +323,7 @@ TEST(MeshFormats, SolidGlassIsClosedAndFacesOutwards) {
       EXPECT_NEAR(test::volume(scene.mesh), expected, 1e-5);
       ASSERT_EQ(scene.warnings.empty(), warning.empty());
       if (!warning.empty() && name != "parts") {
-        EXPECT_NE(scene.warnings[0].find(warning), std::string::npos) << scene.warnings[0];
+        EXPECT_NE(scene.warnings[0].sentence.find(warning), std::string::npos) << scene.warnings[0].sentence;
       }
     }
   }

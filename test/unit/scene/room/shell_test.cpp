@@ -319,7 +319,7 @@ TEST(RoomReader, LabelInADoorBelowATransomIsInTheOpen) {
     return changes;
   }();
   const Scene scene = make_scene(test::read_text(store.dump()));
-  EXPECT_EQ(scene.warnings, std::vector<std::string>{});
+  EXPECT_EQ(sentences(scene.warnings), std::vector<std::string>{});
   const auto is_solid = [&](const Vec3& p) {
     return std::any_of(scene.parts.begin(), scene.parts.end(), [&](const Part& part) {
       return part.bottom < p.z && p.z < part.top && contains(part.footprint, {p.x, p.y});
@@ -354,7 +354,8 @@ TEST(RoomReader, RefusesTooManyEdgesAndCrossings) {
 TEST(RoomReader, WarnsOfLabelsThatFaceOrLieInInnerWalls) {
   const auto warnings = [](const char* label) {
     std::string text;
-    for (const std::string& one : make_scene(test::read_text(changed("/labels/0", label).dump())).warnings)
+    for (const std::string& one :
+         sentences(make_scene(test::read_text(changed("/labels/0", label).dump())).warnings))
       text += one + "\n";
     return text;
   };

@@ -173,7 +173,7 @@ TEST(StoreStates, StandPeopleAndObjectsOnFreeFloor) {
         EXPECT_FALSE(part->bottom < boxes[b]->top && part->kind != PartKind::mesh &&
                      overlap(boxes[b]->footprint, part->footprint));
     }
-    EXPECT_EQ(scene.warnings, std::vector<std::string>());
+    EXPECT_EQ(sentences(scene.warnings), std::vector<std::string>());
   }
 }
 

@@ -126,7 +126,7 @@ TEST(FixtureList, RepeatsAlongTheWallThatItStandsAgainst) {
                      {"ceiling", "white"},
                      {"walls", "white"}};
     const Scene scene = make_scene(read(store));
-    EXPECT_EQ(scene.warnings, std::vector<std::string>());
+    EXPECT_EQ(sentences(scene.warnings), std::vector<std::string>());
     const Polygon corners = Json::parse(outline);
     const Vec2 &a = corners[2], &b = corners[3];
     const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
@@ -257,10 +257,10 @@ TEST(FixtureList, NamesEachCopyInMessages) {
   for (const auto& [label, where] : store.labels) places.push_back(where);
   EXPECT_THAT(places,
               testing::ElementsAre(
-                  "store.json: copy 'A1' of fixtures[0]", "store.json: copy 'A2' of fixtures[0]",
-                  "store.json: copy 'A3' of fixtures[0]", "store.json: copy 'T7' of fixtures[1]",
-                  "store.json: copy 'T8' of fixtures[1]", "store.json: copy 'T7' of fixtures[1].labels[0]",
-                  "store.json: copy 'T8' of fixtures[1].labels[0]", "store.json: labels[0]"));
+                  "store.json: fixtures[0] (copy 'A1')", "store.json: fixtures[0] (copy 'A2')",
+                  "store.json: fixtures[0] (copy 'A3')", "store.json: fixtures[1] (copy 'T7')",
+                  "store.json: fixtures[1] (copy 'T8')", "store.json: fixtures[1].labels[0] (copy 'T7')",
+                  "store.json: fixtures[1].labels[0] (copy 'T8')", "store.json: labels[0]"));
 }
 
 // Closed surfaces that face outwards: the volume by the theorem of Gauss.

@@ -111,7 +111,7 @@ TEST(Planogram, ComesFromSpreadsheets) {
   store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
   const auto warnings = [&](const std::string& text) {
     folder.write("p.csv", text);
-    return make_scene(read(store, folder.path())).warnings;
+    return sentences(make_scene(read(store, folder.path())).warnings);
   };
   const std::string plain = "article,fixture,face,level,position\n1,A,front,2,1\n2,A,front,2,2\n";
   const std::vector<std::string> usual = warnings(plain);

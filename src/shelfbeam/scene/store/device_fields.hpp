@@ -1,0 +1,38 @@
+#pragma once
+
+#include "shelfbeam/base/fields/fields.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/scene/store_names.hpp"
+
+namespace shelfbeam {
+
+// The keys of labels, units and candidates in the store file.
+
+/// The key `planogram`: the labels of all articles, except where a record has its own type.
+struct ArticleLabels {
+  std::string file;
+  LabelTypeId type;
+  double hook = FixtureLabels{}.hook;
+  double tilt_deg = 0;
+};
+
+/// What the values of types refer to, for the reader.
+struct TypeSource {
+  const Store& store;
+  const StoreNames& names;
+  const StoreFolder& folder;
+  const Problems& problems;
+};
+
+void describe(LabelType& type, Fields& f, const TypeSource* source = nullptr);
+void describe(TransceiverType& type, Fields& f, const TypeSource* source = nullptr);
+void describe(ArticleLabels& labels, Fields& f);
+void describe(Label& label, Fields& f);
+void describe(Transceiver& unit, Fields& f);
+void describe(TransceiverGrid& grid, Fields& f);
+void describe(MountArea& mount, Fields& f);
+void describe(MountRail& rail, Fields& f);
+void describe(MountFaces& mount, Fields& f);
+void describe(KeepOut& area, Fields& f);
+
+}  // namespace shelfbeam

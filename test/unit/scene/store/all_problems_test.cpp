@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/fields/problems.hpp"
+
+#include "unit/scene/sample_store.hpp"
+
+// The reader reports every problem of a store, and no consequence of one as a further problem.
+
+namespace shelfbeam {
+namespace {
+
+using test::Json;
+
+// A mistake: the position of a value, the value, and the path of the problem that it causes.
+struct Mistake {
+  std::string pointer, value, path;
+};
+
+// One mistake for each kind of value, at places that do not depend on each other.
+const std::vector<Mistake>& mistakes() {
+  static const std::vector<Mistake> all{
+      {"/name", "7", "name"},
+      {"/wavelength_nm", "\"infrared\"", "wavelength_nm"},
+      {"/currency", "\"\"", "currency"},
+      {"/planet", "\"Mars\"", ""},
+      {"/room/floor", "\"lava\"", "room.floor"},
+      {"/materials/white/reflectance", "1.2", "materials.white.reflectance"},
+      {"/materials/foil/k", "\"k\"", "materials.foil.k"},
+      {"/label_types/small/threshold", "-1", "label_types.small.threshold"},
+      {"/label_types/small/colour", "1", "label_types.small"},
+      {"/transceiver_types/down/cost", "-4", "transceiver_types.down.cost"},
+      {"/transceiver_types/spot/emission/flux", "null", "transceiver_types.spot.emission.flux"},
+      {"/fixtures/0/length", "-3", "fixtures[0].length"},
+      {"/fixtures/0/depth", "0.01", "fixtures[0].depth"},
+      {"/fixtures/0/material", "\"sugar\"", "fixtures[0].material"},
+      {"/fixtures/0/shelves/1", "\"high\"", "fixtures[0].shelves[1]"},
+      {"/fixtures/0/colour", "1", "fixtures[0]"},
+      {"/fixtures/0/labels/type", "\"none\"", "fixtures[0].labels.type"},
+      {"/fixtures/0/labels/tilt_deg", "120", "fixtures[0].labels.tilt_deg"},
+      {"/fixtures/1/height", "0.1", "fixtures[1].height"},
+      {"/fixtures/1/stocking", "3", "fixtures[1].stocking"},
+      {"/fixtures/1/rotation_deg", "720", "fixtures[1].rotation_deg"},
+      {"/fixtures/2/max", "[0, 0]", "fixtures[2].max"},
+      {"/labels/0/position", "[1, 2]", "labels[0].position"},
+      {"/labels/0/normal", "[0, 0, 0]", "labels[0].normal"},
+      {"/labels/0/type", "\"none\"", "labels[0].type"},
+      {"/transceivers/grids/0/spacing", "0", "transceivers.grids[0].spacing"},
+      {"/transceivers/grids/0/z", "[3]", "transceivers.grids[0].z"},
+      {"/transceivers/list/0/type", "\"none\"", "transceivers.list[0].type"},
+      {"/transceivers/list/0/roll_deg", "1000", "transceivers.list[0].roll_deg"},
+      {"/transceivers/keep_out/0/colour", "1", "transceivers.keep_out[0]"},
+  };
+  return all;
+}
+
+std::vector<std::string> paths_of(const Json& store) {
+  Problems problems("store.json");
+  parse_store(store.dump(), "store.json", SHELFBEAM_SOURCE_DIR "/data/photometry", {}, &problems);
+  std::vector<std::string> paths;
+  for (const Finding& problem : problems.all()) {
+    EXPECT_TRUE(problem.sentence.starts_with("store.json: ")) << problem.sentence;
+    paths.push_back(problem.path);
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+TEST(AllProblems, OfStoresWithUpTo20PlantedMistakes) {
+  ASSERT_EQ(paths_of(test::sample_store()), std::vector<std::string>());
+  std::mt19937 random(49);
+  std::map<std::string, int> times;
+  for (int k = 0; k < 500; ++k) {
+    std::vector<Mistake> planted = mistakes();
+    std::shuffle(planted.begin(), planted.end(), random);
+    planted.resize(1 + static_cast<std::size_t>(k) % 20);
+    Json store = test::sample_store();
+    std::vector<std::string> expected;
+    for (const auto& [pointer, value, path] : planted) {
+      store[Json::json_pointer(pointer)] = Json::parse(value);
+      expected.push_back(path);
+      ++times[pointer];
+    }
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(paths_of(store), expected) << store.dump(1);
+  }
+  EXPECT_EQ(times.size(), mistakes().size()) << "each of them was planted";
+}
+
+// What depends on an element with a problem has none of its own.
+TEST(AllProblems, AreNoneOfTheReferencesToAnElementWithAProblem) {
+  Json store = test::sample_store();
+  store["materials"] = 7;
+  EXPECT_EQ(paths_of(store), std::vector<std::string>{"materials"});
+  store = test::sample_store();
+  store["fixtures"][0]["length"] = -1;
+  store["fixtures"].push_back({{"type", "freezer"},
+                               {"id", "next"},
+                               {"against", {{"fixture", store["fixtures"][0]["id"]}, {"side", "left"}}},
+                               {"length", 1},
+                               {"depth", 1},
+                               {"height", 1},
+                               {"material", "white"}});
+  EXPECT_EQ(paths_of(store), std::vector<std::string>{"fixtures[0].length"});
+  store["fixtures"].back()["against"]["fixture"] = "no such fixture";
+  EXPECT_EQ(paths_of(store),
+            (std::vector<std::string>{
+                "fixtures[0].length",
+                "fixtures[" + std::to_string(store["fixtures"].size() - 1) + "].against.fixture"}));
+}
+
+// With codes and values, for programs.
+TEST(AllProblems, HaveCodesAndValues) {
+  Json store = test::sample_store();
+  store["fixtures"][1]["stocking"] = 3;
+  store["labels"][0]["type"] = "none";
+  Problems problems("store.json");
+  parse_store(store.dump(), "store.json", SHELFBEAM_SOURCE_DIR "/data/photometry", {}, &problems);
+  ASSERT_EQ(problems.all().size(), 2u);
+  EXPECT_EQ(problems.all()[0].code, FindingCode::outside_limits);
+  EXPECT_EQ(problems.all()[0].values, (FindingValues{3.0, 0.0, 1.0}));
+  EXPECT_EQ(problems.all()[1].code, FindingCode::unknown_name);
+  EXPECT_EQ(problems.all()[1].values, FindingValues{"none"});
+}
+
+TEST(Ignore, CountsTheWarningsOfAnElement) {
+  Json store = test::sample_store();
+  const std::size_t usual =
+      make_scene(test::read_text(store.dump(), SHELFBEAM_SOURCE_DIR "/data/photometry")).warnings.size();
+  const auto read = [&] {
+    return make_scene(test::read_text(store.dump(), SHELFBEAM_SOURCE_DIR "/data/photometry"));
+  };
+  store["labels"][0]["position"] = {7.25, 0.25, 1};  // in the box
+  const Scene warned = read();
+  ASSERT_EQ(warned.warnings.size(), usual + 1);
+  const auto found = std::find_if(warned.warnings.begin(), warned.warnings.end(), [](const Finding& warning) {
+    return warning.code == FindingCode::label_inside_fixture;
+  });
+  ASSERT_NE(found, warned.warnings.end());
+  EXPECT_EQ(found->path, "labels[0]");
+  EXPECT_EQ(warned.ignored_warnings, 0u);
+  store["labels"][0]["ignore"] = {"label_inside_fixture"};
+  EXPECT_EQ(read().warnings.size(), usual);
+  EXPECT_EQ(read().ignored_warnings, 1u);
+  store["labels"][0]["ignore"] = {"label_in_mid_air"};
+  EXPECT_EQ(read().warnings.size(), usual + 1) << "another code";
+  store["labels"][0].erase("ignore");
+  store["ignore"] = {"label_inside_fixture"};
+  EXPECT_EQ(read().ignored_warnings, 1u) << "for the whole store";
+  store["ignore"] = {"label_inside_fixtures"};
+  EXPECT_EQ(paths_of(store), std::vector<std::string>{""});
+}
+
+}  // namespace
+}  // namespace shelfbeam
