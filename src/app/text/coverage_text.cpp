@@ -117,7 +117,7 @@ std::string describe(const MaxCoverage& reach, const SignalTable& table) {
                                  reach.weight->total, reach.weight->upper_bound)
                    : fmt::format("reached {}, upper bound {}", reach.reached, reach.upper_bound);
   text += fmt::format("  {}: {}, gap {:.1f} %; {:.2f} s, solver {}\n", to_text(reach.status), range,
-                      100 * reach.gap(), reach.seconds, reach.solver);
+                      100 * reach.gap(), reach.seconds, solver_text(reach.solver));
   return text + fmt::format("  bound: {}\n", bound_proof_text(reach.bound_proof)) +
          size_line(reach.too_large, reach.status);
 }
@@ -128,7 +128,7 @@ std::string describe(const FewestUnits& fewest, const SignalTable& table) {
   text += fmt::format("  {}", to_text(fewest.status));
   if (fewest.has_selection)
     text += fmt::format(": count {}, lower bound {}", fewest.selected.size(), fewest.count_lower_bound);
-  text += fmt::format("; {:.2f} s, solver {}\n", fewest.seconds, fewest.solver);
+  text += fmt::format("; {:.2f} s, solver {}\n", fewest.seconds, solver_text(fewest.solver));
   return text + fmt::format("  bound: {}\n", bound_proof_text(fewest.bound_proof)) +
          size_line(fewest.too_large, fewest.status);
 }

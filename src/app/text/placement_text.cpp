@@ -22,8 +22,7 @@ std::string outcome(const Placement& placement) {
   if (placement.has_selection())
     text += fmt::format(": value {:.9g}, lower bound {:.9g}, gap {:.1f} %", placement.objective_value,
                         placement.lower_bound, 100 * placement.gap());
-  return text + fmt::format("; {:.2f} s, solver {}\n", placement.seconds,
-                            placement.solver.empty() ? "not needed" : placement.solver);
+  return text + fmt::format("; {:.2f} s, solver {}\n", placement.seconds, solver_text(placement.solver));
 }
 
 std::string infeasible(const Placement& placement, const SignalTable& table) {
@@ -32,7 +31,7 @@ std::string infeasible(const Placement& placement, const SignalTable& table) {
       no_selection_reaches(table.rows()) + (placement.problem.redundant ? " if any one unit fails" : "");
   if (placement.unreachable.empty())
     return fmt::format("{}: each {} (proven by {}).\n", no_selection,
-                       not_all_together(conflict_reason(placement, has_options)), placement.solver);
+                       not_all_together(conflict_reason(placement, has_options)), solver_text(placement.solver));
   std::string text = fmt::format("{}: {}.\n", no_selection, terminal_out_of_reach(placement, has_options));
   const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
   for (std::size_t u = 0; u < shown; ++u) {

@@ -130,7 +130,7 @@ bool is_open(const PlanArguments& options, const Plan& plan) {
   if (availability)
     return !availability->is_impossible() &&
            (options.no_certificate ? availability->sample_selected.empty() : !availability->certified);
-  return is_imprecise(plan) || (plan.certificate && !plan.certificate->open.empty()) ||
+  return is_imprecise(plan) || (plan.certificate && plan.certificate->open) ||
          !plan.curve.is_complete ||
          (options.sensitivity && plan.placement.has_selection() && !plan.sensitivity);
 }

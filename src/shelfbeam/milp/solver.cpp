@@ -126,6 +126,10 @@ std::span<const Backend> backends() {
   return table;
 }
 
+std::string Backend::full_name() const {
+  return fmt::format("{} {}", name, version);
+}
+
 std::span<const Backend> backends_of(std::string_view name) {
   const std::span<const Backend> all = backends();
   if (name.empty()) return all;

@@ -96,6 +96,8 @@ class LpSession {
 struct Backend {
   std::string_view name;
   std::string_view version;
+  /// "highs 1.10.0"
+  std::string full_name() const;
   Result (*solve)(const Model&, const SolveOptions&, const RunControl&);
   Model (*read)(const std::filesystem::path&);
   std::unique_ptr<LpSession> (*lp)(std::span<const Column>);

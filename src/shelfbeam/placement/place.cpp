@@ -78,7 +78,7 @@ Placement greedy_placement(const SignalTable& table, const PlacementProblem& pro
                            const MaybeSelection& selected) {
   Placement placement = place_by_mip(table, problem, selected, {}, 0, {}).placement;
   placement.status = selected ? Status::feasible : Status::stopped;
-  placement.solver = "greedy";
+  placement.solver = {Method::greedy};
   return placement;
 }
 
@@ -195,13 +195,13 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
           {.proves = options.proves, .settles_ties = options.settles_ties, .step_limit = options.step_limit});
     } else if (without_mip || (searches && table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
       placement = greedy_placement(table, problem, known);
-      placement.solver = "search";
+      placement.solver = {Method::search};
     } else {
       for (const milp::Backend& backend : backends) {
         MipResult answer =
             place_by_mip(table, problem, known, limited(backend.solve, options.step_limit), left(), control);
         placement = std::move(answer.placement);
-        placement.solver = fmt::format("{} {}", backend.name, backend.version);
+        placement.solver = {Method::mip, backend.full_name()};
         if (!answer.solver_failed) break;
       }
       // Bounds above those without a search rest on the solver alone.

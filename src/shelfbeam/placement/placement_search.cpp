@@ -145,7 +145,7 @@ Placement answer_of(State state) {
                                                        state.bounds.fewest(placement.lower_bound)))
                         : state.incumbent.bound();
   placement.bound_proof = state.incumbent.proof();
-  placement.solver = state.last_backend.empty() ? "search" : "search with " + state.last_backend;
+  placement.solver = {Method::search, state.last_backend};
   return placement;
 }
 

@@ -25,7 +25,7 @@ std::vector<milp::Backend> preferred(const SearchState& state) {
 template <class Ask>
 auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, const Ask& ask) {
   for (std::size_t k = 0;; ++k) {
-    state.last_backend = fmt::format("{} {}", backends[k].name, backends[k].version);
+    state.last_backend = backends[k].full_name();
     auto answer = ask(backends[k]);
     if (!answer.failed || k + 1 == backends.size()) return answer;
   }

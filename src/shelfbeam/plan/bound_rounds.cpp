@@ -51,12 +51,11 @@ void BoundRounds::raise(double bound, std::size_t labels) {
   if (goal_.is_count) certificate_.count_lower_bound = static_cast<std::size_t>(bound);
   if (minimises_cost(goal_.problem)) certificate_.cost_lower_bound = bound;
   certificate_.bound_labels = labels;
-  if (holds()) obstacle_.clear();
+  if (holds()) obstacle_.reset();
 }
 
 void BoundRounds::set_obstacle(double bound, double cost) {
-  obstacle_ = fmt::format("proving that {} would take about {:.0f} {}", goal_.text(bound),
-                          std::max(1.0, cost), rounds_.unit());
+  obstacle_ = {.cause = EndCause::proof_cost, .bound = bound, .bounds_cost = !goal_.is_count, .effort = cost};
 }
 
 bool BoundRounds::prove(const PlannedSignals& signals) {
@@ -147,7 +146,7 @@ bool BoundRounds::prove_by_entries(const PlannedSignals& signals) {
   const std::uint32_t before = batches_;
   const CoreRows core = promising_rows(signals);
   if (core.rows.empty()) return false;
-  obstacle_.clear();
+  obstacle_.reset();
   std::optional<SignalTable> rows =
       upper_limits(signals.table, core.rows, counts(core.rows.size(), signals.table.columns()));
   if (!rows) {

@@ -60,7 +60,7 @@ class BoundRounds {
   void forget_failures() { refuter_.forget_failures(); }
 
   /// The reason why the bound does not hold; empty if it is unknown.
-  const std::string& obstacle() const { return obstacle_; }
+  const std::optional<EndReason>& obstacle() const { return obstacle_; }
 
  private:
   double proven() const;
@@ -84,7 +84,7 @@ class BoundRounds {
   BudgetRefuter refuter_;
   std::uint32_t batches_ = min_verifying_batches;  ///< of the next test of entries
   std::size_t rows_ = max_undecided;               ///< expected maximum number of core rows
-  std::string obstacle_;
+  std::optional<EndReason> obstacle_;
   std::vector<ValidationRow> fresh_;
   std::vector<std::uint32_t> counterexample_;
 };

@@ -70,11 +70,11 @@ class Certifier {
   }
 
   Certified run() && {
-    certificate_.open = Rounds::reason_after([&]() -> std::string {
+    certificate_.open = Rounds::reason_after([&]() -> std::optional<EndReason> {
       if (now_.placement.status == Status::stopped && now_.placement.gap() > 0) sharpen();
       while (!is_done() && rounds_.round() < max_certificate_rounds && run_round()) {
       }
-      if (!certificate_.open.empty()) return certificate_.open;
+      if (certificate_.open) return certificate_.open;
       return is_done() ? unproven_bound() : reason_to_stop();
     });
     return_to_kept();
@@ -142,35 +142,32 @@ class Certifier {
   bool run_round() {
     rounds_.next();
     certificate_.rounds = rounds_.round();
-    certificate_.open.clear();
+    certificate_.open.reset();
     const bool has_selection = now_.placement.has_selection();
     bool has_worked = has_selection ? verdicts_.verify(rounds_) > 0
                                     : bound_.prove_unreachable(signals_.table, now_.placement);
     if (has_selection && !bound_.holds() && bound_.prove(signals_)) has_worked = true;
     if (is_done()) return false;
-    if (control_.cancelled()) throw Interrupted(Rounds::interrupted);
+    if (control_.cancelled()) throw Interrupted("the certificate was interrupted");
     if (rounds_.left() > 0 && improve()) return true;
-    if (!certificate_.open.empty()) return false;
+    if (certificate_.open) return false;
     if (has_worked && rounds_.left() > 0) return true;
     certificate_.open = reason_to_stop();
     return false;
   }
 
-  std::string reason_to_stop() const {
+  EndReason reason_to_stop() const {
     if (!now_.placement.has_selection())
-      return now_.placement.unreachable.empty()
-                 ? "each label can be reached alone, but conflicts prevent a selection that reaches all "
-                   "labels"
-                 : rounds_.stop_reason("labels are too close to their requirements");
+      return now_.placement.unreachable.empty() ? EndReason{EndCause::conflicts}
+                                                : rounds_.stop_reason(EndCause::labels_near);
     if (!certificate_.all_reached()) return verdicts_.obstacle(rounds_);
-    if (!bound_.obstacle().empty()) return bound_.obstacle();
-    return rounds_.stop_reason("signals are too close to requirements for a proof");
+    return bound_.obstacle().value_or(rounds_.stop_reason(EndCause::signals_near));
   }
 
   // The goal holds, but the search has proven no more than it.
-  std::string unproven_bound() const {
-    const bool is_minimum = bound_.is_tight() || is_proven(now_.placement);
-    return is_minimum ? "" : "the search proved no larger lower bound on the simulated signals";
+  std::optional<EndReason> unproven_bound() const {
+    if (bound_.is_tight() || is_proven(now_.placement)) return {};
+    return EndReason{EndCause::weak_bound};
   }
 
   // Verdicts and bound refer to the placement.
@@ -279,12 +276,12 @@ class Certifier {
     options.start = start;
     Placement placement = place(signals_.table, problem(), options, control_);
     if (control_.cancelled())
-      certificate_.open = Rounds::interrupted;
+      certificate_.open = {EndCause::interrupted};
     else if (!placement.has_selection() && placement.status != Status::infeasible)
-      certificate_.open = "no placement was found in time after independent samples changed the matrix";
+      certificate_.open = {EndCause::no_placement};
     else
-      certificate_.open.clear();
-    if (!certificate_.open.empty()) {
+      certificate_.open.reset();
+    if (certificate_.open) {
       if (signals_.matrix != now_.matrix) signals_ = {now_.matrix, rule_(*now_.matrix)};
       return false;
     }
@@ -302,10 +299,11 @@ class Certifier {
     now_ = std::move(*kept_);
     certificate_.labels = std::move(now_.labels);
     if (is_proven(now_.placement))
-      certificate_.open.clear();
-    else if (certificate_.open != Rounds::interrupted)
-      certificate_.open = fmt::format("it is undecided whether a cheaper selection reaches all labels{}{}",
-                                      certificate_.open.empty() ? "" : "; ", certificate_.open);
+      certificate_.open.reset();
+    else if (!certificate_.open)
+      certificate_.open = {EndCause::cheaper};
+    else if (certificate_.open->cause != EndCause::interrupted)
+      certificate_.open->leaves_cheaper = true;
   }
 
   // Whether no selection costs less, which needs no search if this one reaches all labels.
@@ -376,7 +374,7 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
   Rounds rounds(options.confidence, 1, options.budget, options.simulation.seed, control);
   LabelRounds verdicts(scene, options.simulation, certificate.labels);
   verdicts.select(problem, placement.selected, std::move(planned), true);
-  certificate.open = Rounds::reason_after([&]() -> std::string {
+  certificate.open = Rounds::reason_after([&]() -> std::optional<EndReason> {
     while (certificate.count(Verdict::undecided) > 0) {
       rounds.next();
       if (verdicts.verify(rounds) == 0) return verdicts.obstacle(rounds);

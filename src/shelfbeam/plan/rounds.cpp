@@ -211,8 +211,9 @@ std::size_t LabelRounds::verify(Rounds& rounds) {
   skipped_ = {};
   for (std::size_t k = verified; k < all.size(); ++k) {
     const bool is_near = all[k].batches > Rounds::max_batches;
-    ++(is_near ? skipped_.near : skipped_.others);
-    if (!is_near) skipped_.cost += rounds.cost(TracedUnits::chosen) * all[k].batches;
+    if (is_near) continue;
+    ++skipped_.labels;
+    skipped_.cost += rounds.cost(TracedUnits::chosen) * all[k].batches;
   }
   const auto is_missed = [](const LabelVerdict& label) { return label.verdict == Verdict::missed; };
   const bool has_missed = std::any_of(labels_.begin(), labels_.end(), is_missed);
@@ -238,11 +239,9 @@ std::vector<std::uint32_t> LabelRounds::undecided_labels() const {
   return rows;
 }
 
-std::string LabelRounds::obstacle(const Rounds& rounds) const {
-  if (skipped_.others == 0) return rounds.stop_reason("labels are too close to their requirements");
-  const std::string labels = skipped_.near == 0 ? "the rest" : fmt::format("{} of the rest", skipped_.others);
-  return fmt::format("deciding {} would take about {:.0f} {}", labels,
-                     std::max(1.0, std::ceil(skipped_.cost)), rounds.unit());
+EndReason LabelRounds::obstacle(const Rounds& rounds) const {
+  if (skipped_.labels == 0) return rounds.stop_reason(EndCause::labels_near);
+  return {.cause = EndCause::labels_cost, .labels = skipped_.labels, .effort = skipped_.cost};
 }
 
 }  // namespace shelfbeam

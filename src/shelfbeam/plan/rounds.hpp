@@ -15,6 +15,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
+#include "shelfbeam/plan/answer/end_reason.hpp"
 #include "shelfbeam/plan/answer/round_budget.hpp"
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/verification.hpp"
@@ -43,14 +44,13 @@ class Rounds {
 
   /// Runs `work`, which returns the reason why it leaves something open, if any.
   template <class Work>
-  static std::string reason_after(const Work& work) {
+  static std::optional<EndReason> reason_after(const Work& work) {
     try {
       return work();
     } catch (const Interrupted&) {
-      return interrupted;
+      return EndReason{EndCause::interrupted};
     }
   }
-  static constexpr auto interrupted = "it was interrupted";
 
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -58,10 +58,8 @@ class Rounds {
   bool counts_samples() const { return budget_.samples.has_value(); }
   /// In the budget's unit of measure: seconds or samples.
   double spent() const { return counts_samples() ? static_cast<double>(samples_) : seconds(); }
-  /// `reason`, unless the budget is spent.
-  std::string stop_reason(std::string_view reason) const {
-    return left() > 0 ? std::string(reason) : "its budget is spent";
-  }
+  /// `cause`, unless the budget is spent.
+  EndReason stop_reason(EndCause cause) const { return {left() > 0 ? cause : EndCause::budget}; }
   double left() const {
     return (counts_samples() ? static_cast<double>(*budget_.samples) : budget_.seconds) - spent();
   }
@@ -69,8 +67,6 @@ class Rounds {
   double seconds_for(double share, double otherwise) const {
     return counts_samples() ? otherwise : share * std::max(0.0, left());
   }
-
-  std::string_view unit() const { return counts_samples() ? "samples" : "s"; }
 
   /// First rays per label and batch of every request.
   static double samples_per_batch(const PreparedScene& prepared);
@@ -143,8 +139,8 @@ class LabelRounds {
   /// Labels whose estimated signal is below the requirement, or so little above that many batches have not
   /// decided them.
   std::vector<std::uint32_t> undecided_labels() const;
-  /// The reason why labels stay open, such as "deciding the rest would take about 40 s".
-  std::string obstacle(const Rounds& rounds) const;
+  /// The reason why labels stay open.
+  EndReason obstacle(const Rounds& rounds) const;
 
  private:
   struct Need {
@@ -173,10 +169,10 @@ class LabelRounds {
   std::vector<bool> passes_;            ///< has met its requirement at the level of the joint statement
   std::vector<std::uint32_t> batches_;  ///< of the present estimate; 0: none
   bool aims_at_all_ = true;             ///< the joint statement can still hold
-  /// Labels omitted from the last round: too near to their requirements, or too expensive for the budget.
+  /// Labels omitted from the last round because they exceed the budget.
   struct Skipped {
-    std::size_t near = 0, others = 0;
-    double cost = 0;  ///< of the others
+    std::size_t labels = 0;
+    double cost = 0;
   } skipped_;
 };
 

@@ -87,20 +87,20 @@ void expect_possible(const CertifiedPlan& plan) {
     EXPECT_EQ(certificate.count(Verdict::reached), 0U);
     EXPECT_EQ(certificate.count_lower_bound + certificate.bound_labels, 0U);
     EXPECT_EQ(certificate.cost_lower_bound, 0);
-    EXPECT_EQ(certificate.open.empty(), certificate.count(Verdict::missed) > 0);
+    EXPECT_EQ(!certificate.open, certificate.count(Verdict::missed) > 0);
     return;
   }
   EXPECT_TRUE(has_known_prices(placement.problem) || certificate.cost_lower_bound == 0);
   EXPECT_TRUE(placement.problem.combination == Combination::lexicographic ||
               certificate.count_lower_bound == 0 || has_known_prices(placement.problem));
   if (!certificate.all_reached()) {
-    EXPECT_NE(certificate.open, "");
+    EXPECT_TRUE(certificate.open);
     return;
   }
   EXPECT_LE(certificate.count_lower_bound, placement.count());
   EXPECT_LE(certificate.cost_lower_bound, placement.objective_value * (1 + 1e-9));
   const ValueBounds bounds = value_bounds(plan);
-  if (certificate.open.empty() && !depends_on_signals(placement.problem)) {
+  if (!certificate.open && !depends_on_signals(placement.problem)) {
     EXPECT_TRUE(bounds.is_minimum(bounds.certified)) << bounds.certified;
   }
 }
@@ -184,7 +184,7 @@ void for_each_pairing(PlannedStore& store, const std::function<void()>& examine)
           for (LabelVerdict& label : certificate.labels) label.verdict = Verdict::reached;
           certificate.labels[2].verdict = certificate.labels[3].verdict = other;
           const bool is_done = other == Verdict::reached && (certified == value || !is_certified);
-          certificate.open = is_done ? "" : "its budget is spent";
+          certificate.open = is_done ? std::nullopt : std::optional(EndReason{EndCause::budget});
           store.name = fmt::format("{}, value {}, simulated {}, certified {}, two labels {}", name, value,
                                    simulated, certified, to_text(other));
           examine();
@@ -251,7 +251,7 @@ TEST(Claims, NoticeExchangedBounds) {
   placement.lower_bound = placement.objective_value - 10;
   certificate.cost_lower_bound = placement.objective_value - 60;
   certificate.bound_labels = 7;
-  certificate.open = "its budget is spent";
+  certificate.open = {EndCause::budget};
   EXPECT_EQ(faults_of(texts_of(store), store, reader), std::vector<std::string>());
   const std::vector<Text> right = texts_of(store);
   std::swap(placement.lower_bound, certificate.cost_lower_bound);

@@ -185,7 +185,7 @@ void Truth::add_certificate(const CertifiedPlan& plan) {
     values_["cost bound"] = certificate.cost_lower_bound;
     values_["bound labels"] = static_cast<double>(certificate.bound_labels);
     values_["all reached"] = reached == values_["labels"];
-    values_["settled"] = certificate.open.empty();
+    values_["settled"] = !certificate.open;
     values_["confirmed"] = verified > 0 ? reached : values_["reached"];
   }
   of_subject_[{Subject::certificate, "reached"}] = values_["confirmed"];

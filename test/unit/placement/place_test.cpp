@@ -80,7 +80,7 @@ TEST(Placement, ProvesThatOptionsConflict) {
       EXPECT_EQ(found.status, Status::infeasible);
       EXPECT_TRUE(found.unreachable.empty());
       EXPECT_TRUE(found.selected.empty());
-      EXPECT_EQ(found.solver.find(backend.name), 0U) << "who proved it is told";
+      EXPECT_EQ(found.solver.backend, backend.full_name()) << "who proved it is told";
       // Greedy proves nothing, and without time no solver does.
       found = place(table, {model}, {.solver = SolverChoice::greedy});
       EXPECT_EQ(found.status, Status::stopped);
@@ -115,12 +115,12 @@ TEST(Placement, ReportsTheMethod) {
   for (const milp::Backend& backend : milp::backends()) {
     const Placement found =
         place(table, {}, {.solver = SolverChoice::mip, .backend = std::string(backend.name)});
-    EXPECT_EQ(found.solver, std::string(backend.name) + " " + std::string(backend.version));
+    EXPECT_EQ(found.solver, (SolvedBy{Method::mip, backend.full_name()}));
   }
   for (const auto solver : {SolverChoice::automatic, SolverChoice::search})
-    EXPECT_EQ(place(table, {}, {.solver = solver}).solver, "search");
+    EXPECT_EQ(place(table, {}, {.solver = solver}).solver, SolvedBy{Method::search});
   const Placement greedy = place(table, {}, {.solver = SolverChoice::greedy});
-  EXPECT_EQ(greedy.solver, "greedy");
+  EXPECT_EQ(greedy.solver, SolvedBy{Method::greedy});
   EXPECT_EQ(greedy.status, Status::feasible);
 }
 
@@ -204,7 +204,7 @@ TEST(Placement, SearchNeedsNoMip) {
   EXPECT_NE(search.bound_proof, BoundProof::solver);
   EXPECT_EQ(search.status, Status::stopped);
   EXPECT_GT(search.count_lower_bound, 1);
-  EXPECT_EQ(search.solver.find("search"), 0U);
+  EXPECT_EQ(search.solver.method, Method::search);
 }
 
 // Greedy finds no feasible selection, so the search has no start.
@@ -214,7 +214,7 @@ TEST(Placement, SearchReportsAMissingStart) {
   const Placement found = place(table, {}, {.solver = SolverChoice::search});
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_FALSE(found.has_selection());
-  EXPECT_EQ(found.solver, "search");
+  EXPECT_EQ(found.solver, SolvedBy{Method::search});
 }
 
 TEST(Placement, SeedsDoNotChangeTheValue) {

@@ -157,7 +157,7 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
         table, problem, greedy, {both}, 0, 1, {.threads = 1},
         {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
     compare(table, problem, answer, tally);
-    by_the_next += answer.solver.find(milp::backends().back().name) != std::string::npos;
+    by_the_next += answer.solver.backend == milp::backends().back().full_name();
   }
   EXPECT_GT(tally.optimal, 30);
   EXPECT_GT(by_the_next, 4);

@@ -47,7 +47,7 @@ TEST(CertifiedCost, IsTheMinimumOfTheMatrix) {
       store.threshold = redundant ? 0.04 : 0.075;
       const Plan plan = make_plan(store.scene(), options);
       ASSERT_TRUE(plan.certificate);
-      EXPECT_EQ(plan.certificate->open, "");
+      EXPECT_FALSE(plan.certificate->open);
       EXPECT_TRUE(plan.certificate->all_reached());
       EXPECT_NEAR(plan.certificate->cost_lower_bound, plan.placement.objective_value, 1e-9);
       EXPECT_EQ(plan.certificate->count_lower_bound, 0U);

@@ -29,7 +29,7 @@ CertifiedPlan example_plan() {
   Certificate& certificate = plan.certificate.emplace();
   certificate.labels = {{Verdict::reached, 2}, {Verdict::undecided, 2}};
   certificate.count_lower_bound = 1;
-  certificate.open = "it was interrupted";
+  certificate.open = {.cause = EndCause::proof_cost, .bound = 2, .leaves_cheaper = true};
   Sensitivity& sensitivity = plan.sensitivity.emplace();
   sensitivity.as_given = {1.25, 0.01, 1};
   sensitivity.low = {{0.75, 0.02, 0}, {0}, {1}};
@@ -72,7 +72,7 @@ TEST(PlanFile, KeepsStatesOfTheShop) {
     *sampled = {1, 100, {1, 40}, 41};
   availability.shown = {{1'000'000, {}}, {1'000'217, {0, 1}}};
   availability.responsible = {1};
-  availability.open = "the time limit was reached";
+  availability.open = {EndCause::time_limit};
   const std::string text = plan_json(plan, example());
   const CertifiedPlan read = read_plan(folder.write("p.json", text), example());
   EXPECT_EQ(plan_json(read, example()), text);

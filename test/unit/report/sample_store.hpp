@@ -169,7 +169,7 @@ inline Placement cover(const SignalMatrix& matrix) {
   Placement placement = place(make_signal_table(matrix), {}, {.solver = SolverChoice::greedy});
   placement.status = Status::optimal;
   placement.count_lower_bound = placement.lower_bound = placement.objective_value;
-  placement.solver = "HiGHS";
+  placement.solver = {Method::mip, "HiGHS"};
   placement.seconds = 1.25;
   return placement;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/answer/method.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
@@ -62,9 +63,7 @@ struct Placement {
   /// Labels that no selection reaches. An infeasible problem without any has conflicts that prevent one
   /// selection from reaching all labels.
   std::vector<Unreachable> unreachable;
-  /// "search", "search with highs 1.10.0" (the back end of its LPs or MIP), "greedy", or name and version of
-  /// the MIP back end. Empty if labels are unreachable, because no solver ran.
-  std::string solver;
+  SolvedBy solver = {};
   double seconds = 0;  ///< wall time
 
   std::size_t count() const { return selected.size(); }

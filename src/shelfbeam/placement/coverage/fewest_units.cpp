@@ -40,7 +40,7 @@ class Minimisation {
     result_.problem.combination = Combination::lexicographic;
     result_.share = share;
     result_.target = weights_.in_table(target_);
-    result_.solver = "greedy";
+    result_.solver = {Method::greedy};
     offer(detail::installed_units(table));
     result_.count_lower_bound = search_.count();
     if (target_ > 0 && !result_.has_selection)
@@ -139,7 +139,7 @@ class Minimisation {
       const auto found = enumerate_coverage(table, weights_, count, target_, detail::EnumerationAim::first,
                                             limits, control_);
       if (!found.is_complete) return;
-      result_.solver = "search";
+      result_.solver = {Method::search};
       if (found.selected) {
         offer(*found.selected);
         return;
@@ -154,7 +154,7 @@ class Minimisation {
       const auto known = result_.has_selection ? std::optional(result_.selected.size()) : std::nullopt;
       const auto outcome = model.minimise(target_, known, limited(backend.solve, options_.step_limit),
                                           end.seconds_left(), control_);
-      result_.solver = fmt::format("{} {}", backend.name, backend.version);
+      result_.solver = {Method::mip, backend.full_name()};
       if (outcome.selected) offer(*outcome.selected);
       // A solver that contradicts a checked selection is wrong.
       const bool contradicts =

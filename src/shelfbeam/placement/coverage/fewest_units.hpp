@@ -29,7 +29,7 @@ struct FewestUnits {
   /// first.
   Status status = Status::stopped;
   bool too_large = false;  ///< the problem is too large for the MIP, which did not run
-  std::string solver;      ///< as in MaxCoverage
+  SolvedBy solver = {};    ///< as in MaxCoverage
   double seconds = 0;      ///< wall time
 };
 

@@ -42,7 +42,7 @@ class Maximisation {
     reach_.problem = problem;
     reach_.problem.combination = Combination::lexicographic;
     reach_.at_most = units;
-    reach_.solver = "greedy";
+    reach_.solver = {Method::greedy};
     reach_.selected = detail::installed_units(table);
     reach_.missed = check_selection(table, problem, reach_.selected).unmet;
     value_ = weights_.without(reach_.missed);
@@ -122,7 +122,7 @@ class Maximisation {
     if (!is_proven()) {
       if (!examine(units_, value_ + weights_.step(), EnumerationAim::best).is_complete) return false;
       lower_to(value_, BoundProof::search);
-      reach_.solver = "search";
+      reach_.solver = {Method::search};
       search_.start(reach_.selected);
       search_.improve(units_, 0, control_, until);
       offer(search_.selected());
@@ -133,7 +133,7 @@ class Maximisation {
       if (!fewer.is_complete) return reach_.bound_proof == BoundProof::search;
       if (reach_.selected.size() == size) break;
     }
-    reach_.solver = "search";
+    reach_.solver = {Method::search};
     return true;
   }
 
@@ -143,7 +143,7 @@ class Maximisation {
       const auto outcome =
           model.maximise(units_, value_, reach_.selected.size(), limited(backend.solve, options_.step_limit),
                          end.seconds_left(), control_);
-      reach_.solver = fmt::format("{} {}", backend.name, backend.version);
+      reach_.solver = {Method::mip, backend.full_name()};
       if (outcome.selected) offer(*outcome.selected);
       const double allowed = weights_.are_whole() ? 0 : solver_gap * weights_.total();
       const bool contradicts = outcome.bound < value_ - allowed;

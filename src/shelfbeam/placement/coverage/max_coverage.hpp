@@ -37,8 +37,7 @@ struct MaxCoverage {
   /// stopped: the time limit, an interruption or a solver failure came first.
   Status status = Status::stopped;
   bool too_large = false;  ///< the problem is too large for the MIP, which did not run
-  /// "greedy"; "search" if the enumeration finished; or name and version of the last MIP back end that ran
-  std::string solver;
+  SolvedBy solver = {};    ///< search if the enumeration finished; the last MIP back end that ran
   double seconds = 0;  ///< wall time
 
   /// (upper_bound - reached) / upper_bound, of weights if there are any; 0 when proven.

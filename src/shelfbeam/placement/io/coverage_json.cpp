@@ -10,6 +10,7 @@ namespace shelfbeam {
 
 namespace {
 
+using detail::backend_of;
 using detail::first_ids;
 using detail::format_version;
 using detail::ids_of;
@@ -41,8 +42,8 @@ std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
                {"bound_proof", to_text(reach.bound_proof)},
                {"status", to_text(reach.status)},
                {"too_large", reach.too_large},
-               {"solver", reach.solver},
-               {"seconds", number(reach.seconds)},
+               {"solver", to_text(reach.solver.method)},
+               {"backend", backend_of(reach.solver)},
                {"missed", first_ids(reach.missed, table)}});
   add_price(file, table, reach.selected);
   return detail::file_text(file);
@@ -68,8 +69,8 @@ std::string fewest_units_json(const FewestUnits& fewest, const SignalTable& tabl
   file.update({{"bound_proof", to_text(fewest.bound_proof)},
                {"status", to_text(fewest.status)},
                {"too_large", fewest.too_large},
-               {"solver", fewest.solver},
-               {"seconds", number(fewest.seconds)},
+               {"solver", to_text(fewest.solver.method)},
+               {"backend", backend_of(fewest.solver)},
                {"missed", first_ids(fewest.missed, table)}});
   if (found) add_price(file, table, fewest.selected);
   return detail::file_text(file);

@@ -35,10 +35,10 @@ const std::initializer_list<std::string_view> keys = {
     "format",          "model",           "objective", "combination", "share",          "survives_failure",
     "min_spacing",     "forbidden_pairs", "labels",    "selected",    "count",          "count_lower_bound",
     "objective_value", "lower_bound",     "gap",       "bound_proof", "ties_settled",   "unit_costs",
-    "redundant_share", "status",          "solver",    "seconds",     "unreachable",    "scenarios",
+    "redundant_share", "status",          "solver",    "backend",     "unreachable",    "scenarios",
     "critical",        "verification",    "price",     "curve",       "curve_complete", "certificate",
     "alternatives",    "sensitivity",     "states",    "warnings",    "complete",       "files",
-    "total_weight"};
+    "total_weight",    "seconds"};
 constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
 // A lower bound on a count, as an integer without ".0".
@@ -67,6 +67,19 @@ std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalT
   }
   std::sort(selected.begin(), selected.end());
   return selected;
+}
+
+// Format 1 has one text: "greedy", "search with highs 1.10.0", or name and version of a MIP back end.
+SolvedBy read_solver(const JsonCursor& file) {
+  const JsonCursor solver = file["solver"];
+  if (const auto backend = file.find("backend"))
+    return {solver.choice<Method>(), backend->is_null() ? "" : backend->text()};
+  const std::string text = solver.text();
+  constexpr std::string_view helped = "search with ";
+  if (text.empty()) return {};
+  if (text.starts_with(helped)) return {Method::search, text.substr(helped.size())};
+  const auto method = from_text<Method>(text);
+  return method ? SolvedBy{*method} : SolvedBy{Method::mip, text};
 }
 
 std::vector<Unreachable> read_unreachable(const JsonCursor& cursor, const SignalTable& table) {
@@ -156,8 +169,8 @@ Json detail::placement_object(const Placement& placement, const SignalTable& tab
                {"unit_costs", placement.unit_costs},
                {"redundant_share", redundant_share(placement, table)},
                {"status", to_text(placement.status)},
-               {"solver", placement.solver},
-               {"seconds", number(placement.seconds)},
+               {"solver", to_text(placement.solver.method)},
+               {"backend", backend_of(placement.solver)},
                {"unreachable", unreachable},
                {"scenarios", scenarios(placement, table)},
                {"verification", "not verified yet"},
@@ -175,8 +188,13 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
   return detail::file_text(detail::placement_object(placement, table, curve));
 }
 
+Json detail::backend_of(const SolvedBy& solver) {
+  return solver.backend.empty() ? Json(nullptr) : Json(solver.backend);
+}
+
 Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
-  expect_format_version(file.where(), file["format"].integer(0, max_versions), format_version);
+  if (const auto format = file["format"].integer(0, max_versions); format != oldest_format)
+    expect_format_version(file.where(), format, format_version);
   file.expect_keys(keys);
   Placement placement;
   placement.problem.model = file["model"].choice<CommunicationModel>();
@@ -202,8 +220,7 @@ Placement detail::read_placement(const JsonCursor& file, const SignalTable& tabl
   if (const auto found = file.find("price")) placement.price = detail::read_price(*found);
   if (const auto found = file.find("unit_costs")) placement.unit_costs = found->boolean();
   placement.status = file["status"].choice<Status>();
-  placement.solver = file["solver"].text();
-  placement.seconds = file["seconds"].non_negative();
+  placement.solver = read_solver(file);
   placement.unreachable = read_unreachable(file["unreachable"], table);
   if (const JsonCursor stated = file["count"]; stated.number() != static_cast<double>(placement.count()))
     stated.fail(fmt::format("is {}, but {} transceivers are selected", stated.number(), placement.count()),

@@ -12,8 +12,8 @@
 
 namespace shelfbeam {
 
-/// placement.json as docs/formats/placement.md describes it. Equal results give equal text, except for
-/// `seconds`. A curve without points is omitted.
+/// placement.json as docs/formats/placement.md describes it. Equal results give equal text. A curve
+/// without points is omitted.
 std::string placement_json(const Placement& placement, const SignalTable& table,
                            const CoverageCurve& curve = {});
 

@@ -63,8 +63,10 @@ inline Json first_ids(std::span<const std::uint32_t> labels, const SignalTable& 
   return ids_of(table.labels, labels.first(std::min(labels.size(), max_listed_labels)));
 }
 
-/// The version of placement.json.
-inline constexpr int format_version = 1;
+/// The version of placement.json, and the oldest that is read.
+inline constexpr int format_version = 2, oldest_format = 1;
+/// The name of a back end; null without.
+Json backend_of(const SolvedBy& solver);
 /// The object of placement.json, which a plan extends. A curve without points is omitted.
 Json placement_object(const Placement& placement, const SignalTable& table, const CoverageCurve& curve);
 Placement read_placement(const JsonCursor& file, const SignalTable& table);

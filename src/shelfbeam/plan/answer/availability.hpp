@@ -11,6 +11,7 @@
 
 #include "shelfbeam/base/names.hpp"
 #include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/plan/answer/end_reason.hpp"
 
 namespace shelfbeam {
 
@@ -125,7 +126,7 @@ struct Availability {
   std::optional<Addition> addition;        ///< only of verify_over_states
   double seconds = 0;
   std::vector<std::string> assumed;  ///< values of the variation that the store file does not give
-  std::string open;                  ///< reason for an end before all was decided; empty otherwise
+  std::optional<EndReason> open = {};  ///< reason for an end before all was decided
 
   /// No placement keeps to the goal in the sampled states.
   bool is_impossible() const { return !unreachable.empty() || std::isinf(sample_lower_bound); }

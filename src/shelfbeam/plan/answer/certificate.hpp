@@ -5,10 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "shelfbeam/base/names.hpp"
+#include "shelfbeam/plan/answer/end_reason.hpp"
 
 namespace shelfbeam {
 
@@ -58,7 +59,7 @@ struct Certificate {
   std::size_t bound_labels = 0;  ///< number of core rows behind the bound; 0: it needs no samples
   std::uint32_t rounds = 0;
   double seconds = 0;
-  std::string open;  ///< reason for an end before all was decided; empty otherwise
+  std::optional<EndReason> open = {};  ///< reason for an end before all was decided
 
   std::size_t count(Verdict verdict) const {
     const auto has = [&](const LabelVerdict& label) { return label.verdict == verdict; };

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "shelfbeam/plan/io/end_reason_json.hpp"
+
 namespace shelfbeam::detail {
 
 namespace {
@@ -136,8 +138,7 @@ Json availability_object(const Availability& availability, const SignalTable& ta
       {"at_risk", std::move(at_risk)},
       {"addition", availability.addition ? to_json(*availability.addition, required, table) : Json(nullptr)},
       {"assumed", availability.assumed},
-      {"seconds", number(availability.seconds)},
-      {"open", availability.open}};
+      {"open", to_json(availability.open)}};
   return object;
 }
 
@@ -194,8 +195,7 @@ Availability read_availability(const JsonCursor& object, const SignalTable& tabl
   for (const JsonCursor& element : object["at_risk"].elements())
     result.at_risk.push_back(reader.at_risk(element));
   for (const JsonCursor& element : object["assumed"].elements()) result.assumed.push_back(element.text());
-  result.seconds = object["seconds"].non_negative();
-  result.open = object["open"].text();
+  result.open = read_end_reason(object["open"]);
   if (result.certified && !result.has_answer())
     object["certified"].fail("is true, but no plan was examined", "correct one of them");
   return result;

@@ -10,6 +10,7 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
 #include "shelfbeam/plan/io/availability_json.hpp"
+#include "shelfbeam/plan/io/end_reason_json.hpp"
 #include "shelfbeam/plan/io/sensitivity_json.hpp"
 
 namespace shelfbeam {
@@ -40,8 +41,7 @@ Json to_json(const Certificate& certificate, const SignalTable& table) {
           {"cost_lower_bound", certificate.cost_lower_bound},
           {"bound_labels", certificate.bound_labels},
           {"rounds", certificate.rounds},
-          {"seconds", certificate.seconds},
-          {"open", certificate.open}};
+          {"open", detail::to_json(certificate.open)}};
 }
 
 // Reads verdicts only: verification.csv contains signals and limits.
@@ -71,8 +71,7 @@ Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table)
   if (const auto cost = cursor.find("cost_lower_bound")) certificate.cost_lower_bound = cost->non_negative();
   certificate.bound_labels = count("bound_labels");
   certificate.rounds = count("rounds");
-  certificate.seconds = cursor["seconds"].non_negative();
-  certificate.open = cursor["open"].text();
+  certificate.open = detail::read_end_reason(cursor["open"]);
   const JsonCursor stated = cursor["reached"];
   if (!stated.is_null() && stated.number() != static_cast<double>(certificate.count(Verdict::reached)))
     stated.fail("is not the number of labels that none of the lists names", "correct one of them");

@@ -104,8 +104,7 @@ Json sensitivity_object(const Sensitivity& sensitivity, const SignalTable& table
           {"materials", materials},
           {"kept", sensitivity.kept},
           {"watched", sensitivity.watched},
-          {"batches", sensitivity.batches},
-          {"seconds", sensitivity.seconds}};
+          {"batches", sensitivity.batches}};
 }
 
 Sensitivity read_sensitivity(const JsonCursor& cursor, const SignalTable& table) {
@@ -125,7 +124,6 @@ Sensitivity read_sensitivity(const JsonCursor& cursor, const SignalTable& table)
   sensitivity.watched = static_cast<std::size_t>(cursor["watched"].integer(0, max_integer));
   sensitivity.batches =
       static_cast<std::uint32_t>(cursor["batches"].integer(0, std::numeric_limits<std::uint32_t>::max()));
-  sensitivity.seconds = cursor["seconds"].non_negative();
   if (const JsonCursor stated = cursor["holds"]; stated.text() != name_of(sensitivity.holds()))
     stated.fail("does not match the labels that 'low' lists", "correct one of them");
   return sensitivity;

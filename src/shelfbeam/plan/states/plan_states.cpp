@@ -58,10 +58,11 @@ class Planner {
                                scene_.transceivers.size(), options_.sample);
     Availability& answer = result_.availability;
     const auto begun = std::chrono::steady_clock::now();
-    answer.open = Rounds::reason_after([&] {
+    answer.open = Rounds::reason_after([&]() -> std::optional<EndReason> {
       place();
       const bool certifies = answer.unreachable.empty() && options_.certifies && !selected_.empty();
-      std::string open = certifies ? certify() : "";
+      std::optional<EndReason> open;
+      if (certifies) open = certify();
       explain();
       return open;
     });
@@ -138,7 +139,7 @@ class Planner {
   }
 
   // Returns the reason why the plan is not certified.
-  std::string certify() {
+  std::optional<EndReason> certify() {
     Availability& answer = result_.availability;
     // The other statement is the bound.
     Rounds rounds(options_.confidence, 2, {options_.budget_s}, options_.simulation.seed, control_);
@@ -149,7 +150,7 @@ class Planner {
         named = with_another(rounds);
         stop_if_cancelled();
         if (named.size() == selected_.size())
-          return rounds.left() > 0 ? "no other transceiver helps" : "the time limit was reached";
+          return EndReason{rounds.left() > 0 ? EndCause::no_unit : EndCause::time_limit};
       }
       rounds.next();
       const Scene units = with_units(scene_, named);
@@ -168,9 +169,9 @@ class Planner {
       answer.certified = fresh.certified;
       if (fresh.certified) return {};
       stop_if_cancelled();
-      if (fresh.out_of_time) return "the time limit was reached";
+      if (fresh.out_of_time) return EndReason{EndCause::time_limit};
     }
-    return "too many plans failed";
+    return EndReason{EndCause::plans_failed};
   }
 
   // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
@@ -215,7 +216,7 @@ class Planner {
     placement.bound_proof = BoundProof::search;
     placement.ties_settled = false;
     placement.status = answer.certified && placement.gap() <= 0 ? Status::optimal : Status::stopped;
-    placement.solver = "states";
+    placement.solver = {Method::states};
     if (placement.price) placement.price = price_of(all_, selected_);
   }
 

@@ -8,6 +8,7 @@
 
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
@@ -141,7 +142,7 @@ std::string availability_sentence(const Availability& availability, const Placem
           : say("availability.sampled", units_reach(placement.count()), goal,
                 failure_clause(placement.problem), grouped(availability.nominal.states));
   if (!availability.has_answer() && availability.sample.states == 0) text = say("availability.nothing", goal);
-  if (!availability.open.empty()) text += " " + say("availability.ended", availability.open);
+  if (availability.open) text += " " + say("availability.ended", end_text(*availability.open));
   if (!availability.responsible.empty())
     text +=
         " " + say("availability.responsible", labels_by_cause(availability, availability.responsible, name));

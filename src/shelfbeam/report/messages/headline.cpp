@@ -13,10 +13,6 @@ namespace shelfbeam {
 
 namespace {
 
-std::string time_text(double seconds) {
-  return significant(seconds, 2) + "\u00A0s";
-}
-
 Headline with_selection(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   Headline result;
@@ -41,7 +37,7 @@ Headline with_selection(const ReportData& data) {
                                                             : say_count("headline.installed", installed));
   // Over states, `stopped` says that the bound with its confidence is lower than the value.
   if (placement.status == Status::stopped && !data.input.plan.availability)
-    result.remarks.push_back(say("headline.stopped", time_text(placement.seconds)));
+    result.remarks.push_back(say("headline.stopped"));
   if (placement.status == Status::feasible) result.remarks.push_back(say("headline.greedy"));
   return result;
 }
@@ -65,14 +61,13 @@ Headline nothing_found(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   const std::size_t count_bound = proven_count(placement);
   const std::string_view who = method_without_result(placement);
-  const std::string limit = who.empty() ? time_text(placement.seconds) : std::string(who);
   Headline result;
   if (count_bound == 0)
-    result.answer = say(who.empty() ? "headline.nothing.within" : "headline.nothing.by", limit);
+    result.answer = who.empty() ? say("headline.nothing.within") : say("headline.nothing.by", who);
   else
-    result.answer = say(who.empty() ? "headline.nothing.within_bound" : "headline.nothing.by_bound", limit,
-                        units_needed(count_bound));
-  const std::string_view advice = words(placement.solver == "greedy" ? "headline.unknown.exact"
+    result.answer = who.empty() ? say("headline.nothing.within_bound", units_needed(count_bound))
+                                : say("headline.nothing.by_bound", who, units_needed(count_bound));
+  const std::string_view advice = words(placement.solver.method == Method::greedy ? "headline.unknown.exact"
                                         : who.empty()                ? "headline.unknown.time"
                                                                      : "headline.unknown.mip");
   result.remarks.push_back(
@@ -90,8 +85,8 @@ void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
   headline.remarks.insert(headline.remarks.begin(), say("headline.simulated", headline.answer));
   headline.answer = with_joined_percent(certificate_sentence(plan));
   headline.tone = certificate.count(Verdict::missed) > 0 ? Headline::Tone::no
-                  : certificate.open.empty()             ? Headline::Tone::yes
-                                                         : Headline::Tone::open;
+                  : certificate.open                     ? Headline::Tone::open
+                                                         : Headline::Tone::yes;
 }
 
 // The answer for a shop that changes, instead of that for the shop as the file gives it.

@@ -9,6 +9,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
@@ -234,6 +235,13 @@ std::string objective_sentence(const Placement& placement) {
   return placement.unit_costs ? fmt::format("{} {}", text, words("objective.unit_costs")) : text;
 }
 
+std::string solver_text(const SolvedBy& solver) {
+  const auto& [method, backend] = solver;
+  if (method == Method::mip) return backend;
+  const std::string name = say(fmt::format("proof.solver.{}", to_text(method)));
+  return backend.empty() ? name : say("proof.solver.with", name, backend);
+}
+
 std::string_view status_name(Status status) {
   return words(fmt::format("proof.status.{}", to_text(status)));
 }
@@ -242,7 +250,7 @@ std::string certificate_sentence(const CertifiedPlan& plan) {
   if (!plan.certificate) return {};
   const Certificate& certificate = *plan.certificate;
   return (plan.placement.has_selection() ? reached_sentence(plan) : out_of_reach_sentence(certificate)) +
-         (certificate.open.empty() ? "" : " " + say("certificate.ended", certificate.open));
+         (certificate.open ? " " + say("certificate.ended", end_text(*certificate.open)) : "");
 }
 
 std::string sensitivity_sentence(const Sensitivity& sensitivity, std::size_t labels) {

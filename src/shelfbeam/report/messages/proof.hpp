@@ -73,6 +73,9 @@ std::string objective_sentence(const Placement& placement);
 /// "optimal (proven)"
 std::string_view status_name(Status status);
 
+/// "search with highs 1.10.0", "not needed"
+std::string solver_text(const SolvedBy& solver);
+
 // Sentences about the certificate.
 
 /// "4 transceivers reach all 390 labels, and 3 are not enough, with 99 % confidence.": one or more

@@ -67,7 +67,7 @@ class SummaryWriter {
 
   Summary without_selection() {
     const bool is_infeasible = placement_.status == Status::infeasible;
-    summary_.answer = is_infeasible ? obstacle() : say("summary.none.not_found", search_time());
+    summary_.answer = is_infeasible ? obstacle() : say("summary.none.not_found");
     if (const std::size_t bound = proven_count(placement_); !is_infeasible && bound > 0)
       summary_.remarks.push_back(say_count("summary.none.bound", bound));
     std::vector<std::uint32_t> rows, dark;
@@ -132,8 +132,6 @@ class SummaryWriter {
                ? say("summary.none.undecided")
                : say_count("summary.none.checked", missed, confidence_percent(plan_.certificate->confidence));
   }
-
-  std::string search_time() const { return significant(placement_.seconds, 2) + "\u00A0s"; }
 
   void add_price() {
     const std::size_t fresh = new_units(data_);
@@ -210,7 +208,7 @@ class SummaryWriter {
           say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
     add_materials();
     if (placement_.status == Status::stopped && !plan_.availability && !is_certified_minimum(plan_))
-      summary_.risks.push_back(say("summary.risks.stopped", search_time()));
+      summary_.risks.push_back(say("summary.risks.stopped"));
     risk("summary.risks.flagged", data_.outcome.flagged_labels);
     risk("summary.risks.warnings", plan_.warnings.size());
   }

@@ -5,6 +5,7 @@
 
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/headline.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
@@ -84,8 +85,7 @@ std::string placement_facts(const ReportData& data) {
     facts.add("facts.placement.ties",
               say(placement.ties_settled ? "facts.placement.settled" : "facts.placement.open"));
   }
-  facts.add("facts.placement.solver", placement.solver);
-  facts.add("facts.time", significant(placement.seconds, 3) + "\u00A0s");
+  facts.add("facts.placement.solver", solver_text(placement.solver));
   if (data.has_selection())
     add_bounds(facts, data);
   else if (placement.status != Status::infeasible)
@@ -130,8 +130,7 @@ std::string certificate_facts(const ReportData& data) {
   if (certificate.count_lower_bound == 0 && certificate.cost_lower_bound == 0)
     facts.add("facts.certificate.bound", say("facts.certificate.no_bound"));
   facts.add("facts.certificate.rounds", grouped(certificate.rounds));
-  facts.add("facts.time", significant(certificate.seconds, 3) + "\u00A0s");
-  if (!certificate.open.empty()) facts.add("facts.certificate.ended", certificate.open);
+  if (certificate.open) facts.add("facts.certificate.ended", end_text(*certificate.open));
   return facts.html();
 }
 

@@ -32,7 +32,7 @@ int count_differences(std::uint64_t seed, int cases, Omission omission, SolverCh
     const FewestUnits found =
         fewest_units(table, problem, share, {.solver = solver, .step_limit = 1 << 20}, {.threads = 1});
     infeasible += found.status == Status::infeasible;
-    by_mip += found.solver != "greedy" && found.solver != "search";
+    by_mip += found.solver.method == Method::mip;
     EXPECT_TRUE(omission != Omission::nothing || found.status == Status::infeasible ||
                 found.count_lower_bound <= fewest)
         << "never a bound above the optimum";
@@ -80,10 +80,9 @@ TEST(FewestUnits, IsWritten) {
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.labels[1].weight = 0.1;
   FewestUnits found = fewest_units(table, {}, 0.5, {});
-  found.seconds = 0.5;
-  found.solver = "search";
+  found.solver = {Method::search};
   EXPECT_EQ(fewest_units_json(found, table), R"({
-  "format": 1,
+  "format": 2,
   "model": "cooperative",
   "survives_failure": false,
   "reach": 0.5,
@@ -102,7 +101,7 @@ TEST(FewestUnits, IsWritten) {
   "status": "optimal",
   "too_large": false,
   "solver": "search",
-  "seconds": 0.5,
+  "backend": null,
   "missed": [
     "L1"
   ]

@@ -184,7 +184,7 @@ TEST(MaxCoverage, ReportsATableThatIsTooLarge) {
   const MaxCoverage reach = maximise_coverage(table, {}, 8, {});
   EXPECT_TRUE(reach.too_large);
   EXPECT_EQ(reach.status, Status::feasible);
-  EXPECT_EQ(reach.solver, "greedy");
+  EXPECT_EQ(reach.solver.method, Method::greedy);
   EXPECT_EQ(reach.bound_proof, BoundProof::dual);
   EXPECT_GT(reach.gap(), 0);
   EXPECT_LT(reach.gap(), 1);
@@ -207,10 +207,9 @@ TEST(MaxCoverage, RespectsTheTimeLimit) {
 TEST(MaxCoverage, IsWritten) {
   const SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   MaxCoverage reach = maximise_coverage(table, {}, 1, {});
-  reach.seconds = 0.5;
-  reach.solver = "highs";
+  reach.solver = {Method::mip, "highs"};
   EXPECT_EQ(coverage_json(reach, table), R"({
-  "format": 1,
+  "format": 2,
   "model": "cooperative",
   "survives_failure": false,
   "at_most": 1,
@@ -225,8 +224,8 @@ TEST(MaxCoverage, IsWritten) {
   "bound_proof": "dual",
   "status": "optimal",
   "too_large": false,
-  "solver": "highs",
-  "seconds": 0.5,
+  "solver": "mip",
+  "backend": "highs",
   "missed": [
     "L1"
   ]

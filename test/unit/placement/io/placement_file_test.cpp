@@ -32,14 +32,14 @@ Placement solved() {
   placement.bound_proof = BoundProof::log;
   placement.ties_settled = true;
   placement.unit_costs = true;
-  placement.solver = "highs 1.10.0";
+  placement.solver = {Method::mip, "highs 1.10.0"};
   placement.seconds = 0.25;
   return placement;
 }
 
 TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   EXPECT_EQ(placement_json(solved(), example()), R"({
-  "format": 1,
+  "format": 2,
   "model": "non-cooperative",
   "objective": "effective-links",
   "combination": "weighted",
@@ -62,8 +62,8 @@ TEST(PlacementFile, HasTheDocumentedKeysInOrder) {
   "unit_costs": true,
   "redundant_share": 0.0,
   "status": "stopped",
-  "solver": "highs 1.10.0",
-  "seconds": 0.25,
+  "solver": "mip",
+  "backend": "highs 1.10.0",
   "unreachable": [],
   "scenarios": [],
   "verification": "not verified yet",

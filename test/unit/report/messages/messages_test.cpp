@@ -61,10 +61,11 @@ void say_selections(Sentences& to) {
   to.say(units_reach(1) + " " + labels_reached(1, 1), units_reach(2) + " " + labels_reached(1200, 1200));
   to.say(labels_reached(3, 1200), no_selection_reaches(12),
          "x" + std::string(failure_clause({.redundant = true})));
-  for (const char* solver : {"greedy", "search", "highs 1.10.0"}) {
+  for (const SolvedBy& solver : {SolvedBy{Method::greedy}, SolvedBy{Method::search},
+                                 SolvedBy{Method::search, "cbc 2.10.8"}, SolvedBy{Method::mip, "highs 1.10.0"}}) {
     Placement none;
     none.solver = solver;
-    to.say(fmt::format("{}: '{}'", solver, method_without_result(none)));
+    to.say(fmt::format("{}: '{}'", solver_text(solver), method_without_result(none)));
   }
 }
 
@@ -145,11 +146,11 @@ void say_what_is_out_of_reach(Sentences& to) {
 void say_certificates(Sentences& to) {
   to.heading("certificate");
   const auto say = [&](const Placement& placement, std::size_t bound, const std::vector<std::size_t>& counts,
-                       const std::string& open = "") {
+                       const std::optional<EndReason>& open = {}) {
     CertifiedPlan plan{placement};
     double count_bound = 0;
     Certificate& certificate = plan.certificate.emplace();
-    certificate.confidence = open.empty() ? 0.99 : 0.995;
+    certificate.confidence = open ? 0.995 : 0.99;
     (has_known_prices(placement.problem) ? certificate.cost_lower_bound : count_bound) =
         static_cast<double>(bound);
     certificate.count_lower_bound = static_cast<std::size_t>(count_bound);
@@ -165,18 +166,18 @@ void say_certificates(Sentences& to) {
   say(of_units(4, 4, Status::optimal), 0, {1200, 0, 0});
   say(of_units(4, 4, Status::optimal, redundant), 4, {1200, 0, 0});
   say(of_units(1, 1, Status::optimal, redundant), 4, {1, 0, 0});
-  say(of_units(4, 4, Status::optimal), 3, {1, 1, 2}, "it was interrupted");
-  say(of_units(4, 4, Status::optimal), 0, {3, 0, 0, 1}, "it was interrupted");
-  say(of_units(4, 4, Status::optimal), 0, {0, 0, 0, 450}, "it was interrupted");
-  say(nothing, 0, {0, 0, 0, 450}, "it was interrupted");
+  say(of_units(4, 4, Status::optimal), 3, {1, 1, 2}, EndReason{EndCause::interrupted});
+  say(of_units(4, 4, Status::optimal), 0, {3, 0, 0, 1}, EndReason{EndCause::interrupted});
+  say(of_units(4, 4, Status::optimal), 0, {0, 0, 0, 450}, EndReason{EndCause::interrupted});
+  say(nothing, 0, {0, 0, 0, 450}, EndReason{EndCause::interrupted});
   const PlacementProblem cost{.combination = weighted};
   say(of_units(4, 1, Status::optimal, cost), 1000, {1200, 0, 0});
   say(of_units(4, 1, Status::optimal, cost), 900, {1200, 0, 0});
-  say(of_units(4, 1, Status::optimal, cost), 0, {1, 1, 2}, "it was interrupted");
+  say(of_units(4, 1, Status::optimal, cost), 0, {1, 1, 2}, EndReason{EndCause::interrupted});
   say(of_units(4, 4, Status::optimal, {.objective = Objective::signal}), 4, {1200, 0, 0});
   say(of_units(4, 1, Status::optimal, {.objective = Objective::signal, .combination = weighted}), 0,
       {1200, 0, 0});
-  say(nothing, 0, {1, 1, 2}, "it was interrupted");
+  say(nothing, 0, {1, 1, 2}, EndReason{EndCause::interrupted});
   say(nothing, 0, {0, 0, 4});
   to.heading("sensitivity");
   Sensitivity sensitivity;
@@ -272,7 +273,7 @@ void say_headlines(Sentences& to) {
            },
            [](Supermarket& s) {
              find_nothing(s, Status::stopped);
-             s.placement.solver = "greedy", s.placement.count_lower_bound = 2;
+             s.placement.solver = {Method::greedy}, s.placement.count_lower_bound = 2;
            },
            [](Supermarket& s) { find_nothing(s, Status::stopped), s.placement.seconds = 60; }}) {
     Supermarket s;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "shelfbeam/base/names.hpp"
+
+namespace shelfbeam {
+
+/// The method that gave a result.
+enum class Method {
+  none,    ///< some labels are unreachable, so no method ran
+  search,  ///< local search, tree search or enumeration
+  greedy,  ///< the paper's greedy method
+  mip,     ///< a MIP back end alone
+  states   ///< search over the states of a shop that changes
+};
+
+template <>
+inline constexpr auto names_of<Method> = std::to_array<Named<Method>>({{"none", Method::none},
+                                                                       {"search", Method::search},
+                                                                       {"greedy", Method::greedy},
+                                                                       {"mip", Method::mip},
+                                                                       {"states", Method::states}});
+
+/// A method and the MIP back end that it used.
+struct SolvedBy {
+  Method method = Method::none;
+  std::string backend = {};  ///< name and version: "highs 1.10.0"; empty: none
+
+  bool operator==(const SolvedBy&) const = default;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,41 @@
+#include "shelfbeam/report/messages/end_reason.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+std::string cause_text(const EndReason& reason) {
+  switch (reason.cause) {
+    case EndCause::labels_cost:
+      return say_count("end.labels_cost", reason.labels);
+    case EndCause::proof_cost:
+      return reason.bounds_cost ? say("end.proof_cost.cost", plain(reason.bound))
+                                : say_count("end.proof_cost", static_cast<std::uint64_t>(reason.bound));
+    case EndCause::other:
+      return reason.text;
+    default:
+      return say(fmt::format("end.{}", to_text(reason.cause)));
+  }
+}
+
+}  // namespace
+
+std::string end_text(const EndReason& reason) {
+  return reason.leaves_cheaper ? fmt::format("{}; {}", words("end.cheaper"), cause_text(reason))
+                               : cause_text(reason);
+}
+
+std::string end_effort(const std::optional<EndReason>& reason) {
+  if (!reason || reason->effort <= 0) return {};
+  return say("end.effort", grouped(static_cast<std::uint64_t>(std::max(1.0, std::ceil(reason->effort)))));
+}
+
+}  // namespace shelfbeam
