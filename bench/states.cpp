@@ -172,7 +172,7 @@ void place_file(const Settings& settings, const std::string& file) {
 }
 
 void run(const std::string& what, const Settings& settings) {
-  const auto each = [&](std::vector<std::string> names, const auto& use) {
+  const auto each = [&](const std::vector<std::string>& names, const auto& use) {
     for (const std::string& name : settings.names.empty() ? names : settings.names) use(settings, name);
   };
   if (what == "known")

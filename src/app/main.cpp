@@ -14,10 +14,8 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
-#include "app/exit_details.hpp"
 #include "app/options/arguments.hpp"
 #include "app/options/usage.hpp"
 #include "app/text/flags.hpp"
@@ -57,7 +55,7 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
       "options of a verb, and examples.\n\n"
       "Exit codes: 0 success; 1 no feasible placement, or labels missed; 2 invalid\n"
       "input; 3 stopped by a limit or by the user (results so far are saved);\n"
-      "4 internal error.");
+      "4 internal error; 5 out of memory.");
   add_new(app, chosen);
   add_inspect(app, chosen);
   add_simulate(app, chosen);
@@ -70,6 +68,8 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   add_compare(app, chosen);
   add_export(app, chosen);
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
+  add_job(app, chosen);
+  app.get_subcommand("job")->group("");
 }
 
 // The exit code of a program that has printed all that it has to print.
@@ -82,18 +82,13 @@ int ended(int code) {
 }
 
 // Names the verb and its first argument, the input.
-int out_of_memory(const CLI::App& app) {
+void report_lack_of_memory(const CLI::App& app) {
   const CLI::App* verb = app.get_subcommands().front();
   const auto arguments =
       verb->get_options([](const CLI::Option* option) { return option->get_positional(); });
   const std::string input =
       arguments.empty() || arguments.front()->empty() ? "" : arguments.front()->results().front();
-  print_line(
-      "error",
-      fmt::format("{}: '{}' requires more than {:.3g} GB of memory, which is all that this process may use; "
-                  "use a smaller input, or a machine with more memory",
-                  input, verb->get_name(), 1.25e-9 * static_cast<double>(memory_limit())));
-  return lacks_memory;
+  print_line("error", jobs::lack_of_memory(input, verb->get_name()));
 }
 
 int run(const CLI::App& app, const ChosenVerb& verb) {
@@ -101,17 +96,15 @@ int run(const CLI::App& app, const ChosenVerb& verb) {
     return ended(verb());
   } catch (const InputError& error) {
     print_line("error", with_flag(error.what(), error.setting()));
-    return exit_code_of(error);
+    return jobs::exit_code_of(error);
   } catch (const Interrupted& stop) {
     print_line("stopped", with_flag(stop.what(), stop.setting()));
-    return interrupted;
-  } catch (const std::bad_alloc&) {
-    return out_of_memory(app);
+    return stopped_early;
   } catch (const std::exception& error) {
-    const auto* system = dynamic_cast<const std::system_error*>(&error);
-    if (system != nullptr && (system->code() == std::errc::not_enough_memory ||
-                              system->code() == std::errc::resource_unavailable_try_again))
-      return out_of_memory(app);
+    if (jobs::exit_code_of(error) == out_of_memory) {
+      report_lack_of_memory(app);
+      return out_of_memory;
+    }
     if (std::ferror(stdout) != 0) return ended(wrong_input);
     print_line("internal error", error.what());
     return internal_error;
@@ -149,5 +142,5 @@ int main(int argc, char** argv) {
     print_line("error", error.what());
     return wrong_input;
   }
-  return public_exit_code(run(app, chosen));
+  return run(app, chosen);
 }

@@ -7,16 +7,12 @@
 
 #include "shelfbeam/base/control.hpp"
 
+#include "jobs/exit_code.hpp"
+#include "jobs/plan_job.hpp"
+
 namespace shelfbeam::app {
 
-/// The exit codes of the program.
-enum ExitCode : int {
-  done = 0,
-  answer_is_no = 1,  ///< infeasible, labels missed
-  wrong_input = 2,
-  stopped_early = 3,  ///< by a limit or the user; the results so far are saved
-  internal_error = 4
-};
+using enum jobs::ExitCode;
 
 /// Options that every verb has.
 struct CommonOptions {
@@ -42,6 +38,11 @@ void add_verify(CLI::App& app, ChosenVerb& chosen);
 void add_report(CLI::App& app, ChosenVerb& chosen);
 void add_compare(CLI::App& app, ChosenVerb& chosen);
 void add_export(CLI::App& app, ChosenVerb& chosen);
+/// Hidden from the help; for other programs (docs/formats/job.md).
+void add_job(CLI::App& app, ChosenVerb& chosen);
+
+/// The plan of a command line. Throws as parse_command_line.
+jobs::PlanJob parsed_plan(int argc, const char* const* argv);
 
 void add_common_options(CLI::App& verb, CommonOptions& options);
 

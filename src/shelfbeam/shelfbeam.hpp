@@ -7,6 +7,7 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/plan/plan.hpp"
+#include "shelfbeam/plan/store/plan_store.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
 #include "shelfbeam/scene/scene.hpp"

@@ -13,7 +13,7 @@ class Answer:
     count_lower_bound: int
     status: str
     redundant_share: float
-    seconds: float
+    seconds: float | None  # only in printed answers
     solver: str
 
     @property
@@ -38,15 +38,15 @@ class Answer:
 def read_answer(path):
     with open(path, encoding="utf-8") as file:
         read = json.load(file)
-    if read.get("format") != 1:
-        raise ValueError(f"{path}: not a placement of format 1")
+    if read.get("format") != 2:
+        raise ValueError(f"{path}: not a placement of format 2")
     return Answer(
         tuple(read["selected"]),
         read["count"],
         read["count_lower_bound"],
         read["status"],
         read["redundant_share"],
-        read["seconds"],
+        read.get("seconds"),
         read["solver"],
     )
 

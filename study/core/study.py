@@ -122,11 +122,11 @@ class Study:
         limit = limit or self.effort.time_limit
         path = self.program.run(
             f"{name}.json",
-            ["place", signal_file, *arguments, "--time-limit", f"{limit:g}"],
+            ["place", signal_file, *arguments, "--time-limit", f"{limit:g}", "--json"],
             [signal_file],
             accepted=(0, 1, 3),
         )
-        return read_answer(path)
+        return read_answer(f"{path}.json")  # with the time
 
     def fewest_in_truth(self, model):
         """The placement with the fewest transceivers on the reference matrix."""

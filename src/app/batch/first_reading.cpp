@@ -14,25 +14,26 @@
 
 #include "shelfbeam/base/error.hpp"
 
-#include "app/batch/child.hpp"
-#include "app/exit_details.hpp"
 #include "app/text/flags.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
+#include "jobs/child.hpp"
+#include "jobs/event.hpp"
 
 namespace shelfbeam::app {
 
 namespace {
 
-// The exit code of the process that reads a store; its error goes to standard error.
+// The exit code of the process that reads a store; an error is reported as that of a job.
 int outcome_of(const std::function<void(const ListedStore&)>& read, const ListedStore& store) {
   try {
     read(store);
     return done;
   } catch (const InputError& error) {
-    const std::string line = fmt::format("error: {}\n", one_line(with_flag(error.what(), error.setting())));
-    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return internal_error;
-    return exit_code_of(error);
+    jobs::JobError end = jobs::error_of(error);
+    end.message = one_line(with_flag(error.what(), error.setting()));
+    const std::string line = jobs::line_of(jobs::JobEnd{{}, false, end});
+    return ::write(STDOUT_FILENO, line.data(), line.size()) < 0 ? internal_error : end.code;
   } catch (const std::exception&) {
     return internal_error;
   }
@@ -40,7 +41,7 @@ int outcome_of(const std::function<void(const ListedStore&)>& read, const Listed
 
 struct Reading {
   std::size_t plan;
-  Child child;
+  jobs::Child child;
 };
 
 }  // namespace
@@ -51,9 +52,10 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
   std::vector<StoreResult> failures;
   std::vector<bool> is_unreadable(plans.size());
   std::list<Reading> running;
-  const auto note = [&](std::size_t k, const ChildEnd& end) {
-    if (end.exit_code != wrong_input) return;
-    StoreRecord record{failed_result(*plans[k].store, failure_of(end)), plans[k].input};
+  const auto note = [&](std::size_t k, const jobs::ChildEnd& end) {
+    const auto failure = end.exit_code == wrong_input ? jobs::read_end(end.out) : std::nullopt;
+    if (!failure || !failure->error) return;
+    StoreRecord record{failed_result(*plans[k].store, failure->error->message), plans[k].input};
     record.result.effort = with_run(plans[k].effort, end);
     try {
       write_record(options.folder, record);
@@ -68,13 +70,13 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
     control.report("reading the stores", static_cast<double>(next) / static_cast<double>(plans.size()));
     for (; next < plans.size() && running.size() < options.jobs; ++next) try {
         const ListedStore& store = *plans[next].store;
-        running.push_back({next, Child([&read, &store] { return outcome_of(read, store); },
-                                       options.memory / options.jobs)});
+        running.push_back({next, jobs::Child([&read, &store] { return outcome_of(read, store); },
+                                             options.memory / options.jobs)});
       } catch (const std::system_error&) {  // the plan will read it
       }
-    if (!running.empty()) wait_for_children(poll_s);
+    if (!running.empty()) jobs::wait_for_children(jobs::poll_s);
     for (auto reading = running.begin(); reading != running.end();) {
-      ChildEnd end;
+      jobs::ChildEnd end;
       const bool has_ended = reading->child.has_ended(end);
       if (has_ended) note(reading->plan, end);
       reading = has_ended ? running.erase(reading) : std::next(reading);

@@ -7,9 +7,11 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
-#include "app/file_journal.hpp"
+#include "jobs/file_journal.hpp"
 
 namespace shelfbeam::app {
+
+using namespace jobs;
 namespace fs = std::filesystem;
 
 namespace {

@@ -1,8 +1,6 @@
 #include "app/batch/record.hpp"
 
 #include <algorithm>
-#include <csignal>
-#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -12,11 +10,9 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
 
-#include "app/exit_details.hpp"
-#include "app/plan_folder.hpp"
 #include "app/verbs.hpp"
+#include "jobs/plan_folder.hpp"
 
 namespace shelfbeam::app {
 namespace fs = std::filesystem;
@@ -32,27 +28,8 @@ std::string text_of(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
-// The first line after warnings, without the scope of the confidence, which all plans of a batch share.
-std::string answer_in(std::string_view text) {
-  while (text.starts_with("warning: ")) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
-  std::string line = first_line(std::string(text));
-  if (const std::size_t scope = line.find(words("certificate.scope")); scope != std::string::npos)
-    line.erase(scope > 0 ? scope - 1 : 0);
-  return line;
-}
-
-// The last line that begins with a kind of message.
-std::string message_in(const std::string& text, std::string_view kind) {
-  const std::size_t at = text.rfind(kind);
-  return at == std::string::npos ? "" : first_line(text.substr(at + kind.size()));
-}
-
-StoreStatus status_of(int exit_code) {
-  switch (exit_code) {
+StoreStatus status_of(jobs::ExitCode code) {
+  switch (code) {
     case done:
       return StoreStatus::planned;
     case answer_is_no:
@@ -62,32 +39,6 @@ StoreStatus status_of(int exit_code) {
     default:
       return StoreStatus::failed;
   }
-}
-
-// The object that has the bound of the answer: if labels are verified, the certificate.
-const Json& bound_source(const Json& plan) {
-  const auto certificate = plan.find("certificate");
-  return certificate != plan.end() && !certificate->at("reached").is_null() ? *certificate : plan;
-}
-
-// The numbers of placement.json.
-void read_plan(const BatchFolder& folder, StoreResult& result) {
-  const fs::path plan = folder.plan(result.name);
-  const Json json = Json::parse(read_file(plan / placement_name));
-  result.labels = json.at("labels");
-  // Without an answer, units and bound are those of the shop as the file gives it.
-  const bool is_answer = result.status != StoreStatus::infeasible;
-  if (const std::uint64_t count = json.at("count"); is_answer && count > 0) result.units = count;
-  if (const Json& bound = bound_source(json)["count_lower_bound"];
-      is_answer && bound.is_number_unsigned() && bound > 0)
-    result.lower_bound = bound;
-  if (const auto price = json.find("price"); price != json.end() && price->is_object()) {
-    result.price = price->at("new");
-    if (const auto& currency = price->at("currency"); currency.is_string()) result.currency = currency;
-  }
-  if (const auto warnings = json.find("warnings"); warnings != json.end())
-    result.warnings = warnings->get<std::vector<std::string>>();
-  result.report = (plan.lexically_relative(folder.path) / report_name).generic_string();
 }
 
 Json to_json(const StoreRecord& record) {
@@ -185,20 +136,7 @@ StoreResult failed_result(const ListedStore& store, const std::string& reason) {
   return result;
 }
 
-std::string failure_of(const ChildEnd& end) {
-  for (const std::string_view kind : {"internal error: ", "error: "})
-    if (std::string message = message_in(end.err, kind); !message.empty()) return message;
-  return end.exit_code > 128 ? fmt::format("the plan was ended by signal {}", end.exit_code - 128)
-                             : fmt::format("the plan ended with exit code {}", end.exit_code);
-}
-
-bool was_interrupted(const ChildEnd& end) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    if (end.exit_code == 128 + signal) return true;
-  return end.exit_code == interrupted;
-}
-
-PlanEffort with_run(PlanEffort effort, const ChildEnd& end) {
+PlanEffort with_run(PlanEffort effort, const jobs::ChildEnd& end) {
   effort.cpu_s += end.cpu_s;
   effort.wall_s += end.wall_s;
   effort.peak_memory = std::max(effort.peak_memory, end.peak_memory);
@@ -206,17 +144,20 @@ PlanEffort with_run(PlanEffort effort, const ChildEnd& end) {
   return effort;
 }
 
-StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const ChildEnd& end) {
-  const StoreStatus status = status_of(end.exit_code);
-  if (status == StoreStatus::failed) return failed_result(store, failure_of(end));
+StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const jobs::JobEnd& end) {
+  if (end.error) return failed_result(store, end.error->message);
+  const jobs::PlanSummary& plan = *end.summary;
   StoreResult result = without_result(store);
-  result.status = status;
-  result.answer = answer_in(end.out);
-  try {
-    read_plan(folder, result);
-  } catch (const std::exception& error) {
-    return failed_result(store, fmt::format("the plan cannot be read ({})", error.what()));
-  }
+  result.status = status_of(plan.code);
+  result.answer = plan.answer;
+  result.labels = plan.labels;
+  result.units = plan.units;
+  result.lower_bound = plan.lower_bound;
+  result.price = plan.price;
+  result.currency = plan.currency;
+  result.warnings = plan.warnings;
+  result.report =
+      (folder.plan(result.name).lexically_relative(folder.path) / jobs::report_name).generic_string();
   return result;
 }
 

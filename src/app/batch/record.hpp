@@ -6,8 +6,9 @@
 
 #include "shelfbeam/report/batch/store_result.hpp"
 
-#include "app/batch/child.hpp"
 #include "app/batch/store_list.hpp"
+#include "jobs/child.hpp"
+#include "jobs/event.hpp"
 
 namespace shelfbeam::app {
 
@@ -45,16 +46,10 @@ StoreResult without_result(const ListedStore& store);
 /// The result of a store without a plan, for a reason.
 StoreResult failed_result(const ListedStore& store, const std::string& reason);
 
-/// The reason for which a process of this program has failed, from its messages.
-std::string failure_of(const ChildEnd& end);
-
-/// Whether a signal has ended the plan, perhaps before it could handle the signal.
-bool was_interrupted(const ChildEnd& end);
-
 /// The effort of a plan with that of another run.
-PlanEffort with_run(PlanEffort effort, const ChildEnd& end);
+PlanEffort with_run(PlanEffort effort, const jobs::ChildEnd& end);
 
-/// The result of a plan that has ended, from its exit code, its output and its folder.
-StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const ChildEnd& end);
+/// The result of a plan whose job has ended.
+StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const jobs::JobEnd& end);
 
 }  // namespace shelfbeam::app

@@ -19,12 +19,11 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/report/batch/batch_report.hpp"
 
-#include "app/batch/child.hpp"
 #include "app/batch/database.hpp"
 #include "app/batch/own_files.hpp"
-#include "app/exit_details.hpp"
-#include "app/plan_folder.hpp"
 #include "app/verbs.hpp"
+#include "jobs/plan_folder.hpp"
+#include "jobs/plan_process.hpp"
 
 namespace shelfbeam::app {
 
@@ -47,7 +46,7 @@ std::string wait_until_free(const std::filesystem::path& plan, const RunControl&
   std::error_code missing;
   if (!std::filesystem::exists(plan, missing)) return {};
   for (int k = 0;; ++k) try {
-      const OutputLock probe(plan / signal_name, plan.string());
+      const OutputLock probe(plan / jobs::signal_name, plan.string());
       return {};
     } catch (const OutputError&) {  // its plan will report it
       return {};
@@ -81,7 +80,7 @@ class Runner {
       }
       start_jobs();
       report();
-      if (!running_.empty()) wait_for_children(poll_s);
+      if (!running_.empty()) jobs::wait_for_children(jobs::poll_s);
       collect_ended();
     }
     return std::move(end_);
@@ -91,7 +90,7 @@ class Runner {
   struct Job : OpenPlan {
     bool is_alone = false;
     unsigned threads = 1;
-    std::optional<Child> child = {};
+    std::optional<jobs::PlanProcess> process = {};
   };
 
   bool has_waiting() const { return !waiting_.empty() || !alone_.empty(); }
@@ -138,20 +137,12 @@ class Runner {
       return false;
     }
     if (!job.continues) write_record(options_.folder, {without_result(store), job.input});
-    const std::string file = store.file.string();
-    std::vector<std::string> words{own_program,
-                                   "plan",
-                                   file.starts_with('-') ? "./" + file : file,
-                                   "-o",
-                                   plan.string(),
-                                   "--overwrite",
-                                   "--seed",
-                                   fmt::format("{}", options_.seed),
-                                   "--threads",
-                                   fmt::format("{}", job.threads)};
-    if (job.continues) words.emplace_back("--resume");
-    words.insert(words.end(), options_.plan_options.begin(), options_.plan_options.end());
-    job.child.emplace(std::move(words), memory, fmt::format("{}=1", exit_detail_variable));
+    jobs::PlanJob plan_job = options_.plan;
+    plan_job.store = store.file;
+    plan_job.folder = plan;
+    plan_job.threads = job.threads;
+    plan_job.checkpoint.resume = job.continues;
+    job.process.emplace(plan_job, memory);
     return true;
   }
 
@@ -164,32 +155,33 @@ class Runner {
 
   void collect_ended() {
     for (auto job = running_.begin(); job != running_.end();) {
-      ChildEnd end;
-      if (!job->child->has_ended(end)) {
+      jobs::JobEnd end;
+      jobs::ChildEnd effort;
+      if (!job->process->has_ended(end, effort)) {
         ++job;
         continue;
       }
-      finish(*job, end);
+      finish(*job, end, effort);
       job = running_.erase(job);
     }
   }
 
   // Only the answer of a plan is final. A failure may have been due to a full disk or another program.
-  void finish(Job& job, const ChildEnd& end) {
+  void finish(Job& job, const jobs::JobEnd& end, const jobs::ChildEnd& effort) {
+    const bool was_killed = effort.exit_code > 128;
     const bool is_interrupted =
-        was_interrupted(end) ||
-        (control_.cancelled() && (end.exit_code > 128 || end.exit_code == stopped_early));
+        end.error ? end.error->is_interruption || (control_.cancelled() && was_killed) : !end.is_complete;
     StoreRecord record{
         is_interrupted ? without_result(*job.store) : result_of(options_.folder, *job.store, end), job.input};
     record.is_final = !is_interrupted && record.result.status != StoreStatus::failed;
-    record.result.effort = job.effort = with_run(job.effort, end);
+    record.result.effort = job.effort = with_run(job.effort, effort);
     // A file that the store names, such as a mesh, may have changed.
-    if (job.continues && end.exit_code == other_checkpoint) {
+    if (job.continues && end.error && end.error->is_of_checkpoint) {
       waiting_.push_front({{job.store, job.input, job.effort, false}});
       return;
     }
     // A signal from the system may have the same reason.
-    const bool may_lack_memory = end.exit_code == lacks_memory || end.exit_code > 128;
+    const bool may_lack_memory = end.error && (end.error->code == out_of_memory || was_killed);
     if (!record.is_final && !is_interrupted && may_lack_memory && !job.is_alone && options_.jobs > 1) {
       alone_.push_back({{job.store, job.input, job.effort, true}, true});
       return;
@@ -207,9 +199,9 @@ class Runner {
 
   void stop() {
     end_.is_complete = false;
-    for (const Job& job : running_) job.child->interrupt();
+    for (Job& job : running_) job.process->interrupt();
     while (!running_.empty()) {
-      wait_for_children(poll_s);
+      jobs::wait_for_children(jobs::poll_s);
       collect_ended();
     }
   }

@@ -11,13 +11,15 @@
 
 #include "app/batch/record.hpp"
 #include "app/batch/store_list.hpp"
+#include "jobs/plan_job.hpp"
 
 namespace shelfbeam::app {
 
 struct BatchOptions {
   std::vector<ListedStore> stores;
   BatchFolder folder;
-  std::vector<std::string> plan_options;
+  jobs::PlanJob plan;                     ///< of every store, without its paths
+  std::vector<std::string> plan_options;  ///< by which an earlier run is recognised
   std::uint64_t seed = 1;
   unsigned threads = 1;    ///< of all plans together
   unsigned jobs = 1;       ///< max number of plans at a time

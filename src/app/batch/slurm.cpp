@@ -8,10 +8,12 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 
-#include "app/batch/child.hpp"
 #include "app/batch/own_files.hpp"
+#include "jobs/child.hpp"
 
 namespace shelfbeam::app {
+
+using namespace jobs;
 
 namespace {
 

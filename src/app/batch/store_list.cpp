@@ -17,9 +17,11 @@
 
 #include "app/batch/own_files.hpp"
 #include "app/batch/record.hpp"
-#include "app/plan_folder.hpp"
+#include "jobs/plan_folder.hpp"
 
 namespace shelfbeam::app {
+
+using namespace jobs;
 namespace fs = std::filesystem;
 
 namespace {

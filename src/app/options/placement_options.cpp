@@ -61,30 +61,24 @@ std::string objective_help() {
 
 }  // namespace
 
-void Requirements::keep(const std::filesystem::path& output) const {
-  for (const auto& file : costs) protect_input(output, file);
-  for (const auto& file : forbidden) protect_input(output, file);
+void protect_constraints(const std::filesystem::path& output, const TableConstraints& constraints) {
+  for (const auto& file : constraints.costs) protect_input(output, file);
+  for (const auto& file : constraints.forbidden) protect_input(output, file);
 }
 
-void Requirements::apply(SignalTable& table, const std::string& name) const {
-  for (const auto& file : costs) apply_costs(table, file);
-  for (const auto& file : forbidden) forbid_pairs(table, file);
-  if (min_spacing > 0) add_conflicts(table, min_spacing, name);
-}
-
-void add_requirement_options(CLI::App& verb, Requirements& requirements) {
-  verb.add_option("--costs", requirements.costs,
+void add_requirement_options(CLI::App& verb, TableConstraints& constraints) {
+  verb.add_option("--costs", constraints.costs,
                   "CSV with columns id,cost (transceivers) or id,link_cost,signal_cost (labels); repeatable")
       ->allow_extra_args(false)
       ->check(a_path())
       ->option_text("FILE")
       ->group(group::placement);
-  verb.add_option("--min-spacing", requirements.min_spacing,
+  verb.add_option("--min-spacing", constraints.min_spacing,
                   "Minimum distance in metres of each new transceiver from all others")
       ->check(positive_number())
       ->option_text("METRES")
       ->group(group::placement);
-  verb.add_option("--forbid", requirements.forbidden,
+  verb.add_option("--forbid", constraints.forbidden,
                   "CSV with columns a,b: pairs of transceivers that must not both be chosen; repeatable")
       ->allow_extra_args(false)
       ->check(a_path())
@@ -109,7 +103,7 @@ std::vector<std::string> scenario_names(const std::vector<Path>& files) {
 
 void PlacementInput::keep(const std::filesystem::path& output) const {
   for (const auto& file : signals) protect_input(output, file);
-  requirements.keep(output);
+  protect_constraints(output, constraints);
 }
 
 ReadTable PlacementInput::table(const PlacementProblem& problem) const {
@@ -124,7 +118,7 @@ ReadTable PlacementInput::table(const PlacementProblem& problem) const {
   SignalTable table = stack_tables(std::move(scenarios));
   const std::string name = names_of(signals);
   if (threshold > 0) set_requirement(table, threshold);
-  requirements.apply(table, name);
+  constraints.apply(table, name);
   try {
     check_problem(table, problem);
   } catch (const InputError& error) {
@@ -153,7 +147,7 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
       "transceivers in the first row; labels: ids of labels in the first column; ids: both; sparse: sparse "
       "text; scp, rail: forms of OR-Library files; auto (default): reject such a file")
       ->group(group::placement);
-  add_requirement_options(verb, input.requirements);
+  add_requirement_options(verb, input.constraints);
 }
 
 void add_problem_options(CLI::App& verb, PlacementProblem& problem) {
@@ -201,16 +195,16 @@ void add_solver_options(CLI::App& verb, PlaceOptions& options) {
       ->group(group::placement);
 }
 
-void add_certificate_options(CLI::App& verb, CertificateFlags& flags) {
-  verb.add_option("--confidence", flags.confidence,
+void add_certificate_options(CLI::App& verb, double& confidence, double& budget_s) {
+  verb.add_option("--confidence", confidence,
                   fmt::format("Confidence that all statements of the certificate hold, "
                               "e.g. 0.999 or 99.9%; default {}",
-                              flags.confidence))
+                              confidence))
       ->transform(a_share({0.5, 0.999999, true, true}))
       ->option_text("LEVEL")
       ->group(group::certificate);
-  verb.add_option("--budget", flags.budget_s,
-                  fmt::format("Time limit of the certificate in seconds; default {}", flags.budget_s))
+  verb.add_option("--budget", budget_s,
+                  fmt::format("Time limit of the certificate in seconds; default {}", budget_s))
       ->check(positive_number())
       ->option_text("SECONDS")
       ->group(group::certificate);
@@ -243,15 +237,6 @@ void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, con
       ->option_text("LABELS")
       ->excludes(labels)
       ->excludes(shop);
-}
-
-void expect_no_goal(const AvailabilityGoal& goal) {
-  if (goal.value)
-    throw InputError(goal.rule == AvailabilityRule::labels ? "--availability"
-                     : goal.rule == AvailabilityRule::shop ? "--all-at-once"
-                                                           : "--mean-missed",
-                     "applies to the states of a shop that changes, but none are examined",
-                     "omit it, or give the store file a section 'variation' and set '--states'");
 }
 
 int exit_code(Status status) {

@@ -11,32 +11,23 @@
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
+#include "shelfbeam/report/terminal/placement_text.hpp"
+#include "shelfbeam/signal/constraints/table_constraints.hpp"
 #include "shelfbeam/signal/tables/table_reading.hpp"
-
-#include "app/text/placement_text.hpp"
 
 namespace shelfbeam::app {
 
-/// Requirements besides the matrix: costs, and pairs of candidates that must not both be chosen.
-struct Requirements {
-  std::vector<std::filesystem::path> costs;
-  double min_spacing = 0;  ///< m; 0: not given
-  std::vector<std::filesystem::path> forbidden;
+/// Throws InputError if the output would overwrite a file of the constraints.
+void protect_constraints(const std::filesystem::path& output, const TableConstraints& constraints);
 
-  /// Throws InputError if the output would overwrite an input file.
-  void keep(const std::filesystem::path& output) const;
-  /// `name` is the name of the matrix in errors.
-  void apply(SignalTable& table, const std::string& name) const;
-};
-
-void add_requirement_options(CLI::App& verb, Requirements& requirements);
+void add_requirement_options(CLI::App& verb, TableConstraints& constraints);
 
 /// The matrices of `place` and `export`; several files are scenarios of one placement.
 struct PlacementInput {
   std::vector<std::filesystem::path> signals;  ///< one per scenario
   double threshold = 0;                        ///< 0: not given
   TableReading reading = TableReading::automatic;
-  Requirements requirements;
+  TableConstraints constraints;
 
   /// Throws InputError if the output would overwrite an input file.
   void keep(const std::filesystem::path& output) const;
@@ -53,19 +44,11 @@ void add_problem_options(CLI::App& verb, PlacementProblem& problem);
 void add_solver_options(CLI::App& verb, PlaceOptions& options);
 
 /// Confidence and time limit of a certificate, for `plan` and `verify`.
-struct CertificateFlags {
-  double confidence = 0.99;
-  double budget_s = 600;
-};
-
-void add_certificate_options(CLI::App& verb, CertificateFlags& flags);
+void add_certificate_options(CLI::App& verb, double& confidence, double& budget_s);
 
 /// Number of states, with its help text, and goal for a shop that changes.
 void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
                        AvailabilityGoal& goal);
-
-/// Throws InputError for a goal if no states are examined.
-void expect_no_goal(const AvailabilityGoal& goal);
 
 /// done, answer_is_no or stopped_early.
 int exit_code(Status status);

@@ -23,7 +23,17 @@ std::string with_flag(std::string_view message, Setting setting) {
                                                          {Setting::overwriting, "--overwrite"},
                                                          {Setting::part, "--part"},
                                                          {Setting::signals, "--signal"},
-                                                         {Setting::reading, "--read-as"}};
+                                                         {Setting::reading, "--read-as"},
+                                                         {Setting::heuristic, "--heuristic"},
+                                                         {Setting::lengths, "--by-length"},
+                                                         {Setting::relative_error, "--relative-error"},
+                                                         {Setting::curve, "--curve"},
+                                                         {Setting::sensitivity, "--sensitivity"},
+                                                         {Setting::objective, "--objective"},
+                                                         {Setting::availability, "--availability"},
+                                                         {Setting::all_at_once, "--all-at-once"},
+                                                         {Setting::mean_missed, "--mean-missed"},
+                                                         {Setting::sampled, "--sampled"}};
   const auto found = flags.find(setting);
   return found == flags.end() ? std::string(message) : fmt::format("{} ({})", message, found->second);
 }

@@ -77,7 +77,7 @@ TerminalProgress::~TerminalProgress() {
 void TerminalProgress::report(std::string_view task, double fraction, std::string_view detail) {
   if (!active_) return;
   const Clock::time_point now = Clock::now();
-  const Progress progress =
+  const jobs::Progress progress =
       stages_.update(task, fraction, detail, std::chrono::duration<double>(now - started_).count());
   if (progress.task == drawn_task_ && now - drawn_at_ < std::chrono::milliseconds(100)) return;
   drawn_at_ = now;

@@ -12,7 +12,7 @@
 
 #include "shelfbeam/base/control.hpp"
 
-#include "app/text/progress.hpp"
+#include "app/text/progress_line.hpp"
 
 namespace shelfbeam::app {
 
@@ -29,7 +29,7 @@ class TerminalProgress : public ProgressSink {
   using Clock = std::chrono::steady_clock;
 
   bool active_;
-  ProgressStages stages_;
+  jobs::ProgressStages stages_;
   std::string drawn_task_;  ///< empty: nothing is drawn yet
   Clock::time_point started_ = Clock::now(), drawn_at_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string_view>
 #include <variant>
 
 #include <fmt/format.h>
@@ -75,16 +74,6 @@ std::vector<std::string> variation_lines(const Store& store) {
     lines.push_back(fmt::format("the sensitivity of labels varies by {:.3g} dB (standard deviation)",
                                 variation.label_sensitivity_db));
   return lines;
-}
-
-std::vector<std::string> assumed_lines(const Store& store) {
-  constexpr std::string_view mark = " (assumed)";
-  std::vector<std::string> assumed;
-  for (std::string& line : variation_lines(store)) {
-    const std::size_t at = line.find(mark);
-    if (at != std::string::npos) assumed.push_back(line.erase(at, mark.size()));
-  }
-  return assumed;
 }
 
 }  // namespace shelfbeam::app

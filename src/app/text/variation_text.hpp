@@ -10,7 +10,5 @@ namespace shelfbeam::app {
 /// The variation of a store, one line per part; values that the file does not give are marked. Empty without
 /// variation.
 std::vector<std::string> variation_lines(const Store& store);
-/// Those of them that the store file does not give.
-std::vector<std::string> assumed_lines(const Store& store);
 
 }  // namespace shelfbeam::app

@@ -19,19 +19,23 @@
 #include "shelfbeam/report/batch/batch_report.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
-#include "app/batch/child.hpp"
 #include "app/batch/first_reading.hpp"
 #include "app/batch/own_files.hpp"
 #include "app/batch/run_batch.hpp"
 #include "app/batch/slurm.hpp"
-#include "app/files.hpp"
 #include "app/options/arguments.hpp"
+#include "app/options/file_options.hpp"
 #include "app/options/usage.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
+#include "jobs/child.hpp"
+#include "jobs/plan_folder.hpp"
+#include "jobs/plan_job.hpp"
 
 namespace shelfbeam::app {
+
+using namespace jobs;
 namespace fs = std::filesystem;
 
 namespace {
@@ -56,20 +60,18 @@ void print_warning(const BatchArguments& options, std::string_view text) {
 }
 
 // Reports errors in the options of `plan` once, before any plan.
-void expect_plan_options(const std::vector<std::string>& options) {
+PlanJob plan_of(const std::vector<std::string>& options) {
   for (const std::string& option : options)
     if (std::set<std::string>{"--quiet", "--json", "-h", "--help"}.contains(option))
       throw InputError(fmt::format("plan {}", option), "does not apply to the plans of a batch", "omit it");
+  // With the options that the batch sets itself, which are then refused as duplicates.
   std::vector<std::string> words{"shelfbeam",   "plan",   "STORE", "-o",        "PLAN", "--resume",
                                  "--overwrite", "--seed", "1",     "--threads", "1"};
   words.insert(words.end(), options.begin(), options.end());
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
-  CLI::App app;
-  ChosenVerb ignored;
-  add_plan(app, ignored);
   try {
-    parse_command_line(app, static_cast<int>(pointers.size()), pointers.data());
+    return parsed_plan(static_cast<int>(pointers.size()), pointers.data());
   } catch (const WrongUsage& error) {
     throw InputError("options of 'plan'", error.what());
   } catch (const CLI::Success&) {
@@ -116,9 +118,13 @@ BatchOptions batch_options(const BatchArguments& options) {
   batch.stores = std::move(list.stores);
   batch.folder.path = options.output;
   batch.plan_options = options.plan;
+  batch.plan = plan_of(options.plan);
+  batch.plan.plan.seed = options.common.seed;
+  batch.plan.overwrite = true;
+  batch.plan.reports_progress = false;
   batch.seed = options.common.seed;
   batch.threads = options.common.threads != 0 ? options.common.threads
-                                              : std::max(1U, std::thread::hardware_concurrency());
+                                              : std::clamp(std::thread::hardware_concurrency(), 1U, 256U);
   batch.memory = options.memory != 0 ? options.memory : memory_limit();
   batch.jobs = options.jobs != 0 ? options.jobs : batch.threads;
   batch.jobs =
@@ -222,8 +228,9 @@ BatchEnd plan_stores(const BatchArguments& options, const BatchOptions& batch, c
   std::vector<StoreResult> unreadable;
   {
     TerminalProgress progress(options.common.quiet);
-    const bool allow_outside = std::count(options.plan.begin(), options.plan.end(), "--allow-outside") > 0;
-    const auto read = [&](const ListedStore& store) { make_scene(load_store(store.file, allow_outside)); };
+    const auto read = [&](const ListedStore& store) {
+      make_scene(load_store(store.file, batch.plan.allow_outside));
+    };
     unreadable = remove_unreadable(batch, plans, read, {batch.threads, &cancel, progress.sink()});
   }
   report_unplanned(options, unreadable);
@@ -246,7 +253,6 @@ BatchEnd plan_stores(const BatchArguments& options, const BatchOptions& batch, c
 
 int run_batch_verb(const BatchArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
-  expect_plan_options(options.plan);
   const BatchOptions batch = batch_options(options);
   expect_folder(options);
   make_output_folder(options.output);

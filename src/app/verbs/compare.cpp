@@ -18,8 +18,8 @@
 #include "shelfbeam/signal/measured/measurements.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "app/files.hpp"
 #include "app/options/arguments.hpp"
+#include "app/options/file_options.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"

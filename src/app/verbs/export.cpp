@@ -12,8 +12,8 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
-#include "app/files.hpp"
 #include "app/options/arguments.hpp"
+#include "app/options/file_options.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/terminal.hpp"

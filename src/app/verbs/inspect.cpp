@@ -20,13 +20,14 @@
 #include "shelfbeam/scene/glb/scene_glb.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 
-#include "app/files.hpp"
 #include "app/options/arguments.hpp"
+#include "app/options/file_options.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/text/variation_text.hpp"
 #include "app/verbs.hpp"
+#include "jobs/plan_job.hpp"
 
 namespace shelfbeam::app {
 
@@ -75,7 +76,7 @@ int run_inspect(const InspectArguments& options) {
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
   Problems problems(options.store.string());
-  Store store = load_store(options.store, options.allow_outside, 0, drawing, nullptr, &problems);
+  Store store = jobs::load_store(options.store, options.allow_outside, 0, drawing, nullptr, &problems);
   if (problems.all().size() > 1 || (options.common.json && !problems.all().empty()))
     return print_problems(problems, options.common.json);
   problems.throw_first();
@@ -91,7 +92,7 @@ int run_inspect(const InspectArguments& options) {
     print_summary(scene, format == nullptr ? "" : fmt::format("{}: {}", format->name, drawing.string()));
     print_list("varies", variation_lines(store));
   }
-  expect_no_warnings(nominal, options.strict);
+  jobs::expect_no_warnings(nominal, options.strict);
   return done;
 }
 

@@ -9,11 +9,11 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/coverage/coverage_curve.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/report/terminal/coverage_text.hpp"
 
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/values.hpp"
-#include "app/text/coverage_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
@@ -40,16 +40,23 @@ struct PlaceArguments {
 struct Answer {
   std::string json, text;
   int code = done;
+  double seconds = 0;
 };
+
+// The printed object also has the time, which files omit.
+std::string with_time(const std::string& object, double seconds) {
+  return fmt::format("{},\n  \"seconds\": {:.6g}\n}}\n", object.substr(0, object.rfind("\n}")), seconds);
+}
 
 Answer reach(const PlaceArguments& options, const SignalTable& table, const RunControl& control) {
   if (options.reach > 0) {
     const FewestUnits fewest = fewest_units(table, options.problem, options.reach, options.solver, control);
-    return {fewest_units_json(fewest, table), describe(fewest, table), exit_code(fewest.status)};
+    return {fewest_units_json(fewest, table), describe(fewest, table), exit_code(fewest.status),
+            fewest.seconds};
   }
   const MaxCoverage reach =
       maximise_coverage(table, options.problem, options.at_most, options.solver, control);
-  return {coverage_json(reach, table), describe(reach, table), exit_code(reach.status)};
+  return {coverage_json(reach, table), describe(reach, table), exit_code(reach.status), reach.seconds};
 }
 
 Answer cover(const PlaceArguments& options, const SignalTable& table, const RunControl& control) {
@@ -64,7 +71,7 @@ Answer cover(const PlaceArguments& options, const SignalTable& table, const RunC
   }
   return {placement_json(placement, table, curve),
           describe(placement, table) + describe(curve, table) + remark,
-          curve.is_complete ? exit_code(placement.status) : stopped_early};
+          curve.is_complete ? exit_code(placement.status) : stopped_early, placement.seconds};
 }
 
 void check(const PlaceArguments& options) {
@@ -97,7 +104,7 @@ int run_place(const PlaceArguments& options) {
   }
   if (!options.output.empty()) write_file(options.output, answer.json);
   if (options.common.json)
-    fmt::print("{}", answer.json);
+    fmt::print("{}", with_time(answer.json, answer.seconds));
   else if (!options.common.quiet)
     fmt::print("{}", with_answer(answer.text));
   return answer.code;

@@ -14,14 +14,18 @@
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
-#include "app/files.hpp"
 #include "app/options/arguments.hpp"
-#include "app/plan_folder.hpp"
-#include "app/plan_record.hpp"
+#include "app/options/file_options.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
+#include "jobs/plan_files.hpp"
+#include "jobs/plan_folder.hpp"
+#include "jobs/plan_job.hpp"
+#include "jobs/plan_record.hpp"
 
 namespace shelfbeam::app {
+
+using namespace jobs;
 
 namespace {
 
@@ -40,10 +44,9 @@ FileHashes expect_unchanged(const std::filesystem::path& folder, const PlanRecor
     const std::filesystem::path file = folder / name;
     const auto status = std::filesystem::symlink_status(file);
     if (!std::filesystem::exists(status)) continue;
-    const auto known = record.hashes.find(name);
     if (std::filesystem::is_regular_file(status)) {
       const std::string& hash = found[name] = hash_of(file, name);
-      if ((known != record.hashes.end() && known->second == hash) || journal.contains(name, hash)) continue;
+      if (record.contains(name, hash) || journal.contains(name, hash)) continue;
     }
     throw InputError(file.string(), "was changed since the plan was written",
                      name == placement_name ? "restore it, or run 'shelfbeam plan' again"
@@ -78,7 +81,7 @@ int run_report(const ReportArguments& options) {
   const SignalTable table = make_signal_table(matrix, (options.folder / signal_name).string());
   const CertifiedPlan plan = read_plan(options.folder / placement_name, table);
   AtomicFolder files(options.folder);
-  write_report(files, {scene, matrix, plan, options.safe_csv, shop_states(store, scene, matrix, plan)});
+  jobs::add_report(files, {scene, matrix, plan, options.safe_csv, shop_states(store, scene, matrix, plan)});
   replace(options.folder, files);
   const std::string report = (options.folder / report_name).string();
   if (options.common.json)

@@ -19,14 +19,16 @@
 #include "shelfbeam/transport/states/simulate_states.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
 
-#include "app/files.hpp"
 #include "app/options/arguments.hpp"
+#include "app/options/file_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/end_at_once.hpp"
+#include "app/text/simulation_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
+#include "jobs/plan_job.hpp"
 
 namespace shelfbeam::app {
 
@@ -92,8 +94,8 @@ int run_simulate(const SimulateArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   std::optional<EndAtOnce> reading(stopped_early);
   protect_input(options.output, options.store);
-  const Store store =
-      load_store(options.store, options.allow_outside, options.simulation.memory, options.output, &cancel);
+  const Store store = jobs::load_store(options.store, options.allow_outside, options.simulation.memory,
+                                       options.output, &cancel);
   const Scene nominal = make_inspected_scene(store);
   const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
   SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
@@ -101,10 +103,10 @@ int run_simulate(const SimulateArguments& options) {
   reading.reset();
   const OutputLock lock(options.output, options.output.string());
   expect_writable(options.output);
-  expect_room_for_matrix(options.output.has_parent_path() ? options.output.parent_path() : ".", scene,
-                         simulation);
+  jobs::expect_room_for_matrix(options.output.has_parent_path() ? options.output.parent_path() : ".", scene,
+                               simulation);
   print_warnings(options.common, scene, simulation.rules().strategy);
-  expect_no_warnings(scene, options.strict);
+  jobs::expect_no_warnings(scene, options.strict);
   if (options.states > 0) return simulate_states_to_file(options, store, scene, simulation, cancel);
   SimulationSummary summary;
   {
@@ -170,7 +172,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       ->excludes(states)
       ->group(group::states);
   add_part(*verb, options->part);
-  add_run_options(*verb, options->simulation);
+  add_run_options(*verb, options->simulation, options->simulation.checkpoint);
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
   add_common_options(*verb, options->common);

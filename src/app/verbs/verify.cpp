@@ -15,24 +15,26 @@
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
+#include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/verify_states.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
-#include "app/files.hpp"
 #include "app/options/arguments.hpp"
+#include "app/options/file_options.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/end_at_once.hpp"
-#include "app/text/placement_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
+#include "jobs/plan_job.hpp"
 
 namespace shelfbeam::app {
 
@@ -41,7 +43,7 @@ namespace {
 struct VerifyArguments {
   CommonOptions common;
   SimulationFlags simulation;
-  CertificateFlags certificate;
+  double confidence = 0.99, budget_s = 600;  ///< of the certificate
   std::optional<CommunicationModel> model;
   std::optional<std::uint32_t> states;
   AvailabilityGoal goal;
@@ -66,8 +68,8 @@ Installation load_installation(const VerifyArguments& options) {
   const std::filesystem::path& units = options.placement;
   const CancelToken& cancel = cancel_on_signal();
   const EndAtOnce reading(stopped_early);
-  const Store store =
-      load_store(options.store, options.allow_outside, options.simulation.memory, options.output, &cancel);
+  const Store store = jobs::load_store(options.store, options.allow_outside, options.simulation.memory,
+                                       options.output, &cancel);
   if (!is_json(units)) return {store, scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));
@@ -87,7 +89,7 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
     const std::filesystem::path log_path = options.output.empty() ? "" : simulation.checkpoint.path;
     const Scene scene = make_scene(installation.store);
     ResultLog log = log_of_states(log_path, scene.store_hash, simulation);
-    const VerifyStatesOptions how{*options.states, options.goal, options.certificate.confidence, simulation};
+    const VerifyStatesOptions how{*options.states, options.goal, options.confidence, simulation};
     try {
       found = verify_over_states(installation.store, scene, units, problem, how, log, control);
     } catch (const Interrupted&) {
@@ -136,8 +138,8 @@ int run_verify(const VerifyArguments& options) {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
     CertifyOptions certify_options;
-    certify_options.confidence = options.certificate.confidence;
-    certify_options.budget.seconds = options.certificate.budget_s;
+    certify_options.confidence = options.confidence;
+    certify_options.budget.seconds = options.budget_s;
     certify_options.simulation = simulation;
     certify_options.simulation.checkpoint = {};
     verified = verify_installation(installation.scene, problem, certify_options, control);
@@ -167,13 +169,13 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
              "Communication model; default: the model of the placement, or cooperative for a CSV");
   verb->add_flag("--survive-failure", options->survive_failure,
                  "Every label must be reached even if any one unit fails, including installed units");
-  add_certificate_options(*verb, options->certificate);
+  add_certificate_options(*verb, options->confidence, options->budget_s);
   add_state_options(*verb, options->states,
                     "Examine the units in this many states of a shop with 'variation', and name the best "
                     "addition",
                     options->goal);
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
-  add_run_options(*verb, options->simulation);
+  add_run_options(*verb, options->simulation, options->simulation.checkpoint);
   add_store_options(*verb, options->allow_outside);
   add_safe_csv(*verb, options->safe_csv)->needs("--output");
   add_common_options(*verb, options->common);

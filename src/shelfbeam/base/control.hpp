@@ -23,6 +23,8 @@ class ProgressSink {
   virtual ~ProgressSink() = default;
   /// `fraction` is in [0, 1], or negative when the end is unknown; `detail` is a short free text.
   virtual void report(std::string_view task, double fraction, std::string_view detail) = 0;
+  /// The value of the best placement so far and a proven lower bound; comes before a report.
+  virtual void bounds(double /*incumbent*/, double /*lower_bound*/) {}
 };
 
 /// Threads, cancellation and progress of a long computation. All are optional, and none changes a result.

@@ -19,13 +19,23 @@ enum class Setting {
   failure,
   estimator,
   strategy,
+  heuristic,
   direct_light,
   bounces,
+  lengths,
+  relative_error,
   strictness,
   overwriting,
   part,
   signals,
-  reading
+  reading,
+  curve,
+  sensitivity,
+  objective,
+  availability,
+  all_at_once,
+  mean_missed,
+  sampled
 };
 
 /// Wrong input. The message states the location, the problem and a suggestion. It may quote any bytes of

@@ -168,6 +168,7 @@ SelectionSet SearchState::open_selections() {
 
 void SearchState::report(std::string_view stage, double, std::string_view detail) {
   const std::string below = stage == "placing" ? "" : fmt::format("; {}", stage);
+  watcher->bounds(incumbent.value(), incumbent.bound());
   watcher->report("placing", -1, fmt::format("{}{} {}", incumbent.text(), below, detail));
 }
 

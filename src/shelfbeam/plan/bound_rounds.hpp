@@ -59,7 +59,7 @@ class BoundRounds {
   /// After a change of the matrix.
   void forget_failures() { refuter_.forget_failures(); }
 
-  /// The reason why the bound does not hold; empty if it is unknown.
+  /// The reason why the bound does not hold, if it is known.
   const std::optional<EndReason>& obstacle() const { return obstacle_; }
 
  private:

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <memory>
 
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
 
 class CancelToken;
+struct Store;
 
 /// Limits on a store file, which may come from an untrusted source.
 struct StoreLimits {
@@ -25,5 +27,14 @@ struct StoreLimits {
 /// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with
 /// file and location.
 Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust = {});
+
+/// The content of a store file, for plan_store, with its scene.
+struct StoreWithScene {
+  std::shared_ptr<const Store> store;
+  Scene scene;
+};
+
+/// As `read_scene`.
+StoreWithScene read_store_with_scene(const std::filesystem::path& store, const StoreLimits& trust = {});
 
 }  // namespace shelfbeam

@@ -105,14 +105,14 @@ TEST_F(BadStore, ExceedsMemory) {
   store["transceivers"]["grids"][0].update(Json{{"max", {999, 999}}, {"spacing", 3.2}});
   folder.write("store.json", store.dump());
   expect_refused(folder, {"plan", path("store.json"), "-o", path("new")},
-                 {"memory: 100001 labels and 97969 candidates ", " GB", "(--memory)"});
+                 {"memory: 100001 labels and 97969 candidates ", " GB", "(--memory)"}, 5);
 }
 
 TEST_F(BadStore, ExceedsTheMemoryLimit) {
   folder.write("store.json", small_store().dump());
   // 17 x 12 entries with three sums in double and a column index each, plus the memory of an item.
   refused("simulate @store.json -o @new.h5 --estimator uniform --memory 6K",
-          {"memory: 17 labels and 12 candidates ", "6e-06 GB", "(--memory)"});
+          {"memory: 17 labels and 12 candidates ", "6e-06 GB", "(--memory)"}, 5);
   told("simulate @store.json -o @new.h5 --quiet --memory 12K --samples 64 --estimator uniform");
 }
 

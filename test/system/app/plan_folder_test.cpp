@@ -119,13 +119,14 @@ TEST_F(PlanFolder, ARefusedPlanLeavesNoNewFolders) {
   Json store = small_store();
   store["label_types"]["standard"]["threshold"] = -1;
   folder.write("wrong.json", store.dump());
-  for (const std::string& name :
-       {std::string("n1/n2/n3"), std::string("n1/n2/n3/"), "n1/n2/" + std::string(300, 'x')})
-    for (const char* file : {"@wrong.json", "@store.json --memory 1K"})
-      refused(std::string("plan ") + file + " -o @" + name, {});
+  for (const std::string name : {"n1/n2/n3", "n1/n2/n3/"}) {
+    refused("plan @wrong.json -o @" + name, {});
+    refused("plan @store.json --memory 1K -o @" + name, {"memory"}, 5);
+  }
+  refused("plan @wrong.json -o @n1/n2/" + std::string(300, 'x'), {});
   refused("plan @store.json -o @n1/n2/" + std::string(300, 'x'), {"File name too long"});
   folder.write("old/notes.txt", "mine");
-  refused("plan @store.json -o @old/n2/n3 --memory 1K", {"memory"});
+  refused("plan @store.json -o @old/n2/n3 --memory 1K", {"memory"}, 5);
 }
 
 // `simulate` may have taken hours for this file.

@@ -64,14 +64,14 @@ inline std::set<std::string> names(const fs::path& folder) {
   return result;
 }
 
-/// Expects one line on standard error that contains all `parts`, nothing on standard output, exit code 2, and
-/// unchanged files in the folder.
+/// Expects one line on standard error that contains all `parts`, nothing on standard output, the exit code,
+/// and unchanged files in the folder.
 inline void expect_refused(const TempFolder& folder, const std::vector<std::string>& arguments,
-                           const std::vector<std::string>& parts) {
+                           const std::vector<std::string>& parts, int exit_code = 2) {
   const std::string what = testing::PrintToString(arguments);
   const auto before = contents(folder.path());
   const Outcome outcome = shelfbeam(arguments);
-  EXPECT_EQ(outcome.exit_code, 2) << what << '\n' << outcome.err;
+  EXPECT_EQ(outcome.exit_code, exit_code) << what << '\n' << outcome.err;
   EXPECT_EQ(outcome.out, "") << what;
   EXPECT_TRUE(outcome.err.starts_with("error: ")) << what << '\n' << outcome.err;
   EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << what << '\n' << outcome.err;
@@ -106,8 +106,8 @@ class ProgramTest : public testing::Test {
   std::string told(const std::string& line, int exit_code = 0) const {
     return expect_silent(words(folder, line), exit_code);
   }
-  void refused(const std::string& line, const std::vector<std::string>& parts) const {
-    expect_refused(folder, words(folder, line), parts);
+  void refused(const std::string& line, const std::vector<std::string>& parts, int exit_code = 2) const {
+    expect_refused(folder, words(folder, line), parts, exit_code);
   }
   TempFolder folder;
 };

@@ -1,5 +1,3 @@
-#include "app/text/progress.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,10 +8,15 @@
 
 #include "shelfbeam/base/text.hpp"
 
+#include "app/text/progress_line.hpp"
 #include "app/text/width.hpp"
 
 namespace shelfbeam::app {
 namespace {
+
+using jobs::Progress;
+using jobs::ProgressStages;
+using jobs::RemainingTime;
 
 using testing::EndsWith;
 using testing::HasSubstr;

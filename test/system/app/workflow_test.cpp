@@ -21,9 +21,9 @@ using test::Json;
 using test::names;
 using test::small_store;
 
-const std::vector<std::string> of_a_plan = {"labels.csv",    "mounting.csv",   "mounting.dxf",
-                                            "placement.csv", "placement.json", "report.html",
-                                            "signal.h5",     "store.json",     "verification.csv"};
+const std::vector<std::string> of_a_plan = {
+    "labels.csv",  "mounting.csv", "mounting.dxf", "placement.csv", "placement.json",
+    "report.html", "run.json",     "signal.h5",    "store.json",    "verification.csv"};
 
 class Workflow : public test::ProgramTest {
  protected:

@@ -21,12 +21,6 @@ def shelfbeam(*arguments, **options):
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, **options)
 
 
-def without_times(value):
-    if isinstance(value, dict):
-        return {key: without_times(item) for key, item in value.items() if key not in ("seconds", "effort")}
-    return [without_times(item) for item in value] if isinstance(value, list) else value
-
-
 def tables(folder):
     """The tables of results.sqlite, except the one with times."""
     with sqlite3.connect(folder / "results.sqlite") as database:
@@ -40,17 +34,15 @@ def rows(folder):
 
 
 def contents(folder):
-    """All results, without times. The record in placement.json has the hash of the report without its times."""
+    """All results, without times."""
     found = {"database": tables(folder), "table": rows(folder)}
     for part in ("plans", "records"):
         for path in sorted((folder / part).rglob("*")):
             name = str(path.relative_to(folder))
-            if path.suffix == ".json" and path.name != "store.json" and path.is_file():
-                found[name] = without_times(json.loads(path.read_text(encoding="utf-8")))
-            elif path.is_file() and path.name != "report.html":
-                found[name] = path.read_bytes()
-            else:
-                found[name] = None
+            if part == "records" and path.suffix == ".json":
+                found[name] = {**json.loads(path.read_text(encoding="utf-8")), "effort": None}
+            elif path.name != "run.json":
+                found[name] = path.read_bytes() if path.is_file() else None
     return found
 
 

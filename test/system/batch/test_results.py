@@ -151,13 +151,6 @@ class Batch(unittest.TestCase):
         self.stopped("--overwrite", "--", *options, "3000")
         self.batch("--resume", "--", *options, "1000", code=0)
 
-    def test_only_plans_of_batches_end_with_details(self):
-        store = chain.ROOT / "test/data/field/batch/tiny.json"
-        command = ["plan", store, "-o", self.folder / "plan", "--samples", "64", "--memory", "1K"]
-        self.assertEqual(chain.shelfbeam(*command).returncode, 2)
-        environment = dict(os.environ, SHELFBEAM_EXIT_DETAILS="1")
-        self.assertEqual(chain.shelfbeam(*command, env=environment).returncode, 16)
-
     def test_a_plan_that_lacks_memory_runs_again_alone(self):
         chain.make_chain(self.shops, "--count", 2, "--kinds", "broken,valid")
         store = self.shops / "0002-valid/store.json"

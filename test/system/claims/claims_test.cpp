@@ -124,14 +124,14 @@ TEST(Claims, ListAllTextsOfResults) {
       "summary.store", "summary.kicker", "summary.and_others", "summary.buy.", "summary.alternatives.",
       "summary.achieves.title", "summary.risks.title", "summary.drawing", "reach.conflict.", "reach.if.",
       "reach.no_signal.", "reach.search", "objective.sum.", "objective.name.", "proof.status.",
-      "proof.method.", "availability.title", "availability.column.", "availability.plan.",
+      "proof.method.", "proof.solver.", "availability.title", "availability.column.", "availability.plan.",
       "availability.causes.", "availability.cause", "availability.no_cause", "availability.note",
-      "availability.at_risk", "availability.label", "sensitivity.title", "sensitivity.range",
-      "sensitivity.figure", "sensitivity.description", "sensitivity.bar", "sensitivity.together",
-      "sensitivity.one", "sensitivity.as_given", "sensitivity.limit", "sensitivity.x", "sensitivity.key",
-      "sensitivity.shown", "sensitivity.column.", "sensitivity.note", "sensitivity.watched",
-      "sensitivity.assumed", "sensitivity.kept", "sensitivity.largest", "sensitivity.missed",
-      "sensitivity.undecided",
+      "availability.at_risk", "availability.label", "availability.assumes.", "sensitivity.title",
+      "sensitivity.range", "sensitivity.figure", "sensitivity.description", "sensitivity.bar",
+      "sensitivity.together", "sensitivity.one", "sensitivity.as_given", "sensitivity.limit", "sensitivity.x",
+      "sensitivity.key", "sensitivity.shown", "sensitivity.column.", "sensitivity.note",
+      "sensitivity.watched", "sensitivity.assumed", "sensitivity.kept", "sensitivity.largest",
+      "sensitivity.missed", "sensitivity.undecided",
       // With other numbers than {0}: in the table in their own words.
       "availability.addition", "certificate.fewer", "certificate.none", "proof.fewer"};
   std::set<std::string> listed;

@@ -11,8 +11,7 @@
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/summary.hpp"
 #include "shelfbeam/report/page/sections.hpp"
-
-#include "app/text/placement_text.hpp"
+#include "shelfbeam/report/terminal/placement_text.hpp"
 
 namespace shelfbeam::test {
 
@@ -77,12 +76,12 @@ std::vector<Text> texts_of(const PlannedStore& store) {
   const CertifiedPlan& plan = store.plan;
   const Subject examined = plan.certificate ? Subject::certificate : Subject::signals;
   std::vector<Text> texts{{certificate_sentence(plan), Subject::certificate},
-                          {app::describe(plan.alternatives, plan.placement, store.table)}};
+                          {describe(plan.alternatives, plan.placement, store.table)}};
   if (plan.availability) {
-    texts.push_back({app::availability_answer(*plan.availability, plan.placement, store.table)});
-    texts.push_back({app::availability_details(*plan.availability, plan.placement)});
+    texts.push_back({availability_answer(*plan.availability, plan.placement, store.table)});
+    texts.push_back({availability_details(*plan.availability, plan.placement)});
   } else {
-    texts.push_back({app::describe(plan.placement, store.table)});
+    texts.push_back({describe(plan.placement, store.table)});
   }
   const ReportInput input{store.scene, store.matrix, plan};
   const ReportData data(input);

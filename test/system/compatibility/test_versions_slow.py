@@ -74,6 +74,16 @@ class Kept(unittest.TestCase):
             for unit in json.loads((kept / "plan/placement.json").read_text())["selected"]:
                 self.assertIn(unit, page)
 
+    def test_plans_are_verified_and_replaced(self):
+        for _, kept in self.each_version():
+            plan = kept / "plan"
+            command = ["verify", kept / "store.json", plan / "placement.json", "--confidence", "0.95"]
+            self.assertEqual(run(*command).returncode, 0)
+            self.refused(run("plan", kept / "store.json", "-o", plan, *SAMPLES), "finished plan")
+            replaced = run("plan", kept / "store.json", "-o", plan, *SAMPLES, "--overwrite")
+            self.assertIn(replaced.returncode, (0, 3), replaced.stderr)
+            self.assertEqual(json.loads((plan / "placement.json").read_text())["format"], 2)
+
     def test_checkpoints_are_resumed_by_their_own_version_only(self):
         for version, kept in self.each_version():
             resumed = run("simulate", kept / "store.json", "-o", kept / "interrupted.h5", *SAMPLES, "--resume")
@@ -110,8 +120,8 @@ class Others(Kept):
         kept = self.newest()
         path = kept / "plan/placement.json"
         placement = json.loads(path.read_text())
-        path.write_text(json.dumps({**placement, "format": 2, "new": True}))
-        self.refused(run("report", kept / "plan"), "placement.json", "format version 2", "newer version")
+        path.write_text(json.dumps({**placement, "format": 3, "new": True}))
+        self.refused(run("report", kept / "plan"), "placement.json", "format version 3", "newer version")
         self.assertFalse((kept / "plan/report.html").exists())
 
     def test_checkpoints(self):

@@ -138,7 +138,7 @@ class Placements(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "a.json"
             answer = {
-                "format": 1,
+                "format": 2,
                 "selected": ["T1", "T2"],
                 "count": 2,
                 "count_lower_bound": 2,
@@ -156,7 +156,7 @@ class Placements(unittest.TestCase):
                 path.write_text(json.dumps({**answer, **change}), encoding="utf-8")
                 self.assertEqual(read_answer(path).units, units)
             self.assertEqual(read_answer(path).with_share, "2 25%")
-            path.write_text(json.dumps({**answer, "format": 2}), encoding="utf-8")
+            path.write_text(json.dumps({**answer, "format": 1}), encoding="utf-8")
             with self.assertRaises(ValueError):
                 read_answer(path)
 

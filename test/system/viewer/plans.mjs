@@ -96,9 +96,8 @@ function planChanging(shelfbeam, work, store) {
     responsible: [],
     at_risk: [],
     addition: null,
-    assumed: [],
-    seconds: 1.5,
-    open: "",
+    assumed: {},
+    open: null,
   };
   rebuild(shelfbeam, folder, { states });
   return readPlan(folder);
@@ -119,8 +118,7 @@ function certify(shelfbeam, { folder: original, labels, placement }, folder) {
     count_lower_bound: count - 1,
     bound_labels: 41,
     rounds: 3,
-    seconds: 123.25,
-    open: "it was interrupted",
+    open: { code: "interrupted" },
   };
   const curve = Array.from({ length: count }, (_, k) => ({
     units: k + 1,
@@ -160,7 +158,6 @@ function madeUpSensitivity(ids) {
     kept: ["glass"],
     watched: 256,
     batches: 64,
-    seconds: 71.5,
   };
 }
 

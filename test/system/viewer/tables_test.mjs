@@ -46,7 +46,7 @@ function noneIs(compare, found, plan, changes) {
 
 function answerIs({ summary, facts, factor, units, weakest }, plan) {
   const { placement, chosen, labels } = plan;
-  const { certificate, count, seconds, solver } = placement;
+  const { certificate, count, solver } = placement;
   const needed = Math.ceil(placement.count_lower_bound - 1e-6);
   const byMargin = [...labels].sort((a, b) => a.margin_db - b.margin_db);
   const reached =
@@ -84,7 +84,6 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
       Transceivers: count,
       "Lower bound on the count": needed,
       "Gap of the count": gap,
-      Time: seconds,
       Solver: solver,
     },
     "facts",
@@ -104,8 +103,7 @@ function certificateIs({ answer, facts: { "Certificate from independent samples"
       "Lower bound on the count": count_lower_bound,
       "Proven from": of.bound_labels,
       Rounds: of.rounds,
-      Time: of.seconds,
-      "Verification ended because": open,
+      "Verification ended because": open.code === "interrupted" ? "it was interrupted" : open.code,
     },
     "certificate",
   );
@@ -131,16 +129,12 @@ function certificateIs({ answer, facts: { "Certificate from independent samples"
 for (const name of ["grocery", "certified"])
   testReport(`numbers of the page of ${name} are those of the files`, { of: name }, async (page, plan) => {
     const found = { ...(await tablesOf(page)), factor: await factorOf(page) };
-    const { count, seconds, redundant_share, certificate } = plan.placement;
+    const { count, redundant_share, certificate } = plan.placement;
     answerIs(found, plan);
-    noneIs(answerIs, found, plan, [
-      { count: count + 1 },
-      { seconds: 2 * seconds },
-      { redundant_share: redundant_share + 0.01 },
-    ]);
+    noneIs(answerIs, found, plan, [{ count: count + 1 }, { redundant_share: redundant_share + 0.01 }]);
     if (!certificate) return;
     certificateIs(found, plan);
-    const keys = ["confidence", "reached", "count_lower_bound", "bound_labels", "rounds", "seconds"];
+    const keys = ["confidence", "reached", "count_lower_bound", "bound_labels", "rounds"];
     const changed = keys.map((key) => ({ ...certificate, [key]: 1.5 * certificate[key] }));
     noneIs(
       certificateIs,

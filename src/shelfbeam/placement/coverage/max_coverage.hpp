@@ -38,7 +38,7 @@ struct MaxCoverage {
   Status status = Status::stopped;
   bool too_large = false;  ///< the problem is too large for the MIP, which did not run
   SolvedBy solver = {};    ///< search if the enumeration finished; the last MIP back end that ran
-  double seconds = 0;  ///< wall time
+  double seconds = 0;      ///< wall time
 
   /// (upper_bound - reached) / upper_bound, of weights if there are any; 0 when proven.
   double gap() const {

@@ -97,6 +97,14 @@ struct Addition {
   StateOutcome without, added;  ///< in the same states, by signals
 };
 
+/// Values of the variation that the store file does not give.
+struct AssumedVariation {
+  std::optional<std::array<double, 2>> stocking = {};  ///< ends of the level of fixtures
+  std::optional<double> open_doors = {};               ///< share of the time
+
+  bool operator==(const AssumedVariation&) const = default;
+};
+
 /// The result for a shop that changes (docs/methods/changing_shop.md). All numbers of states refer to
 /// independent draws of the store's variation, with reflectances at the low ends of their ranges.
 struct Availability {
@@ -125,7 +133,7 @@ struct Availability {
   std::vector<LabelAtRisk> at_risk;        ///< most misses first
   std::optional<Addition> addition;        ///< only of verify_over_states
   double seconds = 0;
-  std::vector<std::string> assumed;  ///< values of the variation that the store file does not give
+  AssumedVariation assumed;
   std::optional<EndReason> open = {};  ///< reason for an end before all was decided
 
   /// No placement keeps to the goal in the sampled states.

@@ -46,6 +46,26 @@ Json to_json(const Addition& addition, const std::vector<double>& required, cons
           {"with", to_json(addition.added, required, table)}};
 }
 
+Json to_json(const AssumedVariation& assumed) {
+  Json object = Json::object();
+  if (assumed.stocking) object["stocking"] = *assumed.stocking;
+  if (assumed.open_doors) object["open_doors"] = *assumed.open_doors;
+  return object;
+}
+
+// Format 1 has sentences instead, which are omitted.
+AssumedVariation read_assumed(const JsonCursor& json) {
+  AssumedVariation assumed;
+  if (json.is_array()) return assumed;
+  json.expect_keys({"stocking", "open_doors"});
+  if (const auto stocking = json.find("stocking")) {
+    const std::vector<double> ends = stocking->numbers(2);
+    assumed.stocking = {ends[0], ends[1]};
+  }
+  if (const auto doors = json.find("open_doors")) assumed.open_doors = doors->non_negative();
+  return assumed;
+}
+
 class Reader {
  public:
   explicit Reader(const SignalTable& table) : rows_(table.rows()), known_(positions(table.labels)) {}
@@ -137,7 +157,7 @@ Json availability_object(const Availability& availability, const SignalTable& ta
       {"responsible", ids_of(table.labels, availability.responsible)},
       {"at_risk", std::move(at_risk)},
       {"addition", availability.addition ? to_json(*availability.addition, required, table) : Json(nullptr)},
-      {"assumed", availability.assumed},
+      {"assumed", to_json(availability.assumed)},
       {"open", to_json(availability.open)}};
   return object;
 }
@@ -194,7 +214,7 @@ Availability read_availability(const JsonCursor& object, const SignalTable& tabl
   result.responsible = reader.labels(object["responsible"]);
   for (const JsonCursor& element : object["at_risk"].elements())
     result.at_risk.push_back(reader.at_risk(element));
-  for (const JsonCursor& element : object["assumed"].elements()) result.assumed.push_back(element.text());
+  result.assumed = read_assumed(object["assumed"]);
   result.open = read_end_reason(object["open"]);
   if (result.certified && !result.has_answer())
     object["certified"].fail("is true, but no plan was examined", "correct one of them");

@@ -1,14 +1,23 @@
 #include "shelfbeam/plan/io/end_reason_json.hpp"
 
+#include <cstdint>
 #include <limits>
 
 namespace shelfbeam::detail {
+
+namespace {
+
+constexpr std::int64_t max_number = std::numeric_limits<std::uint32_t>::max();
+
+}  // namespace
 
 Json to_json(const std::optional<EndReason>& reason) {
   if (!reason) return nullptr;
   Json object = {{"code", to_text(reason->cause)}};
   if (reason->cause == EndCause::labels_cost) object["labels"] = reason->labels;
-  if (reason->cause == EndCause::proof_cost) object[reason->bounds_cost ? "cost" : "count"] = reason->bound;
+  if (reason->cause == EndCause::proof_cost && reason->bounds_cost) object["cost"] = reason->bound;
+  if (reason->cause == EndCause::proof_cost && !reason->bounds_cost)
+    object["count"] = static_cast<std::int64_t>(reason->bound);
   if (reason->cause == EndCause::other) object["text"] = reason->text;
   if (reason->leaves_cheaper) object["leaves_cheaper"] = true;
   return object;
@@ -24,8 +33,9 @@ std::optional<EndReason> read_end_reason(const JsonCursor& json) {
   json.expect_keys({"code", "labels", "count", "cost", "text", "leaves_cheaper"});
   EndReason reason{json["code"].choice<EndCause>()};
   if (const auto labels = json.find("labels"))
-    reason.labels = static_cast<std::size_t>(labels->integer(0, std::numeric_limits<std::int64_t>::max()));
-  if (const auto count = json.find("count")) reason.bound = count->non_negative();
+    reason.labels = static_cast<std::size_t>(labels->integer(0, max_number));
+  if (const auto count = json.find("count"))
+    reason.bound = static_cast<double>(count->integer(0, max_number));
   if (const auto cost = json.find("cost")) {
     reason.bound = cost->non_negative();
     reason.bounds_cost = true;

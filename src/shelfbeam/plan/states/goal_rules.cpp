@@ -4,7 +4,19 @@
 #include <cmath>
 #include <utility>
 
+#include "shelfbeam/base/error.hpp"
+
 namespace shelfbeam {
+
+void expect_no_goal(const AvailabilityGoal& goal) {
+  if (!goal.value) return;
+  const Setting setting = goal.rule == AvailabilityRule::labels ? Setting::availability
+                          : goal.rule == AvailabilityRule::shop ? Setting::all_at_once
+                                                                : Setting::mean_missed;
+  throw InputError("the goal", "applies to the states of a shop that changes, but none are examined",
+                   "omit it, or give the store file a section 'variation' and set the number of states",
+                   setting);
+}
 
 std::vector<double> required_availabilities(const Scene& scene, const AvailabilityGoal& goal) {
   std::vector<double> required;

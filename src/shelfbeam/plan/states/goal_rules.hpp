@@ -14,6 +14,9 @@ namespace shelfbeam {
 
 // The goals of availability.hpp as numbers of states.
 
+/// Throws InputError for a goal if no states are examined.
+void expect_no_goal(const AvailabilityGoal& goal);
+
 /// The required availability of every label.
 std::vector<double> required_availabilities(const Scene& scene, const AvailabilityGoal& goal);
 

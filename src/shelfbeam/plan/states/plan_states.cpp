@@ -12,6 +12,7 @@
 #include "shelfbeam/placement/states/place_over_states.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
 #include "shelfbeam/plan/rounds.hpp"
+#include "shelfbeam/plan/states/assumed_variation.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 #include "shelfbeam/plan/states/fresh_states.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
@@ -50,6 +51,7 @@ class Planner {
     answer.goal = options.goal;
     answer.confidence = options.confidence;
     answer.required = required_availabilities(scene, options.goal);
+    answer.assumed = assumed_variation(store);
   }
 
   PlanOverStates run() {

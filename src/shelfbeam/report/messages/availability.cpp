@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/end_reason.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
 
@@ -82,9 +82,17 @@ std::string addition_text(const Availability& availability) {
 }
 
 std::string assumed_text(const Availability& availability) {
-  return availability.assumed.empty()
-             ? std::string()
-             : say("availability.assumed", fmt::format("{}", fmt::join(availability.assumed, "; ")));
+  const auto& [stocking, open_doors] = availability.assumed;
+  const auto share = [](double value) { return fmt::format("{:.3g} %", 100 * value); };
+  std::vector<std::string> values;
+  if (stocking) {
+    const auto [low, high] = *stocking;
+    values.push_back(low == high ? say("availability.assumes.level", share(low))
+                                 : say("availability.assumes.levels", share(low), share(high)));
+  }
+  if (open_doors) values.push_back(say("availability.assumes.doors", share(*open_doors)));
+  return values.empty() ? std::string()
+                        : say("availability.assumed", fmt::format("{}", fmt::join(values, "; ")));
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ Headline nothing_found(const ReportData& data) {
     result.answer = who.empty() ? say("headline.nothing.within_bound", units_needed(count_bound))
                                 : say("headline.nothing.by_bound", who, units_needed(count_bound));
   const std::string_view advice = words(placement.solver.method == Method::greedy ? "headline.unknown.exact"
-                                        : who.empty()                ? "headline.unknown.time"
-                                                                     : "headline.unknown.mip");
+                                        : who.empty()                             ? "headline.unknown.time"
+                                                                                  : "headline.unknown.mip");
   result.remarks.push_back(
       fmt::format("{} {}", advice, say("headline.plans", maximum_signal_condition(data))));
   return result;

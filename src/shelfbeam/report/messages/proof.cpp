@@ -65,7 +65,11 @@ std::string uncertified_objective(const PlacementProblem& problem) {
                     : say("certificate.without_objective", objective_text(problem)));
 }
 
-std::string reached_sentence(const CertifiedPlan& plan) {
+std::string scope(bool is_wanted) {
+  return is_wanted ? " " + say("certificate.scope") : "";
+}
+
+std::string reached_sentence(const CertifiedPlan& plan, bool has_scope) {
   const Placement& placement = plan.placement;
   const Certificate& certificate = *plan.certificate;
   if (certificate.none_verified())
@@ -78,18 +82,17 @@ std::string reached_sentence(const CertifiedPlan& plan) {
          other_labels("certificate.missed", certificate, Verdict::missed) +
          other_labels("certificate.undecided", certificate, Verdict::undecided) +
          other_labels("certificate.unverified", certificate, Verdict::unverified) +
-         uncertified_objective(placement.problem) + " " + say("certificate.scope");
+         uncertified_objective(placement.problem) + scope(has_scope);
 }
 
 // Without a selection, only missed labels have a meaning: none of the candidates reaches them.
-std::string out_of_reach_sentence(const Certificate& certificate) {
+std::string out_of_reach_sentence(const Certificate& certificate, bool has_scope) {
   const std::size_t labels = certificate.labels.size(), missed = certificate.count(Verdict::missed);
   if (certificate.none_verified()) return say("certificate.none_not_yet", all_labels(labels));
   if (missed == 0) return say("certificate.none_undecided", all_labels(labels));
-  return fmt::format(
-      "{} {}",
-      say("certificate.none", all_labels(labels), joint_confidence(certificate.confidence), grouped(missed)),
-      words("certificate.scope"));
+  return say("certificate.none", all_labels(labels), joint_confidence(certificate.confidence),
+             grouped(missed)) +
+         scope(has_scope);
 }
 
 }  // namespace
@@ -246,10 +249,11 @@ std::string_view status_name(Status status) {
   return words(fmt::format("proof.status.{}", to_text(status)));
 }
 
-std::string certificate_sentence(const CertifiedPlan& plan) {
+std::string certificate_sentence(const CertifiedPlan& plan, bool has_scope) {
   if (!plan.certificate) return {};
   const Certificate& certificate = *plan.certificate;
-  return (plan.placement.has_selection() ? reached_sentence(plan) : out_of_reach_sentence(certificate)) +
+  return (plan.placement.has_selection() ? reached_sentence(plan, has_scope)
+                                         : out_of_reach_sentence(certificate, has_scope)) +
          (certificate.open ? " " + say("certificate.ended", end_text(*certificate.open)) : "");
 }
 

@@ -80,7 +80,7 @@ std::string solver_text(const SolvedBy& solver);
 
 /// "4 transceivers reach all 390 labels, and 3 are not enough, with 99 % confidence.": one or more
 /// sentences, which state what the confidence covers and what not. Empty without a certificate.
-std::string certificate_sentence(const CertifiedPlan& plan);
+std::string certificate_sentence(const CertifiedPlan& plan, bool has_scope = true);
 
 /// "390 of 390 labels are reached for all reflectances within their ranges, with 99 % confidence; ...":
 /// the result of the simulations at the ends of the ranges, as one sentence.

@@ -343,6 +343,12 @@ Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust) {
   return make_scene(read_store(store, trust));
 }
 
+StoreWithScene read_store_with_scene(const std::filesystem::path& path, const StoreLimits& trust) {
+  auto store = std::make_shared<const Store>(read_store(path, trust));
+  Scene scene = make_scene(*store);
+  return {std::move(store), std::move(scene)};
+}
+
 Scene scene_with_units(Store store, const std::filesystem::path& csv) {
   store.grids.clear();
   store.areas.clear();

@@ -216,7 +216,7 @@ TEST(PlacementFile, RejectsInconsistentContents) {
   expect("\"labels\": 2", "\"labels\": 3", "labels", "2 labels");
   expect("\"min_spacing\": null", "\"min_spacing\": -1", "min_spacing", "-1");
   expect("\"forbidden_pairs\": 0", "\"forbidden_pairs\": -1", "forbidden_pairs", "-1");
-  expect("\"format\": 1", "\"format\": 2", "format", "2");
+  expect("\"format\": 2", "\"format\": 3", "format", "3");
   expect("weighted", "wieghted", "combination", "weighted");
   expect("\"status\": \"stopped\"", "\"status\": \"stoped\"", "status", "stopped");
   expect("\"solver\"", "\"slover\"", "slover", "solver");

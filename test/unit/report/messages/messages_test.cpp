@@ -61,8 +61,9 @@ void say_selections(Sentences& to) {
   to.say(units_reach(1) + " " + labels_reached(1, 1), units_reach(2) + " " + labels_reached(1200, 1200));
   to.say(labels_reached(3, 1200), no_selection_reaches(12),
          "x" + std::string(failure_clause({.redundant = true})));
-  for (const SolvedBy& solver : {SolvedBy{Method::greedy}, SolvedBy{Method::search},
-                                 SolvedBy{Method::search, "cbc 2.10.8"}, SolvedBy{Method::mip, "highs 1.10.0"}}) {
+  for (const SolvedBy& solver :
+       {SolvedBy{Method::greedy}, SolvedBy{Method::search}, SolvedBy{Method::search, "cbc 2.10.8"},
+        SolvedBy{Method::mip, "highs 1.10.0"}}) {
     Placement none;
     none.solver = solver;
     to.say(fmt::format("{}: '{}'", solver_text(solver), method_without_result(none)));

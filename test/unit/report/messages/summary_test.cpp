@@ -53,7 +53,7 @@ TEST(Summary, SpeaksOfTheTimeIfTheShopChanges) {
   availability.sample_lower_bound = 7;
   availability.lower_bound = 6;
   availability.examined = {{8, 300, std::vector<std::uint32_t>(s.matrix.rows(), 0), 0}};
-  availability.assumed = {"shelves are 40 % to 100 % full"};
+  availability.assumed.stocking = {0.4, 1.0};
   for (const bool is_certified : {true, false}) {
     availability.certified = is_certified;
     if (!is_certified) availability.responsible = {3};
@@ -86,7 +86,7 @@ TEST(Summary, ExplainsThatNoPlanReachesAllLabels) {
   s.placement.status = Status::stopped;
   s.placement.unreachable.clear();
   s.placement.count_lower_bound = 5;
-  EXPECT_TRUE(contains(s, "Open\nNo plan that reaches all labels was found within "));
+  EXPECT_TRUE(contains(s, "Open\nNo plan that reaches all labels was found in time."));
   EXPECT_TRUE(contains(s, "at least 5 transceivers are necessary"));
   EXPECT_FALSE(contains(s, "confirms"));
   expect_plain_words(all_of(summary_of(ReportData(s.input))));

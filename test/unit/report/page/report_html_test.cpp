@@ -104,9 +104,8 @@ TEST(ReportHtml, ContainsEveryComputedNumber) {
   expect_text(grouped(data.outcome.met_by_direct_light) + " of " + grouped(data.outcome.labels.size()));
   const ExcessDistribution excess = excess_distribution(data.outcome);
   expect_text("Median " + significant(excess.median) + "\u00A0%, mean " + significant(excess.mean));
-  for (const std::string& fact :
-       {s.placement.solver.backend, s.matrix.provenance.estimator, s.matrix.provenance.store_hash,
-        std::string("940\u00A0nm")})
+  for (const std::string& fact : {s.placement.solver.backend, s.matrix.provenance.estimator,
+                                  s.matrix.provenance.store_hash, std::string("940\u00A0nm")})
     expect_cell(fact);
   // Negative control: a number that was not computed is not found.
   EXPECT_FALSE(cells.contains(grouped(data.outcome.met + 1)));
@@ -120,8 +119,8 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
   EXPECT_EQ(fault(html), "");
   const auto cells = pieces(html);
   const std::string reached = grouped(certificate.count(Verdict::reached));
-  for (const std::string& cell : {std::string("95\u00A0%"), reached + " of 926", std::string("37 labels"),
-                                  end_text(*certificate.open)})
+  for (const std::string& cell :
+       {std::string("95\u00A0%"), reached + " of 926", std::string("37 labels"), end_text(*certificate.open)})
     EXPECT_TRUE(cells.contains(cell)) << cell;
   const std::string text = read_markup(html).text;
   for (const std::string& piece :

@@ -67,7 +67,7 @@ class MergeParts : public testing::Test {
   std::filesystem::path file(std::uint32_t number, const std::function<void(StoredSignals&)>& change = {}) {
     StoredSignals of_part = part(whole(), number);
     if (change) change(of_part);
-    const auto path = folder_ / fmt::format("{}-{}.h5", number, ++files_);
+    std::filesystem::path path = folder_ / fmt::format("{}-{}.h5", number, ++files_);
     write_signal_file(of_part, path);
     return path;
   }

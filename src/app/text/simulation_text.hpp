@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "shelfbeam/transport/run/simulation_summary.hpp"
+
+namespace shelfbeam::app {
+
+/// A few lines: size, effort and errors of the simulation. If a certificate decides where more samples are
+/// taken, they say so instead of predicting the time for smaller errors.
+std::string describe(const SimulationSummary& summary, bool follows_decision = false);
+nlohmann::ordered_json to_json(const SimulationSummary& summary);
+
+}  // namespace shelfbeam::app

@@ -1,0 +1,91 @@
+#include <csignal>
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <unistd.h>
+
+#include "shelfbeam/base/error.hpp"
+
+#include "app/text/end_at_once.hpp"
+#include "app/text/flags.hpp"
+#include "app/text/terminal.hpp"
+#include "app/verbs.hpp"
+#include "jobs/event.hpp"
+#include "jobs/plan_job_json.hpp"
+
+namespace shelfbeam::app {
+
+using namespace jobs;
+
+namespace {
+
+constexpr std::size_t max_request = std::size_t{1} << 20;
+
+std::string standard_input() {
+  std::string text(max_request + 1, '\0');
+  std::size_t size = 0;
+  for (ssize_t got = 1; got > 0 && size < text.size(); size += static_cast<std::size_t>(got)) {
+    got = ::read(STDIN_FILENO, text.data() + size, text.size() - size);
+    if (got < 0) throw InputError("standard input", "cannot be read", "pass the job as JSON");
+  }
+  if (size > max_request) throw InputError("standard input", "is larger than 1 MiB", "pass a single job");
+  text.resize(size);
+  return text;
+}
+
+// If the reader has ended, the job continues without events.
+void print(std::string_view line) {
+  while (!line.empty()) {
+    const ssize_t written = ::write(STDOUT_FILENO, line.data(), line.size());
+    if (written < 0) return;
+    line.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+template <class Error>
+JobError worded(const Error& error) {
+  JobError end = error_of(error);
+  end.message = one_line(with_flag(error.what(), error.setting()));
+  return end;
+}
+
+JobEnd run_and_report() {
+  EventProgress progress(print);
+  const CancelToken& cancel = cancel_on_signal();
+  std::signal(SIGPIPE, SIG_IGN);
+  PlanJob job;
+  try {
+    job = parse_plan_job(standard_input(), "job");
+    std::optional<EndAtOnce> reading(stopped_early);
+    const PlanEnd end = run_plan(job, {.cancel = &cancel,
+                                       .progress = job.reports_progress ? &progress : nullptr,
+                                       .read = [&] { reading.reset(); }});
+    return {summary_of(end), end.plan.complete, {}};
+  } catch (const InputError& error) {
+    return {{}, false, worded(error)};
+  } catch (const Interrupted& error) {
+    return {{}, false, worded(error)};
+  } catch (const std::exception& error) {
+    JobError end = error_of(error);
+    end.message =
+        one_line(end.code == out_of_memory ? lack_of_memory(job.store.string(), "plan") : end.message);
+    return {{}, false, end};
+  }
+}
+
+}  // namespace
+
+void add_job(CLI::App& app, ChosenVerb& chosen) {
+  CLI::App* verb = app.add_subcommand("job", "Run a job of another program: JSON in, lines of JSON out");
+  verb->callback([&chosen] {
+    chosen = [] {
+      const JobEnd end = run_and_report();
+      print(line_of(end));
+      return static_cast<int>(end.error ? end.error->code : end.summary->code);
+    };
+  });
+}
+
+}  // namespace shelfbeam::app

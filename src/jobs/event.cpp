@@ -1,0 +1,136 @@
+#include "jobs/event.hpp"
+
+#include <cmath>
+#include <exception>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/error.hpp"
+
+namespace shelfbeam::jobs {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string line(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <class T>
+void read(const Json& json, const char* key, std::optional<T>& value) {
+  if (const auto found = json.find(key); found != json.end() && !found->is_null()) value = found->get<T>();
+}
+
+// The object of a line of this kind; null for any other line.
+Json object_of(std::string_view line, std::string_view kind) {
+  Json json = Json::parse(line, nullptr, false);
+  const bool is_of_kind = json.is_object() && json.contains("event") && json["event"] == kind;
+  return is_of_kind ? json : Json(nullptr);
+}
+
+}  // namespace
+
+JobError error_of(const std::exception& error) {
+  JobError end{exit_code_of(error), error.what()};
+  end.is_interruption = dynamic_cast<const Interrupted*>(&error) != nullptr;
+  // Outputs that cannot be written mention the checkpoint that remains.
+  if (const auto* input = dynamic_cast<const InputError*>(&error))
+    end.is_of_checkpoint =
+        input->setting() == Setting::resumption && dynamic_cast<const OutputError*>(input) == nullptr;
+  return end;
+}
+
+std::string line_of(const JobEnd& end) {
+  if (end.error)
+    return line({{"event", "error"},
+                 {"code", static_cast<int>(end.error->code)},
+                 {"message", end.error->message},
+                 {"of_checkpoint", end.error->is_of_checkpoint},
+                 {"interrupted", end.error->is_interruption}});
+  const PlanSummary& plan = *end.summary;
+  return line({{"event", "result"},
+               {"code", static_cast<int>(plan.code)},
+               {"complete", end.is_complete},
+               {"answer", plan.answer},
+               {"labels", plan.labels},
+               {"units", or_null(plan.units)},
+               {"lower_bound", or_null(plan.lower_bound)},
+               {"price", or_null(plan.price)},
+               {"currency", plan.currency},
+               {"warnings", plan.warnings}});
+}
+
+namespace {
+
+std::optional<JobEnd> end_of(std::string_view line) {
+  JobEnd end;
+  if (const Json json = object_of(line, "error"); !json.is_null()) {
+    end.error = JobError{json.at("code").get<ExitCode>(), json.at("message"), json.at("of_checkpoint"),
+                         json.at("interrupted")};
+    return end;
+  }
+  const Json json = object_of(line, "result");
+  if (json.is_null()) return {};
+  PlanSummary& plan = end.summary.emplace();
+  plan.code = json.at("code").get<ExitCode>();
+  end.is_complete = json.at("complete");
+  plan.answer = json.at("answer");
+  plan.labels = json.at("labels");
+  read(json, "units", plan.units);
+  read(json, "lower_bound", plan.lower_bound);
+  read(json, "price", plan.price);
+  plan.currency = json.at("currency");
+  plan.warnings = json.at("warnings").get<std::vector<std::string>>();
+  return end;
+}
+
+}  // namespace
+
+std::optional<JobEnd> read_end(std::string_view line) try {
+  return end_of(line);
+} catch (const Json::exception&) {  // of another program
+  return {};
+}
+
+void EventProgress::report(std::string_view task, double fraction, std::string_view detail) {
+  constexpr std::chrono::milliseconds pause(250);
+  const Clock::time_point now = Clock::now();
+  const Progress progress =
+      stages_.update(task, fraction, detail, std::chrono::duration<double>(now - begun_).count());
+  if (written_ && now - *written_ < pause) return;
+  written_ = now;
+  const auto known = [](double value) { return value < 0 ? Json(nullptr) : Json(value); };
+  write_(line({{"event", "progress"},
+               {"task", progress.task},
+               {"share", known(progress.fraction)},
+               {"seconds_left", known(progress.seconds_left)},
+               {"incumbent", or_null(incumbent_)},
+               {"lower_bound", or_null(lower_bound_)},
+               {"detail", progress.detail}}));
+}
+
+void EventProgress::bounds(double incumbent, double lower_bound) {
+  if (std::isfinite(incumbent)) incumbent_ = incumbent;
+  if (std::isfinite(lower_bound)) lower_bound_ = lower_bound;
+}
+
+bool pass_on(std::string_view line, ProgressSink& sink) {
+  const Json json = object_of(line, "progress");
+  if (json.is_null()) return false;
+  std::optional<double> share, incumbent, lower_bound;
+  read(json, "share", share);
+  read(json, "incumbent", incumbent);
+  read(json, "lower_bound", lower_bound);
+  if (incumbent && lower_bound) sink.bounds(*incumbent, *lower_bound);
+  sink.report(json.at("task").get<std::string>(), share.value_or(-1), json.at("detail").get<std::string>());
+  return true;
+}
+
+}  // namespace shelfbeam::jobs

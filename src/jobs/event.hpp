@@ -1,0 +1,60 @@
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "shelfbeam/base/control.hpp"
+
+#include "jobs/plan_summary.hpp"
+#include "jobs/progress.hpp"
+
+namespace shelfbeam::jobs {
+
+// A job reports its progress and its end as lines of JSON (docs/formats/job.md).
+
+/// An error that ended a job.
+struct JobError {
+  ExitCode code = internal_error;
+  std::string message;
+  bool is_of_checkpoint = false;  ///< the checkpoint is damaged, or of another run
+  bool is_interruption = false;
+};
+
+/// The end of a job: a result or an error.
+struct JobEnd {
+  std::optional<PlanSummary> summary;
+  bool is_complete = false;  ///< not interrupted
+  std::optional<JobError> error;
+};
+
+JobError error_of(const std::exception& error);
+std::string line_of(const JobEnd& end);
+/// Nothing for another line.
+std::optional<JobEnd> read_end(std::string_view line);
+
+/// Writes progress as lines of JSON, at most four per second.
+class EventProgress : public ProgressSink {
+ public:
+  using Write = std::function<void(std::string_view line)>;
+  explicit EventProgress(Write write) : write_(std::move(write)) {}
+
+  void report(std::string_view task, double fraction, std::string_view detail) override;
+  void bounds(double incumbent, double lower_bound) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Write write_;
+  ProgressStages stages_;
+  Clock::time_point begun_ = Clock::now();
+  std::optional<Clock::time_point> written_;
+  std::optional<double> incumbent_, lower_bound_;
+};
+
+/// The progress in a line, passed on to `sink`. False for another line.
+bool pass_on(std::string_view line, ProgressSink& sink);
+
+}  // namespace shelfbeam::jobs

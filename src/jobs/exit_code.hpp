@@ -1,0 +1,24 @@
+#pragma once
+
+#include <exception>
+#include <string>
+
+namespace shelfbeam::jobs {
+
+/// How a job or the program has ended.
+enum ExitCode : int {
+  done = 0,
+  answer_is_no = 1,  ///< infeasible, labels missed
+  wrong_input = 2,
+  stopped_early = 3,  ///< by a limit or the user; the results so far are saved
+  internal_error = 4,
+  out_of_memory = 5  ///< more than the process may use (wrong_input up to version 0.3)
+};
+
+/// The code of an error that ended a job.
+ExitCode exit_code_of(const std::exception& error);
+
+/// The sentence for out_of_memory without an InputError: `verb` needs it for `input`.
+std::string lack_of_memory(const std::string& input, const std::string& verb);
+
+}  // namespace shelfbeam::jobs

@@ -1,0 +1,132 @@
+#include "jobs/plan_job.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/inspection/plausibility.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/signal/checkpoint/checkpoint.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+
+#include "jobs/plan_files.hpp"
+#include "jobs/run_file.hpp"
+
+namespace shelfbeam::jobs {
+namespace fs = std::filesystem;
+
+namespace {
+
+// The folder must not be that of the store file, unless a plan wrote the file: its text is `resolved`.
+void expect_own_folder(const fs::path& folder, const fs::path& file, const std::string& resolved) {
+  std::error_code missing;
+  const auto home = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (fs::equivalent(folder, home, missing) && read_file(file) != resolved)
+    throw InputError(folder.string(), "is the folder of the store file; a plan needs a folder of its own",
+                     "choose another folder for the plan");
+}
+
+// The report may travel; it names the files of the store without the folder.
+void shorten_names(std::vector<std::string>& warnings, const fs::path& store) {
+  const std::string home = (store.parent_path() / "").string();
+  for (std::string& warning : warnings)
+    if (warning.starts_with(home)) warning.erase(0, home.size());
+}
+
+// A requested result about the selection is incomplete.
+bool is_open(const PlanRequest& request, const Plan& plan, bool is_imprecise) {
+  if (const auto& availability = plan.availability)
+    return !availability->is_impossible() &&
+           (request.certifies ? !availability->certified : availability->sample_selected.empty());
+  return is_imprecise || (plan.certificate && plan.certificate->open) || !plan.curve.is_complete ||
+         (request.reflectance_error && plan.placement.has_selection() && !plan.sensitivity);
+}
+
+ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise) {
+  if (!plan.complete) return stopped_early;
+  if (plan.availability && plan.availability->is_impossible()) return answer_is_no;
+  if (is_open(request, plan, is_imprecise)) return stopped_early;
+  if (plan.availability || is_certified_minimum(plan)) return done;
+  if (plan.placement.status == Status::infeasible) return answer_is_no;
+  return plan.placement.status == Status::stopped ? stopped_early : done;
+}
+
+}  // namespace
+
+Store load_store(const fs::path& path, bool allow_outside, std::size_t memory, const fs::path& output,
+                 const CancelToken* cancel, Problems* problems) {
+  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output, cancel}, problems);
+}
+
+void expect_no_warnings(const Scene& scene, bool strict) {
+  if (!strict || scene.warnings.empty()) return;
+  const std::size_t others = scene.warnings.size() - 1;
+  throw InputError(
+      "", scene.warnings.front().sentence,
+      others == 0 ? "warnings count as errors"
+                  : fmt::format("there are {}; warnings count as errors", counted(others, "other warning")),
+      Setting::strictness);
+}
+
+void expect_room_for_matrix(const fs::path& folder, const Scene& scene, const SimulationOptions& options,
+                            std::size_t others) {
+  // Matrix: three floats and a flag per entry, and two floats per layer. Checkpoint: doubles instead.
+  const double each = (13 + 24) + (8 + 16) * static_cast<double>(options.layers());
+  const double bytes =
+      each * static_cast<double>(scene.labels.size()) * static_cast<double>(scene.transceivers.size());
+  // A simulation that exceeds the memory is refused for that reason.
+  if (bytes < static_cast<double>(options.memory)) expect_room(folder, bytes + static_cast<double>(others));
+}
+
+PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
+  const RunClock clock;
+  Store store = load_store(job.store, job.allow_outside, job.plan.simulation.memory, {}, watch.cancel);
+  const Scene scene = make_inspected_scene(store);
+  const std::string resolved = resolved_store_json(store, scene);
+  expect_own_folder(job.folder, job.store, resolved);
+  PlanInputs inputs{.sampled = job.sampled,
+                    .checkpoint = job.checkpoint,
+                    .states_checkpoint = job.folder / states_checkpoint_name};
+  inputs.checkpoint.path = checkpoint_path(job.folder / signal_name);
+  const std::string name = job.store.string();
+  check_request(job.plan, inputs, store, scene, name);
+  if (watch.read) watch.read();
+  const PlanFolder folder(job.folder, resolved, job.overwrite);
+  const SimulationOptions simulation = simulation_of(job.plan, inputs.checkpoint);
+  // The report and the tables take at least as much again as the resolved store.
+  constexpr std::size_t least_report = 600'000;
+  expect_room_for_matrix(job.folder, scene, simulation, 2 * resolved.size() + least_report);
+  if (watch.begun) watch.begun(scene, simulation);
+  expect_no_warnings(scene, job.strict);
+  if (!job.signal.empty()) inputs.matrix = read_signal_file(job.signal);
+  PlanEnd end;
+  end.plan = plan_store(store, scene, job.plan, std::move(inputs),
+                        {job.threads, watch.cancel, watch.progress}, name);
+  shorten_names(end.plan.warnings, job.store);
+  store.cancel = nullptr;  // the results of an interrupted run are written, too
+  const SimulationSummary& summary = end.plan.simulation.summary;
+  end.table = table_of(job.plan, end.plan.simulation.matrix, name);
+  end.answer = plan_json(end.plan, end.table);
+  end.is_imprecise = !end.plan.certificate && !end.plan.availability && summary.unmet_error;
+  end.is_kept = !end.plan.complete && folder.has_finished_plan();
+  const std::string run = run_json(end.plan, clock.effort(job.threads));
+  const PlanContents contents{store, scene, resolved, end.plan, end.answer, run, job.safe_csv};
+  if (!end.is_kept)
+    write_plan(folder, job.folder, contents);
+  else if (!summary.has_all_in_checkpoint)  // samples would be lost
+    end.elsewhere = keep_plan_elsewhere(contents);
+  if (end.plan.complete) {
+    remove_checkpoint(simulation.checkpoint.path);
+    remove_checkpoint(job.folder / states_checkpoint_name);
+  }
+  end.code = code_of(job.plan, end.plan, end.is_imprecise);
+  return end;
+}
+
+}  // namespace shelfbeam::jobs

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/plan/store/plan_store.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "jobs/exit_code.hpp"
+
+namespace shelfbeam::jobs {
+
+/// A plan with its files.
+struct PlanJob {
+  std::filesystem::path store, folder;
+  PlanRequest plan = {};
+  std::filesystem::path signal = {};                ///< instead of a simulation; empty: none
+  std::vector<std::filesystem::path> sampled = {};  ///< parts of SampledStates; empty: none
+  unsigned threads = 0;                             ///< 0: all cores
+  CheckpointOptions checkpoint = {};                ///< its path is in the folder
+  bool allow_outside = false;                       ///< the store may name files outside its folder
+  bool strict = false;                              ///< warnings count as errors
+  bool overwrite = false;                           ///< replace a finished plan in the folder
+  bool safe_csv = false;
+  bool reports_progress = true;  ///< of a process that runs the job
+};
+
+/// Watches a job. All are optional.
+struct JobWatch {
+  const CancelToken* cancel = nullptr;
+  ProgressSink* progress = nullptr;
+  /// The store was read and its request accepted. Until then, nothing has been written.
+  std::function<void()> read = {};
+  /// The work begins.
+  std::function<void(const Scene&, const SimulationOptions&)> begun = {};
+};
+
+/// The end of a job that has not failed.
+struct PlanEnd {
+  Plan plan;
+  SignalTable table;
+  std::string answer;    ///< placement.json without its record
+  bool is_kept = false;  ///< an interrupted run left the finished plan in the folder unchanged
+  /// Folder of the interrupted plan if it could not be continued otherwise.
+  std::optional<std::filesystem::path> elsewhere;
+  ExitCode code = done;
+  bool is_imprecise = false;  ///< the requested relative error was not reached, and no certificate covers it
+};
+
+/// Reads a store file and the files that it names; these must be in its folder unless `allow_outside`.
+/// `memory`: limit in bytes, 0 for memory_limit(). `output`: a file that the run will write. `cancel` ends
+/// the reading and all work on the store. With `problems`, collects all of them instead of throwing the
+/// first.
+Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0,
+                 const std::filesystem::path& output = {}, const CancelToken* cancel = nullptr,
+                 Problems* problems = nullptr);
+
+/// Throws InputError if the scene has warnings and `strict` is set.
+void expect_no_warnings(const Scene& scene, bool strict);
+
+/// Throws OutputError if the disk has no room for the signal file and the checkpoint of a simulation, and for
+/// `others` bytes.
+void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& scene,
+                            const SimulationOptions& options, std::size_t others = 0);
+
+/// Plans a store and writes the folder of the plan (docs/formats/report.md), all files or none. Cancelled, it
+/// writes the results so far; an interrupted run never replaces a finished plan. Throws InputError,
+/// OutputError, and Interrupted before there is a result.
+PlanEnd run_plan(const PlanJob& job, const JobWatch& watch);
+
+}  // namespace shelfbeam::jobs

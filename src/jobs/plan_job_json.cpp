@@ -1,0 +1,241 @@
+#include "jobs/plan_job_json.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/fields/fields.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/scene/field_reader.hpp"
+#include "shelfbeam/scene/field_writer.hpp"
+
+namespace shelfbeam::jobs {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A key that may be absent, which is written if its value is not the default.
+Field optional(std::string_view says, bool is_written) {
+  return {.says = says, .is_optional = true, .is_written = is_written};
+}
+
+// Paths need not be UTF-8; others are lists of bytes.
+std::filesystem::path read_path(const JsonCursor& json) {
+  if (!json.is_array()) return json.text();
+  std::string bytes;
+  for (const JsonCursor& byte : json.elements()) bytes += static_cast<char>(byte.integer(0, 255));
+  return bytes;
+}
+
+Json path_json(const std::filesystem::path& path) {
+  const std::string text = path.string();
+  if (is_utf8(text)) return text;
+  Json bytes = Json::array();
+  for (const char byte : text) bytes.push_back(static_cast<unsigned char>(byte));
+  return bytes;
+}
+
+void path(Fields& f, std::string_view key, std::filesystem::path& value, std::string_view says) {
+  f.custom(key,
+           {[&](const JsonCursor& json) { value = read_path(json); }, [&] { return path_json(value); },
+            R"({"type": ["string", "array"]})"},
+           optional(says, !value.empty()));
+}
+
+void paths(Fields& f, std::string_view key, std::vector<std::filesystem::path>& values,
+           std::string_view says) {
+  const auto read = [&](const JsonCursor& json) {
+    values.clear();
+    for (const JsonCursor& element : json.elements()) values.push_back(read_path(element));
+  };
+  const auto write = [&] {
+    Json list = Json::array();
+    for (const auto& value : values) list.push_back(path_json(value));
+    return list;
+  };
+  f.custom(key, {read, write, R"({"type": "array", "items": {"type": "string"}})"},
+           optional(says, !values.empty()));
+}
+
+// Limits are those of the command line, where a positive number has no other.
+constexpr double above_zero = 1e-12;
+
+struct Limits {
+  double least = above_zero, most = std::numeric_limits<double>::infinity();
+};
+
+void number(Fields& f, std::string_view key, double& value, double usual, const Limits& limits,
+            std::string_view says) {
+  Field field = optional(says, value != usual);
+  field.least = limits.least;
+  field.most = limits.most;
+  f.scalar(key, Scalar::number, value, field);
+}
+
+void number(Fields& f, std::string_view key, std::optional<double>& value, const Limits& limits,
+            std::string_view says) {
+  double given = value.value_or(0);
+  Field field = optional(says, value.has_value());
+  field.least = limits.least;
+  field.most = limits.most;
+  if (f.scalar(key, Scalar::number, given, field)) value = given;
+}
+
+template <class T>
+void whole(Fields& f, std::string_view key, T& value, T usual, std::string_view says, T most) {
+  constexpr std::uint64_t max = std::numeric_limits<std::int64_t>::max();
+  const auto limit = static_cast<std::int64_t>(std::min<std::uint64_t>(most, max));
+  f.custom(key,
+           {[&](const JsonCursor& json) { value = static_cast<T>(json.integer(0, limit)); },
+            [&] { return Json(value); }, R"({"type": "integer", "minimum": 0})"},
+           optional(says, value != usual));
+}
+
+template <class T>
+void whole(Fields& f, std::string_view key, std::optional<T>& value, std::string_view says,
+           std::int64_t least, std::int64_t most) {
+  f.custom(
+      key,
+      {[&value, least, most](const JsonCursor& json) { value = static_cast<T>(json.integer(least, most)); },
+       [&value] { return Json(*value); }, R"({"type": "integer", "minimum": 0})"},
+      optional(says, value.has_value()));
+}
+
+template <class Enum>
+void name(Fields& f, std::string_view key, Enum& value, Enum usual, std::string_view says) {
+  f.custom(key,
+           {[&value](const JsonCursor& json) { value = json.choice<Enum>(); },
+            [&value] { return Json(to_text(value)); }, R"({"type": "string"})"},
+           optional(says, value != usual));
+}
+
+template <class Enum>
+void name(Fields& f, std::string_view key, std::optional<Enum>& value, std::string_view says) {
+  f.custom(key,
+           {[&value](const JsonCursor& json) { value = json.choice<Enum>(); },
+            [&value] { return Json(to_text(*value)); }, R"({"type": "string"})"},
+           optional(says, value.has_value()));
+}
+
+void flag(Fields& f, std::string_view key, bool& value, bool usual, std::string_view says) {
+  f.boolean(key, value, optional(says, value != usual));
+}
+
+void describe(Fields& f, SimulationRequest& r) {
+  constexpr std::int64_t max_samples = std::int64_t{1} << 36;
+  name(f, "estimator", r.estimator, "`reuse` or `uniform`");
+  name(f, "direct", r.direct, "of `uniform`: `sampled` or `exact`");
+  whole(f, "samples", r.samples, "per label", 64, max_samples);
+  number(f, "relative_error", r.relative_error, {above_zero, 1}, "to reach, instead of `samples`");
+  number(f, "above", r.above, {}, "share of the requirement from which `relative_error` matters");
+  whole(f, "max_samples", r.max_samples, "per label, with `relative_error`", 2096, max_samples);
+  number(f, "seconds", r.time_s, {}, "time limit, instead of `samples`");
+  name(f, "strategy", r.strategy, "of `uniform`");
+  name(f, "heuristic", r.heuristic, "of `uniform`");
+  whole(f, "max_bounces", r.max_bounces, "of `uniform`", 0, 1000);
+  whole(f, "memory", r.memory, std::size_t{0}, "limit in bytes", std::numeric_limits<std::size_t>::max());
+}
+
+void describe(Fields& f, PlacementProblem& p) {
+  const PlacementProblem usual = PlanRequest{}.problem;
+  name(f, "model", p.model, usual.model, "`cooperative` or `non-cooperative`");
+  name(f, "objective", p.objective, usual.objective, "besides the number or the price of the units");
+  if (p.combination == Combination::automatic) {
+    std::optional<Combination> combination;
+    name(f, "combination", combination, "`lexicographic`, `weighted` or `spend`; default: by the prices");
+    p.combination = combination.value_or(p.combination);
+  } else {
+    name(f, "combination", p.combination, usual.combination, "");
+  }
+  number(f, "share", p.share, usual.share, {}, "of the requirement, for an effective link");
+  flag(f, "survives_failure", p.redundant, usual.redundant, "labels stay reached if any one unit fails");
+}
+
+void describe(Fields& f, PlaceOptions& p) {
+  const PlaceOptions usual;
+  name(f, "solver", p.solver, usual.solver, "`auto`, `search`, `mip` or `greedy`");
+  f.text("backend", p.backend, optional("MIP back end", !p.backend.empty()));
+  number(f, "time_limit", p.time_limit_s, usual.time_limit_s, {}, "s");
+}
+
+void describe(Fields& f, TableConstraints& c) {
+  paths(f, "costs", c.costs, "CSV files with costs");
+  number(f, "min_spacing", c.min_spacing, 0, {0}, "m between new units and all others");
+  paths(f, "forbidden", c.forbidden, "CSV files with pairs that must not both be chosen");
+}
+
+void describe(Fields& f, AvailabilityGoal& goal) {
+  name(f, "rule", goal.rule, AvailabilityRule::labels, "`labels`, `shop` or `misses`");
+  number(f, "value", goal.value, {}, "share of the states, or mean number of missed labels");
+}
+
+void describe(Fields& f, PlanRequest& r) {
+  const PlanRequest usual;
+  const auto read_seed = [&](const JsonCursor& json) {
+    if (!json.value().is_number_unsigned()) json.fail("is not a whole number of at least 0", "use one");
+    r.seed = json.value().get<std::uint64_t>();
+  };
+  f.custom("seed", {read_seed, [&] { return Json(r.seed); }, R"({"type": "integer", "minimum": 0})"},
+           optional("of the random numbers", r.seed != usual.seed));
+  f.object("simulation", [&](Fields& part) { describe(part, r.simulation); }, optional("", true));
+  f.object("problem", [&](Fields& part) { describe(part, r.problem); }, optional("", true));
+  f.object("place", [&](Fields& part) { describe(part, r.place); }, optional("", true));
+  f.object("constraints", [&](Fields& part) { describe(part, r.constraints); }, optional("", true));
+  flag(f, "certify", r.certifies, usual.certifies, "with independent samples");
+  number(f, "confidence", r.confidence, usual.confidence, {0.5, 0.999999}, "of the certificate");
+  number(f, "budget", r.budget_s, usual.budget_s, {}, "time limit of the certificate, s");
+  flag(f, "curve", r.curve, usual.curve, "labels that fewer units can reach");
+  flag(f, "alternatives", r.alternatives, usual.alternatives, "one unit fewer, one more, any failure");
+  number(f, "reflectance_error", r.reflectance_error, {0, 1}, "examines the sensitivity to reflectances");
+  whole(f, "states", r.states, "of a changing shop; 0: the shop as the file gives it", 0, 10'000);
+  f.object("goal", [&](Fields& part) { describe(part, r.goal); }, optional("", r.goal.value.has_value()));
+}
+
+void describe(Fields& f, PlanJob& job) {
+  const PlanJob usual;
+  path(f, "store", job.store, "store file");
+  path(f, "folder", job.folder, "for the results");
+  f.object("plan", [&](Fields& part) { describe(part, job.plan); }, optional("the request", true));
+  path(f, "signal", job.signal, "signal file of this store, instead of a simulation");
+  paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
+  whole(f, "threads", job.threads, usual.threads, "0: one per core", 256U);
+  flag(f, "resume", job.checkpoint.resume, false, "continue an interrupted run in the folder");
+  number(f, "checkpoint_interval", job.checkpoint.interval_s, usual.checkpoint.interval_s, {0}, "s");
+  flag(f, "allow_outside", job.allow_outside, false, "the store may name files outside its folder");
+  flag(f, "strict", job.strict, false, "warnings count as errors");
+  flag(f, "overwrite", job.overwrite, false, "replace a finished plan in the folder");
+  flag(f, "safe_csv", job.safe_csv, false, "ids cannot be formulas of a spreadsheet");
+  flag(f, "progress", job.reports_progress, true, "report it");
+}
+
+}  // namespace
+
+std::string to_json(const PlanJob& job) {
+  PlanJob copy = job;
+  Json json = Json::object();
+  FieldWriter writer(json, {});
+  describe(writer, copy);
+  return json.dump(-1, ' ', false, Json::error_handler_t::strict);
+}
+
+PlanJob parse_plan_job(const std::string& text, const std::string& name) {
+  PlanJob job;
+  const JsonCursor json = JsonCursor::parse(text, name);
+  const StoreNames names{Store{}};
+  Problems problems(name);
+  FieldReader reader(json, names, problems);
+  reader.expect_keys(keys_of([&](Fields& f) { describe(f, job); }));
+  describe(reader, job);
+  problems.throw_first();
+  for (const auto& [key, value] : {std::pair("store", &job.store), std::pair("folder", &job.folder)})
+    if (value->empty()) json.fail(fmt::format("has no '{}'", key), "add it");
+  return job;
+}
+
+}  // namespace shelfbeam::jobs

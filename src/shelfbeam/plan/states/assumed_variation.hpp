@@ -1,0 +1,11 @@
+#pragma once
+
+#include "shelfbeam/plan/answer/availability.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+
+namespace shelfbeam {
+
+/// The values of a store's variation that matter for it and that its file does not give.
+AssumedVariation assumed_variation(const Store& store);
+
+}  // namespace shelfbeam
