@@ -66,6 +66,7 @@ class MemoryFile {
 // Makes only calls that are safe between fork and exec.
 std::function<int()> execution(std::vector<std::string>& words) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   return [pointers = std::move(pointers)] {

@@ -13,7 +13,7 @@
 namespace shelfbeam::jobs {
 namespace fs = std::filesystem;
 
-FileJournal::FileJournal(fs::path folder, const char* name) : file_(std::move(folder) / name) {
+FileJournal::FileJournal(const fs::path& folder, const char* name) : file_(folder / name) {
   const fs::file_status status = fs::symlink_status(file_);
   if (!fs::exists(status)) return;
   constexpr std::uint64_t most = 1 << 16;
@@ -33,9 +33,10 @@ void FileJournal::write(const std::vector<FileHashes>& hashes) const {
   std::string text;
   for (const FileHashes& list : hashes)
     for (const auto& [name, hash] : list) text += fmt::format("{} {}\n", name, hash);
-  for (const auto& [name, hash] : files_) {
-    const auto is_new = [&](const FileHashes& list) { return list.contains(name); };
-    if (std::none_of(hashes.begin(), hashes.end(), is_new)) text += fmt::format("{} {}\n", name, hash);
+  for (const auto& entry : files_) {
+    const auto is_new = [&](const FileHashes& list) { return list.contains(entry.first); };
+    if (std::none_of(hashes.begin(), hashes.end(), is_new))
+      text += fmt::format("{} {}\n", entry.first, entry.second);
   }
   write_file(file_, text);
 }

@@ -17,7 +17,7 @@ using FileHashes = std::map<std::string, std::string>;
 class FileJournal {
  public:
   /// Reads the journal, if there is one. Throws InputError for any other file of its name.
-  FileJournal(std::filesystem::path folder, const char* name);
+  FileJournal(const std::filesystem::path& folder, const char* name);
 
   const std::filesystem::path& file() const { return file_; }
   bool is_empty() const { return files_.empty(); }

@@ -219,7 +219,8 @@ void describe(Fields& f, PlanJob& job) {
 std::string to_json(const PlanJob& job) {
   PlanJob copy = job;
   Json json = Json::object();
-  FieldWriter writer(json, {});
+  const Store nothing;
+  FieldWriter writer(json, {nothing.materials, nothing.label_types, nothing.transceiver_types});
   describe(writer, copy);
   return json.dump(-1, ' ', false, Json::error_handler_t::strict);
 }

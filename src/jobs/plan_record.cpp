@@ -92,7 +92,7 @@ FileHashes hashes_of(const AtomicFolder& files) {
   return hashes;
 }
 
-PlanJournal::PlanJournal(fs::path folder) : FileJournal(std::move(folder), journal_name) {}
+PlanJournal::PlanJournal(const fs::path& folder) : FileJournal(folder, journal_name) {}
 
 void PlanJournal::commit(AtomicFolder& files, const FileHashes& older, const FileHashes& newer,
                          const std::vector<std::string>& outdated) const {

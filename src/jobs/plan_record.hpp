@@ -46,7 +46,7 @@ FileHashes hashes_of(const AtomicFolder& files);
 class PlanJournal : public FileJournal {
  public:
   /// Reads the journal of a killed run, if there is one. Throws InputError for any other file of its name.
-  explicit PlanJournal(std::filesystem::path folder);
+  explicit PlanJournal(const std::filesystem::path& folder);
 
   /// Commits the files of the folder under the protection of a journal. Throws OutputError.
   void commit(AtomicFolder& files, const FileHashes& older, const FileHashes& newer,

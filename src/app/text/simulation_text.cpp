@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/transport/run/simulation_options.hpp"
+
 namespace shelfbeam::app {
 
 namespace {

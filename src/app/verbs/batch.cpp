@@ -69,6 +69,7 @@ PlanJob plan_of(const std::vector<std::string>& options) {
                                  "--overwrite", "--seed", "1",     "--threads", "1"};
   words.insert(words.end(), options.begin(), options.end());
   std::vector<const char*> pointers;
+  pointers.reserve(words.size());
   for (const std::string& word : words) pointers.push_back(word.c_str());
   try {
     return parsed_plan(static_cast<int>(pointers.size()), pointers.data());

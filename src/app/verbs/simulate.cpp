@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/states/reflectance_ends.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
