@@ -54,17 +54,10 @@ std::string line_of(const JobEnd& end) {
                  {"message", end.error->message},
                  {"of_checkpoint", end.error->is_of_checkpoint},
                  {"interrupted", end.error->is_interruption}});
-  const PlanSummary& plan = *end.summary;
-  return line({{"event", "result"},
-               {"code", static_cast<int>(plan.code)},
-               {"complete", end.is_complete},
-               {"answer", plan.answer},
-               {"labels", plan.labels},
-               {"units", or_null(plan.units)},
-               {"lower_bound", or_null(plan.lower_bound)},
-               {"price", or_null(plan.price)},
-               {"currency", plan.currency},
-               {"warnings", plan.warnings}});
+  Json result = {
+      {"event", "result"}, {"code", static_cast<int>(end.summary->code)}, {"complete", end.is_complete}};
+  result.update(to_json(*end.summary));
+  return line(result);
 }
 
 namespace {
@@ -78,16 +71,8 @@ std::optional<JobEnd> end_of(std::string_view line) {
   }
   const Json json = object_of(line, "result");
   if (json.is_null()) return {};
-  PlanSummary& plan = end.summary.emplace();
-  plan.code = json.at("code").get<ExitCode>();
+  end.summary = {read_numbers(json), json.at("code").get<ExitCode>()};
   end.is_complete = json.at("complete");
-  plan.answer = json.at("answer");
-  plan.labels = json.at("labels");
-  read(json, "units", plan.units);
-  read(json, "lower_bound", plan.lower_bound);
-  read(json, "price", plan.price);
-  plan.currency = json.at("currency");
-  plan.warnings = json.at("warnings").get<std::vector<std::string>>();
   return end;
 }
 

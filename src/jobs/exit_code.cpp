@@ -25,6 +25,11 @@ ExitCode exit_code_of(const std::exception& error) {
   return lacks_memory ? out_of_memory : internal_error;
 }
 
+ExitCode exit_code_of(Status status) {
+  if (status == Status::infeasible) return answer_is_no;
+  return status == Status::stopped ? stopped_early : done;
+}
+
 std::string lack_of_memory(const std::string& input, const std::string& verb) {
   return fmt::format(
       "{}: '{}' requires more than {:.3g} GB of memory, which is all that this process may use; "

@@ -3,6 +3,8 @@
 #include <exception>
 #include <string>
 
+#include "shelfbeam/placement/answer/placement.hpp"
+
 namespace shelfbeam::jobs {
 
 /// How a job or the program has ended.
@@ -17,6 +19,9 @@ enum ExitCode : int {
 
 /// The code of an error that ended a job.
 ExitCode exit_code_of(const std::exception& error);
+
+/// done, answer_is_no or stopped_early.
+ExitCode exit_code_of(Status status);
 
 /// The sentence for out_of_memory without an InputError: `verb` needs it for `input`.
 std::string lack_of_memory(const std::string& input, const std::string& verb);

@@ -53,8 +53,7 @@ ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise
   if (plan.availability && plan.availability->is_impossible()) return answer_is_no;
   if (is_open(request, plan, is_imprecise)) return stopped_early;
   if (plan.availability || is_certified_minimum(plan)) return done;
-  if (plan.placement.status == Status::infeasible) return answer_is_no;
-  return plan.placement.status == Status::stopped ? stopped_early : done;
+  return exit_code_of(plan.placement.status);
 }
 
 }  // namespace
@@ -106,8 +105,8 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   expect_no_warnings(scene, job.strict);
   if (!job.signal.empty()) inputs.matrix = read_signal_file(job.signal);
   PlanEnd end;
-  end.plan = plan_store(store, scene, job.plan, std::move(inputs),
-                        {job.threads, watch.cancel, watch.progress}, name);
+  end.plan = plan_checked(store, scene, job.plan, std::move(inputs),
+                          {job.threads, watch.cancel, watch.progress}, name);
   shorten_names(end.plan.warnings, job.store);
   store.cancel = nullptr;  // the results of an interrupted run are written, too
   const SimulationSummary& summary = end.plan.simulation.summary;

@@ -1,8 +1,8 @@
 #include "jobs/plan_job_json.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -70,12 +70,12 @@ struct Limits {
   double least = above_zero, most = std::numeric_limits<double>::infinity();
 };
 
-void number(Fields& f, std::string_view key, double& value, double usual, const Limits& limits,
-            std::string_view says) {
-  Field field = optional(says, value != usual);
-  field.least = limits.least;
-  field.most = limits.most;
-  f.scalar(key, Scalar::number, value, field);
+// Describes a value that has a default as one that is given or not.
+template <class T, class Describe>
+void with_default(T& value, const T& usual, const Describe& describe) {
+  std::optional<T> given = value == usual ? std::nullopt : std::optional(value);
+  describe(given);
+  value = given.value_or(value);
 }
 
 void number(Fields& f, std::string_view key, std::optional<double>& value, const Limits& limits,
@@ -87,40 +87,31 @@ void number(Fields& f, std::string_view key, std::optional<double>& value, const
   if (f.scalar(key, Scalar::number, given, field)) value = given;
 }
 
-template <class T>
-void whole(Fields& f, std::string_view key, T& value, T usual, std::string_view says, T most) {
-  constexpr std::uint64_t max = std::numeric_limits<std::int64_t>::max();
-  const auto limit = static_cast<std::int64_t>(std::min<std::uint64_t>(most, max));
-  f.custom(key,
-           {[&](const JsonCursor& json) { value = static_cast<T>(json.integer(0, limit)); },
-            [&] { return Json(value); }, R"({"type": "integer", "minimum": 0})"},
-           optional(says, value != usual));
+void number(Fields& f, std::string_view key, double& value, double usual, const Limits& limits,
+            std::string_view says) {
+  with_default(value, usual, [&](auto& given) { number(f, key, given, limits, says); });
 }
 
 template <class T>
 void whole(Fields& f, std::string_view key, std::optional<T>& value, std::string_view says,
            std::int64_t least, std::int64_t most) {
-  f.custom(
-      key,
-      {[&value, least, most](const JsonCursor& json) { value = static_cast<T>(json.integer(least, most)); },
-       [&value] { return Json(*value); }, R"({"type": "integer", "minimum": 0})"},
-      optional(says, value.has_value()));
-}
-
-template <class Enum>
-void name(Fields& f, std::string_view key, Enum& value, Enum usual, std::string_view says) {
   f.custom(key,
-           {[&value](const JsonCursor& json) { value = json.choice<Enum>(); },
-            [&value] { return Json(to_text(value)); }, R"({"type": "string"})"},
-           optional(says, value != usual));
+           {[&](const JsonCursor& json) { value = static_cast<T>(json.integer(least, most)); },
+            [&] { return Json(*value); }, R"({"type": "integer", "minimum": 0})"},
+           optional(says, value.has_value()));
 }
 
 template <class Enum>
 void name(Fields& f, std::string_view key, std::optional<Enum>& value, std::string_view says) {
   f.custom(key,
-           {[&value](const JsonCursor& json) { value = json.choice<Enum>(); },
-            [&value] { return Json(to_text(*value)); }, R"({"type": "string"})"},
+           {[&](const JsonCursor& json) { value = json.choice<Enum>(); },
+            [&] { return Json(to_text(*value)); }, R"({"type": "string"})"},
            optional(says, value.has_value()));
+}
+
+template <class Enum>
+void name(Fields& f, std::string_view key, Enum& value, Enum usual, std::string_view says) {
+  with_default(value, usual, [&](auto& given) { name(f, key, given, says); });
 }
 
 void flag(Fields& f, std::string_view key, bool& value, bool usual, std::string_view says) {
@@ -139,20 +130,17 @@ void describe(Fields& f, SimulationRequest& r) {
   name(f, "strategy", r.strategy, "of `uniform`");
   name(f, "heuristic", r.heuristic, "of `uniform`");
   whole(f, "max_bounces", r.max_bounces, "of `uniform`", 0, 1000);
-  whole(f, "memory", r.memory, std::size_t{0}, "limit in bytes", std::numeric_limits<std::size_t>::max());
+  with_default(r.memory, std::size_t{0}, [&](auto& given) {
+    whole(f, "memory", given, "limit in bytes", 0, std::numeric_limits<std::int64_t>::max());
+  });
 }
 
 void describe(Fields& f, PlacementProblem& p) {
   const PlacementProblem usual = PlanRequest{}.problem;
   name(f, "model", p.model, usual.model, "`cooperative` or `non-cooperative`");
   name(f, "objective", p.objective, usual.objective, "besides the number or the price of the units");
-  if (p.combination == Combination::automatic) {
-    std::optional<Combination> combination;
-    name(f, "combination", combination, "`lexicographic`, `weighted` or `spend`; default: by the prices");
-    p.combination = combination.value_or(p.combination);
-  } else {
-    name(f, "combination", p.combination, usual.combination, "");
-  }
+  name(f, "combination", p.combination, usual.combination,
+       "`lexicographic`, `weighted` or `spend`; default: by the prices");
   number(f, "share", p.share, usual.share, {}, "of the requirement, for an effective link");
   flag(f, "survives_failure", p.redundant, usual.redundant, "labels stay reached if any one unit fails");
 }
@@ -204,7 +192,8 @@ void describe(Fields& f, PlanJob& job) {
   f.object("plan", [&](Fields& part) { describe(part, job.plan); }, optional("the request", true));
   path(f, "signal", job.signal, "signal file of this store, instead of a simulation");
   paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
-  whole(f, "threads", job.threads, usual.threads, "0: one per core", 256U);
+  with_default(job.threads, usual.threads,
+               [&](auto& given) { whole(f, "threads", given, "0: one per core", 0, 256); });
   flag(f, "resume", job.checkpoint.resume, false, "continue an interrupted run in the folder");
   number(f, "checkpoint_interval", job.checkpoint.interval_s, usual.checkpoint.interval_s, {0}, "s");
   flag(f, "allow_outside", job.allow_outside, false, "the store may name files outside its folder");

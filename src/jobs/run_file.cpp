@@ -36,7 +36,7 @@ std::uint64_t peak_memory() {
 }
 
 void add_effort(Json& json, const char* name, const std::optional<EndReason>& open) {
-  if (open && open->effort > 0) json[name] = open->effort;
+  if (open && open->seconds > 0) json[name] = open->seconds;
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class RunClock {
 /// files of a plan are the same bytes for the same result.
 std::string run_json(const Plan& plan, const RunEffort& effort);
 
-/// Whether a run wrote the file and nobody has changed it.
+/// Whether the file is as a run wrote it.
 bool is_run_file(const std::filesystem::path& file);
 
 }  // namespace shelfbeam::jobs

@@ -44,47 +44,26 @@ StoreStatus status_of(jobs::ExitCode code) {
 Json to_json(const StoreRecord& record) {
   const StoreResult& result = record.result;
   const PlanEffort& effort = result.effort;
-  const auto optional = [](const auto& value) { return value ? Json(*value) : Json(); };
-  return {{"format", record_version},
-          {"input", record.input},
-          {"final", record.is_final},
-          {"name", result.name},
-          {"store", result.store},
-          {"status", to_text(result.status)},
-          {"answer", result.answer},
-          {"labels", result.labels},
-          {"units", optional(result.units)},
-          {"lower_bound", optional(result.lower_bound)},
-          {"price", optional(result.price)},
-          {"currency", result.currency},
-          {"warnings", result.warnings},
-          {"report", result.report},
-          {"effort",
-           {{"cpu_s", effort.cpu_s},
-            {"wall_s", effort.wall_s},
-            {"peak_memory", effort.peak_memory},
-            {"runs", effort.runs}}}};
+  Json json = {{"format", record_version}, {"input", record.input}, {"final", record.is_final},
+               {"name", result.name},      {"store", result.store}, {"status", to_text(result.status)}};
+  json.update(shelfbeam::to_json(result));
+  json["report"] = result.report;
+  json["effort"] = {{"cpu_s", effort.cpu_s},
+                    {"wall_s", effort.wall_s},
+                    {"peak_memory", effort.peak_memory},
+                    {"runs", effort.runs}};
+  return json;
 }
 
 StoreRecord from_json(const Json& json) {
   StoreRecord record;
   StoreResult& result = record.result;
-  const auto read = [&](const char* key, auto& value) {
-    if (!json.at(key).is_null())
-      value = json.at(key).get<typename std::decay_t<decltype(value)>::value_type>();
-  };
   record.input = json.at("input");
   record.is_final = json.at("final");
   result.name = json.at("name");
   result.store = json.at("store");
   result.status = from_text<StoreStatus>(json.at("status").get<std::string>()).value();
-  result.answer = json.at("answer");
-  result.labels = json.at("labels");
-  read("units", result.units);
-  read("lower_bound", result.lower_bound);
-  read("price", result.price);
-  result.currency = json.at("currency");
-  result.warnings = json.at("warnings").get<std::vector<std::string>>();
+  static_cast<PlanNumbers&>(result) = read_numbers(json);
   result.report = json.at("report");
   const Json& effort = json.at("effort");
   result.effort = {effort.at("cpu_s"), effort.at("wall_s"), effort.at("peak_memory"), effort.at("runs")};
@@ -146,16 +125,9 @@ PlanEffort with_run(PlanEffort effort, const jobs::ChildEnd& end) {
 
 StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const jobs::JobEnd& end) {
   if (end.error) return failed_result(store, end.error->message);
-  const jobs::PlanSummary& plan = *end.summary;
   StoreResult result = without_result(store);
-  result.status = status_of(plan.code);
-  result.answer = plan.answer;
-  result.labels = plan.labels;
-  result.units = plan.units;
-  result.lower_bound = plan.lower_bound;
-  result.price = plan.price;
-  result.currency = plan.currency;
-  result.warnings = plan.warnings;
+  result.status = status_of(end.summary->code);
+  static_cast<PlanNumbers&>(result) = *end.summary;
   result.report =
       (folder.plan(result.name).lexically_relative(folder.path) / jobs::report_name).generic_string();
   return result;

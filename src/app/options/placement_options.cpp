@@ -239,9 +239,4 @@ void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, con
       ->excludes(shop);
 }
 
-int exit_code(Status status) {
-  if (status == Status::infeasible) return answer_is_no;
-  return status == Status::stopped ? stopped_early : done;
-}
-
 }  // namespace shelfbeam::app

@@ -50,7 +50,4 @@ void add_certificate_options(CLI::App& verb, double& confidence, double& budget_
 void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
                        AvailabilityGoal& goal);
 
-/// done, answer_is_no or stopped_early.
-int exit_code(Status status);
-
 }  // namespace shelfbeam::app

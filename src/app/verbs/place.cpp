@@ -51,12 +51,13 @@ std::string with_time(const std::string& object, double seconds) {
 Answer reach(const PlaceArguments& options, const SignalTable& table, const RunControl& control) {
   if (options.reach > 0) {
     const FewestUnits fewest = fewest_units(table, options.problem, options.reach, options.solver, control);
-    return {fewest_units_json(fewest, table), describe(fewest, table), exit_code(fewest.status),
+    return {fewest_units_json(fewest, table), describe(fewest, table), jobs::exit_code_of(fewest.status),
             fewest.seconds};
   }
   const MaxCoverage reach =
       maximise_coverage(table, options.problem, options.at_most, options.solver, control);
-  return {coverage_json(reach, table), describe(reach, table), exit_code(reach.status), reach.seconds};
+  return {coverage_json(reach, table), describe(reach, table), jobs::exit_code_of(reach.status),
+          reach.seconds};
 }
 
 Answer cover(const PlaceArguments& options, const SignalTable& table, const RunControl& control) {
@@ -71,7 +72,7 @@ Answer cover(const PlaceArguments& options, const SignalTable& table, const RunC
   }
   return {placement_json(placement, table, curve),
           describe(placement, table) + describe(curve, table) + remark,
-          curve.is_complete ? exit_code(placement.status) : stopped_early, placement.seconds};
+          curve.is_complete ? jobs::exit_code_of(placement.status) : stopped_early, placement.seconds};
 }
 
 void check(const PlaceArguments& options) {

@@ -62,9 +62,7 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
   const Plan& plan = end.plan;
   const SignalTable& table = end.table;
   PlanText text = plan_text(plan, table);
-  if (plan.certificate)
-    if (const std::string effort = end_effort(plan.certificate->open); !effort.empty())
-      text.answer += " " + effort;
+  if (plan.certificate) text.answer = with_effort(text.answer, plan.certificate->open);
   const SimulationSummary& summary = plan.simulation.summary;
   std::string simulated = job.signal.empty()
                               ? describe(summary, job.plan.follows_decision()) + '\n'

@@ -18,6 +18,7 @@
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/verify_states.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
@@ -150,7 +151,7 @@ int run_verify(const VerifyArguments& options) {
   if (options.common.json)
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
   else if (!options.common.quiet)
-    fmt::print("{}\n", styled(Style::answer, certificate_sentence(verified)));
+    fmt::print("{}\n", styled(Style::answer, with_effort(certificate_sentence(verified), certificate.open)));
   if (certificate.count(Verdict::missed) > 0) return answer_is_no;
   return certificate.all_reached() ? done : stopped_early;
 }

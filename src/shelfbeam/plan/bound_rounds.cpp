@@ -55,7 +55,10 @@ void BoundRounds::raise(double bound, std::size_t labels) {
 }
 
 void BoundRounds::set_obstacle(double bound, double cost) {
-  obstacle_ = {.cause = EndCause::proof_cost, .bound = bound, .bounds_cost = !goal_.is_count, .effort = cost};
+  obstacle_ = {.cause = EndCause::proof_cost,
+               .bound = bound,
+               .bounds_cost = !goal_.is_count,
+               .seconds = rounds_.in_seconds(cost)};
 }
 
 bool BoundRounds::prove(const PlannedSignals& signals) {

@@ -241,7 +241,8 @@ std::vector<std::uint32_t> LabelRounds::undecided_labels() const {
 
 EndReason LabelRounds::obstacle(const Rounds& rounds) const {
   if (skipped_.labels == 0) return rounds.stop_reason(EndCause::labels_near);
-  return {.cause = EndCause::labels_cost, .labels = skipped_.labels, .effort = skipped_.cost};
+  return {
+      .cause = EndCause::labels_cost, .labels = skipped_.labels, .seconds = rounds.in_seconds(skipped_.cost)};
 }
 
 }  // namespace shelfbeam

@@ -63,6 +63,8 @@ class Rounds {
   double left() const {
     return (counts_samples() ? static_cast<double>(*budget_.samples) : budget_.seconds) - spent();
   }
+  /// An effort in the budget's unit as time; 0 if it counts samples.
+  double in_seconds(double effort) const { return counts_samples() ? 0 : effort; }
   /// The time for a search: a share of the time that is left, or `otherwise` if the budget is in samples.
   double seconds_for(double share, double otherwise) const {
     return counts_samples() ? otherwise : share * std::max(0.0, left());

@@ -95,6 +95,8 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
 
 function certificateIs({ answer, facts: { "Certificate from independent samples": fresh } }, { placement, labels }) {
   const { confidence, reached, missed, undecided, count_lower_bound, open, ...of } = placement.certificate;
+  equal(open.code, "interrupted", "reason");
+  const ended = "it was interrupted";
   cellsAre(
     fresh,
     {
@@ -103,7 +105,7 @@ function certificateIs({ answer, facts: { "Certificate from independent samples"
       "Lower bound on the count": count_lower_bound,
       "Proven from": of.bound_labels,
       Rounds: of.rounds,
-      "Verification ended because": open.code === "interrupted" ? "it was interrupted" : open.code,
+      "Verification ended because": ended,
     },
     "certificate",
   );
@@ -122,7 +124,7 @@ function certificateIs({ answer, facts: { "Certificate from independent samples"
     `with ${100 * confidence} % confidence`,
     `${missed.length} labels are missed`,
     `${undecided.length} labels are undecided`,
-    open,
+    `Verification ended because ${ended}.`,
   );
 }
 

@@ -13,8 +13,8 @@ namespace shelfbeam::jobs {
 namespace {
 
 TEST(JobEvents, EndsAreReadBack) {
-  PlanSummary summary{stopped_early, "4 transceivers\nreach \"all\"", 686, 4, std::nullopt, 480.5, "EUR",
-                      {"w"}};
+  const PlanSummary summary{{"4 transceivers\nreach \"all\"", 686, 4, std::nullopt, 480.5, "EUR", {"w"}},
+                            stopped_early};
   const std::string line = line_of(JobEnd{summary, true, {}});
   EXPECT_EQ(line.find('\n'), line.size() - 1) << "one line";
   auto end = read_end(line);

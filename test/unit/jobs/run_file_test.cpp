@@ -15,7 +15,7 @@ TEST(RunFile, IsRecognisedUntilItIsChanged) {
   Plan plan;
   plan.placement.seconds = 0.25;
   plan.certificate.emplace();
-  plan.certificate->open = {.cause = EndCause::labels_cost, .labels = 3, .effort = 40};
+  plan.certificate->open = {.cause = EndCause::labels_cost, .labels = 3, .seconds = 40};
   const std::string text = run_json(plan, {2.5, 4, 1 << 20, 2});
   const auto json = nlohmann::ordered_json::parse(text);
   EXPECT_EQ(json["seconds"]["placement"], 0.25);

@@ -34,7 +34,7 @@ inline void certify(Supermarket& s) {
   certificate.bound_labels = 37;
   certificate.rounds = 3;
   certificate.seconds = 12.5;
-  certificate.open = {.cause = EndCause::labels_cost, .labels = 19, .effort = 700};
+  certificate.open = {.cause = EndCause::labels_cost, .labels = 19, .seconds = 700};
 }
 
 // A problem of the page. It must be well-formed and self-contained, with valid references and unique ids. The

@@ -12,7 +12,7 @@
 
 namespace shelfbeam {
 
-/// Thrown for a reference to something that has problems of its own: the reference is no further problem.
+/// Thrown for a reference to an element that has problems itself: the reference is not reported.
 struct Consequence {};
 
 /// The problems of a store file that is read to its end.
@@ -46,7 +46,7 @@ class Problems {
     if (first_) std::rethrow_exception(first_);
   }
 
-  /// Notes that a part of the store ("room", "material") or something with this id is not known completely.
+  /// Notes that a part of the store ("room", "material") or an element with this id is not known completely.
   void mark(const std::string& incomplete) { incomplete_.insert(incomplete); }
   /// Throws Consequence if this was noted.
   void expect_complete(const std::string& part) const {

@@ -9,7 +9,7 @@
 
 namespace shelfbeam {
 
-/// What is wrong with a part of a store: the codes of problems, then those of warnings.
+/// The codes of problems of a store, then those of warnings about it.
 enum class FindingCode : std::uint8_t {
   invalid,
   wrong_kind,

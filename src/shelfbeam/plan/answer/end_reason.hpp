@@ -50,9 +50,9 @@ struct EndReason {
   bool bounds_cost = false;     ///< proof_cost: `bound` is a cost
   bool leaves_cheaper = false;  ///< `cheaper` is a further reason
   std::string text = {};        ///< other
-  /// labels_cost, proof_cost: the expected effort, in seconds or, if the budget is in samples, in these. It
-  /// depends on the speed of the machine, so it is not part of placement.json.
-  double effort = 0;
+  /// labels_cost, proof_cost: the expected effort; 0 if the budget is in samples. It depends on the speed of
+  /// the machine, so it is not part of placement.json.
+  double seconds = 0;
 
   bool operator==(const EndReason&) const = default;
 };

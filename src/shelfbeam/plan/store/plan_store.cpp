@@ -112,6 +112,11 @@ void check_request(const PlanRequest& request, const PlanInputs& inputs, const S
 Plan plan_store(const Store& store, const Scene& scene, const PlanRequest& request, PlanInputs inputs,
                 const RunControl& control, const std::string& name) {
   check_request(request, inputs, store, scene, name);
+  return plan_checked(store, scene, request, std::move(inputs), control, name);
+}
+
+Plan plan_checked(const Store& store, const Scene& scene, const PlanRequest& request, PlanInputs inputs,
+                  const RunControl& control, const std::string& name) {
   const std::uint32_t states = states_of(request, store);
   const SimulationOptions simulation = simulation_of(request, inputs.checkpoint);
   PlanOptions options = nominal_options(request, simulation, states > 0);

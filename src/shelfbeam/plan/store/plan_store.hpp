@@ -43,4 +43,8 @@ void check_request(const PlanRequest& request, const PlanInputs& inputs, const S
 Plan plan_store(const Store& store, const Scene& scene, const PlanRequest& request, PlanInputs inputs = {},
                 const RunControl& control = {}, const std::string& name = "store");
 
+/// As `plan_store`, for a request that `check_request` has accepted.
+Plan plan_checked(const Store& store, const Scene& scene, const PlanRequest& request, PlanInputs inputs,
+                  const RunControl& control, const std::string& name);
+
 }  // namespace shelfbeam

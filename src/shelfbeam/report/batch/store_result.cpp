@@ -2,8 +2,37 @@
 
 #include <algorithm>
 #include <tuple>
+#include <type_traits>
+
+#include <nlohmann/json.hpp>
 
 namespace shelfbeam {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const PlanNumbers& numbers) {
+  const auto optional = [](const auto& value) { return value ? Json(*value) : Json(); };
+  return {{"answer", numbers.answer},         {"labels", numbers.labels},
+          {"units", optional(numbers.units)}, {"lower_bound", optional(numbers.lower_bound)},
+          {"price", optional(numbers.price)}, {"currency", numbers.currency},
+          {"warnings", numbers.warnings}};
+}
+
+PlanNumbers read_numbers(const Json& json) {
+  PlanNumbers numbers;
+  const auto read = [&](const char* key, auto& value) {
+    if (!json.at(key).is_null())
+      value = json.at(key).get<typename std::decay_t<decltype(value)>::value_type>();
+  };
+  numbers.answer = json.at("answer");
+  numbers.labels = json.at("labels");
+  read("units", numbers.units);
+  read("lower_bound", numbers.lower_bound);
+  read("price", numbers.price);
+  numbers.currency = json.at("currency");
+  numbers.warnings = json.at("warnings").get<std::vector<std::string>>();
+  return numbers;
+}
 
 void sort_by_need(std::vector<StoreResult>& results) {
   const auto need = [](const StoreResult& result) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
@@ -35,17 +37,28 @@ struct PlanEffort {
   bool operator==(const PlanEffort&) const = default;
 };
 
+/// A plan in a few values.
+struct PlanNumbers {
+  std::string answer = {};  ///< one sentence, without the scope of its confidence; or the error
+  std::uint64_t labels = 0;
+  std::optional<std::uint64_t> units = {}, lower_bound = {};  ///< of a placement
+  std::optional<double> price = {};                           ///< of the new units
+  std::string currency = {};                                  ///< empty: not given
+  std::vector<std::string> warnings = {};
+
+  bool operator==(const PlanNumbers&) const = default;
+};
+
+/// The object with these values; absent ones are null.
+nlohmann::ordered_json to_json(const PlanNumbers& numbers);
+/// The values of an object, which may have others. Throws nlohmann::json::exception.
+PlanNumbers read_numbers(const nlohmann::ordered_json& json);
+
 /// The result of one store of a batch.
-struct StoreResult {
+struct StoreResult : PlanNumbers {
   std::string name;   ///< unique in the batch
   std::string store;  ///< path of the store file
   StoreStatus status = StoreStatus::unfinished;
-  std::string answer;  ///< one sentence: the answer of the plan, or the error
-  std::uint64_t labels = 0;
-  std::optional<std::uint64_t> units, lower_bound;  ///< of a placement
-  std::optional<double> price;                      ///< of the new units
-  std::string currency;                             ///< empty: not given
-  std::vector<std::string> warnings;
   std::string report;  ///< path of the report from the folder of the results; empty without one
   PlanEffort effort;
 

@@ -33,9 +33,10 @@ std::string end_text(const EndReason& reason) {
                                : cause_text(reason);
 }
 
-std::string end_effort(const std::optional<EndReason>& reason) {
-  if (!reason || reason->effort <= 0) return {};
-  return say("end.effort", grouped(static_cast<std::uint64_t>(std::max(1.0, std::ceil(reason->effort)))));
+std::string with_effort(std::string answer, const std::optional<EndReason>& open) {
+  if (!open || open->seconds <= 0) return answer;
+  const auto seconds = static_cast<std::uint64_t>(std::max(1.0, std::ceil(open->seconds)));
+  return fmt::format("{} {}", answer, say("end.effort", grouped(seconds)));
 }
 
 }  // namespace shelfbeam

@@ -10,7 +10,8 @@ namespace shelfbeam {
 /// The reason, as it follows "because".
 std::string end_text(const EndReason& reason);
 
-/// The time that would decide the rest, as a sentence for the terminal; empty if it is unknown.
-std::string end_effort(const std::optional<EndReason>& reason);
+/// The answer and, if it is known, the time that would decide the rest. Only for the terminal: files have no
+/// times.
+std::string with_effort(std::string answer, const std::optional<EndReason>& open);
 
 }  // namespace shelfbeam
