@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "shelfbeam/material/material_json.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {
@@ -38,17 +39,17 @@ double Conductor::specular_reflectance(const Vec3& wo) const {
   return facets ? 0 : fresnel_conductor(wo.z, eta, k);
 }
 
-Conductor Conductor::read(const JsonCursor& json, double) {
-  json.expect_keys({"type", "eta", "k", "roughness", "distribution", "masking", "sampling"});
-  const double eta = json["eta"].number(0, 100), k = json["k"].number(0, 100);
-  if (eta == 0 && k == 0) json.fail("has eta and k of 0", "an ideal mirror has eta 0 and k 1");
-  return make_conductor(eta, k, read_facets(json, {}));
+void Conductor::fields(Fields& f, ReflectanceKeys&) {
+  f.scalar("eta", Scalar::number, eta,
+           {.says = "real part of the index of refraction; not 0 if `k` is 0", .least = 0, .most = 100});
+  f.scalar("k", Scalar::number, k,
+           {.says = "imaginary part; `eta` 0 and `k` 1 give an ideal mirror", .least = 0, .most = 100});
+  describe_facets(f, facets, {});
 }
 
-void Conductor::write(MaterialWriter& writer) const {
-  writer.json["eta"] = eta;
-  writer.json["k"] = k;
-  writer.add(facets);
+Conductor Conductor::completed(const JsonCursor& json) const {
+  if (eta == 0 && k == 0) json.fail("has eta and k of 0", "an ideal mirror has eta 0 and k 1");
+  return make_conductor(eta, k, shelfbeam::completed(facets, json));
 }
 
 Conductor make_conductor(double eta, double k, const std::optional<Microfacets>& facets) {

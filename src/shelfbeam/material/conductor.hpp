@@ -8,12 +8,15 @@
 
 namespace shelfbeam {
 
+class Fields;
 class JsonCursor;
-struct MaterialWriter;
+struct ReflectanceKeys;
 
 /// Metal: a mirror, or microfacets (2.23), with the Fresnel reflectance of the index eta + i k (2.32).
 struct Conductor {
   static constexpr std::string_view type_name = "conductor";
+  static constexpr std::string_view says =
+      "metal with the complex index of refraction eta + i k, smooth (a mirror) or rough";
 
   double eta = 0, k = 0;
   std::optional<Microfacets> facets;  ///< none: smooth
@@ -26,8 +29,8 @@ struct Conductor {
   bool has_only_specular() const { return !facets; }
   bool is_opaque() const { return true; }
 
-  static Conductor read(const JsonCursor& json, double wavelength_nm);
-  void write(MaterialWriter& writer) const;
+  void fields(Fields& f, ReflectanceKeys& keys);
+  Conductor completed(const JsonCursor& json) const;
 };
 
 /// Throws std::invalid_argument unless eta and k are from 0 to 100 and not both 0. An ideal mirror has

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "shelfbeam/material/material_json.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {
@@ -75,15 +76,15 @@ double Dielectric::specular_reflectance(const Vec3& wo) const {
   return facets ? 0 : fresnel_dielectric(wo.z, ior);
 }
 
-Dielectric Dielectric::read(const JsonCursor& json, double) {
-  json.expect_keys({"type", "ior", "roughness", "distribution", "masking", "sampling"});
-  const auto facets = read_facets(json, {.refracts = true});
-  return make_dielectric(read_ior(json, facets ? 1.01 : 1), facets);
+void Dielectric::fields(Fields& f, ReflectanceKeys&) {
+  describe_ior(f, ior, "index of refraction inside; at least 1.01 if rough");
+  describe_facets(f, facets, {.refracts = true});
 }
 
-void Dielectric::write(MaterialWriter& writer) const {
-  writer.json["ior"] = ior;
-  writer.add(facets);
+Dielectric Dielectric::completed(const JsonCursor& json) const {
+  const auto complete = shelfbeam::completed(facets, json);
+  if (complete) json["ior"].number(1.01, detail::largest_ior);
+  return make_dielectric(ior, complete);
 }
 
 Dielectric make_dielectric(double ior, const std::optional<Microfacets>& facets) {

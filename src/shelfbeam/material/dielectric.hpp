@@ -8,14 +8,17 @@
 
 namespace shelfbeam {
 
+class Fields;
 class JsonCursor;
-struct MaterialWriter;
+struct ReflectanceKeys;
 
 /// The surface of a transparent solid in air, which reflects and refracts; smooth (2.32) or rough (2.23 and
 /// Walter, Marschner, Li, Torrance, EGSR 2007). Radiance is divided by the square of the index of its medium;
 /// see docs/methods/materials.md.
 struct Dielectric {
   static constexpr std::string_view type_name = "dielectric";
+  static constexpr std::string_view says =
+      "the surface of a clear solid that absorbs nothing: a jar, a bottle";
 
   double ior = 1.5;                   ///< index of refraction below the surface over the one above it
   std::optional<Microfacets> facets;  ///< none: smooth
@@ -29,8 +32,8 @@ struct Dielectric {
   bool is_opaque() const { return false; }
   Dielectric from_below() const { return {1 / ior, facets}; }
 
-  static Dielectric read(const JsonCursor& json, double wavelength_nm);
-  void write(MaterialWriter& writer) const;
+  void fields(Fields& f, ReflectanceKeys& keys);
+  Dielectric completed(const JsonCursor& json) const;
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4 (from 1.01 for a rough surface, because

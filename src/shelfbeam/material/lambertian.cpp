@@ -1,6 +1,6 @@
 #include "shelfbeam/material/lambertian.hpp"
 
-#include "shelfbeam/material/material_json.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/math/warp.hpp"
 
@@ -24,13 +24,12 @@ Lambertian Lambertian::with_reflectance(double other) const {
   return make_lambertian(other);
 }
 
-Lambertian Lambertian::read(const JsonCursor& json, double wavelength_nm) {
-  json.expect_keys({"type", "reflectance", "reflectance_range"});
-  return make_lambertian(read_reflectance(json["reflectance"], wavelength_nm));
+void Lambertian::fields(Fields& f, ReflectanceKeys& keys) {
+  describe_reflectance(f, reflectance, keys, "share of the power that is [reflected](#reflectance)");
 }
 
-void Lambertian::write(MaterialWriter& writer) const {
-  writer.json["reflectance"] = reflectance;
+Lambertian Lambertian::completed(const JsonCursor&) const {
+  return make_lambertian(reflectance);
 }
 
 Lambertian make_lambertian(double reflectance) {

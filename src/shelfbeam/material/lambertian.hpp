@@ -7,12 +7,14 @@
 
 namespace shelfbeam {
 
+class Fields;
 class JsonCursor;
-struct MaterialWriter;
+struct ReflectanceKeys;
 
 /// Ideal diffuse reflection, f_r = rho / pi (2.21).
 struct Lambertian {
   static constexpr std::string_view type_name = "lambertian";
+  static constexpr std::string_view says = "ideal diffuse reflection";
 
   double reflectance = 0;  ///< rho, the hemispherical reflectance at the store's wavelength, in [0, 1]
 
@@ -25,9 +27,10 @@ struct Lambertian {
   bool is_opaque() const { return true; }
   Lambertian with_reflectance(double other) const;
 
-  /// The keys in a store file except "type" (material_json.hpp). Throws InputError with the JSON path.
-  static Lambertian read(const JsonCursor& json, double wavelength_nm);
-  void write(MaterialWriter& writer) const;
+  /// Describes the keys in a store file except "type" (material_fields.hpp).
+  void fields(Fields& f, ReflectanceKeys& keys);
+  /// The material with the values of `json` after reading. Throws InputError with the JSON path.
+  Lambertian completed(const JsonCursor& json) const;
 };
 
 /// Throws std::invalid_argument unless the reflectance is in [0, 1].

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "shelfbeam/material/material_json.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 #include "shelfbeam/material/optics/microfacets.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -143,18 +143,14 @@ Plastic Plastic::with_reflectance(double other) const {
   return make_plastic(ior, other, facets);
 }
 
-Plastic Plastic::read(const JsonCursor& json, double wavelength_nm) {
-  json.expect_keys({"type", "ior", "reflectance", "reflectance_range", "roughness", "distribution", "masking",
-                    "sampling"});
-  const double ior = read_ior(json);
-  const double reflectance = read_reflectance(json["reflectance"], wavelength_nm);
-  return make_plastic(ior, reflectance, read_facets(json, {.has_directions = false}));
+void Plastic::fields(Fields& f, ReflectanceKeys& keys) {
+  describe_ior(f, ior, "index of refraction of the coat");
+  describe_reflectance(f, reflectance, keys, "[reflectance](#reflectance) of the base under the coat");
+  describe_facets(f, facets, {.has_directions = false});
 }
 
-void Plastic::write(MaterialWriter& writer) const {
-  writer.json["ior"] = ior;
-  writer.json["reflectance"] = reflectance;
-  writer.add(facets);
+Plastic Plastic::completed(const JsonCursor& json) const {
+  return make_plastic(ior, reflectance, shelfbeam::completed(facets, json));
 }
 
 Plastic make_plastic(double ior, double reflectance, const std::optional<Microfacets>& facets) {

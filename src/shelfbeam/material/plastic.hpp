@@ -9,8 +9,9 @@
 
 namespace shelfbeam {
 
+class Fields;
 class JsonCursor;
-struct MaterialWriter;
+struct ReflectanceKeys;
 
 namespace detail {
 class CoatAlbedo;
@@ -25,6 +26,7 @@ class CoatAlbedo;
 /// docs/methods/materials.md. Construct it with `make_plastic`.
 struct Plastic {
   static constexpr std::string_view type_name = "plastic";
+  static constexpr std::string_view says = "a clear coat over a diffuse base";
 
   double ior = 1.5;
   double reflectance = 0.5;           ///< rho of the base
@@ -42,8 +44,8 @@ struct Plastic {
   bool is_opaque() const { return true; }
   Plastic with_reflectance(double other) const;
 
-  static Plastic read(const JsonCursor& json, double wavelength_nm);
-  void write(MaterialWriter& writer) const;
+  void fields(Fields& f, ReflectanceKeys& keys);
+  Plastic completed(const JsonCursor& json) const;
 
   /// The share 1 - E of light that passes the coat. The base alone has the BRDF
   /// transmission(wo.z) base_scale / pi transmission(wi.z).

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shelfbeam/material/material_json.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/material/optics/fresnel.hpp"
 
 namespace shelfbeam {
@@ -40,19 +41,23 @@ double ThinDielectric::specular_reflectance(const Vec3& wo) const {
   return pane_shares(*this, wo.z).reflected;
 }
 
-ThinDielectric ThinDielectric::read(const JsonCursor& json, double) {
-  json.expect_keys({"type", "ior", "thickness", "absorption_per_m"});
-  const double ior = read_ior(json);
-  const auto absorption = json.find("absorption_per_m"), thickness = json.find("thickness");
-  if (absorption && !thickness) json.fail("has 'absorption_per_m', but no 'thickness'", "add it");
-  return make_thin_dielectric(ior, thickness ? thickness->metres(0, 1) : 0,
-                              absorption ? absorption->number(0, 1e6) : 0);
+void ThinDielectric::fields(Fields& f, ReflectanceKeys&) {
+  describe_ior(f, ior, "index of refraction");
+  f.scalar("thickness", Scalar::distance, thickness,
+           {.says = "thickness of the pane", .most = 1, .is_optional = true});
+  f.scalar("absorption_per_m", Scalar::number, absorption_per_m,
+           {.says = "light falls to exp(-`absorption_per_m` x length) along its path in the glass; requires "
+                    "`thickness`",
+            .least = 0,
+            .most = 1e6,
+            .unit = "1/m",
+            .is_optional = true});
 }
 
-void ThinDielectric::write(MaterialWriter& writer) const {
-  writer.json["ior"] = ior;
-  writer.json["thickness"] = thickness;
-  writer.json["absorption_per_m"] = absorption_per_m;
+ThinDielectric ThinDielectric::completed(const JsonCursor& json) const {
+  if (json.find("absorption_per_m") && !json.find("thickness"))
+    json.fail("has 'absorption_per_m', but no 'thickness'", "add it");
+  return make_thin_dielectric(ior, thickness, absorption_per_m);
 }
 
 ThinDielectric make_thin_dielectric(double ior, double thickness, double absorption_per_m) {

@@ -7,13 +7,15 @@
 
 namespace shelfbeam {
 
+class Fields;
 class JsonCursor;
-struct MaterialWriter;
+struct ReflectanceKeys;
 
 /// A pane of glass as a single surface. It reflects as a mirror, transmits without displacement and absorbs;
 /// all reflections between its two faces are summed.
 struct ThinDielectric {
   static constexpr std::string_view type_name = "thin_dielectric";
+  static constexpr std::string_view says = "a pane as a single surface: a door, a glass shelf";
 
   double ior = 1.5;
   double thickness = 0;         ///< m
@@ -27,8 +29,8 @@ struct ThinDielectric {
   bool has_only_specular() const { return true; }
   bool is_opaque() const { return false; }
 
-  static ThinDielectric read(const JsonCursor& json, double wavelength_nm);
-  void write(MaterialWriter& writer) const;
+  void fields(Fields& f, ReflectanceKeys& keys);
+  ThinDielectric completed(const JsonCursor& json) const;
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4, the thickness from 0 to 1 m and the

@@ -32,7 +32,7 @@ double read_number(const JsonCursor& json, Scalar kind, const Field& field) {
     case Scalar::length:
       return read_length(json);
     case Scalar::distance:
-      return json.metres(0, 1e3);
+      return json.metres(std::max(0.0, field.least), std::min(1e3, field.most));
     case Scalar::extent:
       return read_extent(json, 1e-4);
     case Scalar::coordinate:
@@ -94,10 +94,10 @@ void FieldReader::expect_keys(std::span<const std::string_view> known) {
   });
 }
 
-void FieldReader::rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check) {
+bool FieldReader::rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check) {
   for (const std::string_view key : keys)
-    if (std::find(failed_.begin(), failed_.end(), key) != failed_.end()) return;
-  problems_.collect(check);
+    if (std::find(failed_.begin(), failed_.end(), key) != failed_.end()) return false;
+  return problems_.collect(check);
 }
 
 template <class Read>
@@ -110,7 +110,7 @@ bool FieldReader::read(std::string_view key, const Field& field, Read read_value
     read_value(*found);
     is_read = problems_.failures() == failures;
   });
-  if (problems_.failures() != failures) failed_.push_back(key);
+  if (problems_.failures() != failures) failed_.emplace_back(key);
   return is_read;
 }
 
@@ -195,8 +195,16 @@ bool FieldReader::reference(std::string_view key, NameList list, std::uint32_t& 
 bool FieldReader::references(std::string_view key, NameList list,
                              std::vector<std::pair<std::string, std::uint32_t>>& values, const Field& field) {
   return read(key, field, [&](const JsonCursor& json) {
-    for (const auto& [name, value] : json.members())
-      problems_.collect([&, &name = name, &value = value] { values.emplace_back(name, index(list, value)); });
+    if (field.one_for_all && json.is_object())
+      read_object(json, names_, problems_, [&](Fields& fields) {
+        for (auto& [name, value] : values) fields.reference(name, list, value, {});
+      });
+    else if (field.one_for_all)
+      for (auto& [name, value] : values) value = index(list, json);
+    else
+      for (const auto& [name, value] : json.members())
+        problems_.collect(
+            [&, &name = name, &value = value] { values.emplace_back(name, index(list, value)); });
   });
 }
 
@@ -209,7 +217,8 @@ bool FieldReader::objects(std::string_view key, std::size_t,
   return read(key, field, [&](const JsonCursor& json) {
     expect_size(json, field);
     for (std::size_t k = 0; k < json.size(); ++k)
-      read_object(json.element(k), names_, problems_, [&](Fields& fields) { part(fields, k); });
+      if (!read_object(json.element(k), names_, problems_, [&](Fields& fields) { part(fields, k); }))
+        failed_.push_back(fmt::format("{}[{}]", key, k));
   });
 }
 

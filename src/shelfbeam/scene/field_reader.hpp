@@ -41,8 +41,9 @@ class FieldReader final : public Fields {
   Problems& problems() const { return problems_; }
   void expect_keys(std::span<const std::string_view> known);
   bool is_given(std::string_view key) const { return json_.find(key).has_value(); }
-  /// Collects the problem of a rule that ties keys together, unless one of them has a problem.
-  void rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check);
+  /// Collects the problem of a rule that ties keys together, unless one of them ("size") or of the members of
+  /// lists ("zones[2]") has a problem. Returns whether the rule holds.
+  bool rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check);
 
   bool scalar(std::string_view key, Scalar kind, double& value, const Field& field) override;
   bool array(std::string_view key, Scalar kind, std::span<double> values, const Field& field) override;
@@ -72,7 +73,7 @@ class FieldReader final : public Fields {
   JsonCursor json_;
   const StoreNames& names_;
   Problems& problems_;
-  std::vector<std::string_view> failed_;
+  std::vector<std::string> failed_;
 };
 
 }  // namespace shelfbeam

@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"
+#include "shelfbeam/scene/field_writer.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 
 #include "support/expect_input_error.hpp"
 #include "unit/scene/sample_store.hpp"
@@ -61,14 +62,18 @@ TEST(MaterialsReader, FillsInDefaults) {
             R"({ "roughness": null })"},
            {R"({ "type": "plastic", "ior": 1.5, "reflectance": "printed_carton", "roughness": 0.2,
                  "distribution": "beckmann", "masking": "smith_rational" })",
-            R"({ "reflectance": 0.6, "sampling": "all" })"},
+            R"({ "reflectance": 0.6, "sampling": "all", "reflectance_range": [0.3, 0.8] })"},
            {R"({ "type": "dielectric", "ior": 1.5 })", "{}"},
            {R"({ "type": "dielectric", "ior": 1.5, "roughness": [0.2, 0.3] })", rough},
            {R"({ "type": "thin_dielectric", "ior": 1.5 })", R"({ "thickness": 0, "absorption_per_m": 0 })"},
            {R"({ "type": "lambertian", "reflectance": "plaster" })", R"({ "reflectance": 0.836 })"}}) {
     Json expected = Json::parse(given);
     expected.merge_patch(Json::parse(more));
-    EXPECT_EQ(resolved(with(given).materials[1].material), expected) << given;
+    Store store = with(given);
+    Json written;
+    FieldWriter writer(written, {store.materials, store.label_types, store.transceiver_types});
+    describe(store.materials[1], writer);
+    EXPECT_EQ(written, expected) << given;
   }
 }
 

@@ -53,6 +53,7 @@ struct Field {
   std::string_view instead = {};        ///< another key of the element that gives the value, too
   std::string_view otherwise = {};      ///< the default in words, unless it is the value of an empty struct
   bool is_written = true;               ///< to the resolved store
+  bool one_for_all = false;             ///< of names: they have the given keys, or one name is for all keys
 };
 
 /// A value of a form that other values do not have.

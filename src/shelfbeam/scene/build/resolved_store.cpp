@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/material/material_json.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/field_writer.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -17,18 +16,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json resolved(StoreVariation variation, const StoreLists& lists) {
-  Json json;
-  FieldWriter writer(json, lists);
-  variation.fields(writer);
-  return json;
-}
-
 template <class Described>
 Json resolved(Described value, const StoreLists& lists) {
   Json json;
   FieldWriter writer(json, lists);
-  describe(value, writer);
+  if constexpr (requires { value.fields(writer); })
+    value.fields(writer);
+  else
+    describe(value, writer);
   return json;
 }
 
@@ -68,11 +63,8 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   json["name"] = store.name;
   json["wavelength_nm"] = store.wavelength_nm;
   if (!store.currency.empty()) json["currency"] = store.currency;
-  if (store.room) json["room"] = resolved(*store.room, store.materials);
-  for (const auto& [name, material, range] : store.materials) {
-    Json& written = json["materials"][name] = resolved(material);
-    if (range) written["reflectance_range"] = *range;
-  }
+  if (store.room) json["room"] = resolved(*store.room, lists);
+  for (const NamedMaterial& one : store.materials) json["materials"][one.name] = resolved(one, lists);
   for (const LabelType& type : store.label_types) json["label_types"][type.name] = resolved(type, lists);
   for (const TransceiverType& type : store.transceiver_types)
     json["transceiver_types"][type.name] = resolved(type, lists);
@@ -103,7 +95,8 @@ std::string scene_hash(const Scene& scene) {
             {"vertices", hash_of(scene.mesh.vertices)},
             {"triangles", hash_of(scene.mesh.triangles)},
             {"surfaces", hash_of(scene.mesh.materials)}};
-  for (const NamedMaterial& one : scene.materials) json["materials"].push_back(resolved(one.material));
+  for (const NamedMaterial& one : scene.materials)
+    json["materials"].push_back(resolved(NamedMaterial{one.name, one.material, {}}, lists));
   for (const LabelType& type : scene.label_types)
     json["label_types"].push_back({type.name, resolved(type, lists)});
   for (const TransceiverType& type : scene.transceiver_types)

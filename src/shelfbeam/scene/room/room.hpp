@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/scene/room_shape.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
 
+class Fields;
 class JsonCursor;
+class Problems;
 struct StoreNames;
 
 /// The room of a store file: its shape and the materials of its surfaces.
@@ -39,13 +39,20 @@ struct Room {
   std::vector<WallMaterials> inner_walls;  ///< by inner wall of the shape
 
   static Room box(const Vec3& size, MaterialId material);
+
+  void fields(Fields& f);
+  // Of one member of a list, which may be one beyond the last.
+  void zone_fields(Fields& f, std::size_t k);
+  void inner_wall_fields(Fields& f, std::size_t k);
+  void opening_fields(Fields& f, std::size_t wall, std::size_t k);
+
+ private:
+  void box_walls(Fields& f);
+  void outline_walls(Fields& f);
 };
 
-/// Throws InputError with the JSON path.
-Room read_room(const JsonCursor& json, const StoreNames& names);
-
-/// The room in the resolved store, from which `read_room` restores it to the bit.
-nlohmann::ordered_json resolved(const Room& room, const std::vector<NamedMaterial>& materials);
+/// Collects the problems of the room, and returns nothing if there are any.
+std::optional<Room> read_room(const JsonCursor& json, const StoreNames& names, Problems& problems);
 
 struct TriangleRange {
   std::uint32_t first = 0, count = 0;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/field_values.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -70,6 +71,12 @@ void describe_spacing(Fields& f, double& spacing, std::string_view says) {
 }
 
 }  // namespace
+
+void describe(NamedMaterial& named, Fields& f, double wavelength_nm) {
+  ReflectanceKeys keys{wavelength_nm, named.reflectance_range};
+  describe(named.material, f, keys);
+  named.reflectance_range = keys.range;
+}
 
 void describe(ArticleLabels& labels, Fields& f) {
   f.text("file", labels.file, {.says = "the CSV file", .fewest = 1});

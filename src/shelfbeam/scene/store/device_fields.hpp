@@ -24,6 +24,8 @@ struct TypeSource {
   const Problems& problems;
 };
 
+/// `wavelength_nm` is that of the store, for the reader.
+void describe(NamedMaterial& named, Fields& f, double wavelength_nm = 940);
 void describe(LabelType& type, Fields& f, const TypeSource* source = nullptr);
 void describe(TransceiverType& type, Fields& f, const TypeSource* source = nullptr);
 void describe(ArticleLabels& labels, Fields& f);

@@ -9,8 +9,9 @@
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/material/material_json.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 
@@ -19,13 +20,18 @@ namespace shelfbeam {
 namespace {
 
 void read_materials(const JsonCursor& section, Store& store, Problems& problems) {
+  const StoreNames names(store, &problems);
   for (const auto& [name, json] : section.members()) {
     // The name stays known if the material has problems.
     NamedMaterial named{name, {}, {}};
-    problems.collect([&, &object = json, &key = name] {
-      static_cast<void>(new_name(key, store.materials, object));
-      named.material = make_or_fail(object, [&] { return read_material(object, store.wavelength_nm); });
-      named.reflectance_range = read_reflectance_range(object, named.material, store.wavelength_nm);
+    problems.collect([&, &object = json, &key = name] { new_name(key, store.materials, object); });
+    problems.collect([&, &object = json] {
+      NamedMaterial given{named.name, material_of_type(object["type"]), {}};
+      const auto part = [&](Fields& f) { describe(given, f, store.wavelength_nm); };
+      if (!read_object(object, names, problems, part)) return;
+      const ReflectanceKeys keys{store.wavelength_nm, given.reflectance_range};
+      named.material = make_or_fail(object, [&] { return completed(given.material, object, keys); });
+      named.reflectance_range = given.reflectance_range;
     });
     store.materials.push_back(std::move(named));
   }
@@ -94,8 +100,10 @@ class StoreReader {
     read_values(root);
     read_lists(root);
     const StoreNames names(store_, &problems_);
-    if (!section(root, "room", [&](const JsonCursor& json) { store_.room = read_room(json, names); }))
-      problems_.mark("room");
+    section(root, "room", [&](const JsonCursor& json) {
+      store_.room = read_room(json, names, problems_);
+      if (!store_.room) problems_.mark("room");
+    });
     if (!section(root, "fixtures", [&](const JsonCursor& json) {
           read_fixtures(json, names, folder_, presets_, store_, problems_);
         })) {

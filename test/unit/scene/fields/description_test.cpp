@@ -2,10 +2,12 @@
 #include <map>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
 
@@ -28,10 +30,14 @@ void expect_file(const std::string& file, const std::string& text) {
   EXPECT_EQ(text, read_file(file)) << "SHELFBEAM_UPDATE_SNAPSHOTS=1 writes the new text";
 }
 
-Fields::Part fields_of(Fixture fixture) {
-  return [fixture](Fields& fields) {
-    Fixture empty = fixture;
-    describe(empty, fields);
+template <class Described>
+Fields::Part fields_of(const Described& value) {
+  return [value](Fields& fields) {
+    Described empty = value;
+    if constexpr (requires { empty.fields(fields); })
+      empty.fields(fields);
+    else
+      describe(empty, fields);
   };
 }
 
@@ -75,8 +81,30 @@ TEST(Description, SchemaIsUpToDate) {
     schema["$defs"][name] = fixture_schema(type);
   }
   const auto set = [&](const char* name, auto value) {
-    schema["$defs"][name] = test::schema_of([&](Fields& fields) { describe(value, fields); });
+    schema["$defs"][name] = test::schema_of(fields_of(value));
   };
+  Json room{{"description",
+             "Walls, floor and ceiling: a box from the origin ('size'), or any outline with a height. "
+             "Optional if a "
+             "mesh provides them."}};
+  room.update(test::schema_of(fields_of(Room{})));
+  for (Json& form : room["oneOf"])
+    for (const char* list : {"zones", "inner_walls"}) {
+      schema["$defs"][list] = form["properties"][list];
+      form["properties"][list] = {{"$ref", std::string("#/$defs/") + list}};
+    }
+  schema["$defs"]["room"] = room;
+  // The rules that tie keys together are written by hand.
+  Json& material = schema["$defs"]["material"];
+  material["properties"]["type"]["enum"] = Json::array();
+  for (std::size_t k = 0; k < material_types().size(); ++k) {
+    Json form = test::schema_of(fields_of(NamedMaterial{"", material_types()[k], {}}));
+    material["properties"]["type"]["enum"].push_back(type_name(material_types()[k]));
+    Json& written = material["oneOf"][k];
+    for (const char* rule : {"allOf", "if", "else", "dependentRequired"})
+      if (written.contains(rule)) form[rule] = written[rule];
+    written = form;
+  }
   set("label_type", LabelType{});
   set("transceiver_type", TransceiverType{});
   set("planogram", ArticleLabels{});
@@ -87,8 +115,7 @@ TEST(Description, SchemaIsUpToDate) {
   set("mount_rail", MountRail{});
   set("mount_faces", MountFaces{});
   set("keep_out", KeepOut{});
-  StoreVariation variation;
-  schema["$defs"]["variation"] = test::schema_of([&](Fields& fields) { variation.fields(fields); });
+  set("variation", StoreVariation{});
   schema["$defs"]["ignore"]["items"] = {{"enum", warning_names()}};
   schema["$defs"]["fixture_key"] = {{"enum", all_fixture_keys()}};
   schema["$defs"]["whole_fixture"] = {
@@ -118,35 +145,44 @@ TEST(Description, TablesAreUpToDate) {
   }
   expect_file(pages + "fixtures.md", fixtures);
 
-  const auto part = [](auto value) {
-    return [value](Fields& fields) {
-      auto empty = value;
-      describe(empty, fields);
-    };
-  };
+  std::string materials = read_file(pages + "materials.md");
+  for (const Material& type : material_types())
+    replace_table(materials, fmt::format("### `{}`", type_name(type)),
+                  fields_of(NamedMaterial{"", type, {}}));
+  expect_file(pages + "materials.md", materials);
+  std::string room = read_file(pages + "room.md");
+  replace_table(room, "# Room", fields_of(Room{}));
+  replace_table(room, "## Ceilings", [](Fields& fields) { Room{}.zone_fields(fields, 0); });
+  replace_table(room, "## Inner walls", [](Fields& fields) { Room{}.inner_wall_fields(fields, 0); });
+  replace_table(room, "### Openings", [](Fields& fields) {
+    Room with_wall;
+    with_wall.shape.inner_walls.emplace_back();
+    with_wall.inner_walls.emplace_back();
+    with_wall.opening_fields(fields, 0, 0);
+  });
+  expect_file(pages + "room.md", room);
   std::string label_types = read_file(pages + "label_types.md");
-  replace_table(label_types, "# Label types", part(LabelType{}));
+  replace_table(label_types, "# Label types", fields_of(LabelType{}));
   expect_file(pages + "label_types.md", label_types);
   std::string transceiver_types = read_file(pages + "transceiver_types.md");
-  replace_table(transceiver_types, "# Transceiver types", part(TransceiverType{}));
+  replace_table(transceiver_types, "# Transceiver types", fields_of(TransceiverType{}));
   expect_file(pages + "transceiver_types.md", transceiver_types);
   std::string labels = read_file(pages + "labels.md");
   replace_table(labels, "## Labels of a fixture",
                 [](Fields& fields) { FixtureLabels{}.fields(fields, true); });
-  replace_table(labels, "## Labels of articles", part(ArticleLabels{}));
-  replace_table(labels, "## Other labels", part(Label{}));
+  replace_table(labels, "## Labels of articles", fields_of(ArticleLabels{}));
+  replace_table(labels, "## Other labels", fields_of(Label{}));
   expect_file(pages + "labels.md", labels);
   std::string transceivers = read_file(pages + "transceivers.md");
-  replace_table(transceivers, "## Grids", part(TransceiverGrid{}));
-  replace_table(transceivers, "## Areas", part(MountArea{}));
-  replace_table(transceivers, "## Rails", part(MountRail{}));
-  replace_table(transceivers, "## Fixtures and walls", part(MountFaces{}));
-  replace_table(transceivers, "## List", part(Transceiver{}));
-  replace_table(transceivers, "## Areas without candidates", part(KeepOut{}));
+  replace_table(transceivers, "## Grids", fields_of(TransceiverGrid{}));
+  replace_table(transceivers, "## Areas", fields_of(MountArea{}));
+  replace_table(transceivers, "## Rails", fields_of(MountRail{}));
+  replace_table(transceivers, "## Fixtures and walls", fields_of(MountFaces{}));
+  replace_table(transceivers, "## List", fields_of(Transceiver{}));
+  replace_table(transceivers, "## Areas without candidates", fields_of(KeepOut{}));
   expect_file(pages + "transceivers.md", transceivers);
   std::string variation = read_file(pages + "variation.md");
-  replace_table(variation, "# Variation: a changing shop",
-                [](Fields& fields) { StoreVariation{}.fields(fields); });
+  replace_table(variation, "# Variation: a changing shop", fields_of(StoreVariation{}));
   expect_file(pages + "variation.md", variation);
 }
 

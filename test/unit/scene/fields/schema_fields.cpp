@@ -22,8 +22,11 @@ Json schema_of_kind(Scalar kind, const Field& field) {
   switch (kind) {
     case Scalar::length:
       return is_narrow ? number(1e-3, longest) : reference("length");
-    case Scalar::distance:
-      return number(0, longest);
+    case Scalar::distance: {
+      Json schema = number(0, longest);
+      schema["maximum"] = std::min(longest, 1000 * field.most);
+      return schema;
+    }
     case Scalar::extent:
       return reference("radius");
     case Scalar::coordinate:
@@ -174,7 +177,14 @@ bool SchemaFields::reference(std::string_view key, NameList list, std::uint32_t&
 }
 
 bool SchemaFields::references(std::string_view key, NameList list,
-                              std::vector<std::pair<std::string, std::uint32_t>>&, const Field& field) {
+                              std::vector<std::pair<std::string, std::uint32_t>>& values,
+                              const Field& field) {
+  if (field.one_for_all)
+    return describe(key, {{"oneOf", {schema_of_name(list), schema_of([&](Fields& fields) {
+                                       for (auto& [name, value] : values)
+                                         fields.reference(name, list, value, {});
+                                     })}}},
+                    field);
   Json schema{{"type", "object"}};
   if (!field.pattern.empty()) schema["propertyNames"] = {{"pattern", field.pattern}};
   schema["additionalProperties"] = schema_of_name(list);
@@ -189,6 +199,7 @@ bool SchemaFields::objects(std::string_view key, std::size_t,
                            const std::function<void(Fields&, std::size_t)>& part, const Field& field) {
   Json schema{{"type", "array"}};
   if (field.fewest > 0) schema["minItems"] = field.fewest;
+  if (field.longest > 0) schema["maxItems"] = field.longest;
   schema["items"] = schema_of([&](Fields& fields) { part(fields, 0); });
   return describe(key, std::move(schema), field);
 }

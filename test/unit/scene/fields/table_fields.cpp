@@ -36,6 +36,7 @@ std::string code(const Value& value) {
 
 bool TableFields::add(std::string_view key, std::string_view unit, const std::string& value,
                       const Field& field) {
+  if (rows.find(fmt::format("| `{}` |", key)) != std::string::npos) return false;  // in another form
   const std::string otherwise = !field.otherwise.empty() ? std::string(field.otherwise)
                                 : !field.instead.empty() ? fmt::format("*required*, or `{}`", field.instead)
                                 : field.is_optional      ? value

@@ -32,6 +32,21 @@ const std::vector<Mistake>& mistakes() {
       {"/currency", "\"\"", "currency"},
       {"/planet", "\"Mars\"", ""},
       {"/room/floor", "\"lava\"", "room.floor"},
+      {"/room/size/1", "-6", "room.size[1]"},
+      {"/room/ceiling", "7", "room.ceiling"},
+      {"/room/walls/x1", "\"lava\"", "room.walls.x1"},
+      {"/room/walls/z0", "\"white\"", "room.walls"},
+      {"/room/zones", R"([{"id": "low", "polygon": [[0, 5], [2, 5]], "height": 2}])",
+       "room.zones[0].polygon"},
+      {"/room/inner_walls",
+       R"([{"id": "W", "from": [5, 0], "to": [6, 1], "openings": [{"at": 0.1, "width": 1, "top": -1}]}])",
+       "room.inner_walls[0].openings[0].top"},
+      {"/materials/foil/eta", "-1", "materials.foil.eta"},
+      {"/materials/chrome/distribution", "\"phong\"", "materials.chrome.distribution"},
+      {"/materials/chrome/sampling", "7", "materials.chrome.sampling"},
+      {"/materials/chrome/colour", "1", "materials.chrome"},
+      {"/materials/jar/ior", "9", "materials.jar.ior"},
+      {"/materials/jar/roughness", "7", "materials.jar.roughness"},
       {"/materials/white/reflectance", "1.2", "materials.white.reflectance"},
       {"/materials/foil/k", "\"k\"", "materials.foil.k"},
       {"/label_types/small/threshold", "-1", "label_types.small.threshold"},
@@ -92,6 +107,31 @@ TEST(AllProblems, OfStoresWithUpTo20PlantedMistakes) {
     ASSERT_EQ(paths_of(store), expected) << store.dump(1);
   }
   EXPECT_EQ(times.size(), mistakes().size()) << "each of them was planted";
+}
+
+// Rules that tie the parts of a room together apply to all parts without a problem of their own.
+TEST(AllProblems, OfThePartsOfARoom) {
+  Json store = test::sample_store();
+  const auto zone = [](const char* id, double x) {
+    return Json{{"id", id}, {"polygon", {{x, 1}, {x + 1, 1}, {x + 1, 2}}}, {"height", 2.5}};
+  };
+  store["room"]["zones"] = {zone("room", 0), zone("low", 1), zone("low", 2), zone("high", 7.5),
+                            zone("last", 1)};
+  store["room"]["zones"][4]["height"] = "high";
+  store["room"]["inner_walls"] = {{{"id", "W"}, {"from", {5, 0}}, {"to", {5, 0}}}};
+  EXPECT_EQ(paths_of(store), (std::vector<std::string>{"room.zones[0].id", "room.zones[2].id",
+                                                       "room.zones[3].polygon", "room.zones[4].height"}))
+      << "the walls may be consequences";
+  store["room"].erase("zones");
+  const auto opening = [](double at) { return Json{{"at", at}, {"width", 1}, {"top", 2}}; };
+  store["room"]["inner_walls"].push_back({{"id", "V"}, {"from", {5, 1}}, {"to", {5, 5}}});
+  store["room"]["inner_walls"][1]["openings"] = {opening(0), opening(0.5), opening(3.5)};
+  EXPECT_EQ(paths_of(store),
+            (std::vector<std::string>{"room.inner_walls[0].to", "room.inner_walls[1].openings[1]",
+                                      "room.inner_walls[1].openings[2]"}));
+  store["room"]["outline"] = {{0, 0}, {1, 0}, {0, 1}};
+  EXPECT_EQ(paths_of(store).front(), "room.inner_walls[0].to");
+  EXPECT_EQ(paths_of(store).back(), "room.outline");
 }
 
 // What depends on an element with a problem has none of its own.

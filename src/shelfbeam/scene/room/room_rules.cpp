@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <span>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/field_reader.hpp"
+#include "shelfbeam/scene/plan_parts.hpp"
+#include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/room/plan_effort.hpp"
+#include "shelfbeam/scene/room/plan_lines.hpp"
+#include "shelfbeam/scene/room/room.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double negligible = 1e-6;  // m^2
+
+// A ceiling must be above the floor everywhere.
+void expect_headroom(const JsonCursor& json, const CeilingHeight& height, const Polygon& polygon) {
+  constexpr double least = 0.1, most = 1000;
+  for (const Vec2& corner : polygon)
+    if (const double z = height.at(corner); !(z >= least && z <= most))
+      json.fail(fmt::format("is {} at {}", length_text(z, json.unit()), point_text(corner, json.unit())),
+                fmt::format("a ceiling is {} to {} m above the floor", least, most));
+}
+
+// The distance from the outline to the farthest point of a polygon outside it. Corners of a part outside may
+// all lie on the outline, therefore points between them count, too.
+double distance_outside(const Polygon& polygon, const RoomShape& room) {
+  RoomShape outer;
+  outer.outline = room.outline;
+  double farthest = 0;
+  const auto include = [&](const Vec2& p) {
+    if (!contains(room.outline, p)) farthest = std::max(farthest, distance_to_border(room.outline, p));
+  };
+  for (const PlanPart& part : plan_parts(outer, polygon)) {
+    if (part.ceiling != nullptr) continue;
+    for (std::size_t k = 0; k < part.points.size(); ++k) {
+      const Vec2 &a = part.points[k], &b = part.points[(k + 1) % part.points.size()];
+      include(a);
+      include({(a[0] + b[0]) / 2, (a[1] + b[1]) / 2});
+    }
+  }
+  return farthest;
+}
+
+// A part beyond the outline is cut off. It may result from rounded corners.
+void expect_within_outline(const JsonCursor& json, const Polygon& polygon, const RoomShape& room,
+                           PlanEffort& effort) {
+  constexpr double rounded = 0.01;
+  RoomShape outer;
+  outer.outline = room.outline;
+  effort.divide(outer, polygon, json);
+  if (const double far = distance_outside(polygon, room); far > rounded)
+    json.fail(fmt::format("extends {} outside the room", length_text(far, json.unit())),
+              room.is_box ? "keep it within the walls" : "keep it within 'outline'");
+}
+
+// Building the room divides the plan where lines cross.
+void expect_few_lines(const JsonCursor& json, const RoomShape& shape) {
+  const PlanLines lines = PlanLines::of(shape);
+  constexpr auto remedy = "use fewer zones, inner walls and openings, or fewer heights with a sloped ceiling";
+  if (lines.count() > PlanLines::max_count)
+    json.fail(fmt::format("has more than {} edges in its plan", grouped(PlanLines::max_count)), remedy);
+  if (lines.crossings(PlanLines::max_crossings) > PlanLines::max_crossings)
+    json.fail(fmt::format("has edges that meet in more than {} points of its plan",
+                          grouped(PlanLines::max_crossings)),
+              remedy);
+}
+
+// Whether an opening extends beyond the outline or into a hole. A wall may end obliquely at a wall of the
+// room, so the middle of the wall decides, where panes are.
+bool is_cut_off(const RoomShape& shape, InnerWall wall, const WallOpening& opening) {
+  wall.thickness = 1e-3;
+  RoomShape walls;
+  walls.outline = shape.outline;
+  walls.holes = shape.holes;
+  return leave_room(plan_parts(walls, wall.footprint(opening.at, opening.at + opening.width)));
+}
+
+// The rules that tie the parts of a room together. Each part is compared with those before it.
+class RoomRules {
+ public:
+  RoomRules(FieldReader& reader, const RoomShape& shape)
+      : reader_(reader), shape_(shape), corners_(shape.outline.size()) {}
+
+  void check() {
+    const JsonCursor& json = reader_.json();
+    const bool has_outline = reader_.rule({"size", "outline", "height"}, [&] {
+      if (!shape_.is_box) expect_headroom(json["height"], shape_.height, shape_.outline);
+    });
+    reader_.rule({"outline", "wall_materials"}, [&] { check_wall_numbers(json); });
+    // Each part has consequences for the following ones.
+    if (!has_outline || !reader_.rule({"holes"}, [&] {
+          if (const auto holes = json.find("holes")) check_holes(*holes);
+        }))
+      return;
+    if (each("zones", shape_.zones.size(), [&](const JsonCursor& at, std::size_t k) { check_zone(at, k); }) &&
+        each("inner_walls", shape_.inner_walls.size(),
+             [&](const JsonCursor& at, std::size_t k) { check_wall(at, k); }))
+      reader_.rule({}, [&] { expect_few_lines(json, shape_); });
+  }
+
+ private:
+  // Returns whether all members of the list are right.
+  template <class Check>
+  bool each(std::string_view key, std::size_t count, const Check& check) {
+    const std::size_t failures = reader_.problems().failures();
+    ids_.clear();
+    for (std::size_t k = 0; k < count; ++k)
+      reader_.rule({fmt::format("{}[{}]", key, k)}, [&] { check(reader_.json()[key].element(k), k); });
+    return reader_.rule({key}, [] {}) && reader_.problems().failures() == failures;
+  }
+
+  void expect_new_id(const JsonCursor& json, const std::string& id) {
+    if (!ids_.insert(id).second)
+      json.fail(fmt::format("is the duplicate id {}", in_quotes(id)), "make ids unique");
+  }
+
+  void check_wall_numbers(const JsonCursor& json) const {
+    const auto others = json.find("wall_materials");
+    if (!others) return;
+    const std::size_t last = shape_.outline.size() - 1;
+    for (const auto& [number, name] : others->members())
+      if (!to_whole_number(number, last))
+        name.fail("is not the number of a wall", fmt::format("the outline has the walls 0 to {}", last));
+  }
+
+  void check_holes(const JsonCursor& json) {
+    double free = std::abs(signed_area(shape_.outline));
+    for (std::size_t k = 0; k < shape_.holes.size(); ++k) {
+      const JsonCursor at = json.element(k);
+      const Polygon& hole = shape_.holes[k];
+      expect_within_outline(at, hole, shape_, effort_);
+      for (std::size_t other = 0; other < k; ++other)
+        if (effort_.shared_area(hole, shape_.holes[other], at) > negligible)
+          at.fail(fmt::format("overlaps hole {}", other), "join the two, or move one");
+      free -= effort_.shared_area(hole, shape_.outline, at);
+      expect_few_corners(at, hole);
+    }
+    if (free <= negligible) json.fail("cover the whole room", "remove or correct one of them");
+  }
+
+  void check_zone(const JsonCursor& json, std::size_t k) {
+    const CeilingZone& zone = shape_.zones[k];
+    expect_new_id(json["id"], zone.id);
+    if (zone.id == "room") json["id"].fail("is the name of the whole room", "use another name");
+    const JsonCursor polygon = json["polygon"];
+    expect_within_outline(polygon, zone.polygon, shape_, effort_);
+    for (const CeilingZone& other : std::span(shape_.zones).first(k))
+      if (!other.polygon.empty() && effort_.shared_area(zone.polygon, other.polygon, polygon) > negligible)
+        polygon.fail(fmt::format("overlaps zone {}", in_quotes(other.id)), "zones must not overlap");
+    expect_headroom(json["height"], zone.height, zone.polygon);
+    expect_few_corners(polygon, zone.polygon);
+  }
+
+  void check_wall(const JsonCursor& json, std::size_t number) {
+    const InnerWall& wall = shape_.inner_walls[number];
+    expect_new_id(json["id"], wall.id);
+    constexpr double shortest = 1e-3;
+    if (wall.length() < shortest) json["to"].fail("is at 'from': the wall has no length", "move it");
+    // The part of a wall outside the room is cut off.
+    const Polygon footprint = wall.footprint(0, wall.length());
+    double area = effort_.shared_area(footprint, shape_.outline, json);
+    for (const Polygon& hole : shape_.holes) area -= effort_.shared_area(footprint, hole, json);
+    if (!(area > negligible)) json.fail("is outside the room", "move it inside");
+    for (std::size_t k = 0; k < wall.openings.size(); ++k)
+      reader_.rule({}, [&] { check_opening(json["openings"].element(k), wall, k); });
+  }
+
+  void check_opening(const JsonCursor& json, const InnerWall& wall, std::size_t k) {
+    const WallOpening& opening = wall.openings[k];
+    if (opening.top <= opening.bottom) json["top"].fail("is not above 'bottom'", "swap or correct them");
+    constexpr double slack = 1e-9;
+    const auto text = [&](double metres) { return length_text(metres, json.unit()); };
+    if (opening.at + opening.width > wall.length() + slack)
+      json.fail(fmt::format("extends from {} to {}, but the wall is {} long", text(opening.at),
+                            text(opening.at + opening.width), text(wall.length())),
+                "keep the opening within its wall");
+    if (wall.height && opening.top > *wall.height + slack)
+      json["top"].fail(fmt::format("is above the wall of {}", text(*wall.height)),
+                       "lower it, or raise the wall");
+    const Polygon footprint = wall.footprint(opening.at, opening.at + opening.width);
+    effort_.divide(shape_, footprint, json);
+    if (is_cut_off(shape_, wall, opening))
+      json.fail("is in a part of its wall that is outside the room and cut off", "keep it within the room");
+    const double ceiling = lowest_ceiling(plan_parts(shape_, footprint));
+    if (opening.top > ceiling + slack)
+      json["top"].fail(fmt::format("is above the ceiling of {}", text(ceiling)), "lower it");
+    for (const WallOpening& other : std::span(wall.openings).first(k))
+      if (opening.at < other.at + other.width && other.at < opening.at + opening.width &&
+          opening.bottom < other.top && other.bottom < opening.top)
+        json.fail("overlaps another opening of the wall", "move one of the two");
+  }
+
+  // Reading compares polygons pair by pair.
+  void expect_few_corners(const JsonCursor& json, const Polygon& polygon) {
+    corners_ += polygon.size();
+    if (corners_ > PlanLines::max_count)
+      json.fail(
+          fmt::format("is one of too many: outline, holes and zones together have {} corners", corners_),
+          fmt::format("at most {} are allowed", PlanLines::max_count));
+  }
+
+  FieldReader& reader_;
+  const RoomShape& shape_;
+  std::size_t corners_;        // so far
+  std::set<std::string> ids_;  // of the list so far
+  PlanEffort effort_;
+};
+
+}  // namespace
+
+std::optional<Room> read_room(const JsonCursor& json, const StoreNames& names, Problems& problems) {
+  Room room;
+  if (!read_object(
+          json, names, problems, [&](Fields& f) { room.fields(f); },
+          [&](FieldReader& reader) { RoomRules(reader, room.shape).check(); }))
+    return std::nullopt;
+  return room;
+}
+
+}  // namespace shelfbeam
