@@ -61,11 +61,11 @@ class Overlaps {
   static constexpr std::size_t max_pairs = 20'000'000;
 
   bool is_box(const Part& part) const {
-    const std::string& type = type_of(part);
-    return type == "box" || type == "wall" || type == "prism" || type == "cylinder";
+    const FixtureForm form = form_of(part);
+    return form == FixtureForm::block || form == FixtureForm::prism || form == FixtureForm::wall;
   }
 
-  const std::string& type_of(const Part& part) const { return store_.scene.fixtures[part.fixture].type; }
+  FixtureForm form_of(const Part& part) const { return store_.scene.fixtures[part.fixture].form; }
 
   bool is_plinth(const Part& part) const {
     constexpr double highest = 0.2;  // m
@@ -75,7 +75,7 @@ class Overlaps {
   // Up to the ceiling over it, which may be lower than others.
   bool is_column(const Part& part) const {
     constexpr double largest = 1.5, reach = 0.8;  // m^2
-    if (type_of(part) == "wall" || std::abs(signed_area(part.footprint)) > largest) return false;
+    if (form_of(part) == FixtureForm::wall || std::abs(signed_area(part.footprint)) > largest) return false;
     const Bounds box = bounds_of(part);
     const Vec2 middle{(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2};
     const auto& room = store_.scene.room;
@@ -90,8 +90,7 @@ class Overlaps {
       return shared_volume(one, other, false) < 0.5 ||
              ((is_column(one) || is_column(other)) && shared_volume(one, other, true) < 0.5);
     const auto is_part_of_building = [&](const Part& part) {
-      return (is_box(part) || type_of(part) == MeshFixture::type_name) &&
-             (is_plinth(part) || is_column(part));
+      return (is_box(part) || form_of(part) == FixtureForm::mesh) && (is_plinth(part) || is_column(part));
     };
     return is_part_of_building(one) || is_part_of_building(other);
   }

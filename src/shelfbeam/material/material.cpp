@@ -77,6 +77,14 @@ bool is_pane(const Material& material) {
   return std::holds_alternative<ThinDielectric>(material);
 }
 
+double pane_transmittance(const Material& pane, double cos_theta) {
+  return pane_shares(pane, cos_theta).transmitted;
+}
+
+PaneShares pane_shares(const Material& pane, double cos_theta) {
+  return pane_shares(std::get<ThinDielectric>(pane), cos_theta);
+}
+
 bool is_solid(const Material& material) {
   return std::holds_alternative<Dielectric>(material);
 }

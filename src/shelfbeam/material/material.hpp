@@ -51,6 +51,10 @@ bool is_opaque(const Material& material);
 
 /// Whether the surface is a whole pane without thickness, on both sides of which is air.
 bool is_pane(const Material& material);
+/// Share of the light that passes a pane on a straight connection. Precondition: it is a pane.
+double pane_transmittance(const Material& pane, double cos_theta);
+/// The shares that a pane reflects and transmits, from either side. Precondition: it is a pane.
+PaneShares pane_shares(const Material& pane, double cos_theta);
 /// Whether the surface bounds a clear solid, so that its inside must be known.
 bool is_solid(const Material& material);
 

@@ -20,10 +20,6 @@ PaneShares pane_shares(const ThinDielectric& pane, double cos_theta) {
   return {f + f * once * transmitted, transmitted};
 }
 
-double pane_transmittance(const ThinDielectric& pane, double cos_theta) {
-  return pane_shares(pane, cos_theta).transmitted;
-}
-
 std::optional<ScatterSample> ThinDielectric::sample(const Vec3& wo, double u_lobe, double, double) const {
   const auto [r, t] = pane_shares(*this, wo.z);
   const double share = r + t;

@@ -43,7 +43,4 @@ struct PaneShares {
 };
 PaneShares pane_shares(const ThinDielectric& pane, double cos_theta);
 
-/// Share of the light that passes the pane on a straight connection.
-double pane_transmittance(const ThinDielectric& pane, double cos_theta);
-
 }  // namespace shelfbeam

@@ -70,6 +70,17 @@ struct Part {
   std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::mesh; only for meshes
 };
 
+/// The form of a fixture, on which drawings and checks depend. Its type gives it.
+enum class FixtureForm : std::uint8_t {
+  block,  ///< upright, with a convex outline
+  prism,  ///< upright, with any outline
+  rack,   ///< with boards
+  chest,  ///< open above
+  sheet,  ///< a parallelogram without thickness
+  mesh,
+  wall,  ///< an inner wall of the room
+};
+
 struct FixtureOutline {
   std::string id;
   std::string type;             ///< as in the store file ("gondola"), or "wall" for an inner wall
@@ -77,6 +88,9 @@ struct FixtureOutline {
   double height = 0;            ///< m
   double rotation_deg = 0;
   std::uint32_t first_triangle = 0, triangle_count = 0;  ///< in Scene::mesh; of all parts
+  FixtureForm form = FixtureForm::block;
+
+  bool is_wall() const { return form == FixtureForm::wall; }
 };
 
 /// The complete, checked input of a simulation. `make_scene` constructs it; from then on it is const.
@@ -111,8 +125,8 @@ struct Scene {
 
   /// The number of inner walls among `fixtures`.
   std::size_t inner_walls() const {
-    return static_cast<std::size_t>(std::count_if(
-        fixtures.begin(), fixtures.end(), [](const auto& fixture) { return fixture.type == "wall"; }));
+    return static_cast<std::size_t>(std::count_if(fixtures.begin(), fixtures.end(),
+                                                  [](const auto& fixture) { return fixture.is_wall(); }));
   }
 
   /// For each material, whether a surface uses it.

@@ -74,7 +74,7 @@ std::optional<std::uint32_t> fixture_with_max_labels(const Scene& scene) {
   std::optional<std::uint32_t> best;
   std::size_t max_count = 0;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f) {
-    if (!has_plan(scene.fixtures[f]) || scene.fixtures[f].type == "wall") continue;
+    if (!has_plan(scene.fixtures[f]) || scene.fixtures[f].is_wall()) continue;
     const std::size_t count = labels_of(scene, scene.fixtures[f]).size();
     if (count > max_count) {
       max_count = count;
@@ -115,7 +115,7 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
               "sub");
   const auto draw = [&](const std::vector<Seen>& parts, const auto& x, const auto& across) {
     for (const Seen& seen : parts) {
-      if (fixture.type == "panel") {
+      if (fixture.form == FixtureForm::sheet) {
         std::vector<Point> corners;
         for (const Vec3& corner : corners_of_panel(scene, fixture))
           corners.push_back({x(across(corner.x, corner.y)), up(corner.z)});

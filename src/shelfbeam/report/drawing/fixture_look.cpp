@@ -81,13 +81,13 @@ std::vector<Look> looks_of(const Scene& scene) {
 }
 
 bool has_plan(const FixtureOutline& fixture) {
-  return fixture.footprint.size() > (fixture.type == "panel" ? 1U : 2U);
+  return fixture.footprint.size() > (fixture.form == FixtureForm::sheet ? 1U : 2U);
 }
 
 std::vector<std::uint32_t> fixtures_by_height(const Scene& scene) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f)
-    if (has_plan(scene.fixtures[f]) && scene.fixtures[f].type != "wall") order.push_back(f);
+    if (has_plan(scene.fixtures[f]) && !scene.fixtures[f].is_wall()) order.push_back(f);
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return scene.fixtures[a].height < scene.fixtures[b].height; });
   return order;
@@ -96,8 +96,8 @@ std::vector<std::uint32_t> fixtures_by_height(const Scene& scene) {
 std::string mesh_section(const PlanView& view, const Scene& scene, std::uint32_t fixture) {
   std::string data;
   const FixtureOutline& outline = scene.fixtures[fixture];
-  const bool is_upright_panel = outline.type == "panel" && outline.footprint.size() == 2;
-  if (outline.type != "mesh" && !is_upright_panel) return data;
+  const bool is_upright_panel = outline.form == FixtureForm::sheet && outline.footprint.size() == 2;
+  if (outline.form != FixtureForm::mesh && !is_upright_panel) return data;
   for (const Part& part : scene.parts) {
     if (part.fixture != fixture || part.triangle_count == 0 || part.triangle_count > max_triangles) continue;
     const bool is_cut = part.bottom < section_height && section_height < part.top;

@@ -20,12 +20,12 @@ namespace {
 // Meshes are drawn as silhouettes, other fixtures as their upright prisms, a whole prism as its outline.
 void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
   const std::vector<Look> looks = looks_of(scene);
-  const auto is_wall = [&](std::uint32_t f) { return scene.fixtures[f].type == "wall"; };
+  const auto is_wall = [&](std::uint32_t f) { return scene.fixtures[f].is_wall(); };
   for (const std::uint32_t k : parts_seen_from_above(scene)) {
     const Part& part = scene.parts[k];
     if (part.fixture < looks.size() && (looks[part.fixture] != Look::solid || is_wall(part.fixture)))
       continue;
-    if (part.fixture < looks.size() && scene.fixtures[part.fixture].type == "prism")
+    if (part.fixture < looks.size() && scene.fixtures[part.fixture].form == FixtureForm::prism)
       canvas.polygon(view.outline(scene.fixtures[part.fixture].footprint), "solid");
     else if (const std::string silhouette = mesh_silhouette(view, scene, part); !silhouette.empty())
       canvas.path(silhouette, part_class(part));
@@ -34,10 +34,11 @@ void draw_parts(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
   }
   for (std::uint32_t f = 0; f < scene.fixtures.size(); ++f)
     if (has_plan(scene.fixtures[f]) && !is_wall(f)) {
-      const std::string section =
-          looks[f] == Look::overhead && scene.fixtures[f].type == "panel" ? "" : mesh_section(view, scene, f);
+      const std::string section = looks[f] == Look::overhead && scene.fixtures[f].form == FixtureForm::sheet
+                                      ? ""
+                                      : mesh_section(view, scene, f);
       if (!section.empty()) canvas.path(section, "outline");
-      const bool is_drawn = looks[f] == Look::solid && scene.fixtures[f].type != "prism" &&
+      const bool is_drawn = looks[f] == Look::solid && scene.fixtures[f].form != FixtureForm::prism &&
                             !mesh_silhouette(view, scene, f).empty();
       if (looks[f] == Look::overhead || (section.empty() && !is_drawn))
         draw_outline(canvas, view, scene.fixtures[f],

@@ -17,12 +17,21 @@ namespace shelfbeam {
 
 namespace {
 
-// All other types have the class of a box.
-const char* fixture_class(const FixtureOutline& fixture) {
-  if (fixture.type == "gondola") return "fx fx-g";
-  if (fixture.type == "freezer") return "fx fx-f";
-  if (fixture.type == "mesh") return "fx fx-m";
-  if (fixture.type == "panel") return "fx fx-b fx-m";
+std::string fixture_class(const FixtureOutline& fixture) {
+  switch (fixture.form) {
+    case FixtureForm::rack:
+      return "fx fx-g";
+    case FixtureForm::chest:
+      return "fx fx-f";
+    case FixtureForm::mesh:
+      return "fx fx-m";
+    case FixtureForm::sheet:
+      return "fx fx-b fx-m";
+    case FixtureForm::block:
+    case FixtureForm::prism:
+    case FixtureForm::wall:
+      break;
+  }
   return "fx fx-b";
 }
 
@@ -51,12 +60,12 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
     const bool covers = looks[f] == Look::covering;
     const std::string section = mesh_section(view, scene, f);
     const std::string silhouette =
-        covers || fixture.type == "prism" ? std::string() : mesh_silhouette(view, scene, f);
+        covers || fixture.form == FixtureForm::prism ? std::string() : mesh_silhouette(view, scene, f);
     if (!silhouette.empty())
       canvas.path(silhouette, fixture_class(fixture), title);
     else if (section.empty())
-      canvas.polygon(view.outline(fixture.footprint),
-                     fixture_class(fixture) + std::string(covers ? " fx-c" : ""), title);
+      canvas.polygon(view.outline(fixture.footprint), fixture_class(fixture) + (covers ? " fx-c" : ""),
+                     title);
     if (!section.empty()) canvas.path(section, "fx-s", title);
   }
   draw_inner_walls(canvas, view, scene);

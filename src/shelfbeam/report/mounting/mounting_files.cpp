@@ -152,7 +152,7 @@ std::string mounting_dxf(const ReportInput& input) {
     for (const CeilingZone& zone : scene.room->zones) add_outline(dxf, zone.polygon);
   }
   for (const FixtureOutline& fixture : scene.fixtures)
-    if (fixture.type != "wall") add_outline(dxf, fixture.footprint);
+    if (!fixture.is_wall()) add_outline(dxf, fixture.footprint);
   if (scene.room)
     for (const WallSection& wall : wall_sections(*scene.room, cut_height))
       for (const auto* loops : {&wall.cut, &wall.below})

@@ -147,7 +147,7 @@ class Search {
   // Faces of fixtures in plan, at any height: those of meshes at half their height.
   void meet_outlines(double sign) {
     for (const FixtureOutline& fixture : scene_.fixtures) {
-      if (fixture.footprint.size() < 3 || fixture.type == "mesh") continue;
+      if (fixture.footprint.size() < 3 || fixture.form == FixtureForm::mesh) continue;
       const bool is_below = contains(fixture.footprint, in_plan());
       if (const auto at = crossing(fixture.footprint, in_plan(), axis_, sign))
         offer(sign, *at, is_below ? Reference::Kind::end : Reference::Kind::fixture, fixture.id);

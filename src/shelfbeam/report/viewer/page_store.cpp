@@ -40,7 +40,7 @@ void add_parts(PageData& page, const Scene& scene, bool has_states) {
   for (const Part& part : scene.parts) {
     // The surfaces of inner walls are those of the room.
     if (part.kind == PartKind::shell || part.footprint.empty() ||
-        (part.fixture < scene.fixtures.size() && scene.fixtures[part.fixture].type == "wall"))
+        (part.fixture < scene.fixtures.size() && scene.fixtures[part.fixture].is_wall()))
       continue;
     if (part.kind == PartKind::mesh && part.triangle_count > 0 && part.triangle_count <= max_mesh_triangles) {
       std::map<std::uint32_t, std::uint32_t> known;
@@ -81,7 +81,7 @@ void add_room(PageData& page, const Scene& scene) {
   std::vector<bool> is_of_fixture(scene.mesh.triangles.size(), false);
   for (const FixtureOutline& fixture : scene.fixtures)
     for (std::uint32_t t = fixture.first_triangle; t < fixture.first_triangle + fixture.triangle_count; ++t) {
-      is_of_fixture[t] = fixture.type != "wall";
+      is_of_fixture[t] = !fixture.is_wall();
       owner[t] = Surface::inner_wall;
     }
   std::vector<float> vertices;

@@ -113,7 +113,7 @@ bool crosses_border(const Scene& scene, const Part& part) {
   const double top = part.top - rounding;
   if (part.kind != PartKind::mesh) return !is_within_room(room, part.footprint, top);
   // A concave prism; other meshes may surround a hole with their hull.
-  if (scene.fixtures[part.fixture].type != Prism::type_name) return false;
+  if (scene.fixtures[part.fixture].form != FixtureForm::prism) return false;
   for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
     Polygon plan;
     for (const std::uint32_t v : scene.mesh.triangles[t])

@@ -99,7 +99,7 @@ struct FacePath {
 std::vector<const Part*> wall_parts(const Scene& scene) {
   std::vector<const Part*> parts;
   for (const Part& part : scene.parts)
-    if (scene.fixtures[part.fixture].type == "wall") parts.push_back(&part);
+    if (scene.fixtures[part.fixture].is_wall()) parts.push_back(&part);
   return parts;
 }
 
@@ -257,7 +257,7 @@ class Generator {
       face.bottom = std::min(face.bottom, part.bottom);
       face.top = std::max(face.top, part.top);
     }
-    if (fixture.type == "wall") face.wall_parts = parts;
+    if (fixture.is_wall()) face.wall_parts = parts;
     return face;
   }
 

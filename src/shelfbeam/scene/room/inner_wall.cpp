@@ -82,7 +82,7 @@ void add_wall_parts(const Room& room, std::size_t wall, const TriangleRange& sur
   const double turn = std::atan2(shape.to[1] - shape.from[1], shape.to[0] - shape.from[0]);
   const std::vector<Polygon> outlines = within_room(room.shape, footprint);
   scene.fixtures.push_back({shape.id, "wall", outlines.size() == 1 ? outlines.front() : footprint, height,
-                            turn * 180 / pi, surface.first, surface.count});
+                            turn * 180 / pi, surface.first, surface.count, FixtureForm::wall});
 
   // Between two ends of openings, the same openings are above one another everywhere.
   std::set<double> ends{begin, end};

@@ -52,8 +52,8 @@ std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std:
     ++rays;
     if (!hit) return std::nullopt;
     const Material& material = world.material(*hit);
-    if (const auto* pane = std::get_if<ThinDielectric>(&material)) {
-      flux *= pane_transmittance(*pane, dot(hit->point.normal, emitted->direction));
+    if (is_pane(material)) {
+      flux *= pane_transmittance(material, dot(hit->point.normal, emitted->direction));
       from = hit->point;
       if (!(flux > 0)) return std::nullopt;
       continue;

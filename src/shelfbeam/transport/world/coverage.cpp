@@ -13,8 +13,7 @@ namespace shelfbeam {
 namespace {
 
 bool refracts_smoothly(const Material& material) {
-  const auto* solid = std::get_if<Dielectric>(&material);
-  return solid != nullptr && solid->has_only_specular();
+  return is_solid(material) && has_only_specular(material);
 }
 
 bool has_units(const Scene& scene, bool points) {

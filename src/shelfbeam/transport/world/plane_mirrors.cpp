@@ -114,9 +114,8 @@ double PlaneMirrors::share(std::size_t g, const Connection& way, const SurfacePo
     } else if (sum > 0) {
       return sum;
     }
-    const auto* pane = std::get_if<ThinDielectric>(&material);
-    if (pane == nullptr) return sum;
-    share *= pane_transmittance(*pane, cosine);
+    if (!is_pane(material)) return sum;
+    share *= pane_transmittance(material, cosine);
     if (share == 0) return sum;
     from = hit->point;
   }

@@ -177,8 +177,8 @@ struct RayScene::Impl {
   double end = 0;   // distance before a point at which rays end, m
   Contacts contacts;
   Device device = {};
-  std::vector<std::optional<ThinDielectric>> pane = {};  // by material
-  TriangleSet opaque = {}, panes = {};                   // `panes` has no Embree scene if it is empty
+  std::vector<std::optional<Material>> pane = {};  // by material
+  TriangleSet opaque = {}, panes = {};             // `panes` has no Embree scene if it is empty
 
   Float3 leave(const SurfacePoint& from, const Vec3& direction) const {
     return to_float(from.position - centre + from.normal * std::copysign(step, dot(from.normal, direction)));
@@ -263,10 +263,8 @@ RayScene::RayScene(const Scene& scene, double enlargement) {
       .contacts = Contacts(scene, {std::max(min_reach * enlargement, reach_steps * coordinates.rounding()),
                                    max_overlap * enlargement})});
   end_ = impl->end;
-  for (const NamedMaterial& named : scene.materials) {
-    const auto* pane = std::get_if<ThinDielectric>(&named.material);
-    impl->pane.push_back(pane != nullptr ? std::optional(*pane) : std::nullopt);
-  }
+  for (const auto& [name, material, range] : scene.materials)
+    impl->pane.push_back(is_pane(material) ? std::optional(material) : std::nullopt);
   impl->device.reset(rtcNewDevice(nullptr));
   // With little memory, Embree reports various errors.
   if (!impl->device && rtcGetDeviceError(nullptr) != RTC_ERROR_UNSUPPORTED_CPU) throw std::bad_alloc();

@@ -65,8 +65,7 @@ std::optional<ChainEnd> follow_chain(const World& world, SurfacePoint from, Vec3
     if (!next) return std::nullopt;
     end.throughput *= next->weight;
     from = hit->point;
-    const auto* const pane = std::get_if<ThinDielectric>(&material);
-    if (pane != nullptr && next->direction.z * outgoing.z < 0) {
+    if (is_pane(material) && next->direction.z * outgoing.z < 0) {
       passed = hit->distance(vertex, direction);
       end.probability *= next->pdf;
     } else {
