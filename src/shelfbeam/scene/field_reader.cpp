@@ -15,42 +15,6 @@ namespace shelfbeam {
 
 namespace {
 
-class KeyList final : public EachKey {
- public:
-  std::vector<std::string_view> keys;
-
-  void key(std::string_view name, const Field&) override {
-    if (std::find(keys.begin(), keys.end(), name) == keys.end()) keys.push_back(name);
-  }
-};
-
-double read_number(const JsonCursor& json, Scalar kind, const Field& field) {
-  const auto within = [&](double low, double high) {
-    return json.number(std::max(low, field.least), std::min(high, field.most));
-  };
-  switch (kind) {
-    case Scalar::length:
-      return read_length(json);
-    case Scalar::distance:
-      return json.metres(std::max(0.0, field.least), std::min(1e3, field.most));
-    case Scalar::extent:
-      return read_extent(json, 1e-4);
-    case Scalar::coordinate:
-      return read_coordinate(json);
-    case Scalar::degrees:
-      return within(-360, 360);
-    case Scalar::share:
-      return within(0, 1);
-    case Scalar::quantity:
-      return read_quantity(json);
-    case Scalar::amount:
-      return read_amount(json);
-    case Scalar::number:
-      break;
-  }
-  return within(-HUGE_VAL, HUGE_VAL);
-}
-
 void expect_size(const JsonCursor& json, const Field& field) {
   const std::size_t size = json.is_object() ? json.value().size() : json.size();
   if (size < field.fewest || (field.longest > 0 && size > field.longest))
@@ -62,12 +26,6 @@ void expect_size(const JsonCursor& json, const Field& field) {
 
 }  // namespace
 
-std::vector<std::string_view> keys_of(const Fields::Part& part) {
-  KeyList list;
-  part(list);
-  return list.keys;
-}
-
 bool read_object(const JsonCursor& json, const StoreNames& names, Problems& problems,
                  const Fields::Part& part, const std::function<void(FieldReader&)>& complete) {
   const std::size_t failures = problems.failures();
@@ -76,16 +34,6 @@ bool read_object(const JsonCursor& json, const StoreNames& names, Problems& prob
   if (json.is_object()) part(reader);
   if (json.is_object() && complete) complete(reader);
   return failures == problems.failures();
-}
-
-double read_scalar(const JsonCursor& json, Scalar kind, const Field& field) {
-  const double value = read_number(json, kind, field);
-  if (value >= field.least && value <= field.most) return value;
-  const bool is_low = value < field.least;
-  const double limit = is_low ? field.least : field.most;
-  json.fail_limits(fmt::format("is {}, {} {} m", json.length_text(), is_low ? "below" : "above", limit),
-                   value, field.least, field.most,
-                   std::string(field.remedy.empty() ? "use another value" : field.remedy));
 }
 
 void FieldReader::expect_keys(std::span<const std::string_view> known) {
@@ -176,20 +124,8 @@ bool FieldReader::choices(std::string_view key, std::vector<std::string_view>& v
   });
 }
 
-std::uint32_t FieldReader::index(NameList list, const JsonCursor& name) const {
-  switch (list) {
-    case NameList::material:
-      return names_.material(name).value;
-    case NameList::label_type:
-      return names_.label_type(name).value;
-    case NameList::transceiver_type:
-      return names_.transceiver_type(name).value;
-  }
-  return 0;
-}
-
 bool FieldReader::reference(std::string_view key, NameList list, std::uint32_t& value, const Field& field) {
-  return read(key, field, [&](const JsonCursor& json) { value = index(list, json); });
+  return read(key, field, [&](const JsonCursor& json) { value = names_.index(list, json); });
 }
 
 bool FieldReader::references(std::string_view key, NameList list,
@@ -200,11 +136,11 @@ bool FieldReader::references(std::string_view key, NameList list,
         for (auto& [name, value] : values) fields.reference(name, list, value, {});
       });
     else if (field.one_for_all)
-      for (auto& [name, value] : values) value = index(list, json);
+      for (auto& [name, value] : values) value = names_.index(list, json);
     else
       for (const auto& [name, value] : json.members())
         problems_.collect(
-            [&, &name = name, &value = value] { values.emplace_back(name, index(list, value)); });
+            [&, &name = name, &value = value] { values.emplace_back(name, names_.index(list, value)); });
   });
 }
 

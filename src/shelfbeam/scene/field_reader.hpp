@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/base/fields/fields.hpp"
+#include "shelfbeam/base/fields/each_key.hpp"
 #include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/math/vec3.hpp"
@@ -18,16 +18,10 @@
 
 namespace shelfbeam {
 
-/// The keys of a struct, of both of its forms and without those of its parts.
-std::vector<std::string_view> keys_of(const Fields::Part& part);
-
 /// Reads an object with the keys of a struct and no others, and collects its problems. `complete` checks
 /// rules that tie keys together. Returns whether there was no problem.
 bool read_object(const JsonCursor& json, const StoreNames& names, Problems& problems,
                  const Fields::Part& part, const std::function<void(class FieldReader&)>& complete = {});
-
-/// Reads a number of the kind.
-double read_scalar(const JsonCursor& json, Scalar kind, const Field& field = {});
 
 /// Reads the keys of a struct that an object of a store file has. It collects the problems of all keys; the
 /// value of a key with a problem remains. Keys that it does not know are left to `expect_keys`.
@@ -68,7 +62,6 @@ class FieldReader final : public Fields {
  private:
   template <class Read>
   bool read(std::string_view key, const Field& field, Read read_value);
-  std::uint32_t index(NameList list, const JsonCursor& name) const;
 
   JsonCursor json_;
   const StoreNames& names_;

@@ -69,15 +69,6 @@ double read_length(const JsonCursor& cursor) {
   return cursor.metres(1e-3, 1e3);
 }
 
-double read_angle_deg(const JsonCursor& cursor) {
-  return cursor.number(-360, 360);
-}
-
-double read_rotation_deg(const JsonCursor& fixture) {
-  const auto found = fixture.find("rotation_deg");
-  return found ? read_angle_deg(*found) : 0;
-}
-
 double read_extent(const JsonCursor& cursor, double smallest) {
   constexpr double largest = 10;
   cursor.non_negative();
@@ -96,6 +87,47 @@ double read_quantity(const JsonCursor& cursor) {
 double read_amount(const JsonCursor& cursor) {
   cursor.non_negative();
   return cursor.number(0, largest_amount);
+}
+
+namespace {
+
+double read_number(const JsonCursor& json, Scalar kind, const Field& field) {
+  const auto within = [&](double low, double high) {
+    return json.number(std::max(low, field.least), std::min(high, field.most));
+  };
+  switch (kind) {
+    case Scalar::length:
+      return read_length(json);
+    case Scalar::distance:
+      return json.metres(std::max(0.0, field.least), std::min(1e3, field.most));
+    case Scalar::extent:
+      return read_extent(json, 1e-4);
+    case Scalar::coordinate:
+      return read_coordinate(json);
+    case Scalar::degrees:
+      return within(-360, 360);
+    case Scalar::share:
+      return within(0, 1);
+    case Scalar::quantity:
+      return read_quantity(json);
+    case Scalar::amount:
+      return read_amount(json);
+    case Scalar::number:
+      break;
+  }
+  return within(-HUGE_VAL, HUGE_VAL);
+}
+
+}  // namespace
+
+double read_scalar(const JsonCursor& json, Scalar kind, const Field& field) {
+  const double value = read_number(json, kind, field);
+  if (value >= field.least && value <= field.most) return value;
+  const bool is_low = value < field.least;
+  const double limit = is_low ? field.least : field.most;
+  json.fail_limits(fmt::format("is {}, {} {} m", json.length_text(), is_low ? "below" : "above", limit),
+                   value, field.least, field.most,
+                   std::string(field.remedy.empty() ? "use another value" : field.remedy));
 }
 
 std::string read_currency(const JsonCursor& cursor) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/fields/fields.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -31,11 +32,6 @@ std::string point_text(const Vec2& metres, LengthUnit unit);
 /// A size or distance, 1 mm to 1 km.
 double read_length(const JsonCursor& cursor);
 
-/// An angle in degrees, at most a full turn in either direction.
-double read_angle_deg(const JsonCursor& cursor);
-/// The angle of the key "rotation_deg"; 0 if it is omitted.
-double read_rotation_deg(const JsonCursor& fixture);
-
 /// The size of a device: 0 for a point, or `smallest` to 10 m.
 double read_extent(const JsonCursor& cursor, double smallest);
 
@@ -45,6 +41,8 @@ inline constexpr double min_quantity = 1e-12, largest_amount = 1e9;
 double read_quantity(const JsonCursor& cursor);
 /// A cost or an intensity: 0 to 1e9.
 double read_amount(const JsonCursor& cursor);
+/// A number of the kind, within the limits of the field.
+double read_scalar(const JsonCursor& json, Scalar kind, const Field& field = {});
 /// The currency of costs, such as "EUR": 1 to 8 printable characters.
 std::string read_currency(const JsonCursor& cursor);
 /// A row with one amount per angle.

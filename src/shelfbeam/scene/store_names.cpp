@@ -27,4 +27,9 @@ template class NameIndex<MaterialId>;
 template class NameIndex<LabelTypeId>;
 template class NameIndex<TransceiverTypeId>;
 
+std::uint32_t StoreNames::index(NameList list, const JsonCursor& name) const {
+  if (list == NameList::material) return material(name).value;
+  return list == NameList::label_type ? label_type(name).value : transceiver_type(name).value;
+}
+
 }  // namespace shelfbeam

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "shelfbeam/base/fields/fields.hpp"
 #include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/base/json.hpp"
@@ -39,6 +40,9 @@ struct StoreNames {
       : material("material", store.materials, problems),
         label_type("label type", store.label_types, problems),
         transceiver_type("transceiver type", store.transceiver_types, problems) {}
+
+  /// The index in a list of the member with this name.
+  std::uint32_t index(NameList list, const JsonCursor& name) const;
 
   NameIndex<MaterialId> material;
   NameIndex<LabelTypeId> label_type;

@@ -58,4 +58,7 @@ class EachKey : public Fields {
   }
 };
 
+/// The keys of a struct, of both of its forms and without those of its parts.
+std::vector<std::string_view> keys_of(const Fields::Part& part);
+
 }  // namespace shelfbeam
