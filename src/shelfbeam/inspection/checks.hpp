@@ -44,6 +44,12 @@ struct Inspected {
   double floor() const { return scene.room ? 0 : scene.lower.z; }
 };
 
+/// The positions of labels or units.
+template <class Devices>
+BoxIndex index_of(const Devices& devices) {
+  return BoxIndex::over(devices, [](const auto& device) { return Bounds{device.position, device.position}; });
+}
+
 // Each function adds warnings about one subject.
 
 /// Values outside the usual limits of their descriptions (base/fields/fields.hpp).

@@ -17,14 +17,6 @@ namespace shelfbeam {
 
 namespace {
 
-template <class Devices>
-BoxIndex index_of(const Devices& devices) {
-  std::vector<Bounds> points;
-  points.reserve(devices.size());
-  for (const auto& device : devices) points.push_back({device.position, device.position});
-  return BoxIndex(std::move(points));
-}
-
 // A check visits at most this many devices around a place, because there may be thousands at one place. All
 // checks of a shop with a few devices at each place visit no more.
 constexpr std::size_t most_neighbours = 1000;

@@ -223,13 +223,9 @@ void warn_of_floating(const Inspected& store, WarningList& warnings) {
   constexpr double largest_sign = 0.3, headroom = 2;
   const Scene& scene = store.scene;
   std::vector<const Part*> meshes;
-  std::vector<Bounds> bounds;
   for (const Part& part : scene.parts)
-    if (part.kind == PartKind::mesh) {
-      meshes.push_back(&part);
-      bounds.push_back(bounds_of(part));
-    }
-  const BoxIndex mesh_index(std::move(bounds));
+    if (part.kind == PartKind::mesh) meshes.push_back(&part);
+  const BoxIndex mesh_index = index_of(meshes);
   for (const Part& block : scene.parts) {
     store.expect_running();
     // Inner walls follow the fixtures of the store.

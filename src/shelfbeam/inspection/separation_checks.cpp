@@ -34,7 +34,7 @@ class LightGroups {
         has_partner_(labels_ + units_),
         is_unknown_(labels_ + units_),
         is_on_wall_(units_),
-        index_(points(store.scene.transceivers)) {
+        index_(index_of(store.scene.transceivers)) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     const Vec3 size = store.scene.upper - store.scene.lower;
     reach_ = 2 * std::sqrt(std::max(size.x * size.y, 1.0) / static_cast<double>(units_));
@@ -59,12 +59,6 @@ class LightGroups {
   static constexpr std::size_t max_groups = 100;  // examined again
   // Steps of all walks, about a second. Devices that are left then count as connected.
   static constexpr std::size_t max_steps = 200'000;
-
-  static std::vector<Bounds> points(const std::vector<Transceiver>& units) {
-    std::vector<Bounds> points;
-    for (const Transceiver& unit : units) points.push_back({unit.position, unit.position});
-    return points;
-  }
 
   void join(std::uint32_t a, std::uint32_t b) {
     a = group(a);

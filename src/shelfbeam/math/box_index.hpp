@@ -45,6 +45,15 @@ class BoxIndex {
     if (!boxes_.empty()) build(0, boxes_.size());
   }
 
+  /// Over the boxes of items.
+  template <class Items, class BoxOf>
+  static BoxIndex over(const Items& items, const BoxOf& box_of) {
+    std::vector<Bounds> boxes;
+    boxes.reserve(items.size());
+    for (const auto& item : items) boxes.push_back(box_of(item));
+    return BoxIndex(std::move(boxes));
+  }
+
   /// Calls `use(index)` for the boxes that meet `query`, until it returns true. Returns whether it did.
   template <class Use>
   bool any(const Bounds& query, const Use& use) const {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/polygon_edges.hpp"
 
 namespace shelfbeam {
 
@@ -19,32 +19,21 @@ constexpr double outline_rounding = 1e-6;  // m
 
 double perimeter_of(const Polygon& polygon) {
   double sum = 0;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-    sum += std::hypot(b[0] - a[0], b[1] - a[1]);
-  }
+  each_edge(polygon, [&](const Vec2& a, const Vec2& b) { sum += std::hypot(b[0] - a[0], b[1] - a[1]); });
   return sum;
 }
 
 // The edges of a border whose bounds meet those of the plan.
 void add_edges(const Polygon& border, const PlanBounds& bounds, std::vector<Line>& lines) {
-  for (std::size_t k = 0; k < border.size(); ++k) {
-    const Line edge{border[k], border[(k + 1) % border.size()]};
-    if (bounds_of(edge).meets(bounds)) lines.push_back(edge);
-  }
+  each_edge(border, [&](const Vec2& a, const Vec2& b) {
+    if (bounds_of(Line{a, b}).meets(bounds)) lines.push_back({a, b});
+  });
 }
 
 PlanPart part_around(const RoomShape& shape, const Vec2& inside) {
   PlanPart part;
   if (shape.covers(inside)) part.ceiling = &shape.ceiling_over(inside);
   return part;
-}
-
-RoomShape walls_of(const RoomShape& shape) {
-  RoomShape walls;
-  walls.outline = shape.outline;
-  walls.holes = shape.holes;
-  return walls;
 }
 
 /// Whether a block is within the room, as far as single points and edges decide. That takes a small part of
@@ -186,6 +175,13 @@ std::vector<PlanPart> plan_parts(const RoomShape& shape, const Polygon& polygon)
   for (std::size_t f = 0; f < parts.size(); ++f)
     if (areas[f] > negligible && contains(polygon, map.inside[f])) kept.push_back(std::move(parts[f]));
   return kept;
+}
+
+RoomShape walls_of(const RoomShape& shape) {
+  RoomShape walls;
+  walls.outline = shape.outline;
+  walls.holes = shape.holes;
+  return walls;
 }
 
 bool leave_room(const std::vector<PlanPart>& parts) {

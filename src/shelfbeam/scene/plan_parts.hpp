@@ -16,6 +16,9 @@ struct PlanPart {
 /// omitted, therefore a polygon without an area has no parts. The shape must outlive the result.
 std::vector<PlanPart> plan_parts(const RoomShape& shape, const Polygon& polygon);
 
+/// The outline and the holes of a room alone, under one ceiling.
+RoomShape walls_of(const RoomShape& shape);
+
 /// Whether one of the parts is outside the room.
 bool leave_room(const std::vector<PlanPart>& parts);
 

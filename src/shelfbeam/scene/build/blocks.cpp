@@ -21,11 +21,8 @@ std::vector<const Part*> blocks_of(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Bounds> bounds_of(const std::vector<const Part*>& parts) {
-  std::vector<Bounds> bounds;
-  bounds.reserve(parts.size());
-  for (const Part* part : parts) bounds.push_back(bounds_of(*part));
-  return bounds;
+BoxIndex index_of(const std::vector<const Part*>& parts) {
+  return BoxIndex::over(parts, [](const Part* part) { return bounds_of(*part); });
 }
 
 Bounds bounds_of(const Part& part) {
@@ -63,7 +60,7 @@ Stretch stretch_within(const Part& block, const Vec3& p, const Vec3& direction, 
 Blocks::Blocks(const Scene& scene, std::size_t max_visits)
     : scene_(scene),
       blocks_(blocks_of(scene)),
-      index_(bounds_of(blocks_)),
+      index_(index_of(blocks_)),
       max_visits_(max_visits),
       has_limit_(max_visits < std::numeric_limits<std::size_t>::max()) {}
 

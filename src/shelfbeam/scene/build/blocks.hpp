@@ -26,7 +26,7 @@ struct Stretch {
 Stretch stretch_within(const Part& block, const Vec3& p, const Vec3& direction, double inset = 0);
 
 Bounds bounds_of(const Part& part);
-std::vector<Bounds> bounds_of(const std::vector<const Part*>& parts);
+BoxIndex index_of(const std::vector<const Part*>& parts);
 
 /// The blocks of a scene: all opaque parts of fixtures except meshes, of which only the hull is a block.
 class Blocks {

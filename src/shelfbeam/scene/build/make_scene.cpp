@@ -36,13 +36,11 @@ double scene_bytes(const TransceiverGrid& grid) {
 }
 
 // The areas as flat boxes at height 0; areas include their edges.
-std::vector<Bounds> in_plan(const std::vector<KeepOut>& areas) {
+BoxIndex in_plan(const std::vector<KeepOut>& areas) {
   constexpr double slack = 1e-9;
-  std::vector<Bounds> boxes;
-  boxes.reserve(areas.size());
-  for (const KeepOut& area : areas)
-    boxes.push_back(Bounds{{area.min[0], area.min[1], 0}, {area.max[0], area.max[1], 0}}.wider_by(slack));
-  return boxes;
+  return BoxIndex::over(areas, [](const KeepOut& area) {
+    return Bounds{{area.min[0], area.min[1], 0}, {area.max[0], area.max[1], 0}}.wider_by(slack);
+  });
 }
 
 class SceneMaker {
@@ -159,13 +157,10 @@ class SceneMaker {
   }
 
   void find_bounds() {
-    scene_.lower = scene_.upper = scene_.mesh.vertices.front();
-    for (const Vec3& p : scene_.mesh.vertices) {
-      scene_.lower = {std::min(scene_.lower.x, p.x), std::min(scene_.lower.y, p.y),
-                      std::min(scene_.lower.z, p.z)};
-      scene_.upper = {std::max(scene_.upper.x, p.x), std::max(scene_.upper.y, p.y),
-                      std::max(scene_.upper.z, p.z)};
-    }
+    Bounds bounds;
+    for (const Vec3& p : scene_.mesh.vertices) bounds.include(p);
+    scene_.lower = bounds.low;
+    scene_.upper = bounds.high;
   }
 
   // Smooth mirrors and glass are exempt, because chains over them end at random (follow_chain).

@@ -106,7 +106,7 @@ std::vector<const Part*> wall_parts(const Scene& scene) {
 class Generator {
  public:
   Generator(const Store& store, const Scene& scene)
-      : store_(store), scene_(scene), wall_parts_(wall_parts(scene)), wall_index_(bounds_of(wall_parts_)) {
+      : store_(store), scene_(scene), wall_parts_(wall_parts(scene)), wall_index_(index_of(wall_parts_)) {
     if (store.faces.empty()) return;
     for (std::size_t f = 0; f < scene.fixtures.size(); ++f) fixture_index_.emplace(scene.fixtures[f].id, f);
   }

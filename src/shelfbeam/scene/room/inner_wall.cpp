@@ -50,9 +50,7 @@ Polygon::iterator nearest_corner(Polygon& polygon, const Vec2& p) {
 
 // The parts of a wall's footprint within the room, convex: whole if possible, otherwise triangles.
 std::vector<Polygon> within_room(const RoomShape& shape, const Polygon& footprint) {
-  RoomShape walls;
-  walls.outline = shape.outline;
-  walls.holes = shape.holes;
+  const RoomShape walls = walls_of(shape);
   std::vector<Polygon> polygons;
   for (const PlanPart& part : plan_parts(walls, footprint)) {
     if (part.ceiling == nullptr) continue;

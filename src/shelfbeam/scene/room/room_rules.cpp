@@ -34,13 +34,11 @@ void expect_headroom(const JsonCursor& json, const CeilingHeight& height, const 
 // The distance from the outline to the farthest point of a polygon outside it. Corners of a part outside may
 // all lie on the outline, therefore points between them count, too.
 double distance_outside(const Polygon& polygon, const RoomShape& room) {
-  RoomShape outer;
-  outer.outline = room.outline;
   double farthest = 0;
   const auto include = [&](const Vec2& p) {
     if (!contains(room.outline, p)) farthest = std::max(farthest, distance_to_border(room.outline, p));
   };
-  for (const PlanPart& part : plan_parts(outer, polygon)) {
+  for (const PlanPart& part : plan_parts(room, polygon)) {
     if (part.ceiling != nullptr) continue;
     for (std::size_t k = 0; k < part.points.size(); ++k) {
       const Vec2 &a = part.points[k], &b = part.points[(k + 1) % part.points.size()];
@@ -58,7 +56,7 @@ void expect_within_outline(const JsonCursor& json, const Polygon& polygon, const
   RoomShape outer;
   outer.outline = room.outline;
   effort.divide(outer, polygon, json);
-  if (const double far = distance_outside(polygon, room); far > rounded)
+  if (const double far = distance_outside(polygon, outer); far > rounded)
     json.fail(fmt::format("extends {} outside the room", length_text(far, json.unit())),
               room.is_box ? "keep it within the walls" : "keep it within 'outline'");
 }
@@ -79,9 +77,7 @@ void expect_few_lines(const JsonCursor& json, const RoomShape& shape) {
 // room, so the middle of the wall decides, where panes are.
 bool is_cut_off(const RoomShape& shape, InnerWall wall, const WallOpening& opening) {
   wall.thickness = 1e-3;
-  RoomShape walls;
-  walls.outline = shape.outline;
-  walls.holes = shape.holes;
+  const RoomShape walls = walls_of(shape);
   return leave_room(plan_parts(walls, wall.footprint(opening.at, opening.at + opening.width)));
 }
 

@@ -3,59 +3,53 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
+#include "shelfbeam/scene/build/blocks.hpp"
 #include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
 
 FreeFloor::FreeFloor(const Scene& scene)
-    : scene_(scene), obstacles_(obstacles_of(scene)), index_(bounds_of(obstacles_)) {}
+    : scene_(scene),
+      obstacles_(obstacles_of(scene)),
+      index_(BoxIndex::over(obstacles_, [](const Part& part) { return shelfbeam::bounds_of(part); })) {}
 
 // Meshes count with their triangles, because the hull of a mesh may contain free floor.
-std::vector<FreeFloor::Obstacle> FreeFloor::obstacles_of(const Scene& scene) {
-  std::vector<Obstacle> obstacles;
+std::vector<Part> FreeFloor::obstacles_of(const Scene& scene) {
+  std::vector<Part> obstacles;
+  const auto add = [&](Polygon plan, double bottom, double top) {
+    obstacles.push_back({PartKind::solid, 0, {}, std::move(plan), bottom, top});
+  };
   const auto keep_clear = [&](const Vec3& p) {
     constexpr double around = 0.02;  // m
-    obstacles.push_back({{{p.x - around, p.y - around},
-                          {p.x + around, p.y - around},
-                          {p.x + around, p.y + around},
-                          {p.x - around, p.y + around}},
-                         p.z,
-                         p.z});
+    add({{p.x - around, p.y - around},
+         {p.x + around, p.y - around},
+         {p.x + around, p.y + around},
+         {p.x - around, p.y + around}},
+        p.z, p.z);
   };
   for (const Label& label : scene.labels) keep_clear(label.position);
   for (const Transceiver& unit : scene.transceivers)
     if (unit.installed) keep_clear(unit.position);
   for (const Part& part : scene.parts) {
     if (part.kind != PartKind::mesh) {
-      obstacles.push_back({part.footprint, part.bottom, part.top});
+      add(part.footprint, part.bottom, part.top);
       continue;
     }
     for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
-      Obstacle obstacle{{}, HUGE_VAL, -HUGE_VAL};
+      Polygon plan;
+      double bottom = HUGE_VAL, top = -HUGE_VAL;
       for (const std::uint32_t v : scene.mesh.triangles[t]) {
         const Vec3& p = scene.mesh.vertices[v];
-        obstacle.plan.push_back({p.x, p.y});
-        obstacle.bottom = std::min(obstacle.bottom, p.z);
-        obstacle.top = std::max(obstacle.top, p.z);
+        plan.push_back({p.x, p.y});
+        bottom = std::min(bottom, p.z);
+        top = std::max(top, p.z);
       }
-      obstacles.push_back(std::move(obstacle));
+      add(std::move(plan), bottom, top);
     }
   }
   return obstacles;
-}
-
-std::vector<Bounds> FreeFloor::bounds_of(const std::vector<Obstacle>& obstacles) {
-  std::vector<Bounds> bounds;
-  bounds.reserve(obstacles.size());
-  for (const Obstacle& obstacle : obstacles) {
-    bounds.emplace_back();
-    for (const Vec2& p : obstacle.plan) {
-      bounds.back().include(Vec3{p[0], p[1], obstacle.bottom});
-      bounds.back().include(Vec3{p[0], p[1], obstacle.top});
-    }
-  }
-  return bounds;
 }
 
 bool FreeFloor::is_free(const Polygon& plan, double height) const {
@@ -65,7 +59,8 @@ bool FreeFloor::is_free(const Polygon& plan, double height) const {
     block.include(Vec3{p[0], p[1], kerb});
     block.include(Vec3{p[0], p[1], height});
   }
-  if (index_.any(block, [&](std::uint32_t k) { return overlap(obstacles_[k].plan, plan); })) return false;
+  if (index_.any(block, [&](std::uint32_t k) { return overlap(obstacles_[k].footprint, plan); }))
+    return false;
   return !scene_.room || is_within_room(*scene_.room, plan, height);
 }
 

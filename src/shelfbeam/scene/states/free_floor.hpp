@@ -21,15 +21,10 @@ class FreeFloor {
   bool is_free(const Polygon& plan, double height) const;
 
  private:
-  struct Obstacle {
-    Polygon plan;  ///< convex
-    double bottom = 0, top = 0;
-  };
-  static std::vector<Obstacle> obstacles_of(const Scene& scene);
-  static std::vector<Bounds> bounds_of(const std::vector<Obstacle>& obstacles);
+  static std::vector<Part> obstacles_of(const Scene& scene);
 
   const Scene& scene_;
-  std::vector<Obstacle> obstacles_;
+  std::vector<Part> obstacles_;  ///< convex in plan
   BoxIndex index_;
 };
 

@@ -46,7 +46,14 @@ double folded(double value, double limit) {
 }  // namespace
 
 MountingError::MountingError(const Scene& scene)
-    : scene_(scene), blocks_(scene), room_edges_(edges_of(scene)), room_index_(bounds_of(room_edges_)) {}
+    : scene_(scene),
+      blocks_(scene),
+      room_edges_(edges_of(scene)),
+      room_index_(BoxIndex::over(room_edges_, [](const Edge& edge) {
+        Bounds bounds;
+        for (const auto& [x, y] : {edge.a, edge.b}) bounds.include(Vec3{x, y, 0});
+        return bounds;
+      })) {}
 
 std::vector<MountingError::Edge> MountingError::edges_of(const Scene& scene) {
   std::vector<Edge> edges;
@@ -56,13 +63,6 @@ std::vector<MountingError::Edge> MountingError::edges_of(const Scene& scene) {
   for (const Polygon& hole : scene.room->holes) each_edge(hole, add);
   for (const CeilingZone& zone : scene.room->zones) each_edge(zone.polygon, add);
   return edges;
-}
-
-std::vector<Bounds> MountingError::bounds_of(const std::vector<Edge>& edges) {
-  std::vector<Bounds> bounds(edges.size());
-  for (std::size_t k = 0; k < edges.size(); ++k)
-    for (const auto& [x, y] : {edges[k].a, edges[k].b}) bounds[k].include(Vec3{x, y, 0});
-  return bounds;
 }
 
 // Between zones, only ceilings below the point are in the way.

@@ -28,7 +28,6 @@ class MountingError {
     Vec2 a{}, b{};
   };
   static std::vector<Edge> edges_of(const Scene& scene);
-  static std::vector<Bounds> bounds_of(const std::vector<Edge>& edges);
 
   std::vector<Edge> edges_within(const Vec3& p, double distance) const;
   bool is_surface_at(const Edge& edge, const Vec3& p) const;

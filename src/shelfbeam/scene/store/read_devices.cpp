@@ -50,25 +50,13 @@ void complete(FieldReader& reader, const KeepOut& area) {
 template <class T>
 void complete(FieldReader&, const T&) {}
 
-// The members of a list without problems. `to` has values, or values with their locations.
 template <class To>
-void read_list(const JsonCursor& list, const StoreNames& names, const Store& store, Problems& problems,
-               To& to) {
-  for (const JsonCursor& json : list.elements()) {
+void read_devices(const JsonCursor& list, const StoreNames& names, const Store& store, Problems& problems,
+                  To& to) {
+  read_list(list, names, problems, to, [&](FieldReader& reader, const auto& value) {
     expect_running(store.cancel);
-    const auto read = [&](auto& value) {
-      return read_object(
-          json, names, problems, [&](Fields& f) { describe(value, f); },
-          [&](FieldReader& reader) { complete(reader, value); });
-    };
-    typename To::value_type member{};
-    if constexpr (requires { member.where; }) {
-      member.where = json.where();
-      if (read(member.value)) to.push_back(std::move(member));
-    } else if (read(member)) {
-      to.push_back(std::move(member));
-    }
-  }
+    complete(reader, value);
+  });
 }
 
 std::filesystem::path csv_path(const JsonCursor& section, const StoreFolder& folder) {
@@ -158,7 +146,7 @@ void each_record(const std::filesystem::path& path, const Columns& known, Store&
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store,
                  Problems& problems) {
   if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store, &problems);
-  read_list(section, names, store, problems, store.labels);
+  read_devices(section, names, store, problems, store.labels);
 }
 
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
@@ -169,14 +157,15 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
     if (const auto list = section.find(key)) problems.collect([&] { read(*list); });
   };
   read_mounts(section, names, store, problems);
-  each("grids", [&](const JsonCursor& list) { read_list(list, names, store, problems, store.grids); });
+  each("grids", [&](const JsonCursor& list) { read_devices(list, names, store, problems, store.grids); });
   each("list", [&](const JsonCursor& list) {
     if (list.is_object())
       read_transceivers_csv(csv_path(list, folder), names, store, &problems);
     else
-      read_list(list, names, store, problems, store.transceivers);
+      read_devices(list, names, store, problems, store.transceivers);
   });
-  each("keep_out", [&](const JsonCursor& list) { read_list(list, names, store, problems, store.keep_out); });
+  each("keep_out",
+       [&](const JsonCursor& list) { read_devices(list, names, store, problems, store.keep_out); });
   each("installed", [&](const JsonCursor& list) {
     for (const JsonCursor& id : list.elements())
       problems.collect([&] { store.installed.push_back({id.text(), id.where()}); });

@@ -31,11 +31,8 @@ class MountReader {
 
   template <class Mount>
   void read(const JsonCursor& json, std::vector<Listed<Mount>>& list) {
-    Mount mount;
-    if (read_object(
-            json, names_, problems_, [&](Fields& f) { describe(mount, f); },
-            [&](FieldReader& reader) { complete(reader, mount); }))
-      list.push_back({std::move(mount), json.where()});
+    read_list(json, names_, problems_, list,
+              [&](FieldReader& reader, Mount& mount) { complete(reader, mount); });
   }
 
  private:
@@ -120,8 +117,7 @@ void read_mounts(const JsonCursor& section, const StoreNames& names, Store& stor
   MountReader reader(names, store, problems);
   const auto each = [&](const char* key, auto& list) {
     problems.collect([&] {
-      if (const auto found = section.find(key))
-        for (const JsonCursor& json : found->elements()) reader.read(json, list);
+      if (const auto found = section.find(key)) reader.read(*found, list);
     });
   };
   each("areas", store.areas);

@@ -285,28 +285,19 @@ void read_label_types(const JsonCursor& section, const StoreFolder& folder, Stor
                       Problems& problems) {
   const StoreNames names(store, &problems);
   const TypeSource source{store, names, folder, problems};
-  // The names stay known if the types have problems.
-  for (const auto& [name, json] : section.members()) {
-    LabelType type;
-    problems.collect([&, &key = name, &object = json] { new_name(key, store.label_types, object); });
-    type.name = name;
+  read_named(section, store.label_types, problems, [&](const JsonCursor& json, LabelType& type) {
     read_object(json, names, problems, [&](Fields& f) { describe(type, f, &source); });
-    store.label_types.push_back(std::move(type));
-  }
+  });
 }
 
 void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store,
                             Problems& problems) {
   const StoreNames names(store, &problems);
   const TypeSource source{store, names, folder, problems};
-  for (const auto& [name, json] : section.members()) {
-    TransceiverType type;
-    problems.collect([&, &key = name, &object = json] { new_name(key, store.transceiver_types, object); });
-    type.name = name;
+  read_named(section, store.transceiver_types, problems, [&](const JsonCursor& json, TransceiverType& type) {
     if (!read_object(json, names, problems, [&](Fields& f) { describe(type, f, &source); }))
-      problems.mark("transceiver type " + name);
-    store.transceiver_types.push_back(std::move(type));
-  }
+      problems.mark("transceiver type " + type.name);
+  });
 }
 
 }  // namespace shelfbeam

@@ -1,11 +1,16 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/device/emission.hpp"
 #include "shelfbeam/scene/field_reader.hpp"
+#include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/presets.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
@@ -31,6 +36,37 @@ void read_labels(const JsonCursor& section, const StoreNames& names, const Store
                  Problems& problems);
 /// The areas, rails and faces of the section "transceivers". Requires the room and the fixtures.
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store, Problems& problems);
+/// Reads the members of an object by name. A name stays known if its member has problems.
+template <class Named, class Read>
+void read_named(const JsonCursor& section, std::vector<Named>& list, Problems& problems, const Read& read) {
+  for (const auto& member : section.members()) {
+    problems.collect([&] { new_name(member.first, list, member.second); });
+    Named one;
+    one.name = member.first;
+    read(member.second, one);
+    list.push_back(std::move(one));
+  }
+}
+/// Reads the members of a list, and keeps those without problems. `to` has values with their locations, or
+/// values alone; `complete` checks the rules that tie their keys together.
+template <class To, class Complete>
+void read_list(const JsonCursor& list, const StoreNames& names, Problems& problems, To& to,
+               const Complete& complete) {
+  for (const JsonCursor& json : list.elements()) {
+    typename To::value_type member{};
+    const auto read = [&](auto& value) {
+      return read_object(
+          json, names, problems, [&](Fields& f) { describe(value, f); },
+          [&](FieldReader& reader) { complete(reader, value); });
+    };
+    if constexpr (requires { member.where; }) {
+      member.where = json.where();
+      if (read(member.value)) to.push_back(std::move(member));
+    } else if (read(member)) {
+      to.push_back(std::move(member));
+    }
+  }
+}
 /// Throws Consequence if the fixture with this id may be one that has problems.
 inline void expect_fixtures(const Problems& problems, std::string_view id) {
   problems.expect_complete("fixture");

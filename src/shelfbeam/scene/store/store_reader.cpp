@@ -21,20 +21,16 @@ namespace {
 
 void read_materials(const JsonCursor& section, Store& store, Problems& problems) {
   const StoreNames names(store, &problems);
-  for (const auto& [name, json] : section.members()) {
-    // The name stays known if the material has problems.
-    NamedMaterial named{name, {}, {}};
-    problems.collect([&, &object = json, &key = name] { new_name(key, store.materials, object); });
-    problems.collect([&, &object = json] {
-      NamedMaterial given{named.name, material_of_type(object["type"]), {}};
+  read_named(section, store.materials, problems, [&](const JsonCursor& json, NamedMaterial& named) {
+    problems.collect([&] {
+      NamedMaterial given{named.name, material_of_type(json["type"]), {}};
       const auto part = [&](Fields& f) { describe(given, f, store.wavelength_nm); };
-      if (!read_object(object, names, problems, part)) return;
+      if (!read_object(json, names, problems, part)) return;
       const ReflectanceKeys keys{store.wavelength_nm, given.reflectance_range};
-      named.material = make_or_fail(object, [&] { return completed(given.material, object, keys); });
+      named.material = make_or_fail(json, [&] { return completed(given.material, json, keys); });
       named.reflectance_range = given.reflectance_range;
     });
-    store.materials.push_back(std::move(named));
-  }
+  });
 }
 
 // Files with parts that several stores share.
