@@ -47,11 +47,7 @@ void warn_of_unusual_values(const Inspected& store, WarningList& warnings) {
     check(file.grids[g], fmt::format("{}: transceivers.grids[{}]", file.file, g), warnings);
   for (const auto& [area, where] : file.areas) check(area, where, warnings);
   for (const auto& [rail, where] : file.rails) check(rail, where, warnings);
-  for (const auto& [fixture, where] : file.fixtures) {
-    Fixture copy = fixture;
-    UsualRanges ranges(where, warnings);
-    describe(copy, ranges);
-  }
+  for (const auto& [fixture, where] : file.fixtures) check(fixture, where, warnings);
 }
 
 }  // namespace shelfbeam

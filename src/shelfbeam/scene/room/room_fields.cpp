@@ -42,6 +42,13 @@ Json height_json(const CeilingHeight& height) {
   return points;
 }
 
+// The key of a list of parts of the room.
+Field parts_field(std::string_view says, std::size_t count) {
+  Field field{.says = says, .longest = max_parts, .is_optional = true, .otherwise = "none"};
+  field.is_written = count > 0;
+  return field;
+}
+
 void describe_height(Fields& f, CeilingHeight& height, std::string_view otherwise) {
   f.custom(
       "height",
@@ -97,19 +104,13 @@ void Room::fields(Fields& f) {
   f.either(
       {"size"}, shape.is_box, [this](Fields& box) { box_walls(box); },
       [this](Fields& plan) { outline_walls(plan); });
-  f.objects("zones", shape.zones.size(), [this](Fields& zone, std::size_t k) { zone_fields(zone, k); },
-            {.says = "[parts with another ceiling](#ceilings)",
-             .longest = max_parts,
-             .is_optional = true,
-             .otherwise = "none",
-             .is_written = !shape.zones.empty()});
-  f.objects("inner_walls", shape.inner_walls.size(),
-            [this](Fields& wall, std::size_t k) { inner_wall_fields(wall, k); },
-            {.says = "[walls in the room](#inner-walls)",
-             .longest = max_parts,
-             .is_optional = true,
-             .otherwise = "none",
-             .is_written = !shape.inner_walls.empty()});
+  f.objects(
+      "zones", shape.zones.size(), [this](Fields& zone, std::size_t k) { zone_fields(zone, k); },
+      parts_field("[parts with another ceiling](#ceilings)", shape.zones.size()));
+  f.objects(
+      "inner_walls", shape.inner_walls.size(),
+      [this](Fields& wall, std::size_t k) { inner_wall_fields(wall, k); },
+      parts_field("[walls in the room](#inner-walls)", shape.inner_walls.size()));
 }
 
 void Room::box_walls(Fields& f) {
@@ -189,13 +190,10 @@ void Room::inner_wall_fields(Fields& f, std::size_t k) {
              {.says = "material, also of the faces in openings",
               .is_optional = true,
               .otherwise = "`walls`, or `x0` of it"});
-  f.objects("openings", wall.openings.size(),
-            [this, k](Fields& opening, std::size_t o) { opening_fields(opening, k, o); },
-            {.says = "[doors and windows](#openings)",
-             .longest = max_parts,
-             .is_optional = true,
-             .otherwise = "none",
-             .is_written = !wall.openings.empty()});
+  f.objects(
+      "openings", wall.openings.size(),
+      [this, k](Fields& opening, std::size_t o) { opening_fields(opening, k, o); },
+      parts_field("[doors and windows](#openings)", wall.openings.size()));
 }
 
 void Room::opening_fields(Fields& f, std::size_t wall, std::size_t k) {
