@@ -133,6 +133,7 @@ void replace_table(std::string& page, const std::string& heading, const Fields::
   const std::string line = "| --- | --- | --- | --- |\n";
   const std::size_t begin = page.find(line, section) + line.size();
   ASSERT_GT(begin, line.size());
+  ASSERT_LT(begin, page.find("\n#", section + 1)) << "the section " << heading << " has no table";
   page.replace(begin, page.find("\n\n", begin) + 1 - begin, table.rows);
 }
 
