@@ -168,7 +168,8 @@ void FieldReader::either(std::initializer_list<std::string_view> marks, bool, co
   const Part &chosen = is_first ? first : second, &other = is_first ? second : first;
   const std::vector<std::string_view> own = keys_of(chosen);
   for (const std::string_view key : keys_of(other))
-    if (const auto found = json_.find(key); found && std::find(own.begin(), own.end(), key) == own.end())
+    if (const auto found = json_.find(key); found && std::find(own.begin(), own.end(), key) == own.end()) {
+      failed_.emplace_back(key);
       problems_.collect([&] {
         if (is_first)
           found->fail(fmt::format("has no effect beside '{}'", fmt::join(marks, "' and '")),
@@ -176,6 +177,7 @@ void FieldReader::either(std::initializer_list<std::string_view> marks, bool, co
         found->fail(fmt::format("has no effect without '{}'", fmt::join(marks, "' and '")),
                     "remove it, or add them");
       });
+    }
   chosen(*this);
 }
 
