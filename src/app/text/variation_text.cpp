@@ -37,12 +37,7 @@ std::vector<std::string> variation_lines(const Store& store) {
   if (!store.variation) return {};
   const StoreVariation& variation = *store.variation;
   std::vector<std::string> lines;
-  const auto has = [&](const auto& test) {
-    return std::any_of(store.fixtures.begin(), store.fixtures.end(), [&](const auto& fixture) {
-      const Shelving* shelves = shelving_of(fixture.value);
-      return shelves != nullptr && test(*shelves);
-    });
-  };
+  const auto has = [&](const auto& test) { return any_shelving(store.fixtures, test); };
   if (has([](const Shelving&) { return true; })) {
     const auto& [low, high] = variation.stocking;
     lines.push_back(fmt::format("shelves are {} full{}",

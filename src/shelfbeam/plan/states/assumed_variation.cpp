@@ -1,18 +1,11 @@
 #include "shelfbeam/plan/states/assumed_variation.hpp"
 
-#include <algorithm>
-
 namespace shelfbeam {
 
 AssumedVariation assumed_variation(const Store& store) {
   if (!store.variation) return {};
   const StoreVariation& variation = *store.variation;
-  const auto has = [&](const auto& test) {
-    return std::any_of(store.fixtures.begin(), store.fixtures.end(), [&](const auto& fixture) {
-      const Shelving* shelves = shelving_of(fixture.value);
-      return shelves != nullptr && test(*shelves);
-    });
-  };
+  const auto has = [&](const auto& test) { return any_shelving(store.fixtures, test); };
   AssumedVariation assumed;
   if (variation.is_assumed && has([](const Shelving&) { return true; }))
     assumed.stocking = {variation.stocking.low, variation.stocking.high};

@@ -273,12 +273,7 @@ Store StoreStates::state(const StateNumbers& numbers, const Scene& devices) cons
 
 std::vector<Cause> StoreStates::causes() const {
   const StoreVariation& variation = *store_.variation;
-  const auto has_fixture = [&](const auto& test) {
-    return std::any_of(store_.fixtures.begin(), store_.fixtures.end(), [&](const auto& fixture) {
-      const Shelving* shelves = shelving_of(fixture.value);
-      return shelves != nullptr && test(*shelves);
-    });
-  };
+  const auto has_fixture = [&](const auto& test) { return any_shelving(store_.fixtures, test); };
   const auto has_boxes = [&](bool people) {
     return std::any_of(variation.boxes.begin(), variation.boxes.end(),
                        [&](const StandingBoxes& boxes) { return boxes.is_person == people; });

@@ -307,7 +307,7 @@ class FixtureList {
     if (!json.find("size") && (empty == nullptr || shelving_of(*empty) == nullptr))
       against.fail(
           fmt::format("does not apply to a {}{}", type, json.find("min") ? " with 'min' and 'max'" : ""),
-          "use it for gondolas, freezers and boxes with 'size'");
+          fmt::format("use it for {} with 'size'", types_with_sides));
     const Edge edge = by_wall ? wall_edge(against["wall"]) : side_of(against);
     const auto gap_found = against.find("gap");
     const double gap = gap_found ? gap_found->metres(0, 1e3) : 0;
@@ -373,7 +373,7 @@ class FixtureList {
       name.fail(fmt::format("names the fixture {}, which is not listed before", in_quotes(id)),
                 "list it before, or correct the id");
     const auto footing = footing_of(store_.fixtures[found->second].value);
-    if (!footing) name.fail("names a fixture without sides", "use a gondola, a freezer or a box");
+    if (!footing) name.fail("names a fixture without sides", fmt::format("use {}", types_with_sides));
     return shelfbeam::side_of(*footing, against["side"].choice<Face>());
   }
 

@@ -133,7 +133,8 @@ class Planogram {
     const Fixture& fixture = store_.fixtures[place.fixture].value;
     const Shelving* shelves = shelving_of(fixture);
     const auto [faces, levels] = label_edges(fixture).value_or(LabelEdges{});
-    if (levels.empty()) csv.fail(at.fixture, "names a fixture without boards", "use a gondola or a freezer");
+    if (levels.empty())
+      csv.fail(at.fixture, "names a fixture without boards", fmt::format("use {}", types_with_boards));
     const auto face = from_text<Face>(lower_case(csv.text(at.face)));
     if (!face || std::find(faces.begin(), faces.end(), *face) == faces.end()) {
       std::vector<std::string_view> known;

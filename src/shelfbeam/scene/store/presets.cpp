@@ -19,21 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Keys of which a fixture or its labels have only one or the other; by the path of their object.
-struct Alternatives {
-  std::string_view path;
-  std::vector<std::string_view> one, other;
-};
-
-const std::vector<Alternatives>& alternatives() {
-  static const std::vector<Alternatives> all{{"labels", {"spacing"}, {"count", "positions"}},
-                                             {"labels", {"count"}, {"positions"}},
-                                             {"", {"min", "max"}, {"at", "size", "rotation_deg"}},
-                                             {"", {"against"}, {"at", "rotation_deg"}},
-                                             {"", {"file"}, {"parts"}}};
-  return all;
-}
-
 std::size_t count_values(const Json& json) {
   std::size_t count = 1;
   if (json.is_structured())
@@ -49,7 +34,7 @@ void drop_alternatives(Json& whole, const JsonCursor& layer, const std::string& 
     for (const std::string_view key : below)
       if (!layer.find(key)) whole.erase(std::string(key));
   };
-  for (const auto& [where, one, other] : alternatives())
+  for (const auto& [where, one, other] : alternative_keys())
     if (where == path) {
       replace(one, other);
       replace(other, one);
