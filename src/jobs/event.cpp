@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <exception>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -37,6 +38,11 @@ Json object_of(std::string_view line, std::string_view kind) {
 
 }  // namespace
 
+ExitCode exit_code_of(const JobEnd& end) {
+  const auto* error = std::get_if<JobError>(&end);
+  return error != nullptr ? error->code : std::get<JobResult>(end).summary.code;
+}
+
 JobError error_of(const std::exception& error) {
   JobError end{exit_code_of(error), error.what()};
   end.is_interruption = dynamic_cast<const Interrupted*>(&error) != nullptr;
@@ -48,32 +54,27 @@ JobError error_of(const std::exception& error) {
 }
 
 std::string line_of(const JobEnd& end) {
-  if (end.error)
+  if (const auto* error = std::get_if<JobError>(&end))
     return line({{"event", "error"},
-                 {"code", static_cast<int>(end.error->code)},
-                 {"message", end.error->message},
-                 {"of_checkpoint", end.error->is_of_checkpoint},
-                 {"interrupted", end.error->is_interruption}});
-  Json result = {
-      {"event", "result"}, {"code", static_cast<int>(end.summary->code)}, {"complete", end.is_complete}};
-  result.update(to_json(*end.summary));
+                 {"code", static_cast<int>(error->code)},
+                 {"message", error->message},
+                 {"of_checkpoint", error->is_of_checkpoint},
+                 {"interrupted", error->is_interruption}});
+  const auto& [summary, is_complete] = std::get<JobResult>(end);
+  Json result = {{"event", "result"}, {"code", static_cast<int>(summary.code)}, {"complete", is_complete}};
+  result.update(to_json(summary));
   return line(result);
 }
 
 namespace {
 
 std::optional<JobEnd> end_of(std::string_view line) {
-  JobEnd end;
-  if (const Json json = object_of(line, "error"); !json.is_null()) {
-    end.error = JobError{json.at("code").get<ExitCode>(), json.at("message"), json.at("of_checkpoint"),
-                         json.at("interrupted")};
-    return end;
-  }
+  if (const Json json = object_of(line, "error"); !json.is_null())
+    return JobError{json.at("code").get<ExitCode>(), json.at("message"), json.at("of_checkpoint"),
+                    json.at("interrupted")};
   const Json json = object_of(line, "result");
   if (json.is_null()) return {};
-  end.summary = {read_numbers(json), json.at("code").get<ExitCode>()};
-  end.is_complete = json.at("complete");
-  return end;
+  return JobResult{{read_numbers(json), json.at("code").get<ExitCode>()}, json.at("complete")};
 }
 
 }  // namespace
@@ -84,26 +85,29 @@ std::optional<JobEnd> read_end(std::string_view line) try {
   return {};
 }
 
-void EventProgress::report(std::string_view task, double fraction, std::string_view detail) {
+void EventProgress::report(Task task, double fraction, std::string_view detail) {
   constexpr std::chrono::milliseconds pause(250);
   const Clock::time_point now = Clock::now();
   const Progress progress =
       stages_.update(task, fraction, detail, std::chrono::duration<double>(now - begun_).count());
+  if (progress.task != task) next_ = {};  // of a step
+  if (shown_ != progress.task || next_.incumbent || next_.lower) bounds_ = std::exchange(next_, {});
+  shown_ = progress.task;
   if (written_ && now - *written_ < pause) return;
   written_ = now;
   const auto known = [](double value) { return value < 0 ? Json(nullptr) : Json(value); };
   write_(line({{"event", "progress"},
-               {"task", progress.task},
+               {"task", to_text(progress.task)},
                {"share", known(progress.fraction)},
                {"seconds_left", known(progress.seconds_left)},
-               {"incumbent", or_null(incumbent_)},
-               {"lower_bound", or_null(lower_bound_)},
+               {"incumbent", or_null(bounds_.incumbent)},
+               {"lower_bound", or_null(bounds_.lower)},
                {"detail", progress.detail}}));
 }
 
 void EventProgress::bounds(double incumbent, double lower_bound) {
-  if (std::isfinite(incumbent)) incumbent_ = incumbent;
-  if (std::isfinite(lower_bound)) lower_bound_ = lower_bound;
+  if (std::isfinite(incumbent)) next_.incumbent = incumbent;
+  if (std::isfinite(lower_bound)) next_.lower = lower_bound;
 }
 
 bool pass_on(std::string_view line, ProgressSink& sink) {
@@ -113,8 +117,10 @@ bool pass_on(std::string_view line, ProgressSink& sink) {
   read(json, "share", share);
   read(json, "incumbent", incumbent);
   read(json, "lower_bound", lower_bound);
+  const auto task = from_text<Task>(json.at("task").get<std::string>());
+  if (!task) return false;  // of another version
   if (incumbent && lower_bound) sink.bounds(*incumbent, *lower_bound);
-  sink.report(json.at("task").get<std::string>(), share.value_or(-1), json.at("detail").get<std::string>());
+  sink.report(*task, share.value_or(-1), json.at("detail").get<std::string>());
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "shelfbeam/base/control.hpp"
 
@@ -23,35 +24,43 @@ struct JobError {
   bool is_interruption = false;
 };
 
-/// The end of a job: a result or an error.
-struct JobEnd {
-  std::optional<PlanSummary> summary;
+/// The result of a job.
+struct JobResult {
+  PlanSummary summary;
   bool is_complete = false;  ///< not interrupted
-  std::optional<JobError> error;
 };
+
+using JobEnd = std::variant<JobResult, JobError>;
+
+ExitCode exit_code_of(const JobEnd& end);
 
 JobError error_of(const std::exception& error);
 std::string line_of(const JobEnd& end);
 /// Nothing for another line.
 std::optional<JobEnd> read_end(std::string_view line);
 
-/// Writes progress as lines of JSON, at most four per second.
+/// Writes progress as lines of JSON, at most four per second. Bounds are those of the task itself, not of
+/// searches that are steps of it.
 class EventProgress : public ProgressSink {
  public:
   using Write = std::function<void(std::string_view line)>;
   explicit EventProgress(Write write) : write_(std::move(write)) {}
 
-  void report(std::string_view task, double fraction, std::string_view detail) override;
+  void report(Task task, double fraction, std::string_view detail) override;
   void bounds(double incumbent, double lower_bound) override;
 
  private:
   using Clock = std::chrono::steady_clock;
+  struct Bounds {
+    std::optional<double> incumbent, lower;
+  };
 
   Write write_;
   ProgressStages stages_;
   Clock::time_point begun_ = Clock::now();
   std::optional<Clock::time_point> written_;
-  std::optional<double> incumbent_, lower_bound_;
+  Bounds bounds_, next_;  ///< of the task that is shown, and of the next report
+  std::optional<Task> shown_;
 };
 
 /// The progress in a line, passed on to `sink`. False for another line.

@@ -49,7 +49,7 @@ bool PlanProcess::has_ended(JobEnd& end, ChildEnd& effort, ProgressSink* progres
   if (const auto found = read_end(last_line(effort.out)))
     end = *found;
   else
-    end = {{}, false, error_of(effort)};
+    end = error_of(effort);
   return true;
 }
 

@@ -8,8 +8,8 @@ namespace shelfbeam::jobs {
 
 namespace {
 
-/// The stages of `plan` and `verify` that simulate and search themselves.
-constexpr std::array<std::string_view, 5> stages{"verifying", "proving", "refining", "curve", "sensitivity"};
+// The stages of `plan` and `verify` that simulate and search themselves.
+constexpr std::array stages{Task::verifying, Task::proving, Task::refining, Task::curve, Task::sensitivity};
 
 }  // namespace
 
@@ -32,7 +32,7 @@ double RemainingTime::update(double fraction, double now) {
   return end_ < 0 ? -1 : std::max(0.0, end_ - now);
 }
 
-Progress ProgressStages::update(std::string_view task, double fraction, std::string_view detail, double now) {
+Progress ProgressStages::update(Task task, double fraction, std::string_view detail, double now) {
   const bool is_stage = std::find(stages.begin(), stages.end(), task) != stages.end();
   in_stage_ = in_stage_ || is_stage;
   const bool is_step = in_stage_ && !is_stage;
@@ -50,7 +50,7 @@ Progress ProgressStages::update(std::string_view task, double fraction, std::str
     remaining_ = {};
   }
   step_ = task;
-  return {shown_, fraction, now - begun_, remaining_.update(fraction, now), detail_};
+  return {*shown_, fraction, now - begun_, remaining_.update(fraction, now), detail_};
 }
 
 }  // namespace shelfbeam::jobs

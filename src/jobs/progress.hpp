@@ -1,13 +1,16 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "shelfbeam/base/control.hpp"
 
 namespace shelfbeam::jobs {
 
 /// The state of a task. A negative number is unknown.
 struct Progress {
-  std::string_view task;
+  Task task = Task::planning;
   double fraction = -1;
   double seconds = 0;  ///< since the task began
   double seconds_left = -1;
@@ -29,12 +32,13 @@ class RemainingTime {
 /// shown as steps of that stage.
 class ProgressStages {
  public:
-  /// The texts of the result are valid until the next call.
-  Progress update(std::string_view task, double fraction, std::string_view detail, double now);
+  /// The text of the result is valid until the next call.
+  Progress update(Task task, double fraction, std::string_view detail, double now);
 
  private:
-  std::string shown_, detail_;
-  std::string step_;            ///< the task that was reported last
+  std::optional<Task> shown_;
+  std::optional<Task> step_;  ///< the task that was reported last
+  std::string detail_;
   double stage_fraction_ = -1;  ///< that the stage itself reports
   bool in_stage_ = false;
   double begun_ = 0;

@@ -32,7 +32,7 @@ int outcome_of(const std::function<void(const ListedStore&)>& read, const Listed
   } catch (const InputError& error) {
     jobs::JobError end = jobs::error_of(error);
     end.message = one_line(with_flag(error.what(), error.setting()));
-    const std::string line = jobs::line_of(jobs::JobEnd{{}, false, end});
+    const std::string line = jobs::line_of(end);
     return ::write(STDOUT_FILENO, line.data(), line.size()) < 0 ? internal_error : end.code;
   } catch (const std::exception&) {
     return internal_error;
@@ -53,9 +53,10 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
   std::vector<bool> is_unreadable(plans.size());
   std::list<Reading> running;
   const auto note = [&](std::size_t k, const jobs::ChildEnd& end) {
-    const auto failure = end.exit_code == wrong_input ? jobs::read_end(end.out) : std::nullopt;
-    if (!failure || !failure->error) return;
-    StoreRecord record{failed_result(*plans[k].store, failure->error->message), plans[k].input};
+    const auto found = end.exit_code == wrong_input ? jobs::read_end(end.out) : std::nullopt;
+    const auto* error = found ? std::get_if<jobs::JobError>(&*found) : nullptr;
+    if (error == nullptr) return;
+    StoreRecord record{failed_result(*plans[k].store, error->message), plans[k].input};
     record.result.effort = with_run(plans[k].effort, end);
     try {
       write_record(options.folder, record);
@@ -67,7 +68,7 @@ std::vector<StoreResult> remove_unreadable(const BatchOptions& options, std::vec
   };
   for (std::size_t next = 0; next < plans.size() || !running.empty();) {
     if (control.cancelled()) break;
-    control.report("reading the stores", static_cast<double>(next) / static_cast<double>(plans.size()));
+    control.report(Task::reading_the_stores, static_cast<double>(next) / static_cast<double>(plans.size()));
     for (; next < plans.size() && running.size() < options.jobs; ++next) try {
         const ListedStore& store = *plans[next].store;
         running.push_back({next, jobs::Child([&read, &store] { return outcome_of(read, store); },

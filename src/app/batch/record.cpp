@@ -124,10 +124,11 @@ PlanEffort with_run(PlanEffort effort, const jobs::ChildEnd& end) {
 }
 
 StoreResult result_of(const BatchFolder& folder, const ListedStore& store, const jobs::JobEnd& end) {
-  if (end.error) return failed_result(store, end.error->message);
+  if (const auto* error = std::get_if<jobs::JobError>(&end)) return failed_result(store, error->message);
+  const jobs::PlanSummary& summary = std::get<jobs::JobResult>(end).summary;
   StoreResult result = without_result(store);
-  result.status = status_of(end.summary->code);
-  static_cast<PlanNumbers&>(result) = *end.summary;
+  result.status = status_of(summary.code);
+  static_cast<PlanNumbers&>(result) = summary;
   result.report =
       (folder.plan(result.name).lexically_relative(folder.path) / jobs::report_name).generic_string();
   return result;

@@ -169,19 +169,21 @@ class Runner {
   // Only the answer of a plan is final. A failure may have been due to a full disk or another program.
   void finish(Job& job, const jobs::JobEnd& end, const jobs::ChildEnd& effort) {
     const bool was_killed = effort.exit_code > 128;
-    const bool is_interrupted =
-        end.error ? end.error->is_interruption || (control_.cancelled() && was_killed) : !end.is_complete;
+    const auto* failure = std::get_if<jobs::JobError>(&end);
+    const bool is_interrupted = failure != nullptr
+                                    ? failure->is_interruption || (control_.cancelled() && was_killed)
+                                    : !std::get<jobs::JobResult>(end).is_complete;
     StoreRecord record{
         is_interrupted ? without_result(*job.store) : result_of(options_.folder, *job.store, end), job.input};
     record.is_final = !is_interrupted && record.result.status != StoreStatus::failed;
     record.result.effort = job.effort = with_run(job.effort, effort);
     // A file that the store names, such as a mesh, may have changed.
-    if (job.continues && end.error && end.error->is_of_checkpoint) {
+    if (job.continues && failure != nullptr && failure->is_of_checkpoint) {
       waiting_.push_front({{job.store, job.input, job.effort, false}});
       return;
     }
     // A signal from the system may have the same reason.
-    const bool may_lack_memory = end.error && (end.error->code == out_of_memory || was_killed);
+    const bool may_lack_memory = failure != nullptr && (failure->code == out_of_memory || was_killed);
     if (!record.is_final && !is_interrupted && may_lack_memory && !job.is_alone && options_.jobs > 1) {
       alone_.push_back({{job.store, job.input, job.effort, true}, true});
       return;
@@ -210,7 +212,7 @@ class Runner {
     std::vector<std::string> names;
     for (const Job& job : running_) names.push_back(job.store->name);
     control_.report(
-        "planning", static_cast<double>(done_) / static_cast<double>(options_.stores.size()),
+        Task::planning, static_cast<double>(done_) / static_cast<double>(options_.stores.size()),
         fmt::format("{} of {} stores, now {}", done_, options_.stores.size(), fmt::join(names, ", ")));
   }
 

@@ -51,7 +51,7 @@ std::string progress_line(const jobs::Progress& progress, std::size_t width) {
     end = " " + duration_text(progress.seconds);
   }
   if (end.size() >= width) end.clear();
-  std::string line = fitted(progress.task, width - end.size());
+  std::string line = fitted(to_text(progress.task), width - end.size());
   std::size_t left = width - end.size() - width_of(line);
   // The bar keeps its length when the time left appears.
   const std::size_t share_and_time = std::string_view(" 100 %").size() + usual_time_left.size();

@@ -71,10 +71,10 @@ void write_error(std::string_view text) noexcept {
 TerminalProgress::TerminalProgress(bool quiet) : active_(!quiet && is_terminal(stderr)) {}
 
 TerminalProgress::~TerminalProgress() {
-  if (!drawn_task_.empty()) print_message("\r\033[K");
+  if (drawn_task_) print_message("\r\033[K");
 }
 
-void TerminalProgress::report(std::string_view task, double fraction, std::string_view detail) {
+void TerminalProgress::report(Task task, double fraction, std::string_view detail) {
   if (!active_) return;
   const Clock::time_point now = Clock::now();
   const jobs::Progress progress =

@@ -23,14 +23,14 @@ class TerminalProgress : public ProgressSink {
   ~TerminalProgress() override;
   /// This object, or null if nothing is drawn.
   ProgressSink* sink() { return active_ ? this : nullptr; }
-  void report(std::string_view task, double fraction, std::string_view detail) override;
+  void report(Task task, double fraction, std::string_view detail) override;
 
  private:
   using Clock = std::chrono::steady_clock;
 
   bool active_;
   jobs::ProgressStages stages_;
-  std::string drawn_task_;  ///< empty: nothing is drawn yet
+  std::optional<Task> drawn_task_;
   Clock::time_point started_ = Clock::now(), drawn_at_;
 };
 

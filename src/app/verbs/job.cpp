@@ -62,16 +62,16 @@ JobEnd run_and_report() {
     const PlanEnd end = run_plan(job, {.cancel = &cancel,
                                        .progress = job.reports_progress ? &progress : nullptr,
                                        .read = [&] { reading.reset(); }});
-    return {summary_of(end), end.plan.complete, {}};
+    return JobResult{summary_of(end), end.plan.complete};
   } catch (const InputError& error) {
-    return {{}, false, worded(error)};
+    return worded(error);
   } catch (const Interrupted& error) {
-    return {{}, false, worded(error)};
+    return worded(error);
   } catch (const std::exception& error) {
     JobError end = error_of(error);
     end.message =
         one_line(end.code == out_of_memory ? lack_of_memory(job.store.string(), "plan") : end.message);
-    return {{}, false, end};
+    return end;
   }
 }
 
@@ -83,7 +83,7 @@ void add_job(CLI::App& app, ChosenVerb& chosen) {
     chosen = [] {
       const JobEnd end = run_and_report();
       print(line_of(end));
-      return static_cast<int>(end.error ? end.error->code : end.summary->code);
+      return static_cast<int>(exit_code_of(end));
     };
   });
 }

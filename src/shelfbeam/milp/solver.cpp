@@ -150,7 +150,7 @@ void BoundReport::operator()(double primal, double dual) {
   std::string text = found ? fmt::format("best {:.6g}", primal) : "no solution yet";
   if (bounded) text += fmt::format(", bound {:.6g}", dual);
   if (found && bounded && primal != 0) text += fmt::format(", gap {:.1f} %", 100 * (primal - dual) / primal);
-  control_.report("solve", -1, text);
+  control_.report(Task::solving, -1, text);
 }
 
 double objective_scale(std::span<const Column> columns) {

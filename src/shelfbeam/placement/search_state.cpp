@@ -166,10 +166,10 @@ SelectionSet SearchState::open_selections() {
   return open;
 }
 
-void SearchState::report(std::string_view stage, double, std::string_view detail) {
-  const std::string below = stage == "placing" ? "" : fmt::format("; {}", stage);
+void SearchState::report(Task stage, double, std::string_view detail) {
+  const std::string below = stage == Task::placing ? "" : fmt::format("; {}", to_text(stage));
   watcher->bounds(incumbent.value(), incumbent.bound());
-  watcher->report("placing", -1, fmt::format("{}{} {}", incumbent.text(), below, detail));
+  watcher->report(Task::placing, -1, fmt::format("{}{} {}", incumbent.text(), below, detail));
 }
 
 }  // namespace shelfbeam::detail

@@ -163,8 +163,8 @@ struct SearchState final : ProgressSink {
   /// The remainder for selections of cost up to `cost`, by the reduced costs of `relaxation`.
   Reduction reduction_below(double cost) const;
 
-  void report_state() const { control.report("placing", -1); }
-  void report(std::string_view stage, double fraction, std::string_view detail) override;
+  void report_state() const { control.report(Task::placing, -1); }
+  void report(Task stage, double fraction, std::string_view detail) override;
 
  private:
   Reduction reduction_without(std::span<const std::uint32_t> columns) const;

@@ -110,7 +110,7 @@ CoreRows BoundRounds::promising_rows(const PlannedSignals& signals) {
   CoreRows found;
   const Deadline deadline(rounds_.seconds_for(share_of_search, place_.time_limit_s));
   for (std::uint32_t batches = batches_;; batches = Rounds::more(batches)) {
-    rounds_.report("proving",
+    rounds_.report(Task::proving,
                    fmt::format("core rows to prove that {}, {} batches", goal_.text(goal_.value), batches));
     PlaceOptions options;
     options.time_limit_s = deadline.seconds_left();
@@ -135,7 +135,7 @@ std::optional<SignalTable> BoundRounds::upper_limits(const SignalTable& table,
                                                      const LimitCounts& counts) {
   const std::uint32_t batches = rounds_.affordable(batches_, batches_, cost_of(labels.size()));
   if (batches == 0) return std::nullopt;
-  rounds_.report("proving", fmt::format("{} labels, {} batches", labels.size(), batches));
+  rounds_.report(Task::proving, fmt::format("{} labels, {} batches", labels.size(), batches));
   const double begun = rounds_.spent();
   UpperConfidenceRows upper =
       upper_confidence_rows(prepared_, table, rounds_.request(Purpose::bound, labels, batches),

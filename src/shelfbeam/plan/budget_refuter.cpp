@@ -39,7 +39,7 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
   Attempt attempt;
   Progress& progress = progress_[bound];
   if (progress.has_failed || progress.failures >= max_failures) return attempt;
-  rounds_.report("proving", fmt::format("whether {}", goal.text(bound)));
+  rounds_.report(Task::proving, fmt::format("whether {}", goal.text(bound)));
   const auto cost_of = [&](const Promising& one) {
     return rounds_.cost(TracedUnits::all) * static_cast<double>(one.refutation.labels.size());
   };
@@ -67,7 +67,7 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
     }
     return attempt;
   }
-  rounds_.report("proving", fmt::format("{} labels, {} batches", attempt.labels, batches));
+  rounds_.report(Task::proving, fmt::format("{} labels, {} batches", attempt.labels, batches));
   const double begun = rounds_.spent();
   TestedRefutation tested =
       test_refutation(prepared_, found->refutation, signals.table,

@@ -247,7 +247,7 @@ class Certifier {
   bool refine(std::vector<std::uint32_t> rows, std::uint32_t wanted) {
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    rounds_.report("refining", fmt::format("{} labels", rows.size()));
+    rounds_.report(Task::refining, fmt::format("{} labels", rows.size()));
     const double each = rounds_.cost(TracedUnits::all) * static_cast<double>(rows.size());
     // Before the cost is known, a few batches measure it.
     const double most = each > 0 ? rounds_.left() / (3 * each) : min_refining_batches;

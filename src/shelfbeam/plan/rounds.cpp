@@ -27,7 +27,7 @@ constexpr double share_to_spend = 0.9;
 constexpr double wide_margin = 1.5;
 constexpr std::uint32_t batches_of_wide = 16;
 
-void Rounds::report(std::string_view task, std::string_view detail) const {
+void Rounds::report(Task task, std::string_view detail) const {
   control_.report(task, -1, fmt::format("round {}, {}", round_, detail));
 }
 
@@ -127,7 +127,7 @@ std::size_t LabelRounds::shrink_to_budget(const Rounds& rounds, std::vector<Need
 
 void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part,
                          Rounds& rounds, const VerdictLevels& levels) {
-  rounds.report("verifying", fmt::format("{} labels, {} batches", rows.size(), batches));
+  rounds.report(Task::verifying, fmt::format("{} labels, {} batches", rows.size(), batches));
   std::sort(rows.begin(), rows.end());
   if (!prepared_) {
     part_ = with_units(scene_, selected_);

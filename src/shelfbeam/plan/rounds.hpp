@@ -81,7 +81,7 @@ class Rounds {
   /// between them (Bonferroni), any number of rounds and any reason for their end.
   double level() const { return std::ldexp(error_, -static_cast<int>(round_)); }
   const RunControl& control() const { return control_; }
-  void report(std::string_view task, std::string_view detail) const;
+  void report(Task task, std::string_view detail) const;
   /// Batches of some labels in this round; `part` distinguishes requests of one purpose.
   BatchRequest request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
                        std::uint32_t part = 0) const;

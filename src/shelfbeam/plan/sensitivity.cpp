@@ -209,10 +209,10 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& 
     result.materials.push_back(*range);
   }
   const double level = (1 - options.confidence) / 2;
-  control.report("sensitivity", -1, "all reflectances low");
+  control.report(Task::sensitivity, -1, "all reflectances low");
   const std::vector<LabelVerdict> at_low = verify(low, problem, planned, level, effort, control);
   result.low = judged(at_low);
-  control.report("sensitivity", -1, "all reflectances high");
+  control.report(Task::sensitivity, -1, "all reflectances high");
   result.high = judged(verify(high, problem, planned, level, effort, control));
   const std::vector<std::uint32_t> watched =
       nearest_to_missing(at_low, result.high.min_margin.ratio, varied.size());
@@ -228,7 +228,8 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& 
   result.as_given = steps.as_given();
   for (std::size_t k = 0; k < varied.size(); ++k) {
     MaterialSensitivity& one = result.materials[k];
-    control.report("sensitivity", static_cast<double>(k) / static_cast<double>(varied.size()), one.material);
+    control.report(Task::sensitivity, static_cast<double>(k) / static_cast<double>(varied.size()),
+                   one.material);
     one.at_lower = steps.with(varied[k], one.lower);
     one.at_upper = steps.with(varied[k], one.upper);
   }

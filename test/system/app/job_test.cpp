@@ -72,8 +72,8 @@ class Stopper : public ProgressSink {
  public:
   CancelToken cancel;
 
-  void report(std::string_view task, double fraction, std::string_view) override {
-    if (task == "simulating" && fraction > 0.3) cancel.request();
+  void report(Task task, double fraction, std::string_view) override {
+    if (task == Task::simulating && fraction > 0.3) cancel.request();
   }
 };
 

@@ -43,11 +43,11 @@ TEST(Width, TextsAreCutBetweenCharacters) {
 TEST(ProgressLine, FitsEveryWidth) {
   const std::string long_detail(300, 'x');
   const std::vector<Progress> states{
-      {"simulating", 0.4, 70, 100, "2.31 million rays/s, error 3.2 %"},
-      {"sensitivity", 0.999, 5000, 4800, "geprüfter Stahl, weiß lackiert"},
-      {"verifying", 0, 0, -1, "round 12, 40000 labels, 1024 batches"},
-      {"proving", -1, 7200, -1, long_detail},
-      {"placing", -1, 12, -1, "5 units, at least 4; tree search 棚板棚板棚板"},
+      {Task::simulating, 0.4, 70, 100, "2.31 million rays/s, error 3.2 %"},
+      {Task::sensitivity, 0.999, 5000, 4800, "geprüfter Stahl, weiß lackiert"},
+      {Task::verifying, 0, 0, -1, "round 12, 40000 labels, 1024 batches"},
+      {Task::proving, -1, 7200, -1, long_detail},
+      {Task::placing, -1, 12, -1, "5 units, at least 4; tree search 棚板棚板棚板"},
   };
   for (const Progress& state : states) {
     for (std::size_t width = 1; width <= 200; ++width) {
@@ -55,7 +55,7 @@ TEST(ProgressLine, FitsEveryWidth) {
       EXPECT_LE(width_of(line), width) << line;
       EXPECT_TRUE(is_utf8(line)) << line;
       if (width < 40) continue;
-      EXPECT_THAT(line, StartsWith(std::string(state.task)));
+      EXPECT_THAT(line, StartsWith(std::string(to_text(state.task))));
       if (state.fraction >= 0) {
         EXPECT_THAT(line, HasSubstr(" %")) << width;
       } else {
@@ -70,7 +70,7 @@ TEST(ProgressLine, FitsEveryWidth) {
 
 // The detail goes first, then the bar, then letters of the task.
 TEST(ProgressLine, KeepsTheMostImportantParts) {
-  const Progress state{"simulating", 0.4, 70, 100, "2.31 million rays/s, error 3.2 %"};
+  const Progress state{Task::simulating, 0.4, 70, 100, "2.31 million rays/s, error 3.2 %"};
   EXPECT_EQ(
       progress_line(state, 95),
       "simulating [############..................]  40 %  2 min left  2.31 million rays/s, error 3.2 %");
@@ -82,8 +82,8 @@ TEST(ProgressLine, KeepsTheMostImportantParts) {
   EXPECT_EQ(progress_line(state, 40), "simulating [###.....]  40 %  2 min left");
   EXPECT_EQ(progress_line(state, 30), "simulating  40 %  2 min left");
   EXPECT_EQ(progress_line(state, 24), "simula  40 %  2 min left");
-  EXPECT_EQ(progress_line({"simulating", 0.999, 70, 0.4, ""}, 30), "simulating  99 %  1 s left");
-  EXPECT_EQ(progress_line({"simulating", 1, 70, 0, ""}, 30), "simulating 100 %");
+  EXPECT_EQ(progress_line({Task::simulating, 0.999, 70, 0.4, ""}, 30), "simulating  99 %  1 s left");
+  EXPECT_EQ(progress_line({Task::simulating, 1, 70, 0, ""}, 30), "simulating 100 %");
 }
 
 TEST(Duration, IsInHumanUnits) {
@@ -131,23 +131,23 @@ TEST(RemainingTime, IsSmoothAndRight) {
 TEST(ProgressStages, StepsBelongToTheirStage) {
   ProgressStages stages;
   double now = 0;
-  const auto shown = [&](std::string_view task, double fraction, std::string_view detail) {
+  const auto shown = [&](Task task, double fraction, std::string_view detail) {
     const Progress progress = stages.update(task, fraction, detail, ++now);
     return progress_line({progress.task, progress.fraction, progress.seconds, -1, progress.detail}, 100);
   };
-  EXPECT_THAT(shown("preparing", 0.5, ""), StartsWith("preparing ["));
-  EXPECT_THAT(shown("simulating", 0.4, "fast"), EndsWith(" 40 %  fast"));
-  EXPECT_EQ(shown("placing", -1, "4 units"), "placing 0 s  4 units");
-  EXPECT_EQ(shown("verifying", -1, "round 1"), "verifying 0 s  round 1");
-  EXPECT_THAT(shown("preparing", 0.1, ""), StartsWith("verifying ["));
-  const std::string step = shown("simulating", 0.7, "not of interest");
+  EXPECT_THAT(shown(Task::preparing, 0.5, ""), StartsWith("preparing ["));
+  EXPECT_THAT(shown(Task::simulating, 0.4, "fast"), EndsWith(" 40 %  fast"));
+  EXPECT_EQ(shown(Task::placing, -1, "4 units"), "placing 0 s  4 units");
+  EXPECT_EQ(shown(Task::verifying, -1, "round 1"), "verifying 0 s  round 1");
+  EXPECT_THAT(shown(Task::preparing, 0.1, ""), StartsWith("verifying ["));
+  const std::string step = shown(Task::simulating, 0.7, "not of interest");
   EXPECT_THAT(step, StartsWith("verifying ["));
   EXPECT_THAT(step, EndsWith(" 70 %  round 1"));
-  EXPECT_EQ(shown("proving", -1, "round 2"), "proving 0 s  round 2");
-  EXPECT_EQ(shown("placing", -1, "3 units"), "proving 1 s  round 2");
+  EXPECT_EQ(shown(Task::proving, -1, "round 2"), "proving 0 s  round 2");
+  EXPECT_EQ(shown(Task::placing, -1, "3 units"), "proving 1 s  round 2");
   // The stage's own share comes before that of its steps.
-  EXPECT_THAT(shown("sensitivity", 0.25, "floor"), EndsWith(" 25 %  floor"));
-  EXPECT_THAT(shown("simulating", 0.9, ""), EndsWith(" 25 %  floor"));
+  EXPECT_THAT(shown(Task::sensitivity, 0.25, "floor"), EndsWith(" 25 %  floor"));
+  EXPECT_THAT(shown(Task::simulating, 0.9, ""), EndsWith(" 25 %  floor"));
 }
 
 }  // namespace

@@ -52,18 +52,18 @@ TEST(Error, MessageContainsPlaceProblemAndSuggestion) {
 TEST(RunControl, IsOptionalThroughout) {
   const RunControl none;
   EXPECT_FALSE(none.cancelled());
-  EXPECT_NO_THROW(none.report("task", 0.5));
+  EXPECT_NO_THROW(none.report(Task::planning, 0.5));
 
   struct : ProgressSink {
-    void report(std::string_view task, double fraction, std::string_view detail) override {
-      last = std::string(task) + " " + std::to_string(fraction) + " " + std::string(detail);
+    void report(Task task, double fraction, std::string_view detail) override {
+      last = std::string(to_text(task)) + " " + std::to_string(fraction) + " " + std::string(detail);
     }
     std::string last;
   } sink;
   CancelToken token;
   const RunControl control{.cancel = &token, .progress = &sink};
-  control.report("walk", 0.25, "more");
-  EXPECT_EQ(sink.last, "walk 0.250000 more");
+  control.report(Task::annealing, 0.25, "more");
+  EXPECT_EQ(sink.last, "annealing 0.250000 more");
   EXPECT_FALSE(control.cancelled());
   token.request();
   EXPECT_TRUE(control.cancelled());

@@ -15,19 +15,20 @@ namespace {
 TEST(JobEvents, EndsAreReadBack) {
   const PlanSummary summary{{"4 transceivers\nreach \"all\"", 686, 4, std::nullopt, 480.5, "EUR", {"w"}},
                             stopped_early};
-  const std::string line = line_of(JobEnd{summary, true, {}});
+  const std::string line = line_of(JobResult{summary, true});
   EXPECT_EQ(line.find('\n'), line.size() - 1) << "one line";
   auto end = read_end(line);
-  ASSERT_TRUE(end && end->summary);
-  EXPECT_TRUE(end->is_complete);
-  EXPECT_EQ(end->summary->code, stopped_early);
-  EXPECT_EQ(end->summary->units, 4U);
-  EXPECT_FALSE(end->summary->lower_bound);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(exit_code_of(*end), stopped_early);
+  const auto& result = std::get<JobResult>(*end);
+  EXPECT_TRUE(result.is_complete);
+  EXPECT_EQ(result.summary.units, 4U);
+  EXPECT_FALSE(result.summary.lower_bound);
   EXPECT_EQ(line_of(*end), line);
-  end = read_end(line_of(JobEnd{{}, false, JobError{out_of_memory, "\xff", true, false}}));
-  ASSERT_TRUE(end && end->error);
-  EXPECT_EQ(end->error->code, out_of_memory);
-  EXPECT_TRUE(end->error->is_of_checkpoint);
+  end = read_end(line_of(JobError{out_of_memory, "\xff", true, false}));
+  ASSERT_TRUE(end);
+  EXPECT_EQ(exit_code_of(*end), out_of_memory);
+  EXPECT_TRUE(std::get<JobError>(*end).is_of_checkpoint);
   for (const char* other : {"", "{}", "null", "Segmentation fault", R"({"event": "progress"})"})
     EXPECT_FALSE(read_end(other)) << other;
 }
@@ -48,8 +49,8 @@ class Heard : public ProgressSink {
   std::vector<std::string> tasks;
   double incumbent = 0;
 
-  void report(std::string_view task, double fraction, std::string_view detail) override {
-    tasks.push_back(std::string(task) + (fraction < 0 ? "" : " with share") + std::string(detail));
+  void report(Task task, double fraction, std::string_view detail) override {
+    tasks.push_back(std::string(to_text(task)) + (fraction < 0 ? "" : " with share") + std::string(detail));
   }
   void bounds(double best, double) override { incumbent = best; }
 };
@@ -57,17 +58,35 @@ class Heard : public ProgressSink {
 TEST(JobEvents, ProgressIsPassedOnAtMostFourTimesASecond) {
   std::vector<std::string> lines;
   EventProgress progress([&](std::string_view line) { lines.emplace_back(line); });
-  progress.bounds(5, 3);
-  for (int k = 0; k < 100; ++k) progress.report("simulating", 0.01 * k, "");
+  for (int k = 0; k < 100; ++k) progress.report(Task::simulating, 0.01 * k, "");
   ASSERT_EQ(lines.size(), 1U);
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  progress.report("proving", -1, ": x");
+  progress.report(Task::proving, -1, ": x");
   ASSERT_EQ(lines.size(), 2U);
   Heard heard;
   for (const std::string& line : lines) EXPECT_TRUE(pass_on(line, heard)) << line;
   EXPECT_EQ(heard.tasks, (std::vector<std::string>{"simulating with share", "proving: x"}));
-  EXPECT_EQ(heard.incumbent, 5);
-  EXPECT_FALSE(pass_on(line_of(JobEnd{PlanSummary{}, true, {}}), heard));
+  EXPECT_FALSE(pass_on(line_of(JobResult{PlanSummary{}, true}), heard));
+}
+
+// A search that is a step of a stage has bounds of its own.
+TEST(JobEvents, BoundsAreThoseOfTheTask) {
+  std::vector<std::string> lines;
+  EventProgress progress([&](std::string_view line) { lines.emplace_back(line); });
+  const auto next = [&](Task task) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(260));
+    progress.report(task, -1, "");
+    Heard heard;
+    EXPECT_TRUE(pass_on(lines.back(), heard));
+    return heard.incumbent;
+  };
+  progress.bounds(5, 3);
+  EXPECT_EQ(next(Task::placing), 5);
+  EXPECT_EQ(next(Task::placing), 5);
+  EXPECT_EQ(next(Task::verifying), 0);
+  progress.bounds(7, 6);
+  EXPECT_EQ(next(Task::placing), 0);
+  EXPECT_EQ(lines.size(), 4U);
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ TEST_P(MilpSolver, StopsAtTheNodeLimitWithHonestBounds) {
 
 class CancelOnReport final : public ProgressSink {
  public:
-  void report(std::string_view, double, std::string_view detail) override {
+  void report(Task, double, std::string_view detail) override {
     ++reports;
     last = detail;
     if (reports == 2) token.request();

@@ -128,7 +128,7 @@ TEST(Placement, ReportsTheMethod) {
 TEST(Placement, ReportsItsTime) {
   class Sleeper : public ProgressSink {
    public:
-    void report(std::string_view, double, std::string_view) override {
+    void report(Task, double, std::string_view) override {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       ++times;
     }

@@ -182,15 +182,15 @@ TEST(Certify, VerifiesInfeasibilityOfTheMatrix) {
 // Cancels the work when the certificate reaches a given step.
 class CancelAt : public ProgressSink {
  public:
-  CancelAt(std::string task, int times) : task_(std::move(task)), times_(times) {}
-  void report(std::string_view task, double, std::string_view) override {
-    refined_ = refined_ || task == "refining";
-    if (task == task_ && (task_ != "placing" || refined_) && --times_ == 0) token.request();
+  CancelAt(Task task, int times) : task_(task), times_(times) {}
+  void report(Task task, double, std::string_view) override {
+    refined_ = refined_ || task == Task::refining;
+    if (task == task_ && (task_ != Task::placing || refined_) && --times_ == 0) token.request();
   }
   CancelToken token;
 
  private:
-  std::string task_;
+  Task task_;
   int times_;
   bool refined_ = false;
 };
@@ -216,8 +216,8 @@ TEST(CertifySlow, ResumesAfterAnInterruption) {
   options.simulation.checkpoint = {folder / "checkpoint", true, 0};
   int interrupted = 0;
   // The second placement follows an update of the matrix.
-  const std::pair<const char*, int> steps[] = {
-      {"verifying", 1}, {"proving", 2}, {"refining", 1}, {"placing", 2}};
+  const std::pair<Task, int> steps[] = {
+      {Task::verifying, 1}, {Task::proving, 2}, {Task::refining, 1}, {Task::placing, 2}};
   for (const auto& [task, times] : steps) {
     CancelAt cancel(task, times);
     const Plan part = make_plan(scene, options, {.cancel = &cancel.token, .progress = &cancel});
@@ -225,7 +225,7 @@ TEST(CertifySlow, ResumesAfterAnInterruption) {
     ++interrupted;
     EXPECT_TRUE(part.certificate->open);
     const Placement fit = place(make_signal_table(part.simulation.matrix), {}, {});
-    EXPECT_EQ(fit.selected, part.placement.selected) << task << times;
+    EXPECT_EQ(fit.selected, part.placement.selected) << to_text(task) << times;
     const Plan rest = make_plan(scene, options);
     EXPECT_TRUE(rest.complete);
     EXPECT_EQ(rest.simulation.matrix.mean, whole.simulation.matrix.mean);

@@ -307,8 +307,8 @@ TEST(Plan, AddsCurveAndSensitivity) {
 
 // Cancels when the work on a material begins.
 struct CancelAtMaterial : ProgressSink {
-  void report(std::string_view task, double, std::string_view detail) override {
-    if (task == "sensitivity" && detail == "paper") token.request();
+  void report(Task task, double, std::string_view detail) override {
+    if (task == Task::sensitivity && detail == "paper") token.request();
   }
   CancelToken token;
 };

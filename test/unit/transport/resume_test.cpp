@@ -21,7 +21,7 @@ namespace {
 class StopAt : public ProgressSink {
  public:
   StopAt(CancelToken& token, int reports) : token_(token), left_(reports) {}
-  void report(std::string_view, double, std::string_view) override {
+  void report(Task, double, std::string_view) override {
     if (--left_ <= 0) token_.request();
   }
 

@@ -68,7 +68,7 @@ class Cases {
                   const std::vector<std::uint32_t>& without) {
     const double left = deadline_.seconds_left();
     if (left <= 0 || control_.cancelled() || ++cases_ > max_cases) return false;
-    control_.report("bound", -1, fmt::format("at most {} units, case {}", selections_.max_count, cases_));
+    control_.report(Task::bound, -1, fmt::format("at most {} units, case {}", selections_.max_count, cases_));
     SelectionSet selections = selections_;
     selections.without = without;
     const LpBound bound = lp_bound(table_, problem_, ones_, backend_,

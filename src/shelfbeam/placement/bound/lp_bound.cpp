@@ -120,7 +120,7 @@ class RowGeneration {
       result_.rows = std::move(rows);
       result_.y = std::move(y);
     }
-    control_.report("bound", -1, fmt::format("{:.6g} from {} rows", result_.dual.bound, rows_.size()));
+    control_.report(Task::bound, -1, fmt::format("{:.6g} from {} rows", result_.dual.bound, rows_.size()));
     return true;
   }
 

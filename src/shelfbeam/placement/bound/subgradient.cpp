@@ -171,7 +171,7 @@ class Dual {
       lambda_ *= shorter;
       last_gain_ = step;
     }
-    if (step % 50 == 0) control_.report("multipliers", -1, fmt::format("{:.6g}", best_.bound));
+    if (step % 50 == 0) control_.report(Task::multipliers, -1, fmt::format("{:.6g}", best_.bound));
   }
 
   const SparseRows& rows_;

@@ -124,8 +124,8 @@ class Curve {
   }
 
   void report(double before, const Point& point) const {
-    control_.report(
-        "curve", before + static_cast<double>(point.units) / static_cast<double>(2 * points_.back().units));
+    control_.report(Task::curve, before + static_cast<double>(point.units) /
+                                              static_cast<double>(2 * points_.back().units));
   }
 
   CurvePoint in_table(const Point& point) const {

@@ -51,7 +51,7 @@ class AnnealingWalk {
     for (std::uint64_t move = 0; move < effort.steps; ++move) {
       if (move % between_looks == 0) {
         if (effort.is_over(control)) return;
-        control.report("annealing", -1, fmt::format("{} moves", move));
+        control.report(Task::annealing, -1, fmt::format("{} moves", move));
       }
       if (move % Rows::max_moves == 0) recount();  // sums updated by differences drift
       while (lack_ <= 0 && !has_failed_ && meets_all()) {

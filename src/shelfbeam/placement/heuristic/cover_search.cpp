@@ -93,7 +93,7 @@ class CoverWalk {
     for (std::uint64_t move = 1; move <= effort.steps; ++move) {
       if (move % between_looks == 0) {
         if (effort.is_over(control)) return;
-        control.report("local search", -1, fmt::format("{} moves", move));
+        control.report(Task::local_search, -1, fmt::format("{} moves", move));
       }
       now_ = move;
       while (open_.empty() || spent_ >= least_) {

@@ -45,7 +45,7 @@ class Walk {
     for (std::uint64_t move = 1; move <= effort.steps; ++move) {
       if (move % between_looks == 0) {
         if (effort.is_over(control)) return;
-        control.report("local search", -1, fmt::format("{} moves", move));
+        control.report(Task::local_search, -1, fmt::format("{} moves", move));
         recount();  // sums updated by differences drift
       }
       now_ = move;

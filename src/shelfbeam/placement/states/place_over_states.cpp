@@ -78,7 +78,7 @@ class Solver {
       if (const auto repaired = search_.repaired(options_.start, unbounded)) take(*repaired);
     MarginSearch margins(states_, problem_, allowance_);
     for (int k = 0; k < max_margin_searches && !is_over(); ++k) {
-      control_.report("placing over states", -1, "with margins");
+      control_.report(Task::placing_over_states, -1, "with margins");
       const auto selected = margins.next(share_of_margin * deadline_.seconds_left(), options_, control_);
       if (selected.empty()) break;
       if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
@@ -114,7 +114,7 @@ class Solver {
       const detail::LpBound found = detail::lp_bound(
           cuts.table(), master_, cost, milp::backends_of(options_.backend).front(), options, control_);
       bound = std::max(bound, found.dual.bound);
-      control_.report("placing over states", -1, fmt::format("at least {:.3g}", bound));
+      control_.report(Task::placing_over_states, -1, fmt::format("at least {:.3g}", bound));
       options.rows = detail::rows_of(found);
       if (!found.complete || bound >= enough ||
           cuts.add_violated(found.x, max_units, deadline, control_) == 0)
@@ -141,7 +141,7 @@ class Solver {
     if (!placement.has_selection()) return false;
     const std::size_t added = cuts_.add(placement.selected, misses_of(states_, problem_, placement.selected));
     if (!enough_) improve(placement.selected);
-    control_.report("placing over states", -1,
+    control_.report(Task::placing_over_states, -1,
                     best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
                                           : fmt::format("at least {:g}", best_.lower_bound));
     const bool anneals_instead = !enough_ && annealing_.applies();

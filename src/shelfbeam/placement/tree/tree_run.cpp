@@ -65,7 +65,7 @@ bool TreeRun::ends() {
     if (node >= limits.effort.steps || misses_rows() || limits.effort.is_over(control_))
       cut_.store(true, std::memory_order_relaxed);
     if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
-      control_.report("tree search", -1,
+      control_.report(Task::tree_search, -1,
                       fmt::format("{} nodes, {} units", nodes_before_ + node, goal.max_units));
   }
   return was_cut() || found_any();

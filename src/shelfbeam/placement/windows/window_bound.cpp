@@ -151,7 +151,7 @@ class WindowSearch {
       // Steps gain nothing while trees are cut short.
       if (std::any_of(now_.begin(), now_.end(), [](const Window& window) { return !window.complete; }))
         allow_larger_trees(2);
-      control_.report("windows", -1, fmt::format("{}, bound {:.3f}", best_.size(), best_value_));
+      control_.report(Task::windows, -1, fmt::format("{}, bound {:.3f}", best_.size(), best_value_));
       const bool is_better = best_value_ > reached + gain * std::max(0.0, target_ - reached);
       idle = is_better ? 0 : idle + 1;
       if (is_better) reached = best_value_;

@@ -124,7 +124,7 @@ FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
       result.out_of_time = true;
       break;
     }
-    control.report("fresh states", static_cast<double>(outcome.states) / looks.back(),
+    control.report(Task::fresh_states, static_cast<double>(outcome.states) / looks.back(),
                    options.ends_early ? fmt::format("plan {}", options.round) : "");
     const std::uint64_t number = first_fresh_state(options.round) + outcome.states;
     const auto missed = missed_in(number);

@@ -20,7 +20,7 @@ void StateSample::signals(Ids labels, std::optional<Ids> units,
   }
   const std::size_t n = scene_.transceivers.size();
   for (std::uint32_t k = 0; k < count_; ++k) {
-    control_.report("reading states", static_cast<double>(k) / count_);
+    control_.report(Task::reading_states, static_cast<double>(k) / count_);
     if (control_.cancelled()) throw Interrupted("the plan was stopped");
     const SignalLayer all = sampled_->state(k);
     SignalLayer part;

@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
+#include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/plan_states.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/scene/store/store.hpp"

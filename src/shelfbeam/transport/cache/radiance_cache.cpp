@@ -44,7 +44,7 @@ void for_cells(std::size_t count, const RunControl& control, const Body& body) {
 RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float threshold, std::uint64_t seed,
                              const RunControl& control, bool from_units)
     : guides_(surface_guides(world.scene)), cells_(world, seed, from_units, control) {
-  control.report("preparing", 0.1);
+  control.report(Task::preparing, 0.1);
   const std::size_t count = cells_.size();
   std::vector<CellLight> light(count);
   std::vector<std::vector<CellLink>> links(count);
@@ -53,9 +53,9 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
     links[cell] = detail::gather_links(world, cells_, cell, guides_, seed);
   });
   cells_.free_points();
-  control.report("preparing", 0.5);
+  control.report(Task::preparing, 0.5);
   choose_groups(units.size(), light, links, threshold, control);
-  control.report("preparing", 0.6);
+  control.report(Task::preparing, 0.6);
   iterate(light, links, control);
 }
 
@@ -144,7 +144,7 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
     });
     whole.swap(fresh);
     totals = {totals[1], totals[2], std::accumulate(of_cell.begin(), of_cell.end(), 0.0)};
-    control.report("preparing", 0.6 + 0.4 * (round + 1) / rounds);
+    control.report(Task::preparing, 0.6 + 0.4 * (round + 1) / rounds);
   }
   // Further rounds as a geometric series, with the ratio of the last two increments.
   const double before = totals[1] - totals[0], last = totals[2] - totals[1];

@@ -254,7 +254,7 @@ void BatchScheduler::report() {
   double total = predicted_;
   if (options_.has_fixed_samples()) total = static_cast<double>(limit_) * static_cast<double>(sums_.size());
   const double fraction = total > 0 ? std::min(1.0, all / total) : -1;
-  control_.report("simulating", fraction,
+  control_.report(Task::simulating, fraction,
                   fmt::format("{:.2f} million rays/s{}",
                               static_cast<double>(driver_.rays()) / seconds() / 1e6, error_text_));
 }

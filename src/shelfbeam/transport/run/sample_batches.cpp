@@ -52,7 +52,7 @@ void sample(const PreparedScene& prepared, const BatchRequest& request, BatchRun
           hand_out(estimator->block(item), batch.values, position, take);
         },
         [](std::uint32_t) { return true; });
-    control.report("simulating", static_cast<double>(first - request.first) / request.batches);
+    control.report(Task::simulating, static_cast<double>(first - request.first) / request.batches);
   }
   if (control.cancelled()) throw Interrupted("the simulation was stopped");
   run.rays = driver.rays();

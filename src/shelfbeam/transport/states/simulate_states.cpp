@@ -129,7 +129,7 @@ void simulate_states(const StateMaker& states, const PreparedScene& first, const
   const std::size_t entries = nominal.labels.size() * nominal.transceivers.size();
   for (std::uint32_t k = 0; k < range.count; ++k) {
     const std::uint64_t state = range.first + k, state_key = mix_key(key, state);
-    control.report("simulating states", static_cast<double>(k) / range.count);
+    control.report(Task::simulating_states, static_cast<double>(k) / range.count);
     if (control.cancelled()) throw Interrupted("the simulation was stopped");
     if (const auto kept = log.find(state_key))
       if (const auto layer = layer_of(*kept, entries)) {

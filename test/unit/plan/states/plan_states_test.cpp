@@ -90,21 +90,21 @@ TEST(PlanStatesSlow, CertifiesTheTruthAndContinuesToTheSameResult) {
   expect_true(whole, shop);
   const test::TempFolder folder;
   struct Stop : ProgressSink {
-    void report(std::string_view task, double fraction, std::string_view) override {
+    void report(Task task, double fraction, std::string_view) override {
       if (task == at && fraction > 0.2) cancel.request();
     }
-    std::string at;
+    std::optional<Task> at;
     CancelToken cancel;
   };
-  const auto part = [&](const std::string& at, bool resumes, unsigned threads) {
+  const auto part = [&](std::optional<Task> at, bool resumes, unsigned threads) {
     ResultLog log(folder / "log", {{"seed", "1"}}, resumes, 0);
     Stop stop;
     stop.at = at;
     return shop.plan(1, log, {}, {.threads = threads, .cancel = &stop.cancel, .progress = &stop});
   };
-  EXPECT_EQ(part("simulating states", false, 1).availability.open, EndReason{EndCause::interrupted});
-  EXPECT_EQ(part("fresh states", true, 2).availability.open, EndReason{EndCause::interrupted});
-  const PlanOverStates resumed = part("never", true, 1);
+  EXPECT_EQ(part(Task::simulating_states, false, 1).availability.open, EndReason{EndCause::interrupted});
+  EXPECT_EQ(part(Task::fresh_states, true, 2).availability.open, EndReason{EndCause::interrupted});
+  const PlanOverStates resumed = part({}, true, 1);
   EXPECT_EQ(resumed.placement.selected, whole.placement.selected);
   ASSERT_EQ(resumed.availability.examined.size(), whole.availability.examined.size());
   EXPECT_EQ(resumed.availability.answer().missed, whole.availability.answer().missed);

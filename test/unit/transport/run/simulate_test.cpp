@@ -140,7 +140,7 @@ TEST(Simulate, StandardErrorsAreHonest) {
 class CancelAfter : public ProgressSink {
  public:
   CancelAfter(CancelToken& token, double fraction) : token_(token), fraction_(fraction) {}
-  void report(std::string_view, double fraction, std::string_view) override {
+  void report(Task, double fraction, std::string_view) override {
     if (fraction >= fraction_) token_.request();
   }
 
