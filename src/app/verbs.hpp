@@ -44,6 +44,4 @@ void add_job(CLI::App& app, ChosenVerb& chosen);
 /// The plan of a command line. Throws as parse_command_line.
 jobs::PlanJob parsed_plan(int argc, const char* const* argv);
 
-void add_common_options(CLI::App& verb, CommonOptions& options);
-
 }  // namespace shelfbeam::app

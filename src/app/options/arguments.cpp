@@ -7,13 +7,9 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/text.hpp"
-
-#include "app/verbs.hpp"
 
 namespace shelfbeam::app {
 
@@ -69,26 +65,31 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   return text;
 }
 
-std::string choices(const std::vector<std::string>& names) {
-  return fmt::format("{{{}}}", fmt::join(names, ","));
+void add_store_options(CLI::App& verb, bool& allow_outside) {
+  OptionGroup(verb, group::runs)
+      .add_flag("--allow-outside", allow_outside,
+                "Allow the store file to name files (meshes, tables, profiles) outside its folder");
 }
 
-CLI::Option* add_path(CLI::App& verb, const std::string& name, std::filesystem::path& path,
-                      const std::string& help) {
-  return verb.add_option(name, path, help)->check(a_path())->option_text("PATH");
+void add_strict_option(CLI::App& verb, bool& strict) {
+  OptionGroup(verb, group::runs).add_flag("--strict", strict, "Treat warnings about the store as errors");
+}
+
+CLI::Option* add_safe_csv(CLI::App& verb, bool& safe_csv) {
+  return OptionGroup(verb, group::runs)
+      .add_flag("--safe-csv", safe_csv,
+                "In CSV files, write an apostrophe before ids and names that a spreadsheet would take for "
+                "formulas");
 }
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
-  verb.add_option("--seed", options.seed, fmt::format("Seed of the random numbers; default {}", options.seed))
-      ->check(whole_number(0))
-      ->option_text("N")
-      ->group(group::runs);
-  verb.add_option("--threads", options.threads, "Number of threads; default: one per core")
-      ->check(whole_number(0, 256))
-      ->option_text("N")
-      ->group(group::runs);
-  verb.add_flag("--quiet", options.quiet, "Print errors only")->group(group::runs);
-  verb.add_flag("--json", options.json, "Print the summary as JSON")->group(group::runs);
+  const OptionGroup runs(verb, group::runs);
+  runs.add("--seed", options.seed, whole_number("N", 0),
+           fmt::format("Seed of the random numbers; default {}", options.seed));
+  runs.add("--threads", options.threads, whole_number("N", 0, 256),
+           "Number of threads; default: one per core");
+  runs.add_flag("--quiet", options.quiet, "Print errors only");
+  runs.add_flag("--json", options.json, "Print the summary as JSON");
 }
 
 void protect_input(const std::filesystem::path& output, const std::filesystem::path& input) {

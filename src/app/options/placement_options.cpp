@@ -17,7 +17,6 @@
 #include "shelfbeam/signal/tables/formats.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/verbs.hpp"
 
 namespace shelfbeam::app {
 
@@ -67,23 +66,14 @@ void protect_constraints(const std::filesystem::path& output, const TableConstra
 }
 
 void add_requirement_options(CLI::App& verb, TableConstraints& constraints) {
-  verb.add_option("--costs", constraints.costs,
-                  "CSV with columns id,cost (transceivers) or id,link_cost,signal_cost (labels); repeatable")
-      ->allow_extra_args(false)
-      ->check(a_path())
-      ->option_text("FILE")
-      ->group(group::placement);
-  verb.add_option("--min-spacing", constraints.min_spacing,
-                  "Minimum distance in metres of each new transceiver from all others")
-      ->check(positive_number())
-      ->option_text("METRES")
-      ->group(group::placement);
-  verb.add_option("--forbid", constraints.forbidden,
-                  "CSV with columns a,b: pairs of transceivers that must not both be chosen; repeatable")
-      ->allow_extra_args(false)
-      ->check(a_path())
-      ->option_text("FILE")
-      ->group(group::placement);
+  const OptionGroup placement(verb, group::placement);
+  placement.add_files(
+      "--costs", constraints.costs,
+      "CSV with columns id,cost (transceivers) or id,link_cost,signal_cost (labels); repeatable");
+  placement.add("--min-spacing", constraints.min_spacing, positive_number("METRES"),
+                "Minimum distance in metres of each new transceiver from all others");
+  placement.add_files("--forbid", constraints.forbidden,
+                      "CSV with columns a,b: pairs of transceivers that must not both be chosen; repeatable");
 }
 
 std::vector<std::string> scenario_names(const std::vector<Path>& files) {
@@ -128,113 +118,87 @@ ReadTable PlacementInput::table(const PlacementProblem& problem) const {
 }
 
 void add_placement_input(CLI::App& verb, PlacementInput& input) {
-  verb.add_option("SIGNAL", input.signals,
-                  fmt::format("Signal file (HDF5, from trusted sources only), {}; several files are "
-                              "scenarios of one placement",
-                              detail::matrix_formats))
-      ->required()
-      ->option_text("FILE...")
-      ->check(a_path());
-  verb.add_option(
-          "--threshold", input.threshold,
-          "Signal that every label requires, in place of the requirements in the file; required for CSV "
-          "and NPY")
-      ->check(positive_number())
-      ->option_text("SIGNAL");
-  add_choice(
-      verb, "--read-as", input.reading,
-      "How to read a text file that fits several formats. signals: CSV without ids; header: ids of "
-      "transceivers in the first row; labels: ids of labels in the first column; ids: both; sparse: sparse "
-      "text; scp, rail: forms of OR-Library files; auto (default): reject such a file")
-      ->group(group::placement);
+  const OptionGroup first(verb);
+  first.require(
+      "SIGNAL", input.signals, a_path("FILE..."),
+      fmt::format("Signal file (HDF5, from trusted sources only), {}; several files are scenarios of one "
+                  "placement",
+                  detail::matrix_formats));
+  first.add("--threshold", input.threshold, positive_number("SIGNAL"),
+            "Signal that every label requires, in place of the requirements in the file; required for CSV "
+            "and NPY");
+  OptionGroup(verb, group::placement)
+      .add_choice("--read-as", input.reading,
+                  "How to read a text file that fits several formats. signals: CSV without ids; header: ids "
+                  "of transceivers in the first row; labels: ids of labels in the first column; ids: both; "
+                  "sparse: sparse text; scp, rail: forms of OR-Library files; auto (default): reject such a "
+                  "file");
   add_requirement_options(verb, input.constraints);
 }
 
 void add_problem_options(CLI::App& verb, PlacementProblem& problem) {
-  add_choice(verb, "--model", problem.model,
-             "cooperative (default): signals of several units add up; non-cooperative: one unit alone must "
-             "reach the label");
-  verb.add_flag("--survive-failure", problem.redundant,
-                "Every label must be reached even if any one unit fails, including installed units");
-  add_choice(verb, "--objective", problem.objective, objective_help())->group(group::placement);
-  auto* weighted = verb.add_flag_callback(
-                           "--weighted", [&problem] { problem.combination = Combination::weighted; },
-                           "Minimise the sum of the units' costs and the objective")
-                       ->group(group::placement);
+  const OptionGroup first(verb), placement(verb, group::placement);
+  first.add_choice("--model", problem.model,
+                   "cooperative (default): signals of several units add up; non-cooperative: one unit alone "
+                   "must reach the label");
+  first.add_flag("--survive-failure", problem.redundant,
+                 "Every label must be reached even if any one unit fails, including installed units");
+  placement.add_choice("--objective", problem.objective, objective_help());
   problem.combination = Combination::automatic;
-  verb.add_flag_callback(
+  auto* weighted = placement.add_flag_call(
+      "--weighted", [&problem] { problem.combination = Combination::weighted; },
+      "Minimise the sum of the units' costs and the objective");
+  placement
+      .add_flag_call(
           "--lexicographic", [&problem] { problem.combination = Combination::lexicographic; },
-          "Minimise the number of transceivers first, then the objective (default unless the candidates' "
-          "costs differ: then the new spend first, then the number)")
-      ->group(group::placement)
+          "Minimise the number of transceivers first, then the objective (default unless the "
+          "candidates' costs differ: then the new spend first, then the number)")
       ->excludes(weighted);
-  verb.add_option(
-          "--share", problem.share,
-          fmt::format("Minimum share of the requirement for an effective link; default {}", problem.share))
-      ->transform(a_share(any_share))
-      ->option_text("SHARE")
-      ->group(group::placement);
+  placement.add(
+      "--share", problem.share, a_share("SHARE", any_share),
+      fmt::format("Minimum share of the requirement for an effective link; default {}", problem.share));
 }
 
 void add_solver_options(CLI::App& verb, PlaceOptions& options) {
+  const OptionGroup placement(verb, group::placement);
   std::vector<std::string> names;
   for (const milp::Backend& backend : milp::backends()) names.emplace_back(backend.name);
-  add_choice(verb, "--solver", options.solver,
-             "auto (default): search, supported by a MIP solver; search: without a MIP solver; mip: a MIP "
-             "solver alone; greedy: the paper's heuristic, not exact")
-      ->group(group::placement);
-  verb.add_option("--backend", options.backend, "MIP solver; default: the first that is built in")
-      ->check(one_of(names))
-      ->option_text(choices(names))
-      ->group(group::placement);
-  verb.add_option("--time-limit", options.time_limit_s,
-                  fmt::format("Time limit of the placement in seconds, curve included; default {}",
-                              options.time_limit_s))
-      ->check(positive_number())
-      ->option_text("SECONDS")
-      ->group(group::placement);
+  placement.add_choice("--solver", options.solver,
+                       "auto (default): search, supported by a MIP solver; search: without a MIP solver; "
+                       "mip: a MIP solver alone; greedy: the paper's heuristic, not exact");
+  placement.add("--backend", options.backend, one_of(names),
+                "MIP solver; default: the first that is built in");
+  placement.add("--time-limit", options.time_limit_s, positive_number("SECONDS"),
+                fmt::format("Time limit of the placement in seconds, curve included; default {}",
+                            options.time_limit_s));
 }
 
 void add_certificate_options(CLI::App& verb, double& confidence, double& budget_s) {
-  verb.add_option("--confidence", confidence,
-                  fmt::format("Confidence that all statements of the certificate hold, "
-                              "e.g. 0.999 or 99.9%; default {}",
-                              confidence))
-      ->transform(a_share({0.5, 0.999999, true, true}))
-      ->option_text("LEVEL")
-      ->group(group::certificate);
-  verb.add_option("--budget", budget_s,
-                  fmt::format("Time limit of the certificate in seconds; default {}", budget_s))
-      ->check(positive_number())
-      ->option_text("SECONDS")
-      ->group(group::certificate);
+  const OptionGroup certificate(verb, group::certificate);
+  certificate.add("--confidence", confidence, a_share("LEVEL", {0.5, 0.999999, true, true}),
+                  fmt::format("Confidence that all statements of the certificate hold, e.g. 0.999 or 99.9%; "
+                              "default {}",
+                              confidence));
+  certificate.add("--budget", budget_s, positive_number("SECONDS"),
+                  fmt::format("Time limit of the certificate in seconds; default {}", budget_s));
 }
 
 void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
                        AvailabilityGoal& goal) {
-  verb.add_option("--states", states, text)
-      ->check(whole_number(0, 10'000))
-      ->option_text("N")
-      ->group(group::states);
-  const auto add = [&](const char* name, AvailabilityRule rule, const char* help) {
-    return verb
-        .add_option_function<double>(
-            name, [&goal, rule](double value) { goal = {rule, value}; }, help)
-        ->group(group::states);
+  const OptionGroup group(verb, group::states);
+  group.add("--states", states, whole_number("N", 0, 10'000), text);
+  const auto add = [&](const char* flag, AvailabilityRule rule, const CLI::Validator& kind,
+                       const char* help) {
+    return group.add_call<double>(flag, [&goal, rule](double value) { goal = {rule, value}; }, kind, help);
   };
-  auto* labels = add("--availability", AvailabilityRule::labels,
+  auto* labels = add("--availability", AvailabilityRule::labels, a_share("SHARE", {0.5, 0.9999, true, true}),
                      "Minimum share of the states in which each label is reached, e.g. 0.95 or 95%; default: "
-                     "that of its label type")
-                     ->transform(a_share({0.5, 0.9999, true, true}))
-                     ->option_text("SHARE");
-  auto* shop = add("--all-at-once", AvailabilityRule::shop,
+                     "that of its label type");
+  auto* shop = add("--all-at-once", AvailabilityRule::shop, a_share("SHARE", {0.01, 0.9999, true, true}),
                    "Instead, minimum share of the states in which all labels are reached at once")
-                   ->transform(a_share({0.01, 0.9999, true, true}))
-                   ->option_text("SHARE")
                    ->excludes(labels);
-  add("--mean-missed", AvailabilityRule::misses, "Instead, maximum mean number of missed labels")
-      ->check(positive_number())
-      ->option_text("LABELS")
+  add("--mean-missed", AvailabilityRule::misses, positive_number("LABELS"),
+      "Instead, maximum mean number of missed labels")
       ->excludes(labels)
       ->excludes(shop);
 }

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/base/text.hpp"
 
@@ -44,21 +45,21 @@ std::string kind_of(const Shares& shares) {
 
 }  // namespace
 
-CLI::Validator positive_number() {
+CLI::Validator positive_number(const std::string& name) {
   const auto check = [](const std::string& text) {
     const auto value = finite_number(text);
     if (!value || !(*value > 0)) return fmt::format("'{}' is not a finite number above 0", text);
     return *value > max_amount ? fmt::format("'{}' is greater than 1e18", text) : std::string();
   };
-  return {check, "POSITIVE"};
+  return {check, name};
 }
 
-CLI::Validator number_from_zero() {
+CLI::Validator number_from_zero(const std::string& name) {
   const auto check = [](const std::string& text) {
     const auto value = finite_number(text);
     return value && *value >= 0 ? std::string() : fmt::format("'{}' is not a number of at least 0", text);
   };
-  return {check, "NUMBER"};
+  return {check, name};
 }
 
 std::optional<Share> share_of(std::string_view text) {
@@ -77,11 +78,11 @@ CLI::Validator a_part() {
   const auto check = [](const std::string& text) {
     return share_of(text) ? std::string() : fmt::format("'{}' is not a part such as 2/4", text);
   };
-  return {check, "PART"};
+  return {check, "K/N"};
 }
 
 // CLI11 clamps numbers that are too large to the largest number of the type.
-CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+CLI::Validator whole_number(const std::string& name, std::uint64_t least, std::uint64_t most) {
   const auto check = [least, most](const std::string& text) {
     std::uint64_t value = 0;
     const char* const end = text.data() + text.size();
@@ -91,17 +92,21 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
                ? fmt::format("'{}' is not a whole number of at least {}, or is too large", text, least)
                : fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
   };
-  return {check, "WHOLE"};
+  return {check, name};
 }
 
-CLI::Validator a_path() {
+CLI::Validator a_path(const std::string& name) {
   const auto check = [](const std::string& text) {
     if (text.empty()) return std::string("the name is empty");
     return text.starts_with("--")
                ? fmt::format("'{0}' is an option, not a path; for a file of this name, give ./{0}", text)
                : std::string();
   };
-  return {check, ""};
+  return {check, name};
+}
+
+std::string choices(const std::vector<std::string>& names) {
+  return fmt::format("{{{}}}", fmt::join(names, ","));
 }
 
 CLI::Validator one_of(const std::vector<std::string>& names) {
@@ -111,7 +116,7 @@ CLI::Validator one_of(const std::vector<std::string>& names) {
     const std::vector<std::string_view> known(names.begin(), names.end());
     return fmt::format("unknown value '{}'; {}", text, suggest(text, known));
   };
-  return {check, "NAME"};
+  return {check, choices(names)};
 }
 
 CLI::Validator size_in_bytes() {
@@ -121,7 +126,7 @@ CLI::Validator size_in_bytes() {
     if (text.find_first_of("0123456789") != 0) return problem;
     try {
       const std::string error = CLI::AsSizeValue(true)(text);
-      return error.empty() && positive_number()(text).empty() ? std::string() : problem;
+      return error.empty() && positive_number("")(text).empty() ? std::string() : problem;
     } catch (const CLI::ValidationError&) {
       return problem;
     }
@@ -129,7 +134,7 @@ CLI::Validator size_in_bytes() {
   return {read, "SIZE"};
 }
 
-CLI::Validator a_share(const Shares& shares) {
+CLI::Validator a_share(const std::string& name, const Shares& shares) {
   const auto read = [shares](std::string& text) {
     std::string_view number = trim(text);
     const bool is_percent = number.ends_with('%');
@@ -152,7 +157,7 @@ CLI::Validator a_share(const Shares& shares) {
     text = fmt::format("{}", value);
     return std::string();
   };
-  return {read, "SHARE"};
+  return {read, name};
 }
 
 }  // namespace shelfbeam::app

@@ -13,19 +13,21 @@
 
 namespace shelfbeam::app {
 
-// Values of options: checks for CLI::Option::check, and readings for CLI::Option::transform. Their messages
-// follow the name of the option.
+// Kinds of values of options, for CLI::Option::transform. The help shows `name` as the value, e.g. SECONDS.
+// Their messages follow the name of the option.
 
 /// A finite number above 0.
-CLI::Validator positive_number();
+CLI::Validator positive_number(const std::string& name);
 /// A finite number of at least 0.
-CLI::Validator number_from_zero();
+CLI::Validator number_from_zero(const std::string& name);
 /// A whole number that fits its type.
-CLI::Validator whole_number(std::uint64_t least,
+CLI::Validator whole_number(const std::string& name, std::uint64_t least,
                             std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 /// A path that is not empty.
-CLI::Validator a_path();
-/// One of the names.
+CLI::Validator a_path(const std::string& name = "PATH");
+/// "{a,b}"
+std::string choices(const std::vector<std::string>& names);
+/// One of the names, shown as "{a,b}".
 CLI::Validator one_of(const std::vector<std::string>& names);
 
 /// Reads "2/4", part 2 of 4.
@@ -48,6 +50,6 @@ struct Shares {
 inline constexpr Shares any_share{0, std::numeric_limits<double>::infinity(), false};
 
 /// Reads a share, "0.05", "5%" or "5 %", as a number.
-CLI::Validator a_share(const Shares& shares);
+CLI::Validator a_share(const std::string& name, const Shares& shares);
 
 }  // namespace shelfbeam::app

@@ -24,7 +24,6 @@
 #include "app/batch/run_batch.hpp"
 #include "app/batch/slurm.hpp"
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/options/usage.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
@@ -286,85 +285,64 @@ int run_batch_verb(const BatchArguments& options) {
 void add_batch(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("batch", "Plan many stores, and list the results, most urgent first");
   auto options = std::make_shared<BatchArguments>();
-  add_path(*verb, "STORES", options->source,
-           "Text file with the path of a store file per line, or a folder with files called store.json")
-      ->required();
-  add_path(*verb, "-o,--output", options->output, "Folder for the results")->required();
+  const OptionGroup first(*verb), cluster(*verb, group::cluster);
+  first.require("STORES", options->source, a_path(),
+                "Text file with the path of a store file per line, or a folder with files called store.json");
+  first.require("-o,--output", options->output, a_path(), "Folder for the results");
   verb->add_option("OPTIONS", options->plan, "After '--': options of 'plan' for all stores");
-  verb->add_option("--jobs", options->jobs, "Maximum number of plans at a time; default: one per thread")
-      ->check(whole_number(1, 256))
-      ->option_text("N");
-  verb->add_option(
-          "--memory", options->memory,
-          "Memory of all plans together, e.g. 16G; default: 80 % of the memory that the program may use. "
-          "A plan that needs more than its share runs again alone")
-      ->transform(size_in_bytes())
-      ->option_text("SIZE");
-  verb->add_flag(
+  first.add("--jobs", options->jobs, whole_number("N", 1, 256),
+            "Maximum number of plans at a time; default: one per thread");
+  first.add("--memory", options->memory, size_in_bytes(),
+            "Memory of all plans together, e.g. 16G; default: 80 % of the memory that the program may use. "
+            "A plan that needs more than its share runs again alone");
+  first.add_flag(
       "--resume", options->resume,
       "Continue an interrupted batch; stores whose file or options have changed are planned again");
-  verb->add_option_function<std::vector<std::string>>(
-          "--only",
-          [options](const std::vector<std::string>& names) {
-            for (const std::string& name : names)
-              options->only.push_back(from_text<StoreStatus>(name).value());
-          },
+  const auto set_only = [options](const std::vector<std::string>& names) {
+    for (const std::string& name : names) options->only.push_back(from_text<StoreStatus>(name).value());
+  };
+  first
+      .add_call<std::vector<std::string>>(
+          "--only", set_only, one_of({"failed", "infeasible", "undecided"}),
           "Plan the stores with this result again, and those without a result")
-      ->check(one_of({"failed", "infeasible", "undecided"}))
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->option_text("{failed,infeasible,undecided}");
-  verb->add_flag("--overwrite", options->overwrite,
+      ->allow_extra_args(false);
+  first.add_flag("--overwrite", options->overwrite,
                  "Plan all stores again, and replace results that were changed since");
   add_safe_csv(*verb, options->safe_csv);
-  auto* slurm = verb->add_flag("--slurm", options->slurm, "Queue the plans as a Slurm job array")
-                    ->group(group::cluster);
-  verb->add_option(
-          "--tasks", options->tasks,
-          fmt::format("With --slurm: maximum number of tasks in the array; default {}", options->tasks))
-      ->check(whole_number(1, 100'000))
-      ->option_text("N")
-      ->needs(slurm)
-      ->group(group::cluster);
-  verb->add_option(
-          "--task-time", options->task_time,
-          "With --slurm: time limit of a task, as sbatch reads it, e.g. 2:00:00; a task that reaches it is "
-          "continued from its checkpoints")
-      ->option_text("TIME")
-      ->needs(slurm)
-      ->group(group::cluster);
-  verb->add_option("--sbatch", options->sbatch,
-                   "With --slurm: an option of sbatch, e.g. --sbatch=--partition=long")
-      ->option_text("OPTION")
-      ->allow_extra_args(false)
-      ->needs(slurm)
-      ->group(group::cluster);
-  verb->add_option_function<std::string>(
-          "--part", [options](const std::string& text) { options->part = share_of(text); },
-          "Plan every N-th store only, from store K on, without writing the results; for other workload "
-          "managers")
-      ->check(a_part())
-      ->option_text("K/N")
+  auto* slurm = cluster.add_flag("--slurm", options->slurm, "Queue the plans as a Slurm job array");
+  cluster.add("--tasks", options->tasks, whole_number("N", 1, 100'000),
+              fmt::format("With --slurm: maximum number of tasks in the array; default {}", options->tasks));
+  cluster.add("--task-time", options->task_time, CLI::Validator("TIME"),
+              "With --slurm: time limit of a task, as sbatch reads it, e.g. 2:00:00; a task that reaches it "
+              "is continued from its checkpoints");
+  cluster
+      .add("--sbatch", options->sbatch, CLI::Validator("OPTION"),
+           "With --slurm: an option of sbatch, e.g. --sbatch=--partition=long")
+      ->allow_extra_args(false);
+  for (const char* flag : {"--tasks", "--task-time", "--sbatch"}) verb->get_option(flag)->needs(slurm);
+  const auto set_part = [options](const std::string& text) { options->part = share_of(text); };
+  cluster
+      .add_call<std::string>("--part", set_part, a_part(),
+                             "Plan every N-th store only, from store K on, without writing the results; for "
+                             "other workload managers")
       ->excludes(slurm)
       ->excludes("--overwrite")
-      ->excludes("--only")
-      ->group(group::cluster);
-  verb->add_flag("--collect", options->collect,
-                 "Write the results of the plans that are finished, and plan nothing")
+      ->excludes("--only");
+  cluster
+      .add_flag("--collect", options->collect,
+                "Write the results of the plans that are finished, and plan nothing")
       ->excludes(slurm)
       ->excludes("--part")
-      ->excludes("--only")
-      ->group(group::cluster);
-  add_common_options(*verb, options->common);
-  verb->footer(
-      "Examples:\n"
-      "  shelfbeam batch stores.txt -o results\n"
-      "  shelfbeam batch shops/ -o results --memory 16G -- --samples 5000\n"
-      "  shelfbeam batch shops/ -o results --only failed\n"
-      "  shelfbeam batch shops/ -o results --slurm --task-time 2:00:00\n"
-      "Writes results.html (start here), results.csv and results.sqlite, and the plan of\n"
-      "each store below plans/.");
-  verb->callback([options, &chosen] { chosen = [options] { return run_batch_verb(*options); }; });
+      ->excludes("--only");
+  finish_verb(*verb, chosen, options, run_batch_verb,
+              "Examples:\n"
+              "  shelfbeam batch stores.txt -o results\n"
+              "  shelfbeam batch shops/ -o results --memory 16G -- --samples 5000\n"
+              "  shelfbeam batch shops/ -o results --only failed\n"
+              "  shelfbeam batch shops/ -o results --slurm --task-time 2:00:00\n"
+              "Writes results.html (start here), results.csv and results.sqlite, and the plan of\n"
+              "each store below plans/.");
 }
 
 }  // namespace shelfbeam::app

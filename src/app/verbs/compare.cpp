@@ -19,7 +19,6 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
@@ -200,26 +199,21 @@ void add_compare(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("compare", "Compare measured with simulated signals; fit the factor between them");
   auto options = std::make_shared<CompareArguments>();
-  add_path(*verb, "SIGNAL", options->signal, "Signal file (HDF5, from trusted sources only)")->required();
-  add_path(*verb, "MEASURED", options->measured,
-           "CSV with columns label,transceiver,signal or label,signal, and optionally error")
-      ->required();
-  add_path(*verb, "--placement", options->placement,
-           "placement.json of the units that were on together, for measurements without a transceiver");
-  verb->add_option(
-          "--confidence", options->confidence,
-          fmt::format("Confidence of the intervals, e.g. 0.99 or 99%; default {}", options->confidence))
-      ->transform(a_share({0.5, 0.9999, true, true}))
-      ->option_text("LEVEL");
-  add_path(*verb, "-o,--output", options->output,
-           "Folder for comparison.csv and comparison.html, or a file .csv or .html");
+  const OptionGroup first(*verb);
+  first.require("SIGNAL", options->signal, a_path(), "Signal file (HDF5, from trusted sources only)");
+  first.require("MEASURED", options->measured, a_path(),
+                "CSV with columns label,transceiver,signal or label,signal, and optionally error");
+  first.add("--placement", options->placement, a_path(),
+            "placement.json of the units that were on together, for measurements without a transceiver");
+  first.add("--confidence", options->confidence, a_share("LEVEL", {0.5, 0.9999, true, true}),
+            fmt::format("Confidence of the intervals, e.g. 0.99 or 99%; default {}", options->confidence));
+  first.add("-o,--output", options->output, a_path(),
+            "Folder for comparison.csv and comparison.html, or a file .csv or .html");
   add_safe_csv(*verb, options->safe_csv)->needs("--output");
-  add_common_options(*verb, options->common);
-  verb->footer(
-      "Examples:\n"
-      "  shelfbeam compare plan/signal.h5 measured.csv -o comparison\n"
-      "  shelfbeam compare plan/signal.h5 labels.csv --placement plan/placement.json");
-  verb->callback([options, &chosen] { chosen = [options] { return run_compare(*options); }; });
+  finish_verb(*verb, chosen, options, run_compare,
+              "Examples:\n"
+              "  shelfbeam compare plan/signal.h5 measured.csv -o comparison\n"
+              "  shelfbeam compare plan/signal.h5 labels.csv --placement plan/placement.json");
 }
 
 }  // namespace shelfbeam::app

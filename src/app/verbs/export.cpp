@@ -13,7 +13,6 @@
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/terminal.hpp"
@@ -97,14 +96,11 @@ void add_export(CLI::App& app, ChosenVerb& chosen) {
       app.add_subcommand("export", "Write the placement model (MPS, LP) or the matrix (CSV, NPY)");
   auto options = std::make_shared<ExportArguments>();
   add_placement_input(*verb, options->input);
-  add_path(*verb, "-o,--output", options->output,
-           "File to write: .mps or .lp for the model, .csv or .npy for the matrix")
-      ->required();
-  const std::vector<std::string> matrices{"mean", "standard-error", "direct"};
-  verb->add_option("--what", options->what,
-                   "Matrix of a signal file to export: mean (default), standard-error or direct")
-      ->check(one_of(matrices))
-      ->option_text(choices(matrices));
+  const OptionGroup first(*verb);
+  first.require("-o,--output", options->output, a_path(),
+                "File to write: .mps or .lp for the model, .csv or .npy for the matrix");
+  first.add("--what", options->what, one_of({"mean", "standard-error", "direct"}),
+            "Matrix of a signal file to export: mean (default), standard-error or direct");
   add_problem_options(*verb, options->problem);
   add_safe_csv(*verb, options->safe_csv);
   add_common_options(*verb, options->common);

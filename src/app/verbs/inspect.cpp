@@ -21,7 +21,6 @@
 #include "shelfbeam/scene/states/store_states.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
 #include "app/text/terminal.hpp"
@@ -102,23 +101,20 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("inspect", "Check a store file; print its dimensions, counts and materials");
   auto options = std::make_shared<InspectArguments>();
-  add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
-  add_path(*verb, "-o,--output", options->drawing,
-           "File to write: .svg for the floor plan, .glb for a 3-D model, .json for the store without "
-           "references");
-  verb->add_option("--state", options->state,
-                   "Inspect the shop in state K, counted from 0, of its 'variation' and --seed")
-      ->check(whole_number(0))
-      ->option_text("K");
+  const OptionGroup first(*verb);
+  first.require("STORE", options->store, a_path(), "Store file (JSON)");
+  first.add("-o,--output", options->drawing, a_path(),
+            "File to write: .svg for the floor plan, .glb for a 3-D model, .json for the store without "
+            "references");
+  first.add("--state", options->state, whole_number("K", 0),
+            "Inspect the shop in state K, counted from 0, of its 'variation' and --seed");
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
-  add_common_options(*verb, options->common);
-  verb->footer(
-      "Examples:\n"
-      "  shelfbeam inspect store.json -o plan.svg\n"
-      "  shelfbeam inspect store.json -o store.glb\n"
-      "  shelfbeam inspect store.json --state 17 -o state17.json");
-  verb->callback([options, &chosen] { chosen = [options] { return run_inspect(*options); }; });
+  finish_verb(*verb, chosen, options, run_inspect,
+              "Examples:\n"
+              "  shelfbeam inspect store.json -o plan.svg\n"
+              "  shelfbeam inspect store.json -o store.glb\n"
+              "  shelfbeam inspect store.json --state 17 -o state17.json");
 }
 
 }  // namespace shelfbeam::app

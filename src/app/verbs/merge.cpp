@@ -48,15 +48,13 @@ void add_merge(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("merge", "Join the parts of a simulation to one signal file");
   auto options = std::make_shared<MergeArguments>();
   verb->add_option("PARTS", options->parts, "Outputs of 'simulate --part', in any order")->required();
-  add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
-  add_common_options(*verb, options->common);
-  verb->footer(
-      "The result is the file that 'simulate' writes without '--part', byte for byte.\n\n"
-      "Examples:\n"
-      "  shelfbeam simulate store.json --part 1/2 -o part1.h5\n"
-      "  shelfbeam simulate store.json --part 2/2 -o part2.h5\n"
-      "  shelfbeam merge part1.h5 part2.h5 -o signal.h5");
-  verb->callback([options, &chosen] { chosen = [options] { return run_merge(*options); }; });
+  OptionGroup(*verb).require("-o,--output", options->output, a_path(), "Signal file (HDF5) to write");
+  finish_verb(*verb, chosen, options, run_merge,
+              "The result is the file that 'simulate' writes without '--part', byte for byte.\n\n"
+              "Examples:\n"
+              "  shelfbeam simulate store.json --part 1/2 -o part1.h5\n"
+              "  shelfbeam simulate store.json --part 2/2 -o part2.h5\n"
+              "  shelfbeam merge part1.h5 part2.h5 -o signal.h5");
 }
 
 }  // namespace shelfbeam::app

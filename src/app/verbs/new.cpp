@@ -123,14 +123,11 @@ void add_new(CLI::App& app, ChosenVerb& chosen) {
     descriptions += fmt::format("\n  {:<11}  {}", t.name, t.description);
     names.emplace_back(t.name);
   }
-  verb->add_option("TEMPLATE", options->name, "Example to copy; see below")
-      ->required()
-      ->option_text(choices(names));
-  add_path(*verb, "DIR", options->folder, "Folder for the store file and the files that it names")
-      ->required();
-  add_common_options(*verb, options->common);
-  verb->footer("Templates:" + descriptions + "\n\nExample:\n  shelfbeam new grocery my-store");
-  verb->callback([options, &chosen] { chosen = [options] { return run_new(*options); }; });
+  const OptionGroup first(*verb);
+  first.require("TEMPLATE", options->name, CLI::Validator(choices(names)), "Example to copy; see below");
+  first.require("DIR", options->folder, a_path(), "Folder for the store file and the files that it names");
+  finish_verb(*verb, chosen, options, run_new,
+              "Templates:" + descriptions + "\n\nExample:\n  shelfbeam new grocery my-store");
 }
 
 }  // namespace shelfbeam::app

@@ -118,27 +118,23 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
       app.add_subcommand("place", "Choose transceivers from a signal matrix, with a proven bound");
   auto options = std::make_shared<PlaceArguments>();
   add_placement_input(*verb, options->input);
-  add_path(*verb, "-o,--output", options->output, "Write the placement as JSON to this file");
+  const OptionGroup first(*verb);
+  first.add("-o,--output", options->output, a_path(), "Write the placement as JSON to this file");
   auto* at_most =
-      verb->add_option("--at-most", options->at_most,
-                       "Reach as many labels as possible with at most K transceivers, instead of all labels")
-          ->check(whole_number(1))
-          ->option_text("K");
-  auto* reach = verb->add_option("--reach", options->reach,
-                                 "Reach this share of the labels, e.g. 0.95 or 95%, with as few transceivers "
-                                 "as possible, instead of all labels")
-                    ->transform(a_share({0, 1, false, true}))
-                    ->option_text("SHARE")
+      first.add("--at-most", options->at_most, whole_number("K", 1),
+                "Reach as many labels as possible with at most K transceivers, instead of all labels");
+  auto* reach = first
+                    .add("--reach", options->reach, a_share("SHARE", {0, 1, false, true}),
+                         "Reach this share of the labels, e.g. 0.95 or 95%, with as few transceivers as "
+                         "possible, instead of all labels")
                     ->excludes(at_most);
-  verb->add_flag("--curve", options->curve,
-                 "Also print the number of labels that fewer transceivers can reach")
+  first
+      .add_flag("--curve", options->curve,
+                "Also print the number of labels that fewer transceivers can reach")
       ->excludes(at_most)
       ->excludes(reach);
-  verb->add_option(
-          "--weights", options->weights,
-          "CSV with columns id,weight: weights of labels for --at-most, --reach and --curve; default 1")
-      ->check(a_path())
-      ->option_text("FILE");
+  first.add("--weights", options->weights, a_path("FILE"),
+            "CSV with columns id,weight: weights of labels for --at-most, --reach and --curve; default 1");
   add_problem_options(*verb, options->problem);
   add_solver_options(*verb, options->solver);
   add_common_options(*verb, options->common);

@@ -11,7 +11,6 @@
 #include "shelfbeam/report/terminal/plan_text.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/options/usage.hpp"
@@ -128,36 +127,34 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
   CLI::App* verb =
       app.add_subcommand("plan", "Simulate a store, place transceivers, certify and report the plan");
   PlanJob& job = options->job;
-  add_path(*verb, "STORE", job.store, "Store file (JSON)")->required();
-  add_path(*verb, "-o,--output", job.folder, "Folder for the results")->required();
+  const OptionGroup first(*verb), certificate(*verb, group::certificate);
+  first.require("STORE", job.store, a_path(), "Store file (JSON)");
+  first.require("-o,--output", job.folder, a_path(), "Folder for the results");
   add_simulation_options(*verb, job.plan.simulation, DirectLight::exact);
   verb->get_option("--samples")
       ->description(
           "Samples per label; default: as many as the certificate needs (with --no-certificate: 10000)");
-  auto* signal =
-      add_path(*verb, "--signal", job.signal,
-               "Signal file of this store from 'simulate' or 'merge', instead of a simulation; the "
-               "certificate still takes samples of its own")
-          ->group(group::simulation);
+  auto* signal = OptionGroup(*verb, group::simulation)
+                     .add("--signal", job.signal, a_path(),
+                          "Signal file of this store from 'simulate' or 'merge', instead of a simulation; "
+                          "the certificate still takes samples of its own");
   for (const char* other : {"--samples", "--relative-error", "--time"}) signal->excludes(other);
   add_problem_options(*verb, job.plan.problem);
   add_solver_options(*verb, job.plan.place);
   add_requirement_options(*verb, job.plan.constraints);
   add_certificate_options(*verb, job.plan.confidence, job.plan.budget_s);
-  verb->add_flag_callback(
-          "--no-certificate", [&job] { job.plan.certifies = false; },
-          "Do not certify: treat the simulated signals as exact")
-      ->group(group::certificate);
-  verb->add_flag("--curve", job.plan.curve, "Also report how many labels fewer transceivers can reach");
+  certificate.add_flag_call(
+      "--no-certificate", [&job] { job.plan.certifies = false; },
+      "Do not certify: treat the simulated signals as exact");
+  first.add_flag("--curve", job.plan.curve, "Also report how many labels fewer transceivers can reach");
   auto* sensitivity =
-      verb->add_flag("--sensitivity", options->sensitivity,
+      first.add_flag("--sensitivity", options->sensitivity,
                      "Also determine the effect of uncertain reflectances on the labels that are reached");
-  verb->add_option("--reflectance-error", options->reflectance_error,
-                   fmt::format("With --sensitivity: relative error of reflectances without a given range, "
-                               "e.g. 0.2 or 20%; default {}",
-                               options->reflectance_error))
-      ->transform(a_share({0, 1}))
-      ->option_text("SHARE")
+  first
+      .add("--reflectance-error", options->reflectance_error, a_share("SHARE", {0, 1}),
+           fmt::format("With --sensitivity: relative error of reflectances without a given range, e.g. 0.2 "
+                       "or 20%; default {}",
+                       options->reflectance_error))
       ->needs(sensitivity);
   add_state_options(
       *verb, job.plan.states,
@@ -171,7 +168,8 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
       ->option_text("FILES")
       ->group(group::states);
   add_run_options(*verb, job.plan.simulation, job.checkpoint);
-  verb->add_flag("--overwrite", job.overwrite, "Replace a finished plan in the folder")->group(group::runs);
+  OptionGroup(*verb, group::runs)
+      .add_flag("--overwrite", job.overwrite, "Replace a finished plan in the folder");
   add_store_options(*verb, job.allow_outside);
   add_strict_option(*verb, job.strict);
   add_safe_csv(*verb, job.safe_csv);

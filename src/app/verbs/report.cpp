@@ -15,7 +15,6 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 #include "jobs/plan_files.hpp"
@@ -97,12 +96,10 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild the report, the mounting files and the tables of a plan");
   auto options = std::make_shared<ReportArguments>();
-  add_path(*verb, "DIR", options->folder, "Folder written by 'shelfbeam plan', from a trusted source (HDF5)")
-      ->required();
+  OptionGroup(*verb).require("DIR", options->folder, a_path(),
+                             "Folder written by 'shelfbeam plan', from a trusted source (HDF5)");
   add_safe_csv(*verb, options->safe_csv);
-  add_common_options(*verb, options->common);
-  verb->footer("Example:\n  shelfbeam report plan");
-  verb->callback([options, &chosen] { chosen = [options] { return run_report(*options); }; });
+  finish_verb(*verb, chosen, options, run_report, "Example:\n  shelfbeam report plan");
 }
 
 }  // namespace shelfbeam::app

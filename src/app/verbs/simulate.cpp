@@ -21,7 +21,6 @@
 #include "shelfbeam/transport/world/coverage.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/end_at_once.hpp"
 #include "app/text/simulation_text.hpp"
@@ -139,53 +138,43 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("simulate", "Compute the signal of every label from every candidate transceiver");
   auto options = std::make_shared<SimulateArguments>();
-  add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
-  add_path(*verb, "-o,--output", options->output, "Signal file (HDF5) to write")->required();
+  const OptionGroup first(*verb), of_states(*verb, group::states);
+  first.require("STORE", options->store, a_path(), "Store file (JSON)");
+  first.require("-o,--output", options->output, a_path(), "Signal file (HDF5) to write");
   add_simulation_options(*verb, options->simulation, DirectLight::sampled);
   add_layers(*verb, options->simulation);
-  auto* states = verb->add_option("--states", options->states,
-                                  "Simulate the shop in this many states of its 'variation', with few "
-                                  "samples each: their mean, their deviation, and the hardest labels in each")
-                     ->option_text("N")
-                     ->check(whole_number(1, 100'000))
-                     ->group(group::states);
+  auto* states = of_states.add("--states", options->states, whole_number("N", 1, 100'000),
+                               "Simulate the shop in this many states of its 'variation', with few samples "
+                               "each: their mean, their deviation, and the hardest labels in each");
   for (const char* other : {"--by-bounce", "--by-length", "--relative-error", "--time"})
     states->excludes(verb->get_option(other));
-  verb->add_option("--hard-labels", options->hard_labels,
-                   fmt::format("With --states: number of labels whose signals are kept for each state; "
-                               "default {}",
-                               options->hard_labels))
-      ->option_text("N")
-      ->check(whole_number(1, 10'000'000))
+  of_states
+      .add("--hard-labels", options->hard_labels, whole_number("N", 1, 10'000'000),
+           fmt::format("With --states: number of labels whose signals are kept for each state; default {}",
+                       options->hard_labels))
+      ->needs(states);
+  of_states
+      .add_flag("--for-plan", options->for_plan,
+                "With --states: simulate the states for 'plan --sampled', with all labels, their errors, and "
+                "reflectances at the low ends of their ranges")
       ->needs(states)
-      ->group(group::states);
-  verb->add_flag(
-          "--for-plan", options->for_plan,
-          "With --states: simulate the states for 'plan --sampled', with all labels, their errors, and "
-          "reflectances at the low ends of their ranges")
-      ->needs(states)
-      ->excludes("--hard-labels")
-      ->group(group::states);
-  verb->add_option("--state", options->state,
-                   "Simulate the shop in state K, counted from 0, as 'inspect --state K -o' writes it")
-      ->check(whole_number(0))
-      ->option_text("K")
-      ->excludes(states)
-      ->group(group::states);
+      ->excludes("--hard-labels");
+  of_states
+      .add("--state", options->state, whole_number("K", 0),
+           "Simulate the shop in state K, counted from 0, as 'inspect --state K -o' writes it")
+      ->excludes(states);
   add_part(*verb, options->part);
   add_run_options(*verb, options->simulation, options->simulation.checkpoint);
   add_store_options(*verb, options->allow_outside);
   add_strict_option(*verb, options->strict);
-  add_common_options(*verb, options->common);
-  verb->footer(
-      "Examples:\n"
-      "  shelfbeam simulate store.json -o signal.h5\n"
-      "  shelfbeam simulate store.json -o signal.h5 --relative-error 5%\n"
-      "  shelfbeam simulate store.json -o signal.h5 --relative-error 5% --resume\n"
-      "  shelfbeam simulate store.json -o states.h5 --states 100\n"
-      "  shelfbeam simulate store.json -o state17.h5 --state 17\n"
-      "  shelfbeam simulate store.json -o part2.h5 --part 2/4");
-  verb->callback([options, &chosen] { chosen = [options] { return run_simulate(*options); }; });
+  finish_verb(*verb, chosen, options, run_simulate,
+              "Examples:\n"
+              "  shelfbeam simulate store.json -o signal.h5\n"
+              "  shelfbeam simulate store.json -o signal.h5 --relative-error 5%\n"
+              "  shelfbeam simulate store.json -o signal.h5 --relative-error 5% --resume\n"
+              "  shelfbeam simulate store.json -o states.h5 --states 100\n"
+              "  shelfbeam simulate store.json -o state17.h5 --state 17\n"
+              "  shelfbeam simulate store.json -o part2.h5 --part 2/4");
 }
 
 }  // namespace shelfbeam::app

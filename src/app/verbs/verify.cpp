@@ -27,7 +27,6 @@
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
 #include "app/options/arguments.hpp"
-#include "app/options/file_options.hpp"
 #include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/end_at_once.hpp"
@@ -161,14 +160,14 @@ int run_verify(const VerifyArguments& options) {
 void add_verify(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("verify", "Verify which labels a placement or mounted units reach");
   auto options = std::make_shared<VerifyArguments>();
-  add_path(*verb, "STORE", options->store, "Store file (JSON)")->required();
-  add_path(*verb, "PLACEMENT", options->placement,
-           "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type")
-      ->required();
-  add_path(*verb, "-o,--output", options->output, "Write one row per label to this CSV file");
-  add_choice(*verb, "--model", options->model,
-             "Communication model; default: the model of the placement, or cooperative for a CSV");
-  verb->add_flag("--survive-failure", options->survive_failure,
+  const OptionGroup first(*verb);
+  first.require("STORE", options->store, a_path(), "Store file (JSON)");
+  first.require("PLACEMENT", options->placement, a_path(),
+                "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type");
+  first.add("-o,--output", options->output, a_path(), "Write one row per label to this CSV file");
+  first.add_choice("--model", options->model,
+                   "Communication model; default: the model of the placement, or cooperative for a CSV");
+  first.add_flag("--survive-failure", options->survive_failure,
                  "Every label must be reached even if any one unit fails, including installed units");
   add_certificate_options(*verb, options->confidence, options->budget_s);
   add_state_options(*verb, options->states,
@@ -179,13 +178,11 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   add_run_options(*verb, options->simulation, options->simulation.checkpoint);
   add_store_options(*verb, options->allow_outside);
   add_safe_csv(*verb, options->safe_csv)->needs("--output");
-  add_common_options(*verb, options->common);
-  verb->footer(
-      "Examples:\n"
-      "  shelfbeam verify store.json plan/placement.json\n"
-      "  shelfbeam verify store.json installed.csv -o verification.csv\n"
-      "  shelfbeam verify store.json installed.csv --states 1000");
-  verb->callback([options, &chosen] { chosen = [options] { return run_verify(*options); }; });
+  finish_verb(*verb, chosen, options, run_verify,
+              "Examples:\n"
+              "  shelfbeam verify store.json plan/placement.json\n"
+              "  shelfbeam verify store.json installed.csv -o verification.csv\n"
+              "  shelfbeam verify store.json installed.csv --states 1000");
 }
 
 }  // namespace shelfbeam::app

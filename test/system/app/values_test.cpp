@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 // The number as the program reads it, or the error.
 std::string read(const Shares& shares, std::string text) {
-  const std::string error = a_share(shares)(text);
+  const std::string error = a_share("", shares)(text);
   return error.empty() ? text : error;
 }
 
@@ -42,15 +42,15 @@ TEST(Share, ErrorsShowTheRightForm) {
 }
 
 TEST(Values, AreChecked) {
-  EXPECT_EQ(positive_number()("1e-3"), "");
+  EXPECT_EQ(positive_number("")("1e-3"), "");
   for (const char* text : {"0", "-1", "inf", "nan", "1,5", "", "1x"})
-    EXPECT_NE(positive_number()(text), "") << text;
-  EXPECT_EQ(number_from_zero()("0"), "");
-  EXPECT_NE(number_from_zero()("-0.1"), "");
-  EXPECT_EQ(whole_number(1, 9)("9"), "");
+    EXPECT_NE(positive_number("")(text), "") << text;
+  EXPECT_EQ(number_from_zero("")("0"), "");
+  EXPECT_NE(number_from_zero("")("-0.1"), "");
+  EXPECT_EQ(whole_number("", 1, 9)("9"), "");
   for (const char* text : {"0", "10", "1.5", "1e0", "-1", ""})
-    EXPECT_EQ(whole_number(1, 9)(text), "'" + std::string(text) + "' is not a whole number from 1 to 9");
-  EXPECT_NE(whole_number(0)("18446744073709551616"), "");
+    EXPECT_EQ(whole_number("", 1, 9)(text), "'" + std::string(text) + "' is not a whole number from 1 to 9");
+  EXPECT_NE(whole_number("", 0)("18446744073709551616"), "");
   std::string size = "4G";
   EXPECT_EQ(size_in_bytes()(size), "");
   EXPECT_EQ(size, "4000000000");
