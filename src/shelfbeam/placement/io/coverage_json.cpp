@@ -13,22 +13,24 @@ namespace {
 using detail::backend_of;
 using detail::first_ids;
 using detail::format_version;
-using detail::ids_of;
 using detail::Json;
 using detail::number;
+using detail::Record;
+using detail::TableIds;
 
-void add_price(Json& file, const SignalTable& table, const std::vector<std::uint32_t>& selected) {
-  if (has_prices(table)) file["price"] = detail::price_object(price_of(table, selected));
+void add_price(Json& file, const TableIds& ids, const std::vector<std::uint32_t>& selected) {
+  if (has_prices(ids.table)) file["price"] = Record::write(price_of(ids.table, selected), ids);
 }
 
 }  // namespace
 
 std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
+  const TableIds ids{table};
   Json file = {{"format", format_version},
                {"model", to_text(reach.problem.model)},
                {"survives_failure", reach.problem.redundant},
                {"at_most", reach.at_most},
-               {"selected", ids_of(table.transceivers, reach.selected)},
+               {"selected", ids.transceivers.list(reach.selected)},
                {"count", reach.selected.size()},
                {"labels", table.rows()},
                {"reached", reach.reached},
@@ -44,19 +46,20 @@ std::string coverage_json(const MaxCoverage& reach, const SignalTable& table) {
                {"too_large", reach.too_large},
                {"solver", to_text(reach.solver.method)},
                {"backend", backend_of(reach.solver)},
-               {"missed", first_ids(reach.missed, table)}});
-  add_price(file, table, reach.selected);
+               {"missed", first_ids(reach.missed, ids.labels)}});
+  add_price(file, ids, reach.selected);
   return detail::file_text(file);
 }
 
 std::string fewest_units_json(const FewestUnits& fewest, const SignalTable& table) {
+  const TableIds ids{table};
   const bool found = fewest.has_selection, is_possible = fewest.status != Status::infeasible;
   Json file = {{"format", format_version},
                {"model", to_text(fewest.problem.model)},
                {"survives_failure", fewest.problem.redundant},
                {"reach", fewest.share},
                {"target", fewest.target},
-               {"selected", ids_of(table.transceivers, fewest.selected)},
+               {"selected", ids.transceivers.list(fewest.selected)},
                {"count", found ? Json(fewest.selected.size()) : Json(nullptr)},
                {"count_lower_bound", is_possible ? Json(fewest.count_lower_bound) : Json(nullptr)},
                {"labels", table.rows()},
@@ -71,8 +74,8 @@ std::string fewest_units_json(const FewestUnits& fewest, const SignalTable& tabl
                {"too_large", fewest.too_large},
                {"solver", to_text(fewest.solver.method)},
                {"backend", backend_of(fewest.solver)},
-               {"missed", first_ids(fewest.missed, table)}});
-  if (found) add_price(file, table, fewest.selected);
+               {"missed", first_ids(fewest.missed, ids.labels)}});
+  if (found) add_price(file, ids, fewest.selected);
   return detail::file_text(file);
 }
 

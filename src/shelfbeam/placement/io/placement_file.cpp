@@ -24,21 +24,12 @@ namespace shelfbeam {
 namespace {
 
 using detail::first_ids;
+using detail::Ids;
 using detail::Json;
 using detail::number;
-using detail::position;
-using detail::Positions;
-using detail::positions;
+using detail::Record;
+using detail::TableIds;
 
-// All keys, those of a plan included.
-const std::initializer_list<std::string_view> keys = {
-    "format",          "model",           "objective", "combination", "share",          "survives_failure",
-    "min_spacing",     "forbidden_pairs", "labels",    "selected",    "count",          "count_lower_bound",
-    "objective_value", "lower_bound",     "gap",       "bound_proof", "ties_settled",   "unit_costs",
-    "redundant_share", "status",          "solver",    "backend",     "unreachable",    "scenarios",
-    "critical",        "verification",    "price",     "curve",       "curve_complete", "certificate",
-    "alternatives",    "sensitivity",     "states",    "warnings",    "complete",       "files",
-    "total_weight",    "seconds"};
 constexpr std::int64_t max_units = std::numeric_limits<std::uint32_t>::max();
 
 // A lower bound on a count, as an integer without ".0".
@@ -48,21 +39,20 @@ Json whole_bound(double value) {
                               : Json(nullptr);
 }
 
-std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const SignalTable& table) {
-  const Positions known = positions(table.transceivers);
+std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTable& table) {
   std::vector<std::uint32_t> selected;
   std::vector<bool> seen(table.columns(), false);
   for (const JsonCursor& element : cursor.elements()) {
-    selected.push_back(position(element, known, "transceiver"));
+    selected.push_back(ids.position(element));
     if (seen[selected.back()])
       element.fail(fmt::format("is a duplicate {}", in_quotes(element.text())), "remove it");
     seen[selected.back()] = true;
   }
   if (const auto crowded = shared_mounts(table, seen); !crowded.empty()) {
-    std::vector<std::string> ids;
+    std::vector<std::string> options;
     for (const std::uint32_t j : table.mounts[crowded.front()])
-      if (seen[j]) ids.push_back(in_quotes(table.transceivers[j].id));
-    cursor.fail(fmt::format("has {}, which are options of one mounting point", fmt::join(ids, " and ")),
+      if (seen[j]) options.push_back(in_quotes(table.transceivers[j].id));
+    cursor.fail(fmt::format("has {}, which are options of one mounting point", fmt::join(options, " and ")),
                 "keep one of them");
   }
   std::sort(selected.begin(), selected.end());
@@ -80,17 +70,6 @@ SolvedBy read_solver(const JsonCursor& file) {
   if (text.starts_with(helped)) return {Method::search, text.substr(helped.size())};
   const auto method = from_text<Method>(text);
   return method ? SolvedBy{*method} : SolvedBy{Method::mip, text};
-}
-
-std::vector<Unreachable> read_unreachable(const JsonCursor& cursor, const SignalTable& table) {
-  const Positions known = positions(table.labels);
-  std::vector<Unreachable> result;
-  for (const JsonCursor& element : cursor.elements()) {
-    element.expect_keys({"label", "requirement", "most"});
-    result.push_back({position(element["label"], known, "label"), element["requirement"].positive(),
-                      element["most"].non_negative()});
-  }
-  return result;
 }
 
 // Share of the labels that at least two selected units reach alone: "Redundant" of the paper's Table 3.1.
@@ -114,23 +93,13 @@ Json scenarios(const Placement& placement, const SignalTable& table) {
   return result;
 }
 
-Json critical(const Placement& placement, const SignalTable& table) {
+Json critical(const Placement& placement, const TableIds& ids) {
+  const SignalTable& table = ids.table;
   Json result = Json::array();
   for (const Critical& one : critical_units(table, placement.problem, placement.selected))
-    result.push_back({{"unit", table.transceivers[one.unit].id},
+    result.push_back({{"unit", ids.transceivers[one.unit]},
                       {"count", one.labels.size()},
-                      {"labels", first_ids(one.labels, table)}});
-  return result;
-}
-
-Json curve_points(const std::vector<CurvePoint>& points) {
-  Json result = Json::array();
-  for (const CurvePoint& point : points) {
-    result.push_back({{"units", point.units}, {"at_least", point.at_least}, {"at_most", point.at_most}});
-    if (!point.weight) continue;
-    result.back()["weight_at_least"] = point.weight->at_least;
-    result.back()["weight_at_most"] = point.weight->at_most;
-  }
+                      {"labels", first_ids(one.labels, ids.labels)}});
   return result;
 }
 
@@ -139,117 +108,111 @@ double total_weight(const SignalTable& table) {
   return weights.in_table(weights.total());
 }
 
-}  // namespace
-
-Json detail::placement_object(const Placement& placement, const SignalTable& table,
-                              const CoverageCurve& curve) {
-  Json unreachable = Json::array();
-  for (const Unreachable& label : placement.unreachable)
-    unreachable.push_back({{"label", table.labels[label.label].id},
-                           {"requirement", label.requirement},
-                           {"most", label.max_signal}});
-  const PlacementProblem& problem = placement.problem;
-  Json file = {{"format", format_version},
-               {"model", to_text(problem.model)},
-               {"objective", to_text(problem.objective)},
-               {"combination", to_text(problem.combination)},
-               {"share", problem.share},
-               {"survives_failure", problem.redundant},
-               {"min_spacing", placement.min_spacing > 0 ? Json(placement.min_spacing) : Json(nullptr)},
-               {"forbidden_pairs", placement.forbidden_pairs},
-               {"labels", table.rows()},
-               {"selected", ids_of(table.transceivers, placement.selected)},
-               {"count", placement.count()},
-               {"count_lower_bound", whole_bound(placement.count_lower_bound)},
-               {"objective_value", number(placement.objective_value)},
-               {"lower_bound", number(placement.lower_bound)},
-               {"gap", number(placement.gap())},
-               {"bound_proof", to_text(placement.bound_proof)},
-               {"ties_settled", placement.ties_settled},
-               {"unit_costs", placement.unit_costs},
-               {"redundant_share", redundant_share(placement, table)},
-               {"status", to_text(placement.status)},
-               {"solver", to_text(placement.solver.method)},
-               {"backend", backend_of(placement.solver)},
-               {"unreachable", unreachable},
-               {"scenarios", scenarios(placement, table)},
-               {"verification", "not verified yet"},
-               {"critical", critical(placement, table)}};
-  if (placement.price) file["price"] = detail::price_object(placement.price);
-  if (!curve.points.empty()) {
-    file["curve"] = curve_points(curve.points);
-    file["curve_complete"] = curve.is_complete;
-    if (curve.points.front().weight) file["total_weight"] = total_weight(table);
-  }
-  return file;
-}
-
-std::string placement_json(const Placement& placement, const SignalTable& table, const CoverageCurve& curve) {
-  return detail::file_text(detail::placement_object(placement, table, curve));
-}
-
-Json detail::backend_of(const SolvedBy& solver) {
-  return solver.backend.empty() ? Json(nullptr) : Json(solver.backend);
-}
-
-Placement detail::read_placement(const JsonCursor& file, const SignalTable& table) {
-  if (const auto format = file["format"].integer(0, max_versions); format != oldest_format)
-    expect_format_version(file.where(), format, format_version);
-  file.expect_keys(keys);
-  Placement placement;
-  placement.problem.model = file["model"].choice<CommunicationModel>();
-  placement.problem.objective = file["objective"].choice<Objective>();
-  if (const auto found = file.find("combination"))
-    placement.problem.combination = found->choice<Combination>();
-  if (const auto found = file.find("share")) placement.problem.share = found->positive();
-  if (const auto found = file.find("survives_failure")) placement.problem.redundant = found->boolean();
-  if (const auto found = file.find("min_spacing"); found && !found->is_null())
-    placement.min_spacing = found->positive();
-  if (const auto found = file.find("forbidden_pairs"))
-    placement.forbidden_pairs =
-        static_cast<std::size_t>(found->integer(0, std::numeric_limits<std::int64_t>::max()));
+// Throws InputError where the file states other numbers.
+void expect_numbers(const JsonCursor& file, const Placement& placement, const SignalTable& table) {
   if (const auto found = file.find("labels"); found && found->number() != static_cast<double>(table.rows()))
     found->fail(fmt::format("is {}, but the matrix has {} labels", found->number(), table.rows()),
                 "use the matrix that this placement was computed from");
-  placement.selected = read_selected(file["selected"], table);
-  placement.count_lower_bound = number_or_infinity(file["count_lower_bound"]);
-  placement.objective_value = number_or_infinity(file["objective_value"]);
-  placement.lower_bound = number_or_infinity(file["lower_bound"]);
-  if (const auto found = file.find("bound_proof")) placement.bound_proof = found->choice<BoundProof>();
-  if (const auto found = file.find("ties_settled")) placement.ties_settled = found->boolean();
-  if (const auto found = file.find("price")) placement.price = detail::read_price(*found);
-  if (const auto found = file.find("unit_costs")) placement.unit_costs = found->boolean();
-  placement.status = file["status"].choice<Status>();
-  placement.solver = read_solver(file);
-  placement.unreachable = read_unreachable(file["unreachable"], table);
   if (const JsonCursor stated = file["count"]; stated.number() != static_cast<double>(placement.count()))
     stated.fail(fmt::format("is {}, but {} transceivers are selected", stated.number(), placement.count()),
                 "correct one of them");
-  return placement;
+}
+
+}  // namespace
+
+namespace detail {
+
+JsonCursor parse_placement(const std::filesystem::path& path) {
+  JsonCursor file = JsonCursor::parse_file(path);
+  if (const auto format = file["format"].integer(0, max_versions); format != oldest_format)
+    expect_format_version(file.where(), format, format_version);
+  return file;
+}
+
+void describe(Record& record, Unreachable& one) {
+  record.id("label", one.label, record.ids().labels);
+  record.positive("requirement", one.requirement);
+  record.non_negative("most", one.max_signal);
+}
+
+void describe(Record& record, Placement& placement) {
+  const TableIds& ids = record.ids();
+  const SignalTable& table = ids.table;
+  PlacementProblem& problem = placement.problem;
+  record.note("format", [] { return format_version; });
+  record.name("model", problem.model);
+  record.name("objective", problem.objective);
+  record.later().name("combination", problem.combination);
+  record.later().positive("share", problem.share);
+  record.later().boolean("survives_failure", problem.redundant);
+  record.later().custom(
+      "min_spacing", [&] { return placement.min_spacing > 0 ? Json(placement.min_spacing) : Json(nullptr); },
+      [&](const JsonCursor& json) {
+        if (!json.is_null()) placement.min_spacing = json.positive();
+      });
+  record.later().count("forbidden_pairs", placement.forbidden_pairs,
+                       std::numeric_limits<std::int64_t>::max());
+  record.note("labels", [&] { return table.rows(); });
+  record.custom(
+      "selected", [&] { return ids.transceivers.list(placement.selected); },
+      [&](const JsonCursor& json) { placement.selected = read_selected(json, ids.transceivers, table); });
+  record.note("count", [&] { return placement.count(); });
+  if (record.file() != nullptr) expect_numbers(*record.file(), placement, table);
+  record.number("count_lower_bound", placement.count_lower_bound, whole_bound);
+  record.number("objective_value", placement.objective_value);
+  record.number("lower_bound", placement.lower_bound);
+  record.note("gap", [&] { return number(placement.gap()); });
+  record.later().name("bound_proof", placement.bound_proof);
+  record.later().boolean("ties_settled", placement.ties_settled);
+  record.later().boolean("unit_costs", placement.unit_costs);
+  record.note("redundant_share", [&] { return redundant_share(placement, table); });
+  record.name("status", placement.status);
+  record.custom(
+      "solver", [&] { return to_text(placement.solver.method); },
+      [&](const JsonCursor&) { placement.solver = read_solver(*record.file()); });
+  record.note("backend", [&] { return backend_of(placement.solver); });
+  record.list("unreachable", placement.unreachable);
+  record.note("scenarios", [&] { return scenarios(placement, table); });
+  record.note("verification", [] { return "not verified yet"; });
+  record.note("critical", [&] { return critical(placement, ids); });
+  record.optional("price", placement.price);
+  record.ignore({"curve", "curve_complete", "certificate", "alternatives", "sensitivity", "states",
+                 "warnings", "complete", "files", "total_weight", "seconds"});
+}
+
+void describe(Record& record, CoverageCurve& curve) {
+  const SignalTable& table = record.ids().table;
+  const auto labels = static_cast<std::int64_t>(table.rows());
+  const auto describe_point = [&](Record& part, CurvePoint& point) {
+    const std::size_t before = curve.points.empty() ? 0 : curve.points.back().units;
+    part.count("units", point.units, max_units, static_cast<std::int64_t>(before) + 1);
+    part.count("at_least", point.at_least, labels);
+    part.count("at_most", point.at_most, labels, static_cast<std::int64_t>(point.at_least));
+    if (!part.has("weight_at_least", point.weight.has_value())) return;
+    if (!point.weight) point.weight.emplace();
+    part.non_negative("weight_at_least", point.weight->at_least);
+    part.non_negative("weight_at_most", point.weight->at_most);
+  };
+  if (!record.has("curve", !curve.points.empty())) return;
+  record.list("curve", curve.points, describe_point);
+  record.boolean("curve_complete", curve.is_complete);
+  if (record.has("total_weight", !curve.points.empty() && curve.points.front().weight))
+    record.note("total_weight", [&] { return total_weight(table); });
+}
+
+}  // namespace detail
+
+std::string placement_json(const Placement& placement, const SignalTable& table, const CoverageCurve& curve) {
+  CoverageCurve points = curve;
+  const auto with_curve = [&](Record& record, Placement& value) {
+    detail::describe(record, value);
+    detail::describe(record, points);
+  };
+  return detail::file_text(Record::write(placement, {table}, with_curve));
 }
 
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
-  return detail::read_placement(JsonCursor::parse_file(path), table);
-}
-
-CoverageCurve detail::read_curve(const JsonCursor& file, const SignalTable& table) {
-  CoverageCurve curve;
-  const auto points = file.find("curve");
-  if (!points) return curve;
-  const auto labels = static_cast<std::int64_t>(table.rows());
-  for (const JsonCursor& element : points->elements()) {
-    element.expect_keys({"units", "at_least", "at_most", "weight_at_least", "weight_at_most"});
-    const std::int64_t at_least = element["at_least"].integer(0, labels);
-    const std::int64_t before =
-        curve.points.empty() ? 0 : static_cast<std::int64_t>(curve.points.back().units);
-    curve.points.push_back({static_cast<std::size_t>(element["units"].integer(before + 1, max_units)),
-                            static_cast<std::size_t>(at_least),
-                            static_cast<std::size_t>(element["at_most"].integer(at_least, labels))});
-    if (const auto weight = element.find("weight_at_least"))
-      curve.points.back().weight = {weight->non_negative(), element["weight_at_most"].non_negative()};
-  }
-  curve.is_complete = file["curve_complete"].boolean();
-  return curve;
+  return Record::read<Placement>(detail::parse_placement(path), {table});
 }
 
 }  // namespace shelfbeam

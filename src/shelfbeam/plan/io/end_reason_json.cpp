@@ -1,48 +1,33 @@
 #include "shelfbeam/plan/io/end_reason_json.hpp"
 
-#include <cstdint>
-#include <limits>
-
 namespace shelfbeam::detail {
 
-namespace {
-
-constexpr std::int64_t max_number = std::numeric_limits<std::uint32_t>::max();
-
-}  // namespace
-
-Json to_json(const std::optional<EndReason>& reason) {
-  if (!reason) return nullptr;
-  Json object = {{"code", to_text(reason->cause)}};
-  if (reason->cause == EndCause::labels_cost) object["labels"] = reason->labels;
-  if (reason->cause == EndCause::proof_cost && reason->bounds_cost) object["cost"] = reason->bound;
-  if (reason->cause == EndCause::proof_cost && !reason->bounds_cost)
-    object["count"] = static_cast<std::int64_t>(reason->bound);
-  if (reason->cause == EndCause::other) object["text"] = reason->text;
-  if (reason->leaves_cheaper) object["leaves_cheaper"] = true;
-  return object;
-}
-
-std::optional<EndReason> read_end_reason(const JsonCursor& json) {
-  if (json.is_null()) return {};
-  if (json.is_string()) {
-    const std::string text = json.text();
-    if (text.empty()) return {};
-    return EndReason{.cause = EndCause::other, .text = text};
-  }
-  json.expect_keys({"code", "labels", "count", "cost", "text", "leaves_cheaper"});
-  EndReason reason{json["code"].choice<EndCause>()};
-  if (const auto labels = json.find("labels"))
-    reason.labels = static_cast<std::size_t>(labels->integer(0, max_number));
-  if (const auto count = json.find("count"))
-    reason.bound = static_cast<double>(count->integer(0, max_number));
-  if (const auto cost = json.find("cost")) {
-    reason.bound = cost->non_negative();
+void describe(Record& record, EndReason& reason) {
+  const EndCause cause = reason.cause;
+  record.name("code", reason.cause);
+  if (record.has("labels", cause == EndCause::labels_cost)) record.count("labels", reason.labels);
+  if (record.has("cost", cause == EndCause::proof_cost && reason.bounds_cost)) {
+    record.non_negative("cost", reason.bound);
     reason.bounds_cost = true;
   }
-  if (const auto text = json.find("text")) reason.text = text->text();
-  if (const auto more = json.find("leaves_cheaper")) reason.leaves_cheaper = more->boolean();
-  return reason;
+  if (record.has("count", cause == EndCause::proof_cost && !reason.bounds_cost)) {
+    auto count = static_cast<std::size_t>(reason.bound);
+    record.count("count", count);
+    reason.bound = static_cast<double>(count);
+  }
+  if (record.has("text", cause == EndCause::other)) record.text("text", reason.text);
+  if (record.has("leaves_cheaper", reason.leaves_cheaper))
+    record.boolean("leaves_cheaper", reason.leaves_cheaper);
+}
+
+void describe_end(Record& record, std::optional<EndReason>& reason) {
+  const auto write = [&] { return reason ? Record::write(*reason, record.ids()) : Json(nullptr); };
+  record.custom("open", write, [&](const JsonCursor& json) {
+    if (!json.is_string() && !json.is_null())
+      reason = Record::read<EndReason>(json, record.ids());
+    else if (json.is_string() && !json.text().empty())
+      reason = {.cause = EndCause::other, .text = json.text()};
+  });
 }
 
 }  // namespace shelfbeam::detail

@@ -2,15 +2,12 @@
 
 #include <optional>
 
-#include "shelfbeam/placement/io/placement_json.hpp"
+#include "shelfbeam/placement/io/record.hpp"
 #include "shelfbeam/plan/answer/end_reason.hpp"
 
 namespace shelfbeam::detail {
 
-/// The object with the code and its values; null without a reason.
-Json to_json(const std::optional<EndReason>& reason);
-
-/// Also reads the text of format 1. Throws InputError.
-std::optional<EndReason> read_end_reason(const JsonCursor& json);
+/// The key "open": the code and its values, null without a reason; in format 1 a text.
+void describe_end(Record& record, std::optional<EndReason>& reason);
 
 }  // namespace shelfbeam::detail

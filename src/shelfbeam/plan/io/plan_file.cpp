@@ -1,8 +1,5 @@
 #include "shelfbeam/plan/io/plan_file.hpp"
 
-#include <limits>
-#include <utility>
-
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
@@ -15,108 +12,85 @@
 
 namespace shelfbeam {
 
-namespace {
-
-using detail::Json;
-using detail::position;
-using detail::Positions;
-using detail::positions;
-
-Json ids_of(const Certificate& certificate, Verdict verdict, const SignalTable& table) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < certificate.labels.size(); ++i)
-    if (certificate.labels[i].verdict == verdict) list.push_back(table.labels[i].id);
-  return list;
-}
-
-Json to_json(const Certificate& certificate, const SignalTable& table) {
-  return {{"confidence", certificate.confidence},
-          {"covers", "sampling error"},
-          {"assumes", "materials, stock and mounting as in the store file"},
-          {"reached", certificate.none_verified() ? Json() : Json(certificate.count(Verdict::reached))},
-          {"missed", ids_of(certificate, Verdict::missed, table)},
-          {"undecided", ids_of(certificate, Verdict::undecided, table)},
-          {"not_verified_yet", ids_of(certificate, Verdict::unverified, table)},
-          {"count_lower_bound", certificate.count_lower_bound},
-          {"cost_lower_bound", certificate.cost_lower_bound},
-          {"bound_labels", certificate.bound_labels},
-          {"rounds", certificate.rounds},
-          {"open", detail::to_json(certificate.open)}};
-}
+namespace detail {
 
 // Reads verdicts only: verification.csv contains signals and limits.
-Certificate read_certificate(const JsonCursor& cursor, const SignalTable& table) {
-  cursor.expect_keys({"confidence", "covers", "assumes", "reached", "missed", "undecided", "not_verified_yet",
-                      "count_lower_bound", "cost_lower_bound", "bound_labels", "rounds", "seconds", "open"});
-  Certificate certificate;
-  certificate.confidence = cursor["confidence"].positive();
-  certificate.labels.resize(table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    certificate.labels[i].requirement = table.labels[i].requirement;
-    certificate.labels[i].verdict = Verdict::reached;
-  }
-  const Positions known = positions(table.labels);
-  // Plans of version 0.2.0 and earlier call labels without samples undecided.
-  for (const auto& [key, verdict] :
-       {std::pair("missed", Verdict::missed), std::pair("undecided", Verdict::undecided),
-        std::pair("not_verified_yet", Verdict::unverified)})
-    if (const auto list = verdict == Verdict::unverified ? cursor.find(key) : cursor[key])
-      for (const JsonCursor& element : list->elements())
-        certificate.labels[position(element, known, "label")].verdict = verdict;
-  const auto count = [&](const char* key) {
-    return static_cast<std::uint32_t>(cursor[key].integer(0, std::numeric_limits<std::uint32_t>::max()));
+void describe(Record& record, Certificate& certificate) {
+  const Ids& ids = record.ids().labels;
+  auto& labels = certificate.labels;
+  const auto list = [&](std::string_view key, Verdict verdict) {
+    const auto write = [&] {
+      std::vector<std::uint32_t> positions;
+      for (std::uint32_t i = 0; i < labels.size(); ++i)
+        if (labels[i].verdict == verdict) positions.push_back(i);
+      return ids.list(positions);
+    };
+    record.custom(key, write, [&](const JsonCursor& json) {
+      for (const std::uint32_t i : ids.positions(json)) labels[i].verdict = verdict;
+    });
   };
-  certificate.count_lower_bound = count("count_lower_bound");
-  // Plans of version 0.2.0 and earlier have no bound on the cost.
-  if (const auto cost = cursor.find("cost_lower_bound")) certificate.cost_lower_bound = cost->non_negative();
-  certificate.bound_labels = count("bound_labels");
-  certificate.rounds = count("rounds");
-  certificate.open = detail::read_end_reason(cursor["open"]);
-  const JsonCursor stated = cursor["reached"];
+  if (record.file() != nullptr) labels.assign(ids.size(), {.verdict = Verdict::reached});
+  record.positive("confidence", certificate.confidence);
+  record.note("covers", [] { return "sampling error"; });
+  record.note("assumes", [] { return "materials, stock and mounting as in the store file"; });
+  record.note("reached", [&] {
+    return certificate.none_verified() ? Json() : Json(certificate.count(Verdict::reached));
+  });
+  // Plans of version 0.2.0 and earlier call labels without samples undecided, and have no bound on the cost.
+  list("missed", Verdict::missed);
+  list("undecided", Verdict::undecided);
+  record.later();
+  list("not_verified_yet", Verdict::unverified);
+  record.count("count_lower_bound", certificate.count_lower_bound);
+  record.later().non_negative("cost_lower_bound", certificate.cost_lower_bound);
+  record.count("bound_labels", certificate.bound_labels);
+  record.count("rounds", certificate.rounds);
+  describe_end(record, certificate.open);
+  record.ignore({"seconds"});
+  if (record.file() == nullptr) return;
+  const JsonCursor stated = (*record.file())["reached"];
   if (!stated.is_null() && stated.number() != static_cast<double>(certificate.count(Verdict::reached)))
     stated.fail("is not the number of labels that none of the lists names", "correct one of them");
-  return certificate;
 }
 
-}  // namespace
+void describe(Record& record, CertifiedPlan& plan) {
+  describe(record, plan.placement);
+  describe(record, plan.curve);
+  record.optional("certificate", plan.certificate);
+  record.optional("states", plan.availability);
+  if (record.has("alternatives", !plan.alternatives.empty()))
+    record.object("alternatives", plan.alternatives);
+  record.optional("sensitivity", plan.sensitivity);
+  if (record.has("warnings", !plan.warnings.empty())) record.texts("warnings", plan.warnings);
+}
+
+}  // namespace detail
+
+using detail::Record;
 
 std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
-  Json file = detail::placement_object(plan.placement, table, plan.curve);
-  if (plan.certificate && !plan.certificate->none_verified()) file["verification"] = "certificate";
-  if (plan.certificate) file["certificate"] = to_json(*plan.certificate, table);
-  if (plan.availability) {
-    if (plan.availability->has_answer()) file["verification"] = "states";
-    file["states"] = detail::availability_object(*plan.availability, table);
-  }
-  if (!plan.alternatives.empty())
-    file["alternatives"] = detail::alternatives_object(plan.alternatives, table);
-  if (plan.sensitivity) file["sensitivity"] = detail::sensitivity_object(*plan.sensitivity, table);
-  if (!plan.warnings.empty()) file["warnings"] = plan.warnings;
+  detail::Json file = Record::write(plan, {table});
+  if (plan.availability && plan.availability->has_answer())
+    file["verification"] = "states";
+  else if (plan.certificate && !plan.certificate->none_verified())
+    file["verification"] = "certificate";
   return detail::file_text(file);
 }
 
 std::string certificate_json(const Certificate& certificate, const SignalTable& table) {
-  return detail::file_text(to_json(certificate, table));
+  return detail::file_text(Record::write(certificate, {table}));
 }
 
 CertifiedPlan read_plan(const std::filesystem::path& path, const SignalTable& table) {
-  const JsonCursor file = JsonCursor::parse_file(path);
-  CertifiedPlan plan;
-  plan.placement = detail::read_placement(file, table);
-  plan.curve = detail::read_curve(file, table);
-  if (const auto found = file.find("certificate")) plan.certificate = read_certificate(*found, table);
-  if (const auto found = file.find("states")) plan.availability = detail::read_availability(*found, table);
-  if (const auto found = file.find("alternatives"))
-    plan.alternatives = detail::read_alternatives(*found, table);
-  if (const auto found = file.find("sensitivity")) plan.sensitivity = detail::read_sensitivity(*found, table);
-  // Plans of version 0.2.0 and earlier have no warnings.
-  if (const auto found = file.find("warnings"))
-    for (const JsonCursor& warning : found->elements()) plan.warnings.push_back(warning.text());
+  auto plan = Record::read<CertifiedPlan>(detail::parse_placement(path), {table});
+  if (plan.certificate)
+    for (std::size_t i = 0; i < table.rows(); ++i)
+      plan.certificate->labels[i].requirement = table.labels[i].requirement;
   return plan;
 }
 
 std::string availability_text(const Availability& availability, const SignalTable& table) {
-  return detail::availability_object(availability, table).dump(2) + '\n';
+  return Record::write(availability, {table}).dump(2) + '\n';
 }
 
 std::string availability_csv(const Availability& availability, const Scene& scene, bool safe) {

@@ -69,9 +69,9 @@ TEST(Alternatives, AgreeWithEnumeration) {
       }
     }
     // The figures do not depend on the number of threads, and files keep them.
-    const auto text = [&](const Alternatives& of) { return detail::alternatives_object(of, table).dump(); };
+    const auto text = [&](const Alternatives& of) { return detail::Record::write(of, {table}).dump(); };
     EXPECT_EQ(text(alternatives_to(placement, table, {.threads = 4})), text(others));
-    EXPECT_EQ(text(detail::read_alternatives(JsonCursor::parse(text(others), "x.json"), table)),
+    EXPECT_EQ(text(detail::Record::read<Alternatives>(JsonCursor::parse(text(others), "x.json"), {table})),
               text(others));
   }
   EXPECT_GT(fewer, 50);
