@@ -137,9 +137,10 @@ std::string problem_of(const CLI::App* verb, const CLI::ParseError& error) {
   std::string text = error.what();
   const std::string name = text.substr(0, text.find(':'));
   const CLI::Option* option = verb == nullptr ? nullptr : verb->get_option_no_throw(name);
-  if (option == nullptr) return text;
-  if (text.ends_with(" missing")) return fmt::format("{}: {} is missing", name, option->get_option_text());
-  return text.find("At Most 1 required") == std::string::npos ? text : name + " is given more than once";
+  if (option == nullptr || dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return text;
+  const auto most = static_cast<std::size_t>(std::max(1, option->get_items_expected_max()));
+  return option->count() > most ? name + " is given more than once"
+                                : fmt::format("{}: {} is missing", name, option->get_option_text());
 }
 
 std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, const Words& arguments) {
