@@ -25,6 +25,23 @@ function(shelfbeam_embed out)
   file(CONFIGURE OUTPUT ${out} CONTENT "@text@" @ONLY)
 endfunction()
 
+# Turns files into a C++ source with the table <symbol> of their paths below <folder> and contents.
+function(shelfbeam_embed_table out symbol folder)
+  set(pairs)
+  set(rows)
+  foreach(path ${ARGN})
+    string(MAKE_C_IDENTIFIER ${path} name)
+    list(APPEND pairs ${name} ${folder}/${path})
+    string(APPEND rows "{\"${path}\", ${name}},")
+  endforeach()
+  shelfbeam_embed(${out}.part ${pairs}) # written only where it differs, as ${out}
+  set(type "std::pair<std::string_view, std::string_view>")
+  file(READ ${out}.part text)
+  file(CONFIGURE OUTPUT ${out} @ONLY CONTENT "#include <span>\n#include <utility>\n@text@\
+namespace shelfbeam::embedded {\nstatic const @type@ rows[] = {@rows@};\n\
+extern const std::span<const @type@> @symbol@;\nconst std::span<const @type@> @symbol@(rows);\n}\n")
+endfunction()
+
 if(CMAKE_SCRIPT_MODE_FILE)
   shelfbeam_embed(${OUT} ${SYMBOL} ${FILE})
 endif()

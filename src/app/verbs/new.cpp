@@ -1,7 +1,10 @@
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,75 +17,42 @@
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 
-namespace shelfbeam {
+namespace shelfbeam::embedded {
 
-// Made by cmake/embed.cmake from the files in examples/.
-namespace embedded {
-extern const std::string_view thesis_store;
-extern const std::string_view grocery_store;
-extern const std::string_view grocery_checkout;
-extern const std::string_view chiller_store;
-extern const std::string_view chiller_till;
-extern const std::string_view chiller_mirror;
-extern const std::string_view chiller_ring;
-extern const std::string_view chiller_spot;
-extern const std::string_view market_hall_store;
-extern const std::string_view market_hall_chain;
-extern const std::string_view market_hall_planogram;
-extern const std::string_view supermarket_store;
-extern const std::string_view hypermarket_store;
-}  // namespace embedded
+// Names and contents of the files of examples/, made by cmake/embed.cmake.
+extern const std::span<const std::pair<std::string_view, std::string_view>> templates;
 
-}  // namespace shelfbeam
+}  // namespace shelfbeam::embedded
 
 namespace shelfbeam::app {
 
 namespace {
 
-struct TemplateFile {
-  std::string_view name;
-  std::string_view content;
-};
-
 /// An example store; its files are those of the folder of the same name in examples/.
 struct Template {
-  std::string_view name;
-  std::string_view description;
-  std::vector<TemplateFile> files;
+  std::string_view name, description;
 };
 
-const std::vector<Template>& store_templates() {
-  static const std::vector<Template> templates{
-      {"thesis",
-       "the test environment of the paper: 390 labels, 320 candidates",
-       {{"store.json", embedded::thesis_store}}},
-      {"grocery",
-       "a small grocery with gondolas, freezers and checkouts",
-       {{"store.json", embedded::grocery_store}, {"checkout.glb", embedded::grocery_checkout}}},
-      {"chiller",
-       "a petrol station shop with glass doors and aimed units",
-       {{"store.json", embedded::chiller_store},
-        {"till.glb", embedded::chiller_till},
-        {"security-mirror.obj", embedded::chiller_mirror},
-        {"batwing.ies", embedded::chiller_ring},
-        {"narrow-aisle.ldt", embedded::chiller_spot}}},
-      {"market-hall",
-       "an L-shaped hall: zones, inner walls, presets, a planogram",
-       {{"store.json", embedded::market_hall_store},
-        {"chain.json", embedded::market_hall_chain},
-        {"planogram.csv", embedded::market_hall_planogram}}},
-      {"supermarket",
-       "50 x 40 m: 5,000 labels, 600 candidates",
-       {{"store.json", embedded::supermarket_store}}},
-      {"hypermarket",
-       "110 x 85 m: 40,000 labels, 2,000 candidates",
-       {{"store.json", embedded::hypermarket_store}}}};
-  return templates;
+constexpr std::array<Template, 6> store_templates{
+    {{"thesis", "the test environment of the paper: 390 labels, 320 candidates"},
+     {"grocery", "a small grocery with gondolas, freezers and checkouts"},
+     {"chiller", "a petrol station shop with glass doors and aimed units"},
+     {"market-hall", "an L-shaped hall: zones, inner walls, presets, a planogram"},
+     {"supermarket", "50 x 40 m: 5,000 labels, 600 candidates"},
+     {"hypermarket", "110 x 85 m: 40,000 labels, 2,000 candidates"}}};
+
+// Their paths within its folder, and contents.
+std::vector<std::pair<std::string_view, std::string_view>> files_of(const Template& chosen) {
+  std::vector<std::pair<std::string_view, std::string_view>> files;
+  for (const auto& [path, content] : embedded::templates)
+    if (path.substr(0, path.find('/')) == chosen.name)
+      files.emplace_back(path.substr(chosen.name.size() + 1), content);
+  return files;
 }
 
 const Template& find_template(const std::string& name) {
   std::vector<std::string_view> known;
-  for (const Template& t : store_templates()) {
+  for (const Template& t : store_templates) {
     if (t.name == name) return t;
     known.push_back(t.name);
   }
@@ -97,11 +67,12 @@ struct NewArguments {
 
 int run_new(const NewArguments& options) {
   const Template& chosen = find_template(options.name);
-  for (const TemplateFile& file : chosen.files)
-    if (const auto path = options.folder / file.name; std::filesystem::exists(path))
+  const auto files = files_of(chosen);
+  for (const auto& [name, content] : files)
+    if (const auto path = options.folder / name; std::filesystem::exists(path))
       throw InputError(path.string(), "already exists", "choose another folder, or remove the file");
   make_output_folder(options.folder);
-  for (const TemplateFile& file : chosen.files) write_file(options.folder / file.name, file.content);
+  for (const auto& [name, content] : files) write_file(options.folder / name, content);
   const std::string store = (options.folder / "store.json").string();
   if (options.common.json) {
     print_json({{"store", store}});
@@ -119,7 +90,7 @@ void add_new(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<NewArguments>();
   std::string descriptions;
   std::vector<std::string> names;
-  for (const Template& t : store_templates()) {
+  for (const Template& t : store_templates) {
     descriptions += fmt::format("\n  {:<11}  {}", t.name, t.description);
     names.emplace_back(t.name);
   }
