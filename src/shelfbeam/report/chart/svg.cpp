@@ -12,6 +12,13 @@ std::string coordinate(double value) {
   return text == "-0" ? "0" : text;
 }
 
+std::string path_through(std::span<const Point> points, bool is_open) {
+  std::string data;
+  for (const Point& p : points)
+    data += fmt::format("{}{} {}", data.empty() ? "M" : "L", coordinate(p.x), coordinate(p.y));
+  return is_open ? data : data + "Z";
+}
+
 void SvgCanvas::close_element(std::string_view name, std::string_view title) {
   if (title.empty())
     body_ += "/>\n";
@@ -33,10 +40,7 @@ void SvgCanvas::line(const Point& from, const Point& to, std::string_view css_cl
 }
 
 void SvgCanvas::polygon(std::span<const Point> points, std::string_view css_class, std::string_view title) {
-  std::string data;
-  for (const Point& p : points)
-    data += fmt::format("{}{} {}", data.empty() ? "M" : "L", coordinate(p.x), coordinate(p.y));
-  path(data + "Z", css_class, title);
+  path(path_through(points), css_class, title);
 }
 
 void SvgCanvas::path(std::string_view data, std::string_view css_class, std::string_view title) {

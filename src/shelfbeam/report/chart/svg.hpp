@@ -14,6 +14,9 @@ struct Point {
 /// A coordinate rounded to a tenth of a user unit, without trailing zeros.
 std::string coordinate(double value);
 
+/// The data of a path through these points, back to the first unless it is open.
+std::string path_through(std::span<const Point> points, bool is_open = false);
+
 /// Collects SVG elements, styled by CSS classes. Texts are escaped here, class names are not.
 class SvgCanvas {
  public:

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/polygon.hpp"
 
@@ -51,8 +49,7 @@ std::string cut(const PlanView& view, const std::array<Vec3, 3>& corners, double
     ends.push_back(view.at(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)));
   }
   if (ends.size() != 2) return {};
-  return fmt::format("M{} {}L{} {}", coordinate(ends[0].x), coordinate(ends[0].y), coordinate(ends[1].x),
-                     coordinate(ends[1].y));
+  return path_through(ends, true);
 }
 
 }  // namespace

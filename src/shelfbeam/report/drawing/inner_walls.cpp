@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
@@ -17,15 +15,7 @@ namespace {
 
 std::string path_of(const PlanView& view, std::span<const Polygon> loops) {
   std::string data;
-  for (const Polygon& loop : loops) {
-    char step = 'M';
-    for (const auto& [x, y] : loop) {
-      const Point p = view.at(x, y);
-      data += fmt::format("{}{} {}", step, coordinate(p.x), coordinate(p.y));
-      step = 'L';
-    }
-    data += 'Z';
-  }
+  for (const Polygon& loop : loops) data += path_through(view.outline(loop));
   return data;
 }
 

@@ -106,13 +106,10 @@ std::string mesh_silhouette(const PlanView& view, const Scene& scene, const Part
                               scene.mesh.vertices[c] - scene.mesh.vertices[a]);
     if (std::abs(normal.z) < 2 * min_area) continue;
     if (normal.z < 0) std::swap(b, c);
-    char step = 'M';
-    for (const std::uint32_t corner : {a, b, c}) {
-      const Point p = view.at(scene.mesh.vertices[corner].x, scene.mesh.vertices[corner].y);
-      data += fmt::format("{}{} {}", step, coordinate(p.x), coordinate(p.y));
-      step = 'L';
-    }
-    data += 'Z';
+    std::vector<Point> corners;
+    for (const std::uint32_t corner : {a, b, c})
+      corners.push_back(view.at(scene.mesh.vertices[corner].x, scene.mesh.vertices[corner].y));
+    data += path_through(corners);
   }
   return data;
 }

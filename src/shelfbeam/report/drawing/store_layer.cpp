@@ -40,12 +40,7 @@ std::string fixture_class(const FixtureOutline& fixture) {
 void draw_outline(SvgCanvas& canvas, const PlanView& view, const FixtureOutline& fixture,
                   std::string_view css_class, const std::string& title) {
   const std::vector<Point> outline = view.outline(fixture.footprint);
-  if (outline.size() == 2)
-    canvas.path(fmt::format("M{} {}L{} {}", coordinate(outline[0].x), coordinate(outline[0].y),
-                            coordinate(outline[1].x), coordinate(outline[1].y)),
-                css_class, title);
-  else
-    canvas.polygon(outline, css_class, title);
+  canvas.path(path_through(outline, outline.size() == 2), css_class, title);
 }
 
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
