@@ -31,7 +31,7 @@ PlanSummary summary_of(const PlanEnd& end) {
     summary.price = placement.price->to_spend;
     summary.currency = placement.price->currency;
   }
-  summary.warnings = plan.warnings;
+  summary.warnings = sentences(plan.warnings);
   return summary;
 }
 

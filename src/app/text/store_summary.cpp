@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 #include <tuple>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/fields/finding_json.hpp"
 #include "shelfbeam/material/material_shares.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/math/warp.hpp"
@@ -196,18 +196,6 @@ void print_summary(const Scene& scene, const std::string& written) {
   print_list("hard to sample, with large standard errors", chance_light(scene));
 }
 
-nlohmann::ordered_json json_of(const std::vector<Finding>& findings) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [code, path, values, sentence] : findings) {
-    auto& one = list.emplace_back(nlohmann::ordered_json{
-        {"code", name_of(code)}, {"path", path}, {"values", nlohmann::ordered_json::array()}});
-    for (const FindingValue& value : values)
-      std::visit([&](const auto& plain) { one["values"].push_back(plain); }, value);
-    one["sentence"] = sentence;
-  }
-  return list;
-}
-
 nlohmann::ordered_json summary_json(const Scene& scene) {
   const Counts counts(scene);
   nlohmann::ordered_json json;
@@ -260,7 +248,7 @@ nlohmann::ordered_json summary_json(const Scene& scene) {
   json["not_simulated"] = uncovered_light(scene);
   json["found_by_chance"] = chance_light(scene);
   json["warnings"] = sentences(scene.warnings);
-  json["findings"] = json_of(scene.warnings);
+  json["findings"] = to_json(scene.warnings);
   json["ignored_warnings"] = scene.ignored_warnings;
   return json;
 }

@@ -16,8 +16,6 @@ namespace shelfbeam::app {
 /// The output of `inspect`: areas, counts, and the light that the default strategy omits or samples only by
 /// chance.
 nlohmann::ordered_json summary_json(const Scene& scene);
-/// Code, path, values and sentence of each finding.
-nlohmann::ordered_json json_of(const std::vector<Finding>& findings);
 
 /// The warnings and `written`, a line about the file that was written, if any, come before the tables.
 void print_summary(const Scene& scene, const std::string& written);

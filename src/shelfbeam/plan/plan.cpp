@@ -48,16 +48,19 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
   }
 }
 
-// A warning if the margins of nearly all labels show that a requirement or a flux is wrong; else empty.
-std::string margin_warning(const SignalTable& table, const Placement& placement) {
+// A warning if the margins of nearly all labels show that a requirement or a flux is wrong.
+std::optional<Finding> margin_warning(const SignalTable& table, const Placement& placement) {
   constexpr double nearly_all = 0.9, far_too_much = 31.6;  // 15 dB
   const double share = 100.0 / static_cast<double>(std::max<std::size_t>(1, table.rows()));
   const double out_of_reach = share * static_cast<double>(placement.unreachable.size());
   if (out_of_reach >= 100 * nearly_all)
-    return fmt::format(
-        "label_types: no selection reaches {:.0f} % of the labels; a few are typical; check thresholds, "
-        "safety factors and the emission of the transceivers",
-        out_of_reach);
+    return Finding{
+        FindingCode::labels_out_of_reach,
+        "label_types",
+        {out_of_reach},
+        fmt::format("label_types: no selection reaches {:.0f} % of the labels; a few are typical; check "
+                    "thresholds, safety factors and the emission of the transceivers",
+                    out_of_reach)};
   std::vector<bool> chosen(table.columns());
   for (const std::uint32_t j : placement.selected) chosen[j] = true;
   std::size_t flooded = 0;
@@ -66,13 +69,14 @@ std::string margin_warning(const SignalTable& table, const Placement& placement)
         far_too_much * requirement_of(table.labels[i], placement.problem.model))
       ++flooded;
   const double flooded_share = share * static_cast<double>(flooded);
-  return flooded_share < 100 * nearly_all
-             ? ""
-             : fmt::format(
-                   "label_types: {:.0f} % of the labels receive more than 30 times the signal that they "
-                   "require (15 dB); 1 to 10 times is typical; check thresholds, safety factors and the "
-                   "emission of the transceivers",
-                   flooded_share);
+  if (flooded_share < 100 * nearly_all) return {};
+  return Finding{FindingCode::labels_flooded,
+                 "label_types",
+                 {flooded_share},
+                 fmt::format("label_types: {:.0f} % of the labels receive more than 30 times the signal that "
+                             "they require (15 dB); 1 to 10 times is typical; check thresholds, safety "
+                             "factors and the emission of the transceivers",
+                             flooded_share)};
 }
 
 // The samples of the certificate are independent of those of a simulation with the same seed.
@@ -138,9 +142,9 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
     plan.alternatives = alternatives_to(plan.placement, table(plan.simulation.matrix), control);
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
     plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
-  plan.warnings = sentences(scene.warnings);
-  if (std::string text = margin_warning(table(plan.simulation.matrix), plan.placement); !text.empty())
-    plan.warnings.push_back(std::move(text));
+  plan.warnings = scene.warnings;
+  if (auto warning = margin_warning(table(plan.simulation.matrix), plan.placement))
+    plan.warnings.push_back(*std::move(warning));
   plan.complete = plan.simulation.summary.complete && !control.cancelled();
   return plan;
 }

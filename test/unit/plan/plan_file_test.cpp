@@ -83,10 +83,18 @@ TEST(PlanFile, KeepsStatesOfTheShop) {
   EXPECT_EQ(read.availability->shown[1].missed, (std::vector<std::uint32_t>{0, 1}));
 }
 
+TEST(PlanFile, ReadsWarningsOfEarlierVersions) {
+  const test::TempFolder folder;
+  auto json = nlohmann::ordered_json::parse(plan_json(example_plan(), example()));
+  json["warnings"] = {"the shop is 32 m high"};
+  const CertifiedPlan read = read_plan(folder.write("p.json", json.dump()), example());
+  EXPECT_EQ(read.warnings, (std::vector<Finding>{{FindingCode::other, {}, {}, "the shop is 32 m high"}}));
+}
+
 TEST(PlanFile, DistinguishesUnverifiedLabels) {
   const test::TempFolder folder;
   CertifiedPlan plan = example_plan();
-  plan.warnings = {"store.json: room.size[2]: the shop is 32 m high"};
+  plan.warnings = {{FindingCode::room_height, "room.size[2]", {32.0, "m"}, "the shop is 32 m high"}};
   plan.certificate->mark_unverified();
   std::string text = plan_json(plan, example());
   EXPECT_NE(text.find("\"reached\": 1"), std::string::npos) << text;

@@ -72,6 +72,9 @@ constexpr auto all_words = std::to_array<Words>({
     {FindingCode::wavelength, "wavelength", "unusual wavelengths"},
     {FindingCode::overlap_unchecked, "overlap_unchecked", "overlaps that were not checked"},
     {FindingCode::place_unchecked, "place_unchecked", "places that were not checked"},
+    {FindingCode::labels_out_of_reach, "labels_out_of_reach"},
+    {FindingCode::labels_flooded, "labels_flooded"},
+    {FindingCode::other, "other"},
 });
 
 const Words& words_of(FindingCode code) {
@@ -96,10 +99,15 @@ std::vector<std::string_view> warning_names() {
   return names;
 }
 
+std::optional<FindingCode> finding_code(std::string_view name) {
+  const auto* found = std::find_if(all_words.begin(), all_words.end(),
+                                   [&](const Words& words) { return words.name == name; });
+  return found == all_words.end() ? std::nullopt : std::optional(found->code);
+}
+
 std::optional<FindingCode> warning_of(std::string_view name) {
-  for (const Words& words : all_words)
-    if (words.name == name && !words.subject.empty()) return words.code;
-  return {};
+  const auto code = finding_code(name);
+  return code && !subject_of(*code).empty() ? code : std::nullopt;
 }
 
 std::vector<std::string> sentences(const std::vector<Finding>& findings) {

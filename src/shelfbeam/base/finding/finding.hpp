@@ -9,7 +9,7 @@
 
 namespace shelfbeam {
 
-/// The codes of problems of a store, then those of warnings about it.
+/// The codes of problems of a store, of warnings about it, and of warnings about a plan.
 enum class FindingCode : std::uint8_t {
   invalid,
   wrong_kind,
@@ -69,12 +69,16 @@ enum class FindingCode : std::uint8_t {
   wavelength,
   overlap_unchecked,
   place_unchecked,
+  labels_out_of_reach,
+  labels_flooded,
+  other,  ///< as an earlier version of the program worded it
 };
 /// Its name in files.
 std::string_view name_of(FindingCode code);
-/// The names of all codes of warnings, for the key "ignore".
+std::optional<FindingCode> finding_code(std::string_view name);
+/// The names of all codes of warnings about a store, for the key "ignore".
 std::vector<std::string_view> warning_names();
-/// The warning with this name.
+/// The warning about a store with this name.
 std::optional<FindingCode> warning_of(std::string_view name);
 /// Completes "and 123 more".
 std::string_view subject_of(FindingCode warning);
@@ -90,6 +94,8 @@ struct Finding {
   std::string path;  ///< of the element in the store file ("fixtures[3].depth"), or the line of a CSV file
   FindingValues values;
   std::string sentence;  ///< with the name of the file
+
+  bool operator==(const Finding&) const = default;
 };
 
 /// The sentences of findings.

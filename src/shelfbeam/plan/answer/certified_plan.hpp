@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "shelfbeam/base/finding/finding.hpp"
 #include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
@@ -21,7 +21,7 @@ struct CertifiedPlan {
   std::optional<Certificate> certificate = {};    ///< from independent samples
   std::optional<Availability> availability = {};  ///< of a shop that changes; then there is no certificate
   std::optional<Sensitivity> sensitivity = {};    ///< to reflectances
-  std::vector<std::string> warnings = {};         ///< about implausible values and results
+  std::vector<Finding> warnings = {};             ///< about implausible values and results
 };
 
 }  // namespace shelfbeam

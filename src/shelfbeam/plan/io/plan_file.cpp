@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
+#include "shelfbeam/base/fields/finding_json.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
@@ -61,7 +62,10 @@ void describe(Record& record, CertifiedPlan& plan) {
   if (record.has("alternatives", !plan.alternatives.empty()))
     record.object("alternatives", plan.alternatives);
   record.optional("sensitivity", plan.sensitivity);
-  if (record.has("warnings", !plan.warnings.empty())) record.texts("warnings", plan.warnings);
+  if (record.has("warnings", !plan.warnings.empty()))
+    record.custom(
+        "warnings", [&] { return to_json(plan.warnings); },
+        [&](const JsonCursor& json) { plan.warnings = read_findings(json); });
 }
 
 }  // namespace detail

@@ -141,7 +141,7 @@ std::string summary_section(const ReportData& data, const Maps& maps) {
 }
 
 std::string warning_section(const ReportData& data) {
-  const std::vector<std::string>& warnings = data.input.plan.warnings;
+  const std::vector<std::string> warnings = sentences(data.input.plan.warnings);
   if (warnings.empty()) return {};
   return html_section("warnings", say("warnings.title"),
                       paragraph(say("warnings.intro")) + html_list(warnings));

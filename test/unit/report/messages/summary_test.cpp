@@ -160,7 +160,7 @@ TEST(Summary, NamesTheRisks) {
   EXPECT_TRUE(contains(s, "the largest loss from any one unit"));
   s.plan.sensitivity.emplace().low.missed = {3, 4};
   EXPECT_TRUE(contains(s, "at its lowest plausible reflectance, 2 labels are missed or undecided"));
-  s.plan.warnings = {"x"};
+  s.plan.warnings = {{FindingCode::other, {}, {}, "x"}};
   EXPECT_TRUE(contains(s, "1 questionable value, listed below"));
   test::certify(s);
   EXPECT_TRUE(contains(s, "19 labels do not receive enough signal: "));
