@@ -7,7 +7,6 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
@@ -33,10 +32,10 @@ void expect_own_folder(const fs::path& folder, const fs::path& file, const std::
 }
 
 // The report may travel; it names the files of the store without the folder.
-void shorten_names(std::vector<std::string>& warnings, const fs::path& store) {
+void shorten_names(std::vector<Finding>& warnings, const fs::path& store) {
   const std::string home = (store.parent_path() / "").string();
-  for (std::string& warning : warnings)
-    if (warning.starts_with(home)) warning.erase(0, home.size());
+  for (Finding& warning : warnings)
+    if (warning.sentence.starts_with(home)) warning.sentence.erase(0, home.size());
 }
 
 // A requested result about the selection is incomplete.
@@ -57,11 +56,6 @@ ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise
 }
 
 }  // namespace
-
-Store load_store(const fs::path& path, bool allow_outside, std::size_t memory, const fs::path& output,
-                 const CancelToken* cancel, Problems* problems) {
-  return read_store(path, {allow_outside, memory == 0 ? memory_limit() : memory, output, cancel}, problems);
-}
 
 void expect_no_warnings(const Scene& scene, bool strict) {
   if (!strict || scene.warnings.empty()) return;
@@ -85,7 +79,10 @@ void expect_room_for_matrix(const fs::path& folder, const Scene& scene, const Si
 
 PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   const RunClock clock;
-  Store store = load_store(job.store, job.allow_outside, job.plan.simulation.memory, {}, watch.cancel);
+  StoreLimits limits{.allow_outside = job.allow_outside, .memory = job.plan.simulation.memory};
+  if (job.file_size) limits.file_size = *job.file_size;
+  limits.cancel = watch.cancel;
+  Store store = read_store(job.store, limits);
   const Scene scene = make_inspected_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
   expect_own_folder(job.folder, job.store, resolved);

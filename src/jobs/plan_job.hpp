@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -25,6 +26,7 @@ struct PlanJob {
   unsigned threads = 0;                             ///< 0: all cores
   CheckpointOptions checkpoint = {};                ///< its path is in the folder
   bool allow_outside = false;                       ///< the store may name files outside its folder
+  std::optional<std::uint64_t> file_size = {};      ///< StoreLimits::file_size
   bool strict = false;                              ///< warnings count as errors
   bool overwrite = false;                           ///< replace a finished plan in the folder
   bool safe_csv = false;
@@ -52,14 +54,6 @@ struct PlanEnd {
   ExitCode code = done;
   bool is_imprecise = false;  ///< the requested relative error was not reached, and no certificate covers it
 };
-
-/// Reads a store file and the files that it names; these must be in its folder unless `allow_outside`.
-/// `memory`: limit in bytes, 0 for memory_limit(). `output`: a file that the run will write. `cancel` ends
-/// the reading and all work on the store. With `problems`, collects all of them instead of throwing the
-/// first.
-Store load_store(const std::filesystem::path& path, bool allow_outside = false, std::size_t memory = 0,
-                 const std::filesystem::path& output = {}, const CancelToken* cancel = nullptr,
-                 Problems* problems = nullptr);
 
 /// Throws InputError if the scene has warnings and `strict` is set.
 void expect_no_warnings(const Scene& scene, bool strict);

@@ -197,6 +197,8 @@ void describe(Fields& f, PlanJob& job) {
   flag(f, "resume", job.checkpoint.resume, false, "continue an interrupted run in the folder");
   number(f, "checkpoint_interval", job.checkpoint.interval_s, usual.checkpoint.interval_s, {0}, "s");
   flag(f, "allow_outside", job.allow_outside, false, "the store may name files outside its folder");
+  whole(f, "file_size", job.file_size, "limit of the store file and of each file that it names, bytes", 0,
+        std::numeric_limits<std::int64_t>::max());
   flag(f, "strict", job.strict, false, "warnings count as errors");
   flag(f, "overwrite", job.overwrite, false, "replace a finished plan in the folder");
   flag(f, "safe_csv", job.safe_csv, false, "ids cannot be formulas of a spreadsheet");

@@ -30,8 +30,8 @@ JobError error_of(const ChildEnd& end) {
 
 }  // namespace
 
-PlanProcess::PlanProcess(const PlanJob& job, std::uint64_t memory)
-    : child_({own_program, "job"}, memory, to_json(job)) {}
+PlanProcess::PlanProcess(const PlanJob& job, std::uint64_t memory, const std::string& program)
+    : child_({program, "job"}, memory, to_json(job)) {}
 
 void PlanProcess::interrupt(std::optional<std::chrono::seconds> patience) {
   child_.interrupt();

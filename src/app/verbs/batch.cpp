@@ -229,7 +229,7 @@ BatchEnd plan_stores(const BatchArguments& options, const BatchOptions& batch, c
   {
     TerminalProgress progress(options.common.quiet);
     const auto read = [&](const ListedStore& store) {
-      make_scene(load_store(store.file, batch.plan.allow_outside));
+      read_scene(store.file, {.allow_outside = batch.plan.allow_outside});
     };
     unreadable = remove_unreadable(batch, plans, read, {batch.threads, &cancel, progress.sink()});
   }

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/fields/finding_json.hpp"
 #include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
@@ -63,7 +64,7 @@ const DrawingFormat& format_of(const std::filesystem::path& drawing) {
 /// Prints all problems of a store; with `--json`, on standard output, too. Returns the exit code.
 int print_problems(const Problems& problems, bool json) {
   constexpr std::size_t most = 100;
-  if (json) print_json({{"problems", json_of(problems.all())}});
+  if (json) print_json({{"problems", to_json(problems.all())}});
   for (const Finding& problem : std::span(problems.all()).first(std::min(most, problems.all().size())))
     print_message("{} {}\n", styled(Style::error, "error:", stderr), one_line(problem.sentence));
   if (problems.all().size() > most) print_message("and {} more errors\n", problems.all().size() - most);
@@ -75,7 +76,8 @@ int run_inspect(const InspectArguments& options) {
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
   Problems problems(options.store.string());
-  Store store = jobs::load_store(options.store, options.allow_outside, 0, drawing, nullptr, &problems);
+  Store store =
+      read_store(options.store, {.allow_outside = options.allow_outside, .output = drawing}, &problems);
   if (problems.all().size() > 1 || (options.common.json && !problems.all().empty()))
     return print_problems(problems, options.common.json);
   problems.throw_first();

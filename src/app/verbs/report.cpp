@@ -70,7 +70,7 @@ int run_report(const ReportArguments& options) {
   std::optional<OutputLock> lock;
   if (std::filesystem::is_directory(options.folder))
     lock.emplace(options.folder / signal_name, options.folder.string());
-  const Store store = load_store(options.folder / store_name);
+  const Store store = read_store(options.folder / store_name);
   const Scene scene = make_scene(store);
   const SignalMatrix matrix = read_signal_file(options.folder / signal_name);
   // The hash is of the bytes that `plan` wrote; this version might write the same store differently.

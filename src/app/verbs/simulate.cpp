@@ -94,8 +94,10 @@ int run_simulate(const SimulateArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   std::optional<EndAtOnce> reading(stopped_early);
   protect_input(options.output, options.store);
-  const Store store = jobs::load_store(options.store, options.allow_outside, options.simulation.memory,
-                                       options.output, &cancel);
+  const Store store = read_store(options.store, {.allow_outside = options.allow_outside,
+                                                 .memory = options.simulation.memory,
+                                                 .output = options.output,
+                                                 .cancel = &cancel});
   const Scene nominal = make_inspected_scene(store);
   const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
   SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);

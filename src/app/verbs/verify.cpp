@@ -68,8 +68,10 @@ Installation load_installation(const VerifyArguments& options) {
   const std::filesystem::path& units = options.placement;
   const CancelToken& cancel = cancel_on_signal();
   const EndAtOnce reading(stopped_early);
-  const Store store = jobs::load_store(options.store, options.allow_outside, options.simulation.memory,
-                                       options.output, &cancel);
+  const Store store = read_store(options.store, {.allow_outside = options.allow_outside,
+                                                 .memory = options.simulation.memory,
+                                                 .output = options.output,
+                                                 .cancel = &cancel});
   if (!is_json(units)) return {store, scene_with_units(store, units), {}};
   const Scene scene = make_scene(store);
   const Placement placement = read_placement(units, table_without_signals(scene));

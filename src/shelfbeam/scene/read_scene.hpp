@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -16,8 +17,11 @@ struct Store;
 struct StoreLimits {
   /// Whether the store may name files outside its folder.
   bool allow_outside = false;
-  /// Memory limit in bytes for labels, candidates and surfaces, estimated before they are allocated.
-  std::size_t memory = std::numeric_limits<std::size_t>::max();
+  /// Memory limit in bytes for labels, candidates and surfaces, estimated before they are allocated; 0: 80 %
+  /// of the memory that this process may use.
+  std::size_t memory = 0;
+  /// Limit in bytes of the store file, and of each file that it names.
+  std::uint64_t file_size = std::numeric_limits<std::uint64_t>::max();
   /// A file that the store must not name, because it will be overwritten.
   std::filesystem::path output = {};
   /// Ends the reading of the store, and later all work on it, with Interrupted.

@@ -8,6 +8,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {
@@ -36,6 +37,10 @@ std::string path_in_quotes(const fs::path& path) {
 StoreFolder::StoreFolder(fs::path folder, const StoreLimits& trust)
     : folder_(std::move(folder)), trust_(trust) {}
 
+std::size_t StoreFolder::memory() const {
+  return std::max(trust_.memory == 0 ? memory_limit() : trust_.memory, min_memory);
+}
+
 fs::path StoreFolder::find(const JsonCursor& name) const {
   return find(name.text(), name.where(), "file");
 }
@@ -62,6 +67,12 @@ fs::path StoreFolder::find(const fs::path& name, const std::string& where, const
   if (!fs::exists(path, error))
     throw InputError(where, fmt::format("the {} {} does not exist", what, path_in_quotes(path)),
                      "paths are relative to the store file");
+  const std::uint64_t size = fs::file_size(path, error);
+  if (!error && size > trust_.file_size)
+    throw InputError(where,
+                     fmt::format("{} has {} bytes; the maximum is {}", path_in_quotes(path), grouped(size),
+                                 grouped(trust_.file_size)),
+                     "use a smaller file");
   if (!trust_.output.empty() && fs::equivalent(path, trust_.output, error))
     throw InputError(where,
                      fmt::format("{} is also the output and would be overwritten", path_in_quotes(path)),

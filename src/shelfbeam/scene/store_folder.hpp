@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -17,12 +16,12 @@ class StoreFolder {
   explicit StoreFolder(std::filesystem::path folder, const StoreLimits& trust = {});
 
   /// StoreLimits::memory, but at least the memory that the program itself requires.
-  std::size_t memory() const { return std::max(trust_.memory, min_memory); }
+  std::size_t memory() const;
   const CancelToken* cancel() const { return trust_.cancel; }
 
   /// The path of a file named relative to the folder. Throws InputError at the JSON position if the file does
-  /// not exist, is a folder, is StoreLimits::output, or lies outside this folder: by "..", an absolute path
-  /// or a symbolic link.
+  /// not exist, is a folder or too large, is StoreLimits::output, or lies outside this folder: by "..", an
+  /// absolute path or a symbolic link.
   std::filesystem::path find(const JsonCursor& name) const;
   /// The same for any name; `where` is its location and `what` the kind of file ("mesh"), for messages.
   std::filesystem::path find(const std::filesystem::path& name, const std::string& where,

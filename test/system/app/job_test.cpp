@@ -52,8 +52,8 @@ TEST_F(Jobs, OneAfterAnotherGiveTheBytesOfTheirOwnProcesses) {
 TEST_F(Jobs, SimulationsSideBySideAreThoseAlone) {
   write_store("dark.json", 0.1);
   write_store("bright.json", 0.6);
-  const Scene dark = make_scene(load_store(folder / "dark.json"));
-  const Scene bright = make_scene(load_store(folder / "bright.json"));
+  const Scene dark = make_scene(read_store(folder / "dark.json"));
+  const Scene bright = make_scene(read_store(folder / "bright.json"));
   SimulationOptions options;
   options.samples = 2000;
   const auto simulated = [&](const Scene& scene) { return simulate(scene, options, {.threads = 2}).matrix; };

@@ -70,10 +70,12 @@ class Job(unittest.TestCase):
         self.assertIn("missing.json", end["message"])
         *_, end = self.run_job(self.job("job", plan={"simulation": {"memory": 1000}}), 5)
         self.assertIn("memory", end["message"])
+        (end,) = self.run_job(self.job("job", file_size=100), 2)
+        self.assertIn("tiny.json", end["message"])
         self.assertFalse((self.folder / "job").exists())
 
     def test_an_interrupted_job_continues(self):
-        request = {"simulation": {"samples": 4_000_000}}
+        request = {"simulation": {"samples": 1_000_000}}
         job = self.job("job", plan=request, checkpoint_interval=0)
         process = subprocess.Popen([PROGRAM, "job"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         process.stdin.write(json.dumps(job))
@@ -88,6 +90,9 @@ class Job(unittest.TestCase):
         self.assertEqual((events[-1]["event"], events[-1]["complete"]), ("result", False))
         placement = json.loads((self.folder / "job/placement.json").read_text(encoding="utf-8"))
         self.assertFalse(placement["complete"])
+        self.run_job({**job, "resume": True})
+        whole = self.plan("whole", "--samples", "1000000")
+        self.assertEqual(files(self.folder / "job"), files(whole))
 
 
 if __name__ == "__main__":

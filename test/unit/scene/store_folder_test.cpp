@@ -103,5 +103,19 @@ TEST_F(References, OfAMeshAreConfinedToo) {
   EXPECT_NO_THROW(read("deep/up.gltf", true));
 }
 
+TEST_F(References, AreNoLargerThanTheLimit) {
+  const std::string store = test::mesh_store("own.obj").dump();
+  ASSERT_GT(store.size(), triangle.size());
+  const fs::path file = folder.write("store/store.json", store);
+  EXPECT_NO_THROW(read_store(file, {.file_size = store.size()}));
+  expect_input_error([&] { read_store(file, {.file_size = store.size() - 1}); }, file.string(),
+                     "the maximum is");
+  const auto parse = [&](std::uint64_t limit) {
+    parse_store(store, "store.json", home, {.file_size = limit});
+  };
+  EXPECT_NO_THROW(parse(triangle.size()));
+  expect_input_error([&] { parse(triangle.size() - 1); }, "fixtures[0].file: ", "the maximum is");
+}
+
 }  // namespace
 }  // namespace shelfbeam

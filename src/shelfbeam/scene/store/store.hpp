@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,7 +64,7 @@ struct Store {
   std::vector<Listed<std::string>> warnings;  ///< about the ids in its CSV files
   IgnoredCodes ignored;
   /// Memory limit of its scene, bytes (StoreLimits::memory).
-  std::size_t memory = StoreLimits{}.memory;
+  std::size_t memory = std::numeric_limits<std::size_t>::max();
   /// Ends making and checking its scene and drawing its states with Interrupted (StoreLimits::cancel).
   const CancelToken* cancel = nullptr;
 };

@@ -200,7 +200,8 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
 }
 
 Store read_store(const std::filesystem::path& path, const StoreLimits& trust, Problems* problems) {
-  return parse_store(read_file(path), path.string(), path.parent_path(), trust, problems);
+  return parse_store(read_file(path, std::min(max_text_file, trust.file_size)), path.string(),
+                     path.parent_path(), trust, problems);
 }
 
 }  // namespace shelfbeam
