@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <exception>
-#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -91,7 +90,10 @@ void EventProgress::report(Task task, double fraction, std::string_view detail) 
   const Progress progress =
       stages_.update(task, fraction, detail, std::chrono::duration<double>(now - begun_).count());
   if (progress.task != task) next_ = {};  // of a step
-  if (shown_ != progress.task || next_.incumbent || next_.lower) bounds_ = std::exchange(next_, {});
+  if (shown_ != progress.task) bounds_ = {};
+  if (next_.incumbent) bounds_.incumbent = next_.incumbent;
+  if (next_.lower) bounds_.lower = next_.lower;
+  next_ = {};
   shown_ = progress.task;
   if (written_ && now - *written_ < pause) return;
   written_ = now;

@@ -34,8 +34,13 @@ void expect_own_folder(const fs::path& folder, const fs::path& file, const std::
 // The report may travel; it names the files of the store without the folder.
 void shorten_names(std::vector<Finding>& warnings, const fs::path& store) {
   const std::string home = (store.parent_path() / "").string();
-  for (Finding& warning : warnings)
-    if (warning.sentence.starts_with(home)) warning.sentence.erase(0, home.size());
+  const auto shorten = [&](std::string& text) {
+    if (text.starts_with(home)) text.erase(0, home.size());
+  };
+  for (Finding& warning : warnings) {
+    shorten(warning.sentence);
+    shorten(warning.path);
+  }
 }
 
 // A requested result about the selection is incomplete.
@@ -79,10 +84,10 @@ void expect_room_for_matrix(const fs::path& folder, const Scene& scene, const Si
 
 PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   const RunClock clock;
-  StoreLimits limits{.allow_outside = job.allow_outside, .memory = job.plan.simulation.memory};
-  if (job.file_size) limits.file_size = *job.file_size;
-  limits.cancel = watch.cancel;
-  Store store = read_store(job.store, limits);
+  Store store = read_store(job.store, {.allow_outside = job.allow_outside,
+                                       .memory = job.plan.simulation.memory,
+                                       .file_size = job.file_size.value_or(StoreLimits{}.file_size),
+                                       .cancel = watch.cancel});
   const Scene scene = make_inspected_scene(store);
   const std::string resolved = resolved_store_json(store, scene);
   expect_own_folder(job.folder, job.store, resolved);
@@ -100,7 +105,7 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   expect_room_for_matrix(job.folder, scene, simulation, 2 * resolved.size() + least_report);
   if (watch.begun) watch.begun(scene, simulation);
   expect_no_warnings(scene, job.strict);
-  if (!job.signal.empty()) inputs.matrix = read_signal_file(job.signal);
+  if (job.signal) inputs.matrix = read_signal_file(*job.signal);
   PlanEnd end;
   end.plan = plan_checked(store, scene, job.plan, std::move(inputs),
                           {job.threads, watch.cancel, watch.progress}, name);

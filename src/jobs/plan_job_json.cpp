@@ -41,11 +41,12 @@ Json path_json(const std::filesystem::path& path) {
   return bytes;
 }
 
-void path(Fields& f, std::string_view key, std::filesystem::path& value, std::string_view says) {
+void path(Fields& f, std::string_view key, std::optional<std::filesystem::path>& value,
+          std::string_view says) {
   f.custom(key,
-           {[&](const JsonCursor& json) { value = read_path(json); }, [&] { return path_json(value); },
+           {[&](const JsonCursor& json) { value = read_path(json); }, [&] { return path_json(*value); },
             R"({"type": ["string", "array"]})"},
-           optional(says, !value.empty()));
+           optional(says, value.has_value()));
 }
 
 void paths(Fields& f, std::string_view key, std::vector<std::filesystem::path>& values,
@@ -187,8 +188,8 @@ void describe(Fields& f, PlanRequest& r) {
 
 void describe(Fields& f, PlanJob& job) {
   const PlanJob usual;
-  path(f, "store", job.store, "store file");
-  path(f, "folder", job.folder, "for the results");
+  with_default(job.store, usual.store, [&](auto& given) { path(f, "store", given, "store file"); });
+  with_default(job.folder, usual.folder, [&](auto& given) { path(f, "folder", given, "for the results"); });
   f.object("plan", [&](Fields& part) { describe(part, job.plan); }, optional("the request", true));
   path(f, "signal", job.signal, "signal file of this store, instead of a simulation");
   paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
@@ -197,7 +198,7 @@ void describe(Fields& f, PlanJob& job) {
   flag(f, "resume", job.checkpoint.resume, false, "continue an interrupted run in the folder");
   number(f, "checkpoint_interval", job.checkpoint.interval_s, usual.checkpoint.interval_s, {0}, "s");
   flag(f, "allow_outside", job.allow_outside, false, "the store may name files outside its folder");
-  whole(f, "file_size", job.file_size, "limit of the store file and of each file that it names, bytes", 0,
+  whole(f, "file_size", job.file_size, "limit of the store file and of each file that it names, bytes", 1,
         std::numeric_limits<std::int64_t>::max());
   flag(f, "strict", job.strict, false, "warnings count as errors");
   flag(f, "overwrite", job.overwrite, false, "replace a finished plan in the folder");

@@ -14,7 +14,8 @@ namespace shelfbeam::jobs {
 /// A plan in a child process of this program, whose failure harms nothing else.
 class PlanProcess {
  public:
-  /// `memory`: limit of its data in bytes; 0: none. Throws std::system_error.
+  /// `memory`: limit of its data in bytes; 0: none. `program`: another one for tests. Throws
+  /// std::system_error.
   PlanProcess(const PlanJob& job, std::uint64_t memory, const std::string& program = own_program);
 
   /// Asks it to end with its results so far. If it has not ended after the `patience`, `has_ended` kills it.

@@ -63,10 +63,9 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
   PlanText text = plan_text(plan, table);
   if (plan.certificate) text.answer = with_effort(text.answer, plan.certificate->open);
   const SimulationSummary& summary = plan.simulation.summary;
-  std::string simulated = job.signal.empty()
-                              ? describe(summary, job.plan.follows_decision()) + '\n'
-                              : fmt::format("{} labels x {} candidates, read from {}\n", summary.labels,
-                                            summary.candidates, job.signal.string());
+  std::string simulated = !job.signal ? describe(summary, job.plan.follows_decision()) + '\n'
+                                      : fmt::format("{} labels x {} candidates, read from {}\n",
+                                                    summary.labels, summary.candidates, job.signal->string());
   for (std::size_t at = 0; (at = simulated.find('\n', at) + 1) < simulated.size();)
     simulated.insert(at, "  ");
   const std::string report =

@@ -93,7 +93,7 @@ struct Finding {
   FindingCode code = FindingCode::invalid;
   std::string path;  ///< of the element in the store file ("fixtures[3].depth"), or the line of a CSV file
   FindingValues values;
-  std::string sentence;  ///< with the name of the file
+  std::string sentence;  ///< for a store, with the name of the file
 
   bool operator==(const Finding&) const = default;
 };

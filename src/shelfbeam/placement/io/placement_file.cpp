@@ -175,7 +175,7 @@ void describe(Record& record, Placement& placement) {
   record.note("scenarios", [&] { return scenarios(placement, table); });
   record.note("verification", [] { return "not verified yet"; });
   record.note("critical", [&] { return critical(placement, ids); });
-  record.optional("price", placement.price);
+  if (record.has("price", placement.price.has_value())) record.nullable("price", placement.price);
   record.ignore({"curve", "curve_complete", "certificate", "alternatives", "sensitivity", "states",
                  "warnings", "complete", "files", "total_weight", "seconds"});
 }

@@ -62,10 +62,10 @@ struct TableIds {
 
 /// An object of placement.json with the values of a struct. A function `describe` calls a member of Record
 /// for each key, in the order of the file. It is called to list the keys, to write a copy of the struct, or
-/// to read an empty one; only Json that is written is made.
+/// to fill an empty one. Functions `write` are called only to write.
 class Record {
  public:
-  /// The function of the namespace.
+  /// Calls the function `describe` of the namespace of the struct.
   struct Usual {
     template <class Struct>
     void operator()(Record& record, Struct& value) const {
@@ -95,7 +95,8 @@ class Record {
   /// The position of the object that is read, else null.
   const JsonCursor* file() const { return file_; }
 
-  /// The next key may be missing, as in files of earlier versions; the struct then keeps its value.
+  /// The next key that is read may be missing, as in files of earlier versions; the struct then keeps its
+  /// value.
   Record& later() {
     is_later_ = true;
     return *this;
@@ -174,7 +175,10 @@ class Record {
   /// Without a value, the key is omitted.
   template <class Struct, class Describe = Usual>
   void optional(std::string_view key, std::optional<Struct>& value, const Describe& describe = {}) {
-    if (has(key, value.has_value())) nullable(key, value, describe);
+    if (!has(key, value.has_value())) return;
+    custom(
+        key, [&] { return write(*value, ids_, describe); },
+        [&](const JsonCursor& json) { value = read<Struct>(json, ids_, describe); });
   }
   template <class Struct, class Describe = Usual>
   void list(std::string_view key, std::vector<Struct>& values, const Describe& describe = {}) {

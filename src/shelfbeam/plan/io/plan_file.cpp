@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 namespace detail {
 
-// Reads verdicts only: verification.csv contains signals and limits.
+// The file has verdicts only; verification.csv has signals and limits.
 void describe(Record& record, Certificate& certificate) {
   const Ids& ids = record.ids().labels;
   auto& labels = certificate.labels;
