@@ -117,8 +117,9 @@ class LabelChecks {
  private:
   void warn(FindingCode code, std::size_t i, std::string_view problem) {
     const Vec3& p = labels_[i].position;
-    warnings_.add(code, store_.sources.labels[i], "label '{}' at ({:.6g}, {:.6g}, {:.6g}) {}", labels_[i].id,
-                  p.x, p.y, p.z, problem);
+    const std::string text =
+        fmt::format("label '{}' at ({:.6g}, {:.6g}, {:.6g}) {}", labels_[i].id, p.x, p.y, p.z, problem);
+    warnings_.add_text(code, store_.sources.labels[i], text, {labels_[i].id, p.x, p.y, p.z});
   }
 
   // The other label of a sign with a label on either side.
@@ -206,8 +207,9 @@ class UnitChecks {
  private:
   void warn(FindingCode code, std::size_t j, std::string_view problem) {
     const Vec3& p = units_[j].position;
-    warnings_.add(code, store_.sources.transceivers[j], "transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) {}",
-                  units_[j].id, p.x, p.y, p.z, problem);
+    const std::string text =
+        fmt::format("transceiver '{}' at ({:.6g}, {:.6g}, {:.6g}) {}", units_[j].id, p.x, p.y, p.z, problem);
+    warnings_.add_text(code, store_.sources.transceivers[j], text, {units_[j].id, p.x, p.y, p.z});
   }
 
   void check_twins(std::size_t j) {

@@ -167,11 +167,12 @@ void describe_facets(Fields& f, std::optional<Microfacets>& facets, const FacetR
   // The last model is only defined for reflection.
   describe_choice<Masking>(
       f, "masking", values.masking, std::span(names_of<Masking>).first(rules.refracts ? 2 : 3),
-      {.says = rules.refracts
-                   ? "model of how facets hide each other: `smith`, or its approximation for `beckmann`, "
-                     "`smith_rational`"
-                   : "model of how facets hide each other: `smith`, its approximation for `beckmann`, "
-                     "`smith_rational`, or `cook_torrance`, which treats facets as grooves",
+      {.says =
+           rules.refracts
+               ? "model of how facets hide each other: `smith`, or `smith_rational`, its approximation for "
+                 "`beckmann`"
+               : "model of how facets hide each other: `smith`; `smith_rational`, its approximation for "
+                 "`beckmann`; or `cook_torrance`, which treats facets as grooves",
        .is_optional = true,
        .is_written = is_rough});
   describe_choice<FacetSampling>(

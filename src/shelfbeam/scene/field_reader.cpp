@@ -42,10 +42,13 @@ void FieldReader::expect_keys(std::span<const std::string_view> known) {
   });
 }
 
+bool FieldReader::has_failed(std::string_view key) const {
+  return std::find(failed_.begin(), failed_.end(), key) != failed_.end();
+}
+
 bool FieldReader::rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check) {
-  for (const std::string_view key : keys)
-    if (std::find(failed_.begin(), failed_.end(), key) != failed_.end()) return false;
-  return problems_.collect(check);
+  const bool can_check = std::none_of(keys.begin(), keys.end(), [&](auto key) { return has_failed(key); });
+  return can_check && problems_.collect(check);
 }
 
 template <class Read>

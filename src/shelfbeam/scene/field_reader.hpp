@@ -35,8 +35,9 @@ class FieldReader final : public Fields {
   Problems& problems() const { return problems_; }
   void expect_keys(std::span<const std::string_view> known);
   bool is_given(std::string_view key) const { return json_.find(key).has_value(); }
+  bool has_failed(std::string_view key) const;
   /// Collects the problem of a rule that ties keys together, unless one of them ("size") or of the members of
-  /// lists ("zones[2]") has a problem. Returns whether the rule holds.
+  /// lists ("zones[2]") has a problem. Returns whether the rule was checked and holds.
   bool rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check);
 
   bool scalar(std::string_view key, Scalar kind, double& value, const Field& field) override;

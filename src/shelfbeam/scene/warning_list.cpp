@@ -24,8 +24,8 @@ bool WarningList::is_ignored(FindingCode code, std::string path) const {
   return !ignored_.empty();
 }
 
-void WarningList::add(FindingCode code, const std::string& where, const std::string& text,
-                      FindingValues values) {
+void WarningList::add_text(FindingCode code, const std::string& where, const std::string& text,
+                           FindingValues values) {
   if (!ignored_.empty() && is_ignored(code, path_of(where))) {
     ++ignored_count_;
     return;

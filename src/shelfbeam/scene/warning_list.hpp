@@ -26,8 +26,9 @@ class WarningList {
   template <class... Values>
   void add(FindingCode code, const std::string& where, fmt::format_string<const Values&...> text,
            const Values&... values) {
-    add(code, where, fmt::format(text, values...), FindingValues{value_of(values)...});
+    add_text(code, where, fmt::format(text, values...), {value_of(values)...});
   }
+  void add_text(FindingCode code, const std::string& where, const std::string& text, FindingValues values);
   /// Codes in the order of their first appearance.
   std::vector<Finding> findings() const;
   /// The number of warnings that an element of the store, or the store itself, ignores.
@@ -41,7 +42,6 @@ class WarningList {
     else
       return std::string(value);
   }
-  void add(FindingCode code, const std::string& where, const std::string& text, FindingValues values);
   std::string path_of(const std::string& where) const;
   bool is_ignored(FindingCode code, std::string path) const;
 

@@ -18,7 +18,6 @@
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/build/blocks.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
-#include "shelfbeam/scene/fixture/prism.hpp"
 #include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/polygon_edges.hpp"
 
@@ -31,6 +32,14 @@ bool has_a_turn(const Polygon& polygon) {
 
 }  // namespace
 
+void PlanEffort::expect(bool is_within, const JsonCursor& json, const std::string& problem,
+                        const std::string& remedy) {
+  if (is_exceeded_) throw Consequence{};
+  if (is_within) return;
+  is_exceeded_ = true;
+  json.fail(problem, remedy);
+}
+
 void PlanEffort::divide(const RoomShape& shape, const Polygon& polygon, const JsonCursor& json) {
   constexpr std::size_t most = 12'000;
   const PlanBounds bounds = bounds_of(polygon);
@@ -42,12 +51,11 @@ void PlanEffort::divide(const RoomShape& shape, const Polygon& polygon, const Js
   count(shape.outline);
   for (const Polygon& hole : shape.holes) count(hole);
   for (const CeilingZone& zone : shape.zones) count(zone.polygon);
-  if (divided_ > most)
-    json.fail(
-        fmt::format("is one of too many: zones and openings together are near more than {} edges of the "
-                    "plan",
-                    grouped(most)),
-        "use fewer or smaller zones and openings");
+  expect(
+      divided_ <= most, json,
+      fmt::format("is one of too many: zones and openings together are near more than {} edges of the plan",
+                  grouped(most)),
+      "use fewer or smaller zones and openings");
 }
 
 double PlanEffort::shared_area(const Polygon& a, const Polygon& b, const JsonCursor& json) {
@@ -56,9 +64,8 @@ double PlanEffort::shared_area(const Polygon& a, const Polygon& b, const JsonCur
       (!has_a_turn(b) && is_beyond_an_edge(b, a)))
     return 0;
   compared_ += a.size() + b.size();
-  if (compared_ > most)
-    json.fail("is one of too many parts of the plan that lie within the bounds of others",
-              "use fewer holes, zones and inner walls");
+  expect(compared_ <= most, json, "is one of too many parts of the plan that lie within the bounds of others",
+         "use fewer holes, zones and inner walls");
   return shelfbeam::shared_area(a, b);
 }
 

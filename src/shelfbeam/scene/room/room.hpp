@@ -41,7 +41,7 @@ struct Room {
   static Room box(const Vec3& size, MaterialId material);
 
   void fields(Fields& f);
-  // Of one member of a list, which may be one beyond the last.
+  // Describe member `k` of a list; if `k` is its size, append an empty member first.
   void zone_fields(Fields& f, std::size_t k);
   void inner_wall_fields(Fields& f, std::size_t k);
   void opening_fields(Fields& f, std::size_t wall, std::size_t k);

@@ -21,6 +21,7 @@ namespace shelfbeam {
 namespace {
 
 constexpr double negligible = 1e-6;  // m^2
+constexpr double rule_slack = 1e-9;  // m
 
 // A ceiling must be above the floor everywhere.
 void expect_headroom(const JsonCursor& json, const CeilingHeight& height, const Polygon& polygon) {
@@ -89,65 +90,77 @@ class RoomRules {
 
   void check() {
     const JsonCursor& json = reader_.json();
-    const bool has_outline = reader_.rule({"size", "outline", "height"}, [&] {
+    const std::size_t failures = reader_.problems().failures();
+    has_plan_ = reader_.rule({"size", "outline", "height"}, [&] {
       if (!shape_.is_box) expect_headroom(json["height"], shape_.height, shape_.outline);
     });
     reader_.rule({"outline", "wall_materials"}, [&] { check_wall_numbers(json); });
-    // Each part has consequences for the following ones.
-    if (!has_outline || !reader_.rule({"holes"}, [&] {
-          if (const auto holes = json.find("holes")) check_holes(*holes);
-        }))
-      return;
-    if (each("zones", shape_.zones.size(), [&](const JsonCursor& at, std::size_t k) { check_zone(at, k); }) &&
-        each("inner_walls", shape_.inner_walls.size(),
-             [&](const JsonCursor& at, std::size_t k) { check_wall(at, k); }))
+    has_plan_ = has_plan_ && reader_.rule({"holes"}, [&] {
+      if (const auto holes = json.find("holes")) check_holes(*holes);
+    });
+    const bool has_zones =
+        each("zones", shape_.zones.size(), [&](const JsonCursor& at, std::size_t k) { check_zone(at, k); });
+    has_plan_ = has_plan_ && has_zones;
+    each("inner_walls", shape_.inner_walls.size(),
+         [&](const JsonCursor& at, std::size_t k) { check_wall(at, k); });
+    if (has_plan_ && reader_.problems().failures() == failures)
       reader_.rule({}, [&] { expect_few_lines(json, shape_); });
   }
 
  private:
-  // Returns whether all members of the list are right.
+  // Returns whether all members of the list are right, apart from rules of their own parts.
   template <class Check>
   bool each(std::string_view key, std::size_t count, const Check& check) {
-    const std::size_t failures = reader_.problems().failures();
+    bool are_right = !reader_.has_failed(key);
     ids_.clear();
     for (std::size_t k = 0; k < count; ++k)
-      reader_.rule({fmt::format("{}[{}]", key, k)}, [&] { check(reader_.json()[key].element(k), k); });
-    return reader_.rule({key}, [] {}) && reader_.problems().failures() == failures;
+      are_right &=
+          reader_.rule({fmt::format("{}[{}]", key, k)}, [&] { check(reader_.json()[key].element(k), k); });
+    return are_right;
   }
 
   void expect_new_id(const JsonCursor& json, const std::string& id) {
-    if (!ids_.insert(id).second)
-      json.fail(fmt::format("is the duplicate id {}", in_quotes(id)), "make ids unique");
+    reader_.rule({}, [&] {
+      if (!ids_.insert(id).second)
+        json.fail(fmt::format("is the duplicate id {}", in_quotes(id)), "make ids unique");
+    });
   }
 
-  void check_wall_numbers(const JsonCursor& json) const {
+  void check_wall_numbers(const JsonCursor& json) {
     const auto others = json.find("wall_materials");
     if (!others) return;
     const std::size_t last = shape_.outline.size() - 1;
     for (const auto& [number, name] : others->members())
       if (!to_whole_number(number, last))
-        name.fail("is not the number of a wall", fmt::format("the outline has the walls 0 to {}", last));
+        reader_.rule({}, [&, &name = name] {
+          name.fail("is not the number of a wall", fmt::format("the outline has the walls 0 to {}", last));
+        });
   }
 
   void check_holes(const JsonCursor& json) {
     double free = std::abs(signed_area(shape_.outline));
-    for (std::size_t k = 0; k < shape_.holes.size(); ++k) {
-      const JsonCursor at = json.element(k);
-      const Polygon& hole = shape_.holes[k];
-      expect_within_outline(at, hole, shape_, effort_);
-      for (std::size_t other = 0; other < k; ++other)
-        if (effort_.shared_area(hole, shape_.holes[other], at) > negligible)
-          at.fail(fmt::format("overlaps hole {}", other), "join the two, or move one");
-      free -= effort_.shared_area(hole, shape_.outline, at);
-      expect_few_corners(at, hole);
-    }
+    bool are_right = true;
+    for (std::size_t k = 0; k < shape_.holes.size(); ++k)
+      are_right &= reader_.rule({}, [&] { free -= area_of_hole(json.element(k), k); });
+    if (!are_right) throw Consequence{};
     if (free <= negligible) json.fail("cover the whole room", "remove or correct one of them");
+  }
+
+  double area_of_hole(const JsonCursor& json, std::size_t k) {
+    const Polygon& hole = shape_.holes[k];
+    expect_within_outline(json, hole, shape_, effort_);
+    for (std::size_t other = 0; other < k; ++other)
+      if (effort_.shared_area(hole, shape_.holes[other], json) > negligible)
+        json.fail(fmt::format("overlaps hole {}", other), "join the two, or move one");
+    expect_few_corners(json, hole);
+    return effort_.shared_area(hole, shape_.outline, json);
   }
 
   void check_zone(const JsonCursor& json, std::size_t k) {
     const CeilingZone& zone = shape_.zones[k];
     expect_new_id(json["id"], zone.id);
     if (zone.id == "room") json["id"].fail("is the name of the whole room", "use another name");
+    if (!has_plan_) return;
     const JsonCursor polygon = json["polygon"];
     expect_within_outline(polygon, zone.polygon, shape_, effort_);
     for (const CeilingZone& other : std::span(shape_.zones).first(k))
@@ -162,42 +175,50 @@ class RoomRules {
     expect_new_id(json["id"], wall.id);
     constexpr double shortest = 1e-3;
     if (wall.length() < shortest) json["to"].fail("is at 'from': the wall has no length", "move it");
-    // The part of a wall outside the room is cut off.
-    const Polygon footprint = wall.footprint(0, wall.length());
+    if (has_plan_) expect_part_inside(json, wall.footprint(0, wall.length()));
+    for (std::size_t k = 0; k < wall.openings.size(); ++k)
+      reader_.rule({}, [&] { check_opening(json["openings"].element(k), wall, k); });
+  }
+
+  // The part of a wall outside the room is cut off.
+  void expect_part_inside(const JsonCursor& json, const Polygon& footprint) {
     double area = effort_.shared_area(footprint, shape_.outline, json);
     for (const Polygon& hole : shape_.holes) area -= effort_.shared_area(footprint, hole, json);
     if (!(area > negligible)) json.fail("is outside the room", "move it inside");
-    for (std::size_t k = 0; k < wall.openings.size(); ++k)
-      reader_.rule({}, [&] { check_opening(json["openings"].element(k), wall, k); });
   }
 
   void check_opening(const JsonCursor& json, const InnerWall& wall, std::size_t k) {
     const WallOpening& opening = wall.openings[k];
     if (opening.top <= opening.bottom) json["top"].fail("is not above 'bottom'", "swap or correct them");
-    constexpr double slack = 1e-9;
     const auto text = [&](double metres) { return length_text(metres, json.unit()); };
-    if (opening.at + opening.width > wall.length() + slack)
+    if (opening.at + opening.width > wall.length() + rule_slack)
       json.fail(fmt::format("extends from {} to {}, but the wall is {} long", text(opening.at),
                             text(opening.at + opening.width), text(wall.length())),
                 "keep the opening within its wall");
-    if (wall.height && opening.top > *wall.height + slack)
+    if (wall.height && opening.top > *wall.height + rule_slack)
       json["top"].fail(fmt::format("is above the wall of {}", text(*wall.height)),
                        "lower it, or raise the wall");
-    const Polygon footprint = wall.footprint(opening.at, opening.at + opening.width);
-    effort_.divide(shape_, footprint, json);
-    if (is_cut_off(shape_, wall, opening))
-      json.fail("is in a part of its wall that is outside the room and cut off", "keep it within the room");
-    const double ceiling = lowest_ceiling(plan_parts(shape_, footprint));
-    if (opening.top > ceiling + slack)
-      json["top"].fail(fmt::format("is above the ceiling of {}", text(ceiling)), "lower it");
+    if (has_plan_) expect_within_room(json, wall, opening);
     for (const WallOpening& other : std::span(wall.openings).first(k))
       if (opening.at < other.at + other.width && other.at < opening.at + opening.width &&
           opening.bottom < other.top && other.bottom < opening.top)
         json.fail("overlaps another opening of the wall", "move one of the two");
   }
 
+  void expect_within_room(const JsonCursor& json, const InnerWall& wall, const WallOpening& opening) {
+    const Polygon footprint = wall.footprint(opening.at, opening.at + opening.width);
+    effort_.divide(shape_, footprint, json);
+    if (is_cut_off(shape_, wall, opening))
+      json.fail("is in a part of its wall that is outside the room and cut off", "keep it within the room");
+    const double ceiling = lowest_ceiling(plan_parts(shape_, footprint));
+    if (opening.top > ceiling + rule_slack)
+      json["top"].fail(fmt::format("is above the ceiling of {}", length_text(ceiling, json.unit())),
+                       "lower it");
+  }
+
   // Reading compares polygons pair by pair.
   void expect_few_corners(const JsonCursor& json, const Polygon& polygon) {
+    if (corners_ > PlanLines::max_count) throw Consequence{};
     corners_ += polygon.size();
     if (corners_ > PlanLines::max_count)
       json.fail(
@@ -207,6 +228,7 @@ class RoomRules {
 
   FieldReader& reader_;
   const RoomShape& shape_;
+  bool has_plan_ = true;       // the outline, holes and zones so far are right
   std::size_t corners_;        // so far
   std::set<std::string> ids_;  // of the list so far
   PlanEffort effort_;

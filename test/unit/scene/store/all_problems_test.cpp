@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 #include <set>
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/fields/problems.hpp"
+#include "shelfbeam/math/warp.hpp"
 
 #include "unit/scene/sample_store.hpp"
 
@@ -120,9 +122,9 @@ TEST(AllProblems, OfThePartsOfARoom) {
                             zone("last", 1)};
   store["room"]["zones"][4]["height"] = "high";
   store["room"]["inner_walls"] = {{{"id", "W"}, {"from", {5, 0}}, {"to", {5, 0}}}};
-  EXPECT_EQ(paths_of(store), (std::vector<std::string>{"room.zones[0].id", "room.zones[2].id",
-                                                       "room.zones[3].polygon", "room.zones[4].height"}))
-      << "the walls may be consequences";
+  EXPECT_EQ(paths_of(store),
+            (std::vector<std::string>{"room.inner_walls[0].to", "room.zones[0].id", "room.zones[2].id",
+                                      "room.zones[3].polygon", "room.zones[4].height"}));
   store["room"].erase("zones");
   const auto opening = [](double at) { return Json{{"at", at}, {"width", 1}, {"top", 2}}; };
   store["room"]["inner_walls"].push_back({{"id", "V"}, {"from", {5, 1}}, {"to", {5, 5}}});
@@ -131,7 +133,40 @@ TEST(AllProblems, OfThePartsOfARoom) {
             (std::vector<std::string>{"room.inner_walls[0].to", "room.inner_walls[1].openings[1]",
                                       "room.inner_walls[1].openings[2]"}));
   store["room"]["outline"] = {{0, 0}, {1, 0}, {0, 1}};
-  EXPECT_EQ(paths_of(store), std::vector<std::string>{"room.outline"}) << "it is unclear where the walls are";
+  EXPECT_EQ(paths_of(store),
+            (std::vector<std::string>{"room.inner_walls[0].to", "room.inner_walls[1].openings[1]",
+                                      "room.inner_walls[1].openings[2]", "room.outline"}))
+      << "the rules of a wall hold in any room";
+}
+
+TEST(AllProblems, OfHolesAndWallsByNumber) {
+  Json store = test::sample_store();
+  Json& room = store["room"];
+  room = {{"outline", {{0, 0}, {8, 0}, {8, 6}, {0, 6}}},
+          {"height", 3},
+          {"floor", "tile"},
+          {"ceiling", "white"},
+          {"walls", "white"}};
+  ASSERT_EQ(paths_of(store), std::vector<std::string>());
+  room["holes"] = {{{20, 1}, {21, 1}, {21, 2}}, {{30, 1}, {31, 1}, {31, 2}}};
+  room["wall_materials"] = {{"7", "white"}, {"9", "white"}};
+  EXPECT_EQ(paths_of(store), (std::vector<std::string>{"room.holes[0]", "room.holes[1]",
+                                                       "room.wall_materials.7", "room.wall_materials.9"}));
+}
+
+// A limit on all parts together is reported once.
+TEST(AllProblems, OfTooManyCornersAreOne) {
+  Json store = test::sample_store();
+  for (int k = 0; k < 900; ++k) {
+    Json polygon = Json::array();
+    for (int c = 0; c < 200; ++c) {
+      const double angle = 2 * pi * c / 200;
+      polygon.push_back(
+          {0.2 + 0.19 * (k % 25) + 0.05 * std::cos(angle), 0.2 + 0.1 * (k / 25) + 0.04 * std::sin(angle)});
+    }
+    store["room"]["zones"].push_back({{"id", std::to_string(k)}, {"polygon", polygon}, {"height", 2.5}});
+  }
+  EXPECT_EQ(paths_of(store).size(), 1U);
 }
 
 // What depends on an element with a problem has none of its own.
