@@ -158,11 +158,12 @@ TEST(AllProblems, OfHolesAndWallsByNumber) {
 TEST(AllProblems, OfTooManyCornersAreOne) {
   Json store = test::sample_store();
   for (int k = 0; k < 900; ++k) {
+    const int column = k % 25, row = k / 25;
     Json polygon = Json::array();
     for (int c = 0; c < 200; ++c) {
       const double angle = 2 * pi * c / 200;
       polygon.push_back(
-          {0.2 + 0.19 * (k % 25) + 0.05 * std::cos(angle), 0.2 + 0.1 * (k / 25) + 0.04 * std::sin(angle)});
+          {0.2 + 0.19 * column + 0.05 * std::cos(angle), 0.2 + 0.1 * row + 0.04 * std::sin(angle)});
     }
     store["room"]["zones"].push_back({{"id", std::to_string(k)}, {"polygon", polygon}, {"height", 2.5}});
   }
