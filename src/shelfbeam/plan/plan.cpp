@@ -135,16 +135,16 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
     plan.certificate = std::move(certified.certificate);
     plan.certificate->mark_unverified();
   }
+  const SignalTable last = table(plan.simulation.matrix);
   if (options.curve && plan.placement.has_selection())
-    plan.curve = add_curve(plan.placement, table(plan.simulation.matrix), options.place.time_limit_s, control,
-                           plan.certificate.has_value());
+    plan.curve =
+        add_curve(plan.placement, last, options.place.time_limit_s, control, plan.certificate.has_value());
   if (options.alternatives && plan.simulation.summary.complete)
-    plan.alternatives = alternatives_to(plan.placement, table(plan.simulation.matrix), control);
+    plan.alternatives = alternatives_to(plan.placement, last, control);
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
     plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
   plan.warnings = scene.warnings;
-  if (auto warning = margin_warning(table(plan.simulation.matrix), plan.placement))
-    plan.warnings.push_back(*std::move(warning));
+  if (auto warning = margin_warning(last, plan.placement)) plan.warnings.push_back(*std::move(warning));
   plan.complete = plan.simulation.summary.complete && !control.cancelled();
   return plan;
 }
