@@ -8,6 +8,7 @@
 #include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/polygon_edges.hpp"
+#include "shelfbeam/scene/room/plan_lines.hpp"
 
 namespace shelfbeam {
 
@@ -30,32 +31,35 @@ bool has_a_turn(const Polygon& polygon) {
   return !is_convex(Polygon(polygon.rbegin(), polygon.rend()));
 }
 
-}  // namespace
-
-void PlanEffort::expect(bool is_within, const JsonCursor& json, const std::string& problem,
-                        const std::string& remedy) {
-  if (is_exceeded_) throw Consequence{};
-  if (is_within) return;
-  is_exceeded_ = true;
-  json.fail(problem, remedy);
+// Adds to a sum that must not exceed `most`: only its first excess is reported.
+template <class Fail>
+void add(std::size_t& sum, std::size_t count, std::size_t most, const Fail& fail) {
+  if (sum > most) throw Consequence{};
+  sum += count;
+  if (sum > most) fail();
 }
+
+}  // namespace
 
 void PlanEffort::divide(const RoomShape& shape, const Polygon& polygon, const JsonCursor& json) {
   constexpr std::size_t most = 12'000;
   const PlanBounds bounds = bounds_of(polygon);
+  std::size_t near = 0;
   const auto count = [&](const Polygon& border) {
     each_edge(border, [&](const Vec2& a, const Vec2& b) {
-      divided_ += bounds_of(std::array{a, b}).meets(bounds) ? 1 : 0;
+      near += bounds_of(std::array{a, b}).meets(bounds) ? 1 : 0;
     });
   };
   count(shape.outline);
   for (const Polygon& hole : shape.holes) count(hole);
   for (const CeilingZone& zone : shape.zones) count(zone.polygon);
-  expect(
-      divided_ <= most, json,
-      fmt::format("is one of too many: zones and openings together are near more than {} edges of the plan",
-                  grouped(most)),
-      "use fewer or smaller zones and openings");
+  add(divided_, near, most, [&] {
+    json.fail(
+        fmt::format("is one of too many: zones and openings together are near more than {} edges of the "
+                    "plan",
+                    grouped(most)),
+        "use fewer or smaller zones and openings");
+  });
 }
 
 double PlanEffort::shared_area(const Polygon& a, const Polygon& b, const JsonCursor& json) {
@@ -63,10 +67,18 @@ double PlanEffort::shared_area(const Polygon& a, const Polygon& b, const JsonCur
   if (!bounds_of(a).meets(bounds_of(b)) || (!has_a_turn(a) && is_beyond_an_edge(a, b)) ||
       (!has_a_turn(b) && is_beyond_an_edge(b, a)))
     return 0;
-  compared_ += a.size() + b.size();
-  expect(compared_ <= most, json, "is one of too many parts of the plan that lie within the bounds of others",
-         "use fewer holes, zones and inner walls");
+  add(compared_, a.size() + b.size(), most, [&] {
+    json.fail("is one of too many parts of the plan that lie within the bounds of others",
+              "use fewer holes, zones and inner walls");
+  });
   return shelfbeam::shared_area(a, b);
+}
+
+void PlanEffort::add_corners(const Polygon& polygon, const JsonCursor& json) {
+  add(corners_, polygon.size(), PlanLines::max_count, [&] {
+    json.fail(fmt::format("is one of too many: outline, holes and zones together have {} corners", corners_),
+              fmt::format("at most {} are allowed", PlanLines::max_count));
+  });
 }
 
 }  // namespace shelfbeam

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/scene/room_shape.hpp"
@@ -20,11 +19,13 @@ class PlanEffort {
   /// comparisons, and then Consequence.
   double shared_area(const Polygon& a, const Polygon& b, const JsonCursor& json);
 
- private:
-  void expect(bool is_within, const JsonCursor& json, const std::string& problem, const std::string& remedy);
+  /// Counts the corners of an outline, a hole or a zone. Throws InputError at `json` if there are too many,
+  /// and then Consequence.
+  void add_corners(const Polygon& polygon, const JsonCursor& json);
 
+ private:
   std::size_t divided_ = 0, compared_ = 0;  ///< edges
-  bool is_exceeded_ = false;
+  std::size_t corners_ = 0;
 };
 
 }  // namespace shelfbeam

@@ -85,14 +85,14 @@ bool is_cut_off(const RoomShape& shape, InnerWall wall, const WallOpening& openi
 // The rules that tie the parts of a room together. Each part is compared with those before it.
 class RoomRules {
  public:
-  RoomRules(FieldReader& reader, const RoomShape& shape)
-      : reader_(reader), shape_(shape), corners_(shape.outline.size()) {}
+  RoomRules(FieldReader& reader, const RoomShape& shape) : reader_(reader), shape_(shape) {}
 
   void check() {
     const JsonCursor& json = reader_.json();
     const std::size_t failures = reader_.problems().failures();
     has_plan_ = reader_.rule({"size", "outline", "height"}, [&] {
       if (!shape_.is_box) expect_headroom(json["height"], shape_.height, shape_.outline);
+      effort_.add_corners(shape_.outline, json);
     });
     reader_.rule({"outline", "wall_materials"}, [&] { check_wall_numbers(json); });
     has_plan_ = has_plan_ && reader_.rule({"holes"}, [&] {
@@ -152,7 +152,7 @@ class RoomRules {
     for (std::size_t other = 0; other < k; ++other)
       if (effort_.shared_area(hole, shape_.holes[other], json) > negligible)
         json.fail(fmt::format("overlaps hole {}", other), "join the two, or move one");
-    expect_few_corners(json, hole);
+    effort_.add_corners(hole, json);
     return effort_.shared_area(hole, shape_.outline, json);
   }
 
@@ -167,7 +167,7 @@ class RoomRules {
       if (!other.polygon.empty() && effort_.shared_area(zone.polygon, other.polygon, polygon) > negligible)
         polygon.fail(fmt::format("overlaps zone {}", in_quotes(other.id)), "zones must not overlap");
     expect_headroom(json["height"], zone.height, zone.polygon);
-    expect_few_corners(polygon, zone.polygon);
+    effort_.add_corners(zone.polygon, polygon);
   }
 
   void check_wall(const JsonCursor& json, std::size_t number) {
@@ -216,20 +216,9 @@ class RoomRules {
                        "lower it");
   }
 
-  // Reading compares polygons pair by pair.
-  void expect_few_corners(const JsonCursor& json, const Polygon& polygon) {
-    if (corners_ > PlanLines::max_count) throw Consequence{};
-    corners_ += polygon.size();
-    if (corners_ > PlanLines::max_count)
-      json.fail(
-          fmt::format("is one of too many: outline, holes and zones together have {} corners", corners_),
-          fmt::format("at most {} are allowed", PlanLines::max_count));
-  }
-
   FieldReader& reader_;
   const RoomShape& shape_;
   bool has_plan_ = true;       // the outline, holes and zones so far are right
-  std::size_t corners_;        // so far
   std::set<std::string> ids_;  // of the list so far
   PlanEffort effort_;
 };
