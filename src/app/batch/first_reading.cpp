@@ -9,13 +9,11 @@
 #include <system_error>
 #include <utility>
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
 
 #include "app/text/flags.hpp"
-#include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 #include "jobs/child.hpp"
 #include "jobs/event.hpp"
@@ -30,8 +28,7 @@ int outcome_of(const std::function<void(const ListedStore&)>& read, const Listed
     read(store);
     return done;
   } catch (const InputError& error) {
-    jobs::JobError end = jobs::error_of(error);
-    end.message = one_line(with_flag(error.what(), error.setting()));
+    const jobs::JobError end = job_error(error, error.setting());
     const std::string line = jobs::line_of(end);
     return ::write(STDOUT_FILENO, line.data(), line.size()) < 0 ? internal_error : end.code;
   } catch (const std::exception&) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "app/text/terminal.hpp"
+
 namespace shelfbeam::app {
 
 std::string with_flag(std::string_view message, Setting setting) {
@@ -36,6 +38,12 @@ std::string with_flag(std::string_view message, Setting setting) {
                                                          {Setting::sampled, "--sampled"}};
   const auto found = flags.find(setting);
   return found == flags.end() ? std::string(message) : fmt::format("{} ({})", message, found->second);
+}
+
+jobs::JobError job_error(const std::exception& error, Setting setting) {
+  jobs::JobError end = jobs::error_of(error);
+  end.message = one_line(with_flag(end.message, setting));
+  return end;
 }
 
 }  // namespace shelfbeam::app

@@ -44,13 +44,6 @@ void print(std::string_view line) {
   }
 }
 
-template <class Error>
-JobError worded(const Error& error) {
-  JobError end = error_of(error);
-  end.message = one_line(with_flag(error.what(), error.setting()));
-  return end;
-}
-
 JobEnd run_and_report() {
   EventProgress progress(print);
   const CancelToken& cancel = cancel_on_signal();
@@ -64,9 +57,9 @@ JobEnd run_and_report() {
                                        .read = [&] { reading.reset(); }});
     return JobResult{summary_of(end), end.plan.complete};
   } catch (const InputError& error) {
-    return worded(error);
+    return job_error(error, error.setting());
   } catch (const Interrupted& error) {
-    return worded(error);
+    return job_error(error, error.setting());
   } catch (const std::exception& error) {
     JobError end = error_of(error);
     end.message =

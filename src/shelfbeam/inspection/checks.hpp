@@ -46,7 +46,7 @@ struct Inspected {
 
 /// The positions of labels or units.
 template <class Devices>
-BoxIndex index_of(const Devices& devices) {
+BoxIndex index_of_positions(const Devices& devices) {
   return BoxIndex::over(devices, [](const auto& device) { return Bounds{device.position, device.position}; });
 }
 

@@ -94,7 +94,10 @@ bool is_turned_sideways(const Inspected& store, const Label& label) {
 class LabelChecks {
  public:
   LabelChecks(const Inspected& store, WarningList& warnings)
-      : store_(store), labels_(store.scene.labels), warnings_(warnings), index_(index_of(labels_)) {}
+      : store_(store),
+        labels_(store.scene.labels),
+        warnings_(warnings),
+        index_(index_of_positions(labels_)) {}
 
   void check() {
     for (const std::uint32_t i : store_.labels) {
@@ -192,7 +195,10 @@ class LabelChecks {
 class UnitChecks {
  public:
   UnitChecks(const Inspected& store, WarningList& warnings)
-      : store_(store), units_(store.scene.transceivers), warnings_(warnings), index_(index_of(units_)) {}
+      : store_(store),
+        units_(store.scene.transceivers),
+        warnings_(warnings),
+        index_(index_of_positions(units_)) {}
 
   void check() {
     for (std::size_t j = 0; j < units_.size(); ++j) {

@@ -34,7 +34,7 @@ class LightGroups {
         has_partner_(labels_ + units_),
         is_unknown_(labels_ + units_),
         is_on_wall_(units_),
-        index_(index_of(store.scene.transceivers)) {
+        index_(index_of_positions(store.scene.transceivers)) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     const Vec3 size = store.scene.upper - store.scene.lower;
     reach_ = 2 * std::sqrt(std::max(size.x * size.y, 1.0) / static_cast<double>(units_));

@@ -101,7 +101,7 @@ class Record {
     is_later_ = true;
     return *this;
   }
-  /// Whether a key of some objects belongs to this one; `is_given` decides what is written.
+  /// Whether this object has a key that others lack: in a file, whether it is there; to write, `is_given`.
   bool has(std::string_view key, bool is_given) const {
     if (json_) return is_given;
     return file_ == nullptr || file_->find(key).has_value();
