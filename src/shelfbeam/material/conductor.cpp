@@ -47,9 +47,15 @@ void Conductor::fields(Fields& f, ReflectanceKeys&) {
   describe_facets(f, facets, {});
 }
 
-Conductor Conductor::completed(const JsonCursor& json) const {
-  if (eta == 0 && k == 0) json.fail("has eta and k of 0", "an ideal mirror has eta 0 and k 1");
-  return make_conductor(eta, k, shelfbeam::completed(facets, json));
+void Conductor::check(const JsonCursor& json, KeyRules& rules) const {
+  rules.rule({"eta", "k"}, [&] {
+    if (eta == 0 && k == 0) json.fail("has eta and k of 0", "an ideal mirror has eta 0 and k 1");
+  });
+  check_facets(facets, json, rules);
+}
+
+Conductor Conductor::prepared() const {
+  return make_conductor(eta, k, prepared_facets(facets));
 }
 
 Conductor make_conductor(double eta, double k, const std::optional<Microfacets>& facets) {

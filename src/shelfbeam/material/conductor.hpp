@@ -10,6 +10,7 @@ namespace shelfbeam {
 
 class Fields;
 class JsonCursor;
+class KeyRules;
 struct ReflectanceKeys;
 
 /// Metal: a mirror, or microfacets (2.23), with the Fresnel reflectance of the index eta + i k (2.32).
@@ -30,7 +31,8 @@ struct Conductor {
   bool is_opaque() const { return true; }
 
   void fields(Fields& f, ReflectanceKeys& keys);
-  Conductor completed(const JsonCursor& json) const;
+  void check(const JsonCursor& json, KeyRules& rules) const;
+  Conductor prepared() const;
 };
 
 /// Throws std::invalid_argument unless eta and k are from 0 to 100 and not both 0. An ideal mirror has

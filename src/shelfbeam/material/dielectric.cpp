@@ -81,10 +81,15 @@ void Dielectric::fields(Fields& f, ReflectanceKeys&) {
   describe_facets(f, facets, {.refracts = true});
 }
 
-Dielectric Dielectric::completed(const JsonCursor& json) const {
-  const auto complete = shelfbeam::completed(facets, json);
-  if (complete) json["ior"].number(1.01, detail::largest_ior);
-  return make_dielectric(ior, complete);
+void Dielectric::check(const JsonCursor& json, KeyRules& rules) const {
+  check_facets(facets, json, rules);
+  rules.rule({"ior"}, [&] {
+    if (facets) json["ior"].number(1.01, detail::largest_ior);
+  });
+}
+
+Dielectric Dielectric::prepared() const {
+  return make_dielectric(ior, prepared_facets(facets));
 }
 
 Dielectric make_dielectric(double ior, const std::optional<Microfacets>& facets) {

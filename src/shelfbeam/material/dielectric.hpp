@@ -10,6 +10,7 @@ namespace shelfbeam {
 
 class Fields;
 class JsonCursor;
+class KeyRules;
 struct ReflectanceKeys;
 
 /// The surface of a transparent solid in air, which reflects and refracts; smooth (2.32) or rough (2.23 and
@@ -33,7 +34,8 @@ struct Dielectric {
   Dielectric from_below() const { return {1 / ior, facets}; }
 
   void fields(Fields& f, ReflectanceKeys& keys);
-  Dielectric completed(const JsonCursor& json) const;
+  void check(const JsonCursor& json, KeyRules& rules) const;
+  Dielectric prepared() const;
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4 (from 1.01 for a rough surface, because

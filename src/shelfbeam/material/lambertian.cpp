@@ -28,7 +28,9 @@ void Lambertian::fields(Fields& f, ReflectanceKeys& keys) {
   describe_reflectance(f, reflectance, keys, "share of the power that is [reflected](#reflectance)");
 }
 
-Lambertian Lambertian::completed(const JsonCursor&) const {
+void Lambertian::check(const JsonCursor&, KeyRules&) const {}
+
+Lambertian Lambertian::prepared() const {
   return make_lambertian(reflectance);
 }
 

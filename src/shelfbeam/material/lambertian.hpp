@@ -9,6 +9,7 @@ namespace shelfbeam {
 
 class Fields;
 class JsonCursor;
+class KeyRules;
 struct ReflectanceKeys;
 
 /// Ideal diffuse reflection, f_r = rho / pi (2.21).
@@ -30,7 +31,8 @@ struct Lambertian {
   /// Describes the keys in a store file except "type" (material_fields.hpp).
   void fields(Fields& f, ReflectanceKeys& keys);
   /// The material with the values of `json` after reading. Throws InputError with the JSON path.
-  Lambertian completed(const JsonCursor& json) const;
+  void check(const JsonCursor& json, KeyRules& rules) const;
+  Lambertian prepared() const;
 };
 
 /// Throws std::invalid_argument unless the reflectance is in [0, 1].

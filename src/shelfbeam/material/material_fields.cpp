@@ -104,15 +104,21 @@ void describe(Material& material, Fields& f, ReflectanceKeys& keys) {
             .is_written = keys.range.has_value()});
 }
 
-Material completed(const Material& material, const JsonCursor& json, const ReflectanceKeys& keys) {
-  if (const auto range = json.find("reflectance_range")) {
+void check(const Material& material, const JsonCursor& json, const ReflectanceKeys& keys, KeyRules& rules) {
+  rules.rule({"reflectance", "reflectance_range"}, [&] {
+    const auto range = json.find("reflectance_range");
+    const std::optional<double> reflectance = given_reflectance(material);
+    if (!range || !reflectance) return;
     const auto [low, high] = *keys.range;
-    const double reflectance = *given_reflectance(material);
-    if (low < 0 || high > 1 || reflectance < low || reflectance > high)
-      range->fail(fmt::format("is {} to {}, but the reflectance is {}", low, high, reflectance),
+    if (low < 0 || high > 1 || *reflectance < low || *reflectance > high)
+      range->fail(fmt::format("is {} to {}, but the reflectance is {}", low, high, *reflectance),
                   "give two values from 0 to 1, the lower first, with the reflectance between them");
-  }
-  return std::visit([&](const auto& one) { return Material(one.completed(json)); }, material);
+  });
+  std::visit([&](const auto& one) { one.check(json, rules); }, material);
+}
+
+Material prepared(const Material& material) {
+  return std::visit([](const auto& one) { return Material(one.prepared()); }, material);
 }
 
 void describe_reflectance(Fields& f, double& reflectance, ReflectanceKeys& keys, std::string_view says) {
@@ -185,20 +191,29 @@ void describe_facets(Fields& f, std::optional<Microfacets>& facets, const FacetR
   if (facets) facets = values;
 }
 
-std::optional<Microfacets> completed(const std::optional<Microfacets>& facets, const JsonCursor& json) {
-  if (!facets) {
-    for (const char* key : {"distribution", "masking", "sampling"})
-      if (const auto idle = json.find(key))
-        idle->fail("has no effect on a smooth surface", "remove it, or give a 'roughness' above 0");
-    return std::nullopt;
-  }
+void check_facets(const std::optional<Microfacets>& facets, const JsonCursor& json, KeyRules& rules) {
+  for (const char* key : {"distribution", "masking", "sampling"})
+    rules.rule({"roughness"}, [&] {
+      const auto given = json.find(key);
+      if (given && !facets)
+        given->fail("has no effect on a smooth surface", "remove it, or give a 'roughness' above 0");
+    });
+  if (!facets) return;
   const bool is_ggx = facets->distribution == FacetDistribution::ggx;
-  if (facets->masking == Masking::smith_rational && is_ggx)
-    json["masking"].fail("approximates the masking of beckmann only",
-                         "use 'smith', or the distribution 'beckmann'");
-  if (facets->sampling == FacetSampling::visible && !is_ggx)
-    json["sampling"].fail("visible facets can only be sampled for ggx",
-                          "use 'all', or the distribution 'ggx'");
+  rules.rule({"distribution", "masking"}, [&] {
+    if (facets->masking == Masking::smith_rational && is_ggx)
+      json["masking"].fail("approximates the masking of beckmann only",
+                           "use 'smith', or the distribution 'beckmann'");
+  });
+  rules.rule({"distribution", "sampling"}, [&] {
+    if (facets->sampling == FacetSampling::visible && !is_ggx)
+      json["sampling"].fail("visible facets can only be sampled for ggx",
+                            "use 'all', or the distribution 'ggx'");
+  });
+}
+
+std::optional<Microfacets> prepared_facets(const std::optional<Microfacets>& facets) {
+  if (!facets) return {};
   return make_microfacets(facets->distribution, facets->alpha_x, facets->alpha_y, facets->masking,
                           facets->sampling);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/base/fields/fields.hpp"
+#include "shelfbeam/base/fields/key_rules.hpp"
 #include "shelfbeam/material/material.hpp"
 
 namespace shelfbeam {
@@ -25,9 +26,10 @@ const std::vector<Material>& material_types();
 Material material_of_type(const JsonCursor& type);
 
 void describe(Material& material, Fields& f, ReflectanceKeys& keys);
-/// The material with the values read from `json`, prepared for use. Throws InputError with the JSON path if
-/// the values do not fit together, or std::invalid_argument from `make_NAME`.
-Material completed(const Material& material, const JsonCursor& json, const ReflectanceKeys& keys);
+/// Checks that the values read from `json` fit together.
+void check(const Material& material, const JsonCursor& json, const ReflectanceKeys& keys, KeyRules& rules);
+/// The material with these values, for use. Throws std::invalid_argument from `make_NAME`.
+Material prepared(const Material& material);
 
 // Keys of several types.
 
@@ -40,6 +42,7 @@ struct FacetRules {
 };
 /// The microfacets of a material; nothing for a smooth surface.
 void describe_facets(Fields& f, std::optional<Microfacets>& facets, const FacetRules& rules);
-std::optional<Microfacets> completed(const std::optional<Microfacets>& facets, const JsonCursor& json);
+void check_facets(const std::optional<Microfacets>& facets, const JsonCursor& json, KeyRules& rules);
+std::optional<Microfacets> prepared_facets(const std::optional<Microfacets>& facets);
 
 }  // namespace shelfbeam

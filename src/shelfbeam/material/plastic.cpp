@@ -149,8 +149,12 @@ void Plastic::fields(Fields& f, ReflectanceKeys& keys) {
   describe_facets(f, facets, {.has_directions = false});
 }
 
-Plastic Plastic::completed(const JsonCursor& json) const {
-  return make_plastic(ior, reflectance, shelfbeam::completed(facets, json));
+void Plastic::check(const JsonCursor& json, KeyRules& rules) const {
+  check_facets(facets, json, rules);
+}
+
+Plastic Plastic::prepared() const {
+  return make_plastic(ior, reflectance, prepared_facets(facets));
 }
 
 Plastic make_plastic(double ior, double reflectance, const std::optional<Microfacets>& facets) {

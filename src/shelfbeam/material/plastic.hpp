@@ -11,6 +11,7 @@ namespace shelfbeam {
 
 class Fields;
 class JsonCursor;
+class KeyRules;
 struct ReflectanceKeys;
 
 namespace detail {
@@ -45,7 +46,8 @@ struct Plastic {
   Plastic with_reflectance(double other) const;
 
   void fields(Fields& f, ReflectanceKeys& keys);
-  Plastic completed(const JsonCursor& json) const;
+  void check(const JsonCursor& json, KeyRules& rules) const;
+  Plastic prepared() const;
 
   /// The share 1 - E of light that passes the coat. The base alone has the BRDF
   /// transmission(wo.z) base_scale / pi transmission(wi.z).

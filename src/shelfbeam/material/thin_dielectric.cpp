@@ -50,9 +50,14 @@ void ThinDielectric::fields(Fields& f, ReflectanceKeys&) {
             .is_optional = true});
 }
 
-ThinDielectric ThinDielectric::completed(const JsonCursor& json) const {
-  if (json.find("absorption_per_m") && !json.find("thickness"))
-    json.fail("has 'absorption_per_m', but no 'thickness'", "add it");
+void ThinDielectric::check(const JsonCursor& json, KeyRules& rules) const {
+  rules.rule({}, [&] {
+    if (json.find("absorption_per_m") && !json.find("thickness"))
+      json.fail("has 'absorption_per_m', but no 'thickness'", "add it");
+  });
+}
+
+ThinDielectric ThinDielectric::prepared() const {
   return make_thin_dielectric(ior, thickness, absorption_per_m);
 }
 

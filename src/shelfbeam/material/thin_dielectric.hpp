@@ -9,6 +9,7 @@ namespace shelfbeam {
 
 class Fields;
 class JsonCursor;
+class KeyRules;
 struct ReflectanceKeys;
 
 /// A pane of glass as a single surface. It reflects as a mirror, transmits without displacement and absorbs;
@@ -30,7 +31,8 @@ struct ThinDielectric {
   bool is_opaque() const { return false; }
 
   void fields(Fields& f, ReflectanceKeys& keys);
-  ThinDielectric completed(const JsonCursor& json) const;
+  void check(const JsonCursor& json, KeyRules& rules) const;
+  ThinDielectric prepared() const;
 };
 
 /// Throws std::invalid_argument unless the index is from 1 to 4, the thickness from 0 to 1 m and the

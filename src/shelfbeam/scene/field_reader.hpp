@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "shelfbeam/base/fields/each_key.hpp"
+#include "shelfbeam/base/fields/key_rules.hpp"
 #include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/math/vec3.hpp"
@@ -25,7 +26,7 @@ bool read_object(const JsonCursor& json, const StoreNames& names, Problems& prob
 
 /// Reads the keys of a struct that an object of a store file has. It collects the problems of all keys; the
 /// value of a key with a problem remains. Keys that it does not know are left to `expect_keys`.
-class FieldReader final : public Fields {
+class FieldReader final : public Fields, public KeyRules {
  public:
   FieldReader(const JsonCursor& json, const StoreNames& names, Problems& problems)
       : json_(json), names_(names), problems_(problems) {}
@@ -36,9 +37,7 @@ class FieldReader final : public Fields {
   void expect_keys(std::span<const std::string_view> known);
   bool is_given(std::string_view key) const { return json_.find(key).has_value(); }
   bool has_failed(std::string_view key) const;
-  /// Collects the problem of a rule that ties keys together, unless one of them ("size") or of the members of
-  /// lists ("zones[2]") has a problem. Returns whether the rule was checked and holds.
-  bool rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check);
+  bool rule(std::initializer_list<std::string_view> keys, const std::function<void()>& check) override;
 
   bool scalar(std::string_view key, Scalar kind, double& value, const Field& field) override;
   bool array(std::string_view key, Scalar kind, std::span<double> values, const Field& field) override;

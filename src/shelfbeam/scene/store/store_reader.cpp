@@ -25,9 +25,11 @@ void read_materials(const JsonCursor& section, Store& store, Problems& problems)
     problems.collect([&] {
       NamedMaterial given{named.name, material_of_type(json["type"]), {}};
       const auto part = [&](Fields& f) { describe(given, f, store.wavelength_nm); };
-      if (!read_object(json, names, problems, part)) return;
-      const ReflectanceKeys keys{store.wavelength_nm, given.reflectance_range};
-      named.material = make_or_fail(json, [&] { return completed(given.material, json, keys); });
+      const auto rules = [&](FieldReader& reader) {
+        check(given.material, json, {store.wavelength_nm, given.reflectance_range}, reader);
+      };
+      if (!read_object(json, names, problems, part, rules)) return;
+      named.material = make_or_fail(json, [&] { return prepared(given.material); });
       named.reflectance_range = given.reflectance_range;
     });
   });

@@ -112,6 +112,18 @@ TEST(AllProblems, OfStoresWithUpTo20PlantedMistakes) {
   EXPECT_EQ(times.size(), mistakes().size()) << "each of them was planted";
 }
 
+TEST(AllProblems, OfTheRulesOfAMaterial) {
+  Json store = test::sample_store();
+  store["materials"]["chrome"] = {
+      {"type", "conductor"},         {"eta", 0},       {"k", 0}, {"roughness", 0.2}, {"distribution", "ggx"},
+      {"masking", "smith_rational"}, {"colour", "red"}};
+  store["materials"]["foil"] = {
+      {"type", "conductor"}, {"eta", 1}, {"k", 1}, {"masking", "smith"}, {"sampling", "all"}};
+  EXPECT_EQ(paths_of(store),
+            (std::vector<std::string>{"materials.chrome", "materials.chrome", "materials.chrome.masking",
+                                      "materials.foil.masking", "materials.foil.sampling"}));
+}
+
 // Rules that tie the parts of a room together apply to all parts without a problem of their own.
 TEST(AllProblems, OfThePartsOfARoom) {
   Json store = test::sample_store();
