@@ -108,7 +108,7 @@ struct SearchState final : ProgressSink {
   std::optional<DualBound> relaxation;  ///< the last LP of the first objective, for `open_selections`
   /// Label rows and multipliers of the last relaxation of the first objective, for the next one.
   std::vector<BoundRow> rows;
-  std::string last_backend;  ///< name and version of the last back end used; empty if none
+  std::optional<std::string> last_backend;  ///< name and version of the last back end used
   ProgressSink* watcher;
   RunControl control;     ///< reports through this object
   std::string_view step;  ///< name of the current step

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
 #include "shelfbeam/base/names.hpp"
@@ -26,7 +27,7 @@ inline constexpr auto names_of<Method> = std::to_array<Named<Method>>({{"none", 
 /// A method and the MIP back end that it used.
 struct SolvedBy {
   Method method = Method::none;
-  std::string backend = {};  ///< name and version: "highs 1.10.0"; empty: none
+  std::optional<std::string> backend = {};  ///< name and version: "highs 1.10.0"
 
   bool operator==(const SolvedBy&) const = default;
 };

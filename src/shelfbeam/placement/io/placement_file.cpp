@@ -63,7 +63,7 @@ std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const Ids& id
 SolvedBy read_solver(const JsonCursor& file) {
   const JsonCursor solver = file["solver"];
   if (const auto backend = file.find("backend"))
-    return {solver.choice<Method>(), backend->is_null() ? "" : backend->text()};
+    return {solver.choice<Method>(), backend->is_null() ? std::nullopt : std::optional(backend->text())};
   const std::string text = solver.text();
   constexpr std::string_view helped = "search with ";
   if (text.empty()) return {};

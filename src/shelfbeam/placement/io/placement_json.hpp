@@ -33,7 +33,7 @@ inline Json first_ids(std::span<const std::uint32_t> labels, const Ids& ids) {
 }
 /// The name of a back end; null without.
 inline Json backend_of(const SolvedBy& solver) {
-  return solver.backend.empty() ? Json(nullptr) : Json(solver.backend);
+  return solver.backend ? Json(*solver.backend) : Json(nullptr);
 }
 
 /// The text of a file.

@@ -240,9 +240,9 @@ std::string objective_sentence(const Placement& placement) {
 
 std::string solver_text(const SolvedBy& solver) {
   const auto& [method, backend] = solver;
-  if (method == Method::mip) return backend;
+  if (method == Method::mip) return backend.value_or("");
   const std::string name = say(fmt::format("proof.solver.{}", to_text(method)));
-  return backend.empty() ? name : say("proof.solver.with", name, backend);
+  return backend ? say("proof.solver.with", name, *backend) : name;
 }
 
 std::string_view status_name(Status status) {

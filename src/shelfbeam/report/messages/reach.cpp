@@ -41,7 +41,7 @@ std::string_view failure_clause(const PlacementProblem& problem) {
 std::string_view method_without_result(const Placement& placement) {
   const auto& [method, backend] = placement.solver;
   if (method == Method::greedy) return words("reach.greedy");
-  return method == Method::search && backend.empty() ? words("reach.search") : "";
+  return method == Method::search && !backend ? words("reach.search") : "";
 }
 
 std::string conflict_sentence(const Placement& placement) {

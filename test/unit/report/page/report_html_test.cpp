@@ -104,7 +104,7 @@ TEST(ReportHtml, ContainsEveryComputedNumber) {
   expect_text(grouped(data.outcome.met_by_direct_light) + " of " + grouped(data.outcome.labels.size()));
   const ExcessDistribution excess = excess_distribution(data.outcome);
   expect_text("Median " + significant(excess.median) + "\u00A0%, mean " + significant(excess.mean));
-  for (const std::string& fact : {s.placement.solver.backend, s.matrix.provenance.estimator,
+  for (const std::string& fact : {s.placement.solver.backend.value(), s.matrix.provenance.estimator,
                                   s.matrix.provenance.store_hash, std::string("940\u00A0nm")})
     expect_cell(fact);
   // Negative control: a number that was not computed is not found.
