@@ -14,6 +14,7 @@
 #include "shelfbeam/material/material_shares.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/report/messages/light.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
 
 #include "app/text/style.hpp"
@@ -164,20 +165,20 @@ void print_list(std::string_view heading, const std::vector<std::string>& lines)
   for (const std::string& line : lines) fmt::print("  {}\n", one_line(line));
 }
 
-void print_warnings(const CommonOptions& common, const std::vector<std::string>& warnings) {
+void print_warnings(const CommonOptions& common, const std::vector<Finding>& warnings) {
   if (common.quiet) return;
-  for (const std::string& warning : warnings) {
+  for (const Finding& warning : warnings) {
     if (common.json)
-      print_message("warning: {}\n", one_line(warning));
+      print_message("warning: {}\n", one_line(warning.sentence));
     else
-      print_warning(warning);
+      print_warning(warning.sentence);
   }
 }
 
 void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy) {
   if (common.json || common.quiet) return;
   print_warnings(scene);
-  for (const std::string& light : chance_light(scene, strategy))
+  for (const std::string& light : light_texts(chance_light(scene, strategy), scene))
     print_warning(light + " is hard to sample: use more samples and check the flagged entries");
 }
 
@@ -192,8 +193,9 @@ void print_summary(const Scene& scene, const std::string& written) {
   print_label_types(scene, counts);
   fmt::print("\n");
   print_transceiver_types(scene, counts);
-  print_list("not simulated unless the transceiver type has a radius", uncovered_light(scene));
-  print_list("hard to sample, with large standard errors", chance_light(scene));
+  print_list("not simulated unless the transceiver type has a radius",
+             light_texts(uncovered_light(scene), scene));
+  print_list("hard to sample, with large standard errors", light_texts(chance_light(scene), scene));
 }
 
 nlohmann::ordered_json summary_json(const Scene& scene) {
@@ -245,8 +247,8 @@ nlohmann::ordered_json summary_json(const Scene& scene) {
            {"cost", type.cost}};
     if (!type.file.empty()) one["file"] = type.file;
   }
-  json["not_simulated"] = uncovered_light(scene);
-  json["found_by_chance"] = chance_light(scene);
+  json["not_simulated"] = light_texts(uncovered_light(scene), scene);
+  json["found_by_chance"] = light_texts(chance_light(scene), scene);
   json["warnings"] = sentences(scene.warnings);
   json["findings"] = to_json(scene.warnings);
   json["ignored_warnings"] = scene.ignored_warnings;

@@ -23,7 +23,7 @@ void print_summary(const Scene& scene, const std::string& written);
 void print_list(std::string_view heading, const std::vector<std::string>& lines);
 
 /// Prints one line per warning; nothing with --quiet. With --json, they go to standard error.
-void print_warnings(const CommonOptions& common, const std::vector<std::string>& warnings);
+void print_warnings(const CommonOptions& common, const std::vector<Finding>& warnings);
 
 /// Prints one line per warning of a scene and per kind of light that is hard to sample;
 /// nothing with --json or --quiet.

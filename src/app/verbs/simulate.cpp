@@ -14,6 +14,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/states/reflectance_ends.hpp"
+#include "shelfbeam/report/messages/light.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
@@ -120,7 +121,7 @@ int run_simulate(const SimulateArguments& options) {
     nlohmann::ordered_json json{{"signal", options.output.string()}};
     json.update(to_json(summary));
     json["warnings"] = sentences(scene.warnings);
-    json["found_by_chance"] = chance_light(scene, simulation.rules().strategy);
+    json["found_by_chance"] = light_texts(chance_light(scene, simulation.rules().strategy), scene);
     print_json(json);
   } else if (!options.common.quiet) {
     fmt::print("{}\n", with_answer(fmt::format("{}{}: {}", options.output.string(), part_text(options.part),

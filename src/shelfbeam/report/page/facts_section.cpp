@@ -7,6 +7,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/light.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/page/html.hpp"
@@ -205,8 +206,9 @@ std::string facts_section(const ReportData& data) {
   for (const std::string& remark : line.remarks) html += paragraph(remark, "remark");
   html += "<div class=\"facts\">\n" + placement_facts(data) + certificate_facts(data) +
           simulation_facts(data) + origin_facts(data) + "</div>\n";
-  html += list("facts.uncovered.title", "facts.uncovered.note", uncovered_light(data.input.scene));
-  html += list("facts.chance.title", "facts.chance.note", chance_light(data.input.scene));
+  const Scene& scene = data.input.scene;
+  html += list("facts.uncovered.title", "facts.uncovered.note", light_texts(uncovered_light(scene), scene));
+  html += list("facts.chance.title", "facts.chance.note", light_texts(chance_light(scene), scene));
   return html_section("facts", say("facts.title"), html);
 }
 

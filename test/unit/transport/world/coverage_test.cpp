@@ -11,7 +11,6 @@ namespace shelfbeam {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 // Two mirrors, a block of glass and a point or, with a radius, a disc.
@@ -29,26 +28,32 @@ test::BareScene hall_of_mirrors(double radius) {
 
 TEST(StrategyCoverage, NamesLightThatPointsMissAndDiscsFindByChance) {
   const test::BareScene points = hall_of_mirrors(0), discs = hall_of_mirrors(0.1);
-  const auto both = ElementsAre(HasSubstr("two or more mirrors"), HasSubstr("solid glass"));
-  EXPECT_THAT(uncovered_light(points.scene), both);
+  const auto both = [](PathEnd end) {
+    return ElementsAre(LightKind{end, PathWay::successive_mirrors, {MaterialId{0}, MaterialId{2}}},
+                       LightKind{end, PathWay::solid_glass, {MaterialId{2}}});
+  };
+  EXPECT_THAT(uncovered_light(points.scene), both(PathEnd::point_transceivers));
   EXPECT_THAT(chance_light(points.scene), IsEmpty());
   EXPECT_THAT(uncovered_light(discs.scene), IsEmpty());
-  EXPECT_THAT(chance_light(discs.scene), both);
+  EXPECT_THAT(chance_light(discs.scene), both(PathEnd::disc_transceivers));
 }
 
 TEST(StrategyCoverage, ListsLightFoundByChance) {
   const test::BareScene discs = hall_of_mirrors(0.1);
-  EXPECT_THAT(chance_light(discs.scene, Strategy::walk), ElementsAre("all light from disc transceivers"));
+  EXPECT_THAT(chance_light(discs.scene, Strategy::walk),
+              ElementsAre(LightKind{PathEnd::disc_transceivers, PathWay::any}));
   EXPECT_THAT(chance_light(discs.scene, Strategy::particle), IsEmpty());
   test::BareScene sized = hall_of_mirrors(0);
   sized.label({3, 2, 1}, {1, 0, 0}, CosineResponse{}, {0.1, 0.1});
   EXPECT_THAT(chance_light(sized.scene), IsEmpty());
   EXPECT_THAT(chance_light(sized.scene, Strategy::particle),
-              ElementsAre("light to labels with a size via mirrors and through solid glass (m0, m2)"));
+              ElementsAre(LightKind{
+                  PathEnd::sized_labels, PathWay::mirrors_and_glass, {MaterialId{0}, MaterialId{2}}}));
   test::BareScene lit = hall_of_mirrors(0);
   lit.scene.emitting_surfaces.push_back({"panel", lit.material(Lambertian{0.5}), 1});
   EXPECT_THAT(chance_light(lit.scene),
-              ElementsAre("light from emitting surfaces via mirrors and through solid glass (m0, m2)"));
+              ElementsAre(LightKind{
+                  PathEnd::emitting_surfaces, PathWay::mirrors_and_glass, {MaterialId{0}, MaterialId{2}}}));
 }
 
 TEST(StrategyCoverage, IsCompleteWithoutMirrors) {

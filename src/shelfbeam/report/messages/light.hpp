@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shelfbeam/transport/world/coverage.hpp"
+
+namespace shelfbeam {
+
+/// "light from disc transceivers refracted by solid glass (bottle)"
+std::vector<std::string> light_texts(const std::vector<LightKind>& kinds, const Scene& scene);
+
+}  // namespace shelfbeam
