@@ -1,0 +1,74 @@
+#include "jobs/report_job.hpp"
+
+#include <optional>
+#include <string>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/data/shop_states.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
+
+#include "jobs/plan_files.hpp"
+#include "jobs/plan_folder.hpp"
+#include "jobs/plan_record.hpp"
+
+namespace shelfbeam::jobs {
+
+namespace {
+
+// The files that this run replaces, and placement.json, must be those of the plan.
+FileHashes expect_unchanged(const std::filesystem::path& folder, const PlanRecord& record,
+                            const PlanJournal& journal) {
+  FileHashes found;
+  for (const char* name : {placement_name, labels_name, placement_table_name, mounting_table_name,
+                           mounting_drawing_name, report_name}) {
+    const std::filesystem::path file = folder / name;
+    const auto status = std::filesystem::symlink_status(file);
+    if (!std::filesystem::exists(status)) continue;
+    if (std::filesystem::is_regular_file(status)) {
+      const std::string& hash = found[name] = hash_of(file, name);
+      if (record.contains(name, hash) || journal.contains(name, hash)) continue;
+    }
+    throw InputError(file.string(), "was changed since the plan was written",
+                     name == placement_name ? "restore it, or plan the store again"
+                                            : "move it elsewhere; it will then be rebuilt");
+  }
+  return found;
+}
+
+void replace(const std::filesystem::path& folder, AtomicFolder& files) {
+  const std::optional<PlanRecord> record = read_record(folder / placement_name);
+  if (!record) return files.commit({});  // a plan of version 0.2.0 or earlier
+  const PlanJournal journal(folder);
+  FileHashes old = expect_unchanged(folder, *record, journal);
+  FileHashes hashes = hashes_of(files);
+  const std::string placement = read_file(folder / placement_name);
+  const std::string recorded = recorded_again(placement, *record, hashes);
+  if (recorded != placement) files.add(placement_name).write(recorded);  // another version writes other bytes
+  journal.commit(files, old, hashes, {});
+}
+
+}  // namespace
+
+std::filesystem::path rebuild_report(const std::filesystem::path& folder, bool safe_csv) {
+  std::optional<OutputLock> lock;
+  if (std::filesystem::is_directory(folder)) lock.emplace(folder / signal_name, folder.string());
+  const Store store = read_store(folder / store_name);
+  const Scene scene = make_scene(store);
+  const std::string signal = (folder / signal_name).string();
+  const SignalMatrix matrix = read_signal_file(signal);
+  // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
+  if (matrix.provenance.store_hash != content_hash(read_file(folder / store_name)))
+    throw InputError(signal, "does not belong to the store file in this folder", "plan the store again");
+  const CertifiedPlan plan = read_plan(folder / placement_name, make_signal_table(matrix, signal));
+  AtomicFolder files(folder);
+  add_report(files, {scene, matrix, plan, safe_csv, shop_states(store, scene, matrix, plan)});
+  replace(folder, files);
+  return folder / report_name;
+}
+
+}  // namespace shelfbeam::jobs
