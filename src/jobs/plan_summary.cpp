@@ -31,7 +31,7 @@ PlanSummary summary_of(const PlanEnd& end) {
     summary.price = placement.price->to_spend;
     summary.currency = placement.price->currency;
   }
-  summary.warnings = sentences(plan.warnings);
+  summary.warnings = plan.warnings;
   return summary;
 }
 

@@ -32,7 +32,8 @@ CREATE TABLE stores (
   currency TEXT,
   report TEXT                   -- path from the folder of the results
 );
-CREATE TABLE warnings (name TEXT NOT NULL REFERENCES stores (name), number INTEGER NOT NULL, text TEXT NOT NULL,
+CREATE TABLE warnings (name TEXT NOT NULL REFERENCES stores (name), number INTEGER NOT NULL, code TEXT NOT NULL,
+  text TEXT NOT NULL,
   PRIMARY KEY (name, number));
 CREATE TABLE effort (name TEXT PRIMARY KEY REFERENCES stores (name), runs INTEGER NOT NULL, cpu_s REAL NOT NULL,
   wall_s REAL NOT NULL, peak_memory INTEGER NOT NULL); -- peak_memory in bytes
@@ -118,8 +119,9 @@ std::string database_of(std::span<const StoreResult> results) {
                     result.units, result.lower_bound, result.price, unless_empty(result.currency),
                     unless_empty(result.report));
     std::uint64_t number = 0;
-    for (const std::string& warning : result.warnings)
-      database.insert("INSERT INTO warnings VALUES (?, ?, ?)", result.name, ++number, warning);
+    for (const Finding& warning : result.warnings)
+      database.insert("INSERT INTO warnings VALUES (?, ?, ?, ?)", result.name, ++number,
+                      std::string(name_of(warning.code)), warning.sentence);
     const PlanEffort& effort = result.effort;
     database.insert("INSERT INTO effort VALUES (?, ?, ?, ?, ?)", result.name, std::uint64_t{effort.runs},
                     effort.cpu_s, effort.wall_s, effort.peak_memory);

@@ -99,7 +99,7 @@ void PlacementInput::keep(const std::filesystem::path& output) const {
 ReadTable PlacementInput::table(const PlacementProblem& problem) const {
   const std::vector<std::string> scenario = scenario_names(signals);
   std::vector<NamedTable> scenarios;
-  std::vector<std::string> warnings;
+  std::vector<Finding> warnings;
   for (std::size_t k = 0; k < signals.size(); ++k) {
     ReadTable read = read_table(signals[k], reading);
     scenarios.push_back({scenario[k], signals[k].string(), std::move(read.table)});

@@ -133,18 +133,21 @@ void ChangedIds::note(std::string_view id, std::size_t line) {
   if (is_changed(id)) add(changed_, id, line);
 }
 
-std::string ChangedIds::warning(const std::string& file) const {
+std::optional<Finding> ChangedIds::warning(const std::string& file) const {
   std::vector<Id> ids = changed_;
   if (!has_fractions_) ids.insert(ids.end(), whole_.begin(), whole_.end());
   if (!has_long_) ids.insert(ids.end(), rounded_.begin(), rounded_.end());
   if (ids.empty()) return {};
   std::vector<std::string> shown;
-  shown.reserve(ids.size());
-  for (const Id& id : ids)
+  FindingValues values;
+  for (const Id& id : ids) {
     shown.push_back(
         fmt::format("{} in {}", id.id.empty() ? "others" : in_quotes(id.id), lines_text(id.lines, id.count)));
-  return fmt::format("{}: has ids that look as if a spreadsheet has changed them: {}; {}", file,
-                     fmt::join(shown, ", "), keep_as_text);
+    if (!id.id.empty()) values.emplace_back(id.id);
+  }
+  return Finding{FindingCode::changed_ids, file, std::move(values),
+                 fmt::format("{}: has ids that look as if a spreadsheet has changed them: {}; {}", file,
+                             fmt::join(shown, ", "), keep_as_text)};
 }
 
 std::string id_remedy(std::string_view id, std::string_view remedy) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "shelfbeam/base/finding/finding.hpp"
 
 namespace shelfbeam {
 
@@ -13,8 +16,8 @@ namespace shelfbeam {
 class ChangedIds {
  public:
   void note(std::string_view id, std::size_t line);
-  /// The warning about a file, which names the first ids and their lines; empty if there are none.
-  std::string warning(const std::string& file) const;
+  /// The warning about a file, which names the first ids and their lines; nothing if there are none.
+  std::optional<Finding> warning(const std::string& file) const;
 
  private:
   struct Id {

@@ -42,8 +42,8 @@ class CsvReader {
   std::string text(std::size_t field) const;
   /// The field as an id; throws InputError when it is empty or has an unprintable character.
   std::string id(std::size_t field);
-  /// The warning about the ids so far (ChangedIds); empty if there is none.
-  std::string warning_of_ids() const { return ids_.warning(name_); }
+  /// The warning about the ids so far (ChangedIds), if any.
+  std::optional<Finding> warning_of_ids() const { return ids_.warning(name_); }
   /// The fields in lower case, so that columns are found by their names in any spelling.
   std::vector<std::string> column_names() const;
 

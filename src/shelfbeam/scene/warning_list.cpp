@@ -26,14 +26,18 @@ bool WarningList::is_ignored(FindingCode code, std::string path) const {
 
 void WarningList::add_text(FindingCode code, const std::string& where, const std::string& text,
                            FindingValues values) {
-  if (!ignored_.empty() && is_ignored(code, path_of(where))) {
+  add({code, path_of(where), std::move(values), fmt::format("{}: {}", where, text)});
+}
+
+void WarningList::add(Finding warning) {
+  if (!ignored_.empty() && is_ignored(warning.code, warning.path)) {
     ++ignored_count_;
     return;
   }
-  auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.code == code; });
-  if (group == groups_.end()) group = groups_.insert(group, Group{code, {}, 0});
-  if (++group->count <= shown)
-    group->first.push_back({code, path_of(where), std::move(values), fmt::format("{}: {}", where, text)});
+  auto group =
+      std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.code == warning.code; });
+  if (group == groups_.end()) group = groups_.insert(group, Group{warning.code, {}, 0});
+  if (++group->count <= shown) group->first.push_back(std::move(warning));
 }
 
 std::vector<Finding> WarningList::findings() const {

@@ -29,6 +29,7 @@ class WarningList {
     add_text(code, where, fmt::format(text, values...), {value_of(values)...});
   }
   void add_text(FindingCode code, const std::string& where, const std::string& text, FindingValues values);
+  void add(Finding warning);
   /// Codes in the order of their first appearance.
   std::vector<Finding> findings() const;
   /// The number of warnings that an element of the store, or the store itself, ignores.

@@ -7,11 +7,16 @@
 namespace shelfbeam {
 namespace {
 
+std::string sentence_of(const ChangedIds& changed) {
+  const auto warning = changed.warning("a.csv");
+  return warning ? warning->sentence : "";
+}
+
 std::string warning_about(std::initializer_list<const char*> ids) {
   ChangedIds changed;
   std::size_t line = 1;
   for (const char* id : ids) changed.note(id, ++line);
-  return changed.warning("a.csv");
+  return sentence_of(changed);
 }
 
 TEST(ChangedIds, AreRecognised) {
@@ -143,10 +148,10 @@ TEST(ChangedIds, LongNumbersAreIdsBesideOthersWithMoreDigits) {
 TEST(ChangedIds, LinesAreCounted) {
   ChangedIds changed;
   for (std::size_t line = 2; line < 1002; ++line) changed.note("4,00638E+12", line);
-  EXPECT_NE(changed.warning("a.csv").find("'4,00638E+12' in lines 2, 3, 4, 5, 6 and 995 more;"),
+  EXPECT_NE(sentence_of(changed).find("'4,00638E+12' in lines 2, 3, 4, 5, 6 and 995 more;"),
             std::string::npos);
   for (int k = 0; k < 7; ++k) changed.note("#REF" + std::to_string(k) + "!", 2000);
-  const std::string warning = changed.warning("a.csv");
+  const std::string warning = sentence_of(changed);
   EXPECT_NE(warning.find("'#REF3!' in line 2000, others in lines 2000, 2000 and 2000;"), std::string::npos)
       << warning;
   EXPECT_NE(warning_about({"#N/A", "x", "#N/A"}).find("'#N/A' in lines 2 and 4;"), std::string::npos);

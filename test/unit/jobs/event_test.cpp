@@ -13,7 +13,13 @@ namespace shelfbeam::jobs {
 namespace {
 
 TEST(JobEvents, EndsAreReadBack) {
-  const PlanSummary summary{{"4 transceivers\nreach \"all\"", 686, 4, std::nullopt, 480.5, "EUR", {"w"}},
+  const PlanSummary summary{{"4 transceivers\nreach \"all\"",
+                             686,
+                             4,
+                             std::nullopt,
+                             480.5,
+                             "EUR",
+                             {{FindingCode::labels_flooded, "", {3.0, "L1"}, "w"}}},
                             stopped_early};
   const std::string line = line_of(JobResult{summary, true});
   EXPECT_EQ(line.find('\n'), line.size() - 1) << "one line";

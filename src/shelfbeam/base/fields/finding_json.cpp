@@ -21,23 +21,32 @@ Json to_json(const std::vector<Finding>& findings) {
   return list;
 }
 
-std::vector<Finding> read_findings(const JsonCursor& list) {
+std::vector<Finding> findings_of(const Json& list) {
   std::vector<Finding> findings;
-  for (const JsonCursor& json : list.elements()) {
+  for (const Json& json : list) {
+    Finding& one = findings.emplace_back();
     if (json.is_string()) {
-      findings.push_back({FindingCode::other, {}, {}, json.text()});
+      one = {FindingCode::other, {}, {}, json};
       continue;
     }
-    json.expect_keys({"code", "path", "values", "sentence"});
-    Finding& one = findings.emplace_back();
     // Later versions may have further codes.
-    one.code = finding_code(json["code"].text()).value_or(FindingCode::other);
-    one.path = json["path"].text();
-    for (const JsonCursor& value : json["values"].elements())
-      one.values.push_back(value.is_string() ? FindingValue(value.text()) : FindingValue(value.number()));
-    one.sentence = json["sentence"].text();
+    one.code = finding_code(json.at("code").get<std::string>()).value_or(FindingCode::other);
+    one.path = json.at("path");
+    for (const Json& value : json.at("values"))
+      one.values.push_back(value.is_string() ? FindingValue(value.get<std::string>())
+                                             : FindingValue(value.get<double>()));
+    one.sentence = json.at("sentence");
   }
   return findings;
+}
+
+std::vector<Finding> read_findings(const JsonCursor& list) {
+  try {
+    list.size();  // of a list
+    return findings_of(list.value());
+  } catch (const Json::exception&) {
+    list.fail("has a warning without code, path, values or sentence", "restore the file");
+  }
 }
 
 }  // namespace shelfbeam

@@ -97,7 +97,7 @@ std::string need_section(Results results, std::string_view need) {
     if (need_of(result) != need) continue;
     ++count;
     std::string answer = result.answer;
-    for (const std::string& warning : result.warnings) answer += " " + say("batch.warning", warning);
+    for (const Finding& warning : result.warnings) answer += " " + say("batch.warning", warning.sentence);
     const bool has_run = result.effort.runs > 0;
     table.add_row({result.name, optional_count(result.units), optional_count(result.lower_bound),
                    result.price ? price_text(*result.price, result.currency) : "–", answer,

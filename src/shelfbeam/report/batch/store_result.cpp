@@ -6,16 +6,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/fields/finding_json.hpp"
+
 namespace shelfbeam {
 
 using Json = nlohmann::ordered_json;
 
 Json to_json(const PlanNumbers& numbers) {
   const auto optional = [](const auto& value) { return value ? Json(*value) : Json(); };
-  return {{"answer", numbers.answer},         {"labels", numbers.labels},
-          {"units", optional(numbers.units)}, {"lower_bound", optional(numbers.lower_bound)},
-          {"price", optional(numbers.price)}, {"currency", numbers.currency},
-          {"warnings", numbers.warnings}};
+  return {{"answer", numbers.answer},
+          {"labels", numbers.labels},
+          {"units", optional(numbers.units)},
+          {"lower_bound", optional(numbers.lower_bound)},
+          {"price", optional(numbers.price)},
+          {"currency", numbers.currency},
+          {"warnings", to_json(numbers.warnings)}};
 }
 
 PlanNumbers read_numbers(const Json& json) {
@@ -30,7 +35,7 @@ PlanNumbers read_numbers(const Json& json) {
   read("lower_bound", numbers.lower_bound);
   read("price", numbers.price);
   numbers.currency = json.at("currency");
-  numbers.warnings = json.at("warnings").get<std::vector<std::string>>();
+  numbers.warnings = findings_of(json.at("warnings"));
   return numbers;
 }
 

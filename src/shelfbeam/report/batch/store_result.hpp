@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "shelfbeam/base/finding/finding.hpp"
 #include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
@@ -44,7 +45,7 @@ struct PlanNumbers {
   std::optional<std::uint64_t> units = {}, lower_bound = {};  ///< of a placement
   std::optional<double> price = {};                           ///< of the new units
   std::string currency = {};                                  ///< empty: not given
-  std::vector<std::string> warnings = {};
+  std::vector<Finding> warnings = {};
 
   bool operator==(const PlanNumbers&) const = default;
 };

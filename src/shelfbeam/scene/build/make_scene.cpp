@@ -69,8 +69,7 @@ class SceneMaker {
     scene_.materials = store_.materials;
     scene_.label_types = store_.label_types;
     scene_.transceiver_types = store_.transceiver_types;
-    for (const auto& [text, where] : store_.warnings)
-      warnings_.add_text(FindingCode::changed_ids, where, text.substr(where.size() + 2), {});
+    for (const Finding& warning : store_.warnings) warnings_.add(warning);
     expect_memory();
     add_room();
     add_fixtures();

@@ -62,8 +62,7 @@ class Planogram {
           }))
         memory.add(device_bytes_of(places_.back().article), csv.where());
     }
-    if (std::string warning = csv.warning_of_ids(); !warning.empty())
-      store_.warnings.push_back({std::move(warning), path.string()});
+    if (auto warning = csv.warning_of_ids()) store_.warnings.push_back(std::move(*warning));
     add_labels();
   }
 

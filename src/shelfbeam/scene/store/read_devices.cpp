@@ -137,8 +137,7 @@ void each_record(const std::filesystem::path& path, const Columns& known, Store&
     memory.add(device_bytes, csv.where());
   }
   expect_unit(record, path.string());
-  if (std::string warning = csv.warning_of_ids(); !warning.empty())
-    store.warnings.push_back({std::move(warning), path.string()});
+  if (auto warning = csv.warning_of_ids()) store.warnings.push_back(std::move(*warning));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ struct Store {
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;
   std::optional<StoreVariation> variation;
-  std::vector<Listed<std::string>> warnings;  ///< about the ids in its CSV files
+  std::vector<Finding> warnings;  ///< about the ids in its CSV files
   IgnoredCodes ignored;
   /// Memory limit of its scene, bytes (StoreLimits::memory).
   std::size_t memory = std::numeric_limits<std::size_t>::max();

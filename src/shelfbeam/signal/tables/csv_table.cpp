@@ -182,8 +182,7 @@ ReadTable read_csv_table(std::string_view text, const std::string& name, TableRe
              "choose 'ids' for ids of labels, or 'header' for signals");
   }
   ReadTable result{std::move(table)};
-  if (std::string warning = csv.warning_of_ids(); !warning.empty())
-    result.warnings.push_back(std::move(warning));
+  if (auto warning = csv.warning_of_ids()) result.warnings.push_back(std::move(*warning));
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/finding/finding.hpp"
 #include "shelfbeam/base/names.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -35,7 +36,7 @@ inline constexpr std::array<Named<TableReading>, 8> names_of<TableReading>{
 
 struct ReadTable {
   SignalTable table;
-  std::vector<std::string> warnings = {};  ///< about ids that a spreadsheet has probably changed
+  std::vector<Finding> warnings = {};  ///< about ids that a spreadsheet has probably changed
 };
 
 /// Like `read_signal_table`, in a given reading. Throws InputError, too, for formats that have no readings.

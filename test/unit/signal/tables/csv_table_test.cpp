@@ -192,9 +192,12 @@ TEST(CsvTable, WarnsOfChangedIds) {
     return read_table(folder.write("matrix.csv", content), TableReading::automatic).warnings;
   };
   EXPECT_TRUE(warnings("label,T1\nA,1\n").empty());
-  const std::vector<std::string> found = warnings("label;4,00638E+12\n#N/A;1\nB;2\n");
+  const std::vector<Finding> found = warnings("label;4,00638E+12\n#N/A;1\nB;2\n");
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NE(found[0].find("'4,00638E+12' in line 1, '#N/A' in line 2;"), std::string::npos) << found[0];
+  EXPECT_EQ(found[0].code, FindingCode::changed_ids);
+  EXPECT_EQ(found[0].values, (FindingValues{"4,00638E+12", "#N/A"}));
+  EXPECT_NE(found[0].sentence.find("'4,00638E+12' in line 1, '#N/A' in line 2;"), std::string::npos)
+      << found[0].sentence;
 }
 
 TEST(CsvTable, BrokenFilesAreRefusedWithPosition) {
