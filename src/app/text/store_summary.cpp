@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/fields/finding_json.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/material_shares.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/math/warp.hpp"

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "system/app/program.hpp"
@@ -78,13 +79,14 @@ TEST_F(BadStore, OneWrongValue) {
   struct Case {
     std::string place, value, message;
   };
-  for (const auto& [place, value, message] : std::vector<Case>{
+  for (const Case& wrong : std::vector<Case>{
            {"/fixtures/0/labels/spaceing", "1", "'spacing'"},
            {"/materials/m/two\nlines", "1", "'two\\nlines'"},
            {"/transceivers/list", R"([{"id": "G1-1-1", "position": [1, 1, 1], "type": "ceiling"}])",
             ": transceivers.list[0]: "},
            {"/labels/0/position", "[-0.1, 3, 1.5]", ": labels[0]: label 'door' at (-0.1, 3, 1.5)"}})
-    expect_change_refused([&](Json& s) { s[Json::json_pointer(place)] = Json::parse(value); }, {message});
+    expect_change_refused([&](Json& s) { s[Json::json_pointer(wrong.place)] = Json::parse(wrong.value); },
+                          {wrong.message});
 }
 
 TEST_F(BadStore, UnreadableCsv) {
@@ -247,7 +249,7 @@ TEST_F(BadStore, RangesOfReflectances) {
   const std::string plan = "plan @store.json -o @plan ";
   refused(plan + "--reflectance-error 0.1", {"--reflectance-error", "--sensitivity"});
   for (const std::string wrong : {"-0.1", "1.1", "much"})
-    refused(plan + "--sensitivity --reflectance-error " + wrong, {"--reflectance-error"});
+    refused(fmt::format("{}--sensitivity --reflectance-error {}", plan, wrong), {"--reflectance-error"});
   Json store = small_store();
   store["materials"]["m"]["reflectance_range"] = {0.9, 0.95};
   folder.write("store.json", store.dump());

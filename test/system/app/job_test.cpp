@@ -2,6 +2,7 @@
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "jobs/plan_job.hpp"
@@ -39,7 +40,7 @@ TEST_F(Jobs, OneAfterAnotherGiveTheBytesOfTheirOwnProcesses) {
   write_store("dark.json", 0.1);
   write_store("bright.json", 0.6);
   for (const std::string name : {"dark", "bright"})
-    told("plan @" + name + ".json -o @own-" + name + " --samples 640");
+    told(fmt::format("plan @{0}.json -o @own-{0} --samples 640", name));
   EXPECT_EQ(planned("dark.json", "dark").code, done);
   EXPECT_EQ(planned("bright.json", "bright").code, done);
   planned("dark.json", "again");

@@ -139,7 +139,7 @@ TEST(Claims, ListAllTextsOfResults) {
   const std::function<void(const Json&, const std::string&)> visit = [&](const Json& node,
                                                                          const std::string& key) {
     for (const auto& [name, value] : node.items()) {
-      const std::string path = key.empty() ? name : key + "." + name;
+      const std::string path = key.empty() ? name : fmt::format("{}.{}", key, name);
       if (key.empty() && !groups.contains(name)) continue;
       if (value.is_object() && !value.contains("many")) {
         visit(value, path);

@@ -56,7 +56,7 @@ std::vector<Text> alternatives_of(const ReportInput& input) {
   std::vector<std::string> heads;
   std::string choice;
   std::size_t column = 0;
-  for (std::size_t k = 0; (k = table.find_first_of("<", k)) != std::string::npos; ++k) {
+  for (std::size_t k = 0; (k = table.find('<', k)) != std::string::npos; ++k) {
     const std::string_view rest = std::string_view(table).substr(k);
     if (rest.starts_with("<tr")) column = 0;
     if (rest.starts_with("<th") && !rest.starts_with("<thead")) heads.push_back(between(rest, ">", "</th>"));

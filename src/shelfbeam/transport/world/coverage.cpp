@@ -30,7 +30,7 @@ std::vector<MaterialId> used_materials(const Scene& scene, const Wanted& wanted)
   const std::vector<bool> used = scene.used_materials();
   std::vector<MaterialId> found;
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
-    if (used[m] && wanted(scene.materials[m].material)) found.push_back(MaterialId(m));
+    if (used[m] && wanted(scene.materials[m].material)) found.push_back(MaterialId{m});
   return found;
 }
 
@@ -44,7 +44,7 @@ std::vector<LightKind> unconnected_light(const Scene& scene, PathEnd end) {
     result.push_back({end, PathWay::solid_glass, solids});
   for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
     if (mirrors.omitted()[m] > 0)
-      result.push_back({end, PathWay::small_mirrors, {MaterialId(m)}, mirrors.omitted()[m]});
+      result.push_back({end, PathWay::small_mirrors, {MaterialId{m}}, mirrors.omitted()[m]});
   return result;
 }
 

@@ -216,15 +216,15 @@ void say_proofs_of_the_first_page(Sentences& to) {
         s.plan.certificate->count_lower_bound = certified;
       });
   for (const PlacementProblem& problem : {spend, sum})
-    for (const auto& [simulated, certified] :
+    for (const auto& bounds :
          {std::pair(1100.0, 1020.0), {1070.0, 1020.0}, {1020.0, 1070.0}, {1070.0, 1100.0}})
       say([=](Supermarket& s) {
         s.placement.problem = problem;
         s.placement.status = Status::stopped;
         s.placement.objective_value = 1100;
-        s.placement.lower_bound = simulated;
+        s.placement.lower_bound = bounds.first;
         s.placement.price = Price{"EUR", 1100, 1100};
-        s.plan.certificate->cost_lower_bound = certified;
+        s.plan.certificate->cost_lower_bound = bounds.second;
         s.plan.certificate->count_lower_bound = 0;
       });
   say([](Supermarket& s) { s.placement.status = Status::feasible, s.placement.count_lower_bound = 3; });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <regex>
 
+#include <fmt/format.h>
+
 namespace shelfbeam::test {
 
 namespace {
@@ -73,7 +75,7 @@ std::string compact(const Json& json, std::size_t indent) {
   for (const auto& [key, value] : json.items()) {
     const std::string name = is_object ? Json(key).dump() + ": " : "";
     line += (*separator != 0 ? ", " : "") + name + compact(value, width);
-    lines += separator + ("\n" + margin) + name + compact(value, indent + 2);
+    lines += fmt::format("{}\n{}{}{}", separator, margin, name, compact(value, indent + 2));
     separator = ",";
   }
   line += is_object ? " }" : "]";

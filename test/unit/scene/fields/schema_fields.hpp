@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/fields/fields.hpp"
+#include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam::test {
 

@@ -28,7 +28,7 @@ std::string_view unit_of(Scalar kind) {
 template <class Value>
 std::string code(const Value& value) {
   std::string text = nlohmann::json(value).dump();
-  for (std::size_t at = 0; (at = text.find(",", at)) != std::string::npos; at += 2) text.insert(at + 1, " ");
+  for (std::size_t at = 0; (at = text.find(',', at)) != std::string::npos; at += 2) text.insert(at + 1, " ");
   return "`" + text + "`";
 }
 
