@@ -24,7 +24,8 @@ struct Provenance {
   std::string program_version;
   std::string store_hash;  ///< scene_hash of the simulated store; empty for an imported matrix
   std::uint64_t seed = 0;
-  std::string estimator;  ///< e.g. "uniform mis (balance), direct exact"; empty for an imported matrix
+  std::string estimator;        ///< e.g. "uniform mis (balance), direct exact"; empty for an imported matrix
+  std::string light_hash = {};  ///< light_keys of the simulated store; empty if unknown, as up to version 0.3
 
   bool operator==(const Provenance&) const = default;
 };

@@ -23,6 +23,7 @@ struct LabelRow {
   double signal_cost = 0;  ///< delta_i of (3.14)
   std::uint32_t batches = 0;
   std::uint64_t samples = 0;  ///< first rays drawn for this label, all batches
+  std::uint64_t light = 0;    ///< LightKeys::labels, if Provenance::light_hash is known
 
   bool operator==(const LabelRow&) const = default;
 };
@@ -35,6 +36,7 @@ struct TransceiverColumn {
   Vec3 axis;        ///< unit length
   double cost = 1;  ///< c_j^T of (3.3)
   bool installed = false;
+  std::uint64_t light = 0;  ///< LightKeys::transceivers, if Provenance::light_hash is known
 
   bool operator==(const TransceiverColumn&) const = default;
 };

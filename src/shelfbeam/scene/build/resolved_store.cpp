@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/field_writer.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -25,12 +24,6 @@ Json resolved(Described value, const StoreLists& lists) {
   else
     describe(value, writer);
   return json;
-}
-
-// Hashes the bytes of the numbers, because conversion to text would be slow for a large mesh.
-template <class T>
-std::string hash_of(const std::vector<T>& numbers) {
-  return content_hash({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)});
 }
 
 // Appends a list at this level of nesting as Json::dump(1) writes it. The list never exists as Json, which
@@ -86,33 +79,6 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   text += ",\n  \"installed\": ";
   append_list(text, 2, installed, store.cancel, [](const std::string& id) { return Json(id); });
   return text + "\n }\n}\n";
-}
-
-std::string scene_hash(const Scene& scene) {
-  if (!scene.store_hash.empty()) return scene.store_hash;
-  const StoreLists lists{scene.materials, scene.label_types, scene.transceiver_types};
-  Json json{{"wavelength_nm", scene.wavelength_nm},
-            {"vertices", hash_of(scene.mesh.vertices)},
-            {"triangles", hash_of(scene.mesh.triangles)},
-            {"surfaces", hash_of(scene.mesh.materials)}};
-  for (const NamedMaterial& one : scene.materials)
-    json["materials"].push_back(resolved(NamedMaterial{one.name, one.material, {}}, lists));
-  for (const LabelType& type : scene.label_types)
-    json["label_types"].push_back({type.name, resolved(type, lists)});
-  for (const TransceiverType& type : scene.transceiver_types)
-    json["transceiver_types"].push_back({type.name, resolved(type, lists)});
-  for (const Label& label : scene.labels) {
-    json["labels"].push_back({label.id, array_of(label.position), array_of(label.normal), label.type.value});
-    if (label.relative_sensitivity != 1) json["labels"].back().push_back(label.relative_sensitivity);
-  }
-  for (const Transceiver& unit : scene.transceivers) {
-    json["transceivers"].push_back({unit.id, array_of(unit.position), array_of(unit.axis), unit.roll_deg,
-                                    unit.type.value, unit.installed});
-    if (unit.relative_power != 1) json["transceivers"].back().push_back(unit.relative_power);
-  }
-  for (const EmittingSurface& surface : scene.emitting_surfaces)
-    json["emitting_surfaces"].push_back({surface.id, surface.material.value, surface.radiance});
-  return content_hash(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace shelfbeam

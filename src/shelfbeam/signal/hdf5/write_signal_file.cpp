@@ -34,6 +34,8 @@ class MatrixWriter {
     file_.attribute("store_hash", provenance.store_hash);
     file_.attribute("seed", provenance.seed);
     file_.attribute("estimator", provenance.estimator);
+    const bool has_light = !provenance.light_hash.empty();
+    if (has_light) file_.attribute("light_hash", provenance.light_hash);
     file_.attribute("wavelength_nm", matrix_.wavelength_nm);
     if (!matrix_.currency.empty()) file_.attribute("currency", matrix_.currency);
 
@@ -54,6 +56,10 @@ class MatrixWriter {
     file_.group("/transceivers");
     detail::each_unit_member(
         [&](const auto& path, auto member) { column(path, matrix_.transceivers, member); });
+    if (has_light) {
+      column("/labels/light", matrix_.labels, &LabelRow::light);
+      column("/transceivers/light", matrix_.transceivers, &TransceiverColumn::light);
+    }
   }
 
  private:

@@ -4,6 +4,8 @@
 #include <limits>
 #include <span>
 
+#include "shelfbeam/scene/light_keys.hpp"
+
 namespace shelfbeam::detail {
 
 using Quantity = SignalRows::Quantity;
@@ -123,15 +125,22 @@ TransceiverColumn describe(const Scene& scene, const Transceiver& unit) {
 SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint64_t seed,
                          const std::string& estimator) {
   SignalMatrix matrix;
-  for (const Label& label : scene.labels) matrix.labels.push_back(describe(scene, label));
-  for (const Transceiver& unit : scene.transceivers) matrix.transceivers.push_back(describe(scene, unit));
+  const LightKeys keys = light_keys(scene);
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    matrix.labels.push_back(describe(scene, scene.labels[i]));
+    matrix.labels.back().light = keys.labels[i];
+  }
+  for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
+    matrix.transceivers.push_back(describe(scene, scene.transceivers[j]));
+    matrix.transceivers.back().light = keys.transceivers[j];
+  }
   for (const EmittingSurface& surface : scene.emitting_surfaces) {
     matrix.transceivers.emplace_back();
     matrix.transceivers.back().id = surface.id;
   }
   matrix.wavelength_nm = scene.wavelength_nm;
   matrix.currency = scene.currency;
-  matrix.provenance = {std::string(program_version()), hash, seed, estimator};
+  matrix.provenance = {std::string(program_version()), hash, seed, estimator, keys.light_hash};
   return matrix;
 }
 

@@ -1,0 +1,116 @@
+#include "shelfbeam/scene/light_keys.hpp"
+
+#include <cstddef>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/math/content_bytes.hpp"
+#include "shelfbeam/scene/field_writer.hpp"
+#include "shelfbeam/scene/store/device_fields.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+template <class Described>
+std::string text_of(Described value) {
+  // The values refer to no list.
+  const std::vector<NamedMaterial> materials;
+  const std::vector<LabelType> label_types;
+  const std::vector<TransceiverType> unit_types;
+  const StoreLists lists{materials, label_types, unit_types};
+  nlohmann::ordered_json json;
+  FieldWriter writer(json, lists);
+  describe(value, writer);
+  return json.dump();
+}
+
+// The types without the values that do not affect light, so that any new value does.
+std::string light_of(LabelType type) {
+  const LabelType plain;
+  type.threshold = plain.threshold;
+  type.safety_factor = plain.safety_factor;
+  type.link_cost = plain.link_cost;
+  type.signal_cost = plain.signal_cost;
+  type.availability = plain.availability;
+  return text_of(type);
+}
+std::string light_of(TransceiverType type) {
+  type.cost = TransceiverType{}.cost;
+  return text_of(type);
+}
+
+template <class Type>
+std::vector<std::string> lights_of(const std::vector<Type>& types) {
+  std::vector<std::string> lights;
+  for (const Type& type : types) lights.push_back(light_of(type));
+  return lights;
+}
+
+ContentBytes& add(ContentBytes& bytes, const Vec3& v) {
+  return bytes.add(v.x).add(v.y).add(v.z);
+}
+
+std::string hash_of_surfaces(const Scene& scene) {
+  ContentBytes bytes;
+  bytes.add(scene.wavelength_nm);
+  for (const Vec3& vertex : scene.mesh.vertices) add(bytes, vertex);
+  for (const auto& [a, b, c] : scene.mesh.triangles) bytes.add(a).add(b).add(c);
+  // Materials are numbered in the order of their first surfaces.
+  std::vector<std::optional<std::uint32_t>> numbers(scene.materials.size());
+  std::uint32_t count = 0;
+  for (const MaterialId material : scene.mesh.materials) {
+    auto& number = numbers[material.value];
+    if (!number) {
+      number = count++;
+      bytes.add(text_of(NamedMaterial{{}, scene.materials[material.value].material, {}}));
+    }
+    bytes.add(*number);
+  }
+  for (const EmittingSurface& surface : scene.emitting_surfaces)
+    bytes.add(surface.id).add(surface.material.value).add(surface.radiance);
+  return bytes.hash();
+}
+
+}  // namespace
+
+LightKeys light_keys(const Scene& scene) {
+  LightKeys keys{hash_of_surfaces(scene), {}, {}};
+  const auto key_of = [](const std::string& type, const Vec3& position, const Vec3& direction, double factor,
+                         double roll_deg) {
+    ContentBytes bytes;
+    bytes.add(type).add(factor).add(roll_deg);
+    add(add(bytes, position), direction);
+    return bytes.key();
+  };
+  const std::vector<std::string> labels = lights_of(scene.label_types);
+  for (const Label& label : scene.labels)
+    keys.labels.push_back(
+        key_of(labels[label.type.value], label.position, label.normal, label.relative_sensitivity, 0));
+  const std::vector<std::string> units = lights_of(scene.transceiver_types);
+  for (const Transceiver& unit : scene.transceivers)
+    keys.transceivers.push_back(
+        key_of(units[unit.type.value], unit.position, unit.axis, unit.relative_power, unit.roll_deg));
+  return keys;
+}
+
+std::string scene_hash(const Scene& scene) {
+  if (!scene.store_hash.empty()) return scene.store_hash;
+  const LightKeys keys = light_keys(scene);
+  ContentBytes bytes;
+  bytes.add(keys.light_hash);
+  for (const NamedMaterial& material : scene.materials) bytes.add(material.name).add(text_of(material));
+  for (const LabelType& type : scene.label_types) bytes.add(type.name).add(text_of(type));
+  for (const TransceiverType& type : scene.transceiver_types) bytes.add(type.name).add(text_of(type));
+  for (std::size_t i = 0; i < scene.labels.size(); ++i)
+    bytes.add(scene.labels[i].id).add(scene.labels[i].type.value).add(keys.labels[i]);
+  for (std::size_t j = 0; j < scene.transceivers.size(); ++j)
+    bytes.add(scene.transceivers[j].id)
+        .add(scene.transceivers[j].type.value)
+        .add(keys.transceivers[j])
+        .add(scene.transceivers[j].installed);
+  return bytes.hash();
+}
+
+}  // namespace shelfbeam
