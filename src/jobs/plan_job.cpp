@@ -12,8 +12,8 @@
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
-#include "shelfbeam/signal/hdf5/signal_file.hpp"
 
+#include "jobs/given_signals.hpp"
 #include "jobs/plan_files.hpp"
 #include "jobs/run_file.hpp"
 
@@ -105,7 +105,7 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   expect_room_for_matrix(job.folder, scene, simulation, 2 * resolved.size() + least_report);
   if (watch.begun) watch.begun(scene, simulation);
   expect_no_warnings(scene, job.strict);
-  if (job.signal) inputs.matrix = read_signal_file(*job.signal);
+  if (job.signal) inputs.signals = read_given_signals(*job.signal);
   PlanEnd end;
   end.plan = plan_checked(store, scene, job.plan, std::move(inputs),
                           {job.threads, watch.cancel, watch.progress}, name);

@@ -21,14 +21,15 @@ namespace shelfbeam::jobs {
 struct PlanJob {
   std::filesystem::path store, folder;
   PlanRequest plan = {};
-  std::optional<std::filesystem::path> signal = {};  ///< instead of a simulation
-  std::vector<std::filesystem::path> sampled = {};   ///< parts of SampledStates; empty: none
-  unsigned threads = 0;                              ///< 0: all cores
-  CheckpointOptions checkpoint = {};                 ///< its path is in the folder
-  bool allow_outside = false;                        ///< the store may name files outside its folder
-  std::optional<std::uint64_t> file_size = {};       ///< StoreLimits::file_size
-  bool strict = false;                               ///< warnings count as errors
-  bool overwrite = false;                            ///< replace a finished plan in the folder
+  /// Signals to reuse: a signal file, or the folder of a plan (read_given_signals).
+  std::optional<std::filesystem::path> signal = {};
+  std::vector<std::filesystem::path> sampled = {};  ///< parts of SampledStates; empty: none
+  unsigned threads = 0;                             ///< 0: all cores
+  CheckpointOptions checkpoint = {};                ///< its path is in the folder
+  bool allow_outside = false;                       ///< the store may name files outside its folder
+  std::optional<std::uint64_t> file_size = {};      ///< StoreLimits::file_size
+  bool strict = false;                              ///< warnings count as errors
+  bool overwrite = false;                           ///< replace a finished plan in the folder
   bool safe_csv = false;
   bool reports_progress = true;  ///< of a process that runs the job
 };

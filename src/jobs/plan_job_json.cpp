@@ -191,7 +191,7 @@ void describe(Fields& f, PlanJob& job) {
   with_default(job.store, usual.store, [&](auto& given) { path(f, "store", given, "store file"); });
   with_default(job.folder, usual.folder, [&](auto& given) { path(f, "folder", given, "for the results"); });
   f.object("plan", [&](Fields& part) { describe(part, job.plan); }, optional("the request", true));
-  path(f, "signal", job.signal, "signal file of this store, instead of a simulation");
+  path(f, "signal", job.signal, "signals to reuse if they fit: a signal file, or the folder of a plan");
   paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
   with_default(job.threads, usual.threads,
                [&](auto& given) { whole(f, "threads", given, "0: one per core", 0, 256); });

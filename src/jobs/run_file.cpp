@@ -39,6 +39,17 @@ void add_effort(Json& json, const char* name, const std::optional<EndReason>& op
   if (open && open->seconds > 0) json[name] = open->seconds;
 }
 
+Json to_json(const GivenSignals& given) {
+  if (const auto* misfit = std::get_if<MisfitReason>(&given)) {
+    Json json = {{"reused", false}, {"misfit", to_text(misfit->code)}};
+    if (misfit->missing > 0)
+      json.update({{"missing", misfit->missing}, {"first_missing", misfit->first_missing}});
+    return json;
+  }
+  const auto& [labels, transceivers, seed] = std::get<ReusedSignals>(given);
+  return {{"reused", true}, {"labels", labels}, {"transceivers", transceivers}, {"seed", seed}};
+}
+
 }  // namespace
 
 RunClock::RunClock() : wall_(wall_now()), cpu_(cpu_now()) {}
@@ -59,6 +70,7 @@ std::string run_json(const Plan& plan, const RunEffort& effort) {
                {"processor_seconds", effort.cpu_s},
                {"peak_memory", effort.peak_memory},
                {"threads", effort.threads}};
+  if (plan.signals) json["signals"] = to_json(*plan.signals);
   if (plan.certificate) add_effort(json, "seconds_to_decide", plan.certificate->open);
   const std::string text = json.dump(2);
   const std::string values = text.substr(0, text.size() - 2);  // without "\n}"

@@ -6,6 +6,7 @@
 
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/signals.hpp"
 #include "shelfbeam/report/terminal/coverage_text.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/report/terminal/plan_text.hpp"
@@ -63,9 +64,12 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
   PlanText text = plan_text(plan, table);
   if (plan.certificate) text.answer = with_effort(text.answer, plan.certificate->open);
   const SimulationSummary& summary = plan.simulation.summary;
-  std::string simulated = !job.signal ? describe(summary, job.plan.follows_decision()) + '\n'
-                                      : fmt::format("{} labels x {} candidates, read from {}\n",
-                                                    summary.labels, summary.candidates, job.signal->string());
+  std::string simulated =
+      plan.signals ? signals_text(*plan.signals, summary.labels, summary.candidates, job.signal->string())
+                   : "";
+  if (!plan.signals || std::holds_alternative<MisfitReason>(*plan.signals))
+    simulated += describe(summary, job.plan.follows_decision());
+  simulated += '\n';
   for (std::size_t at = 0; (at = simulated.find('\n', at) + 1) < simulated.size();)
     simulated.insert(at, "  ");
   const std::string report =
@@ -133,10 +137,12 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
   verb->get_option("--samples")
       ->description(
           "Samples per label; default: as many as the certificate needs (with --no-certificate: 10000)");
-  auto* signal = OptionGroup(*verb, group::simulation)
-                     .add("--signal", job.signal, a_path(),
-                          "Signal file of this store from 'simulate' or 'merge', instead of a simulation; "
-                          "the certificate still takes samples of its own");
+  auto* signal =
+      OptionGroup(*verb, group::simulation)
+          .add("--signal", job.signal, a_path(),
+               "Signals to reuse: a signal file, or the folder of an earlier plan. They fit if geometry, "
+               "materials and wavelength are the same, and if they contain all labels and candidates; "
+               "otherwise, the store is simulated again. The certificate takes samples of its own");
   for (const char* other : {"--samples", "--relative-error", "--time"}) signal->excludes(other);
   add_problem_options(*verb, job.plan.problem);
   add_solver_options(*verb, job.plan.place);

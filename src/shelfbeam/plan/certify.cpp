@@ -13,6 +13,7 @@
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/plan/bound_rounds.hpp"
+#include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/refine.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
@@ -371,8 +372,10 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
   certificate.confidence = options.confidence;
   for (const Label& label : scene.labels)
     certificate.labels.push_back({.requirement = scene.requirement_of(label)});
-  Rounds rounds(options.confidence, 1, options.budget, options.simulation.seed, control);
-  LabelRounds verdicts(scene, options.simulation, certificate.labels);
+  SimulationOptions fresh = options.simulation;
+  fresh.seed = question_key(options.simulation.seed, scene, problem);
+  Rounds rounds(options.confidence, 1, options.budget, fresh.seed, control);
+  LabelRounds verdicts(scene, fresh, certificate.labels);
   verdicts.select(problem, placement.selected, std::move(planned), true);
   certificate.open = Rounds::reason_after([&]() -> std::optional<EndReason> {
     while (certificate.count(Verdict::undecided) > 0) {

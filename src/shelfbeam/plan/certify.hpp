@@ -18,8 +18,10 @@ class PreparedScene;
 
 struct CertifyOptions {
   double confidence = 0.99;
-  RoundBudget budget = {};            ///< for everything after the first placement
-  SimulationOptions simulation = {};  ///< estimator, seed, memory limit
+  RoundBudget budget = {};  ///< for everything after the first placement
+  /// Estimator, memory limit, and the seed of the samples of the certificate (question_key). Verification has
+  /// the seed of the question itself.
+  SimulationOptions simulation = {};
   PlaceOptions place = {};
 };
 

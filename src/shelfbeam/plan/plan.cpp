@@ -1,6 +1,7 @@
 #include "shelfbeam/plan/plan.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <string_view>
@@ -13,6 +14,8 @@
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/alternatives/alternatives.hpp"
 #include "shelfbeam/placement/coverage/coverage_curve.hpp"
+#include "shelfbeam/plan/question/fitting_signals.hpp"
+#include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sensitivity.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
@@ -79,19 +82,7 @@ std::optional<Finding> margin_warning(const SignalTable& table, const Placement&
                              flooded_share)};
 }
 
-// The samples of the certificate are independent of those of a simulation with the same seed.
-SimulationResult result_of(SignalMatrix matrix, const Scene& scene, const PreparedScene& prepared,
-                           std::uint64_t seed) {
-  const auto expect = [](std::string_view name, const auto& theirs, const auto& ours) {
-    if (theirs != ours)
-      throw InputError(
-          "signals",
-          fmt::format("are of another simulation: their {} is '{}' instead of '{}'", name, theirs, ours),
-          "simulate this store with these options", Setting::signals);
-  };
-  expect("store hash", matrix.provenance.store_hash, scene_hash(scene));
-  expect("seed", matrix.provenance.seed, seed);
-  expect("estimator", matrix.provenance.estimator, prepared.estimator().name());
+SimulationResult result_of(SignalMatrix matrix) {
   const auto [least, most] =
       std::minmax_element(matrix.labels.begin(), matrix.labels.end(),
                           [](const LabelRow& a, const LabelRow& b) { return a.samples < b.samples; });
@@ -105,27 +96,44 @@ SimulationResult result_of(SignalMatrix matrix, const Scene& scene, const Prepar
   return result;
 }
 
+// The given signals, if they fit.
+std::optional<SimulationResult> reused(std::optional<StoredSignals> signals, const Scene& scene,
+                                       std::optional<GivenSignals>& given) {
+  if (!signals) return {};
+  const ReusedSignals all{signals->rows(), signals->columns(), signals->provenance.seed};
+  auto fitting = fitting_signals(std::move(*signals), scene);
+  if (auto* reason = std::get_if<MisfitReason>(&fitting)) {
+    given = std::move(*reason);
+    return {};
+  }
+  given = all;
+  return result_of(std::get<SignalMatrix>(std::move(fitting)));
+}
+
 }  // namespace
 
 Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control) {
   Plan plan;
-  const auto prepared = prepare(scene, options.simulation, true, control);
-  plan.simulation = options.matrix
-                        ? result_of(std::move(*options.matrix), scene, *prepared, options.simulation.seed)
-                        : simulate(*prepared, options.simulation, control);
+  std::unique_ptr<const PreparedScene> prepared;
+  auto known = reused(std::move(options.signals), scene, plan.signals);
+  if (!known) prepared = prepare(scene, options.simulation, true, control);
+  plan.simulation = known ? std::move(*known) : simulate(*prepared, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   // A certificate may place again, on signals that are more accurate where they decide.
   PlaceOptions first = options.place;
   if (options.confidence) first.time_limit_s *= share_of_first_placement;
-  plan.placement = place(table(plan.simulation.matrix), options.problem, first, control);
+  const SignalTable first_table = table(plan.simulation.matrix);
+  plan.placement = place(first_table, options.problem, first, control);
   // Independent samples of few units are traced from the labels.
   SimulationOptions fresh = options.simulation;
   if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
+  fresh.seed = question_key(options.simulation.seed, first_table, options.problem);
   const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something) {
     const CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
     const bool has_rows = options.simulation.strategy != Strategy::particle;
+    if (has_rows && !prepared) prepared = prepare(scene, options.simulation, true, control);
     Certified certified = has_rows ? certify(*prepared, table, how, std::move(plan.simulation.matrix),
                                              std::move(plan.placement), control)
                                    : certify(scene, table, how, std::move(plan.simulation.matrix),

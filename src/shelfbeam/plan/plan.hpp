@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "shelfbeam/plan/answer/certified_plan.hpp"
+#include "shelfbeam/plan/answer/given_signals.hpp"
 #include "shelfbeam/plan/answer/sensitivity.hpp"
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -18,8 +18,9 @@ inline constexpr std::uint64_t decision_samples = 2000;
 
 struct PlanOptions {
   SimulationOptions simulation;
-  /// The result of this simulation, as a file has it: then nothing is simulated for the first placement.
-  std::optional<SignalMatrix> matrix;
+  /// Signals that another run has simulated. If they fit (fitting_signals), nothing is simulated for the
+  /// first placement.
+  std::optional<StoredSignals> signals;
   PlacementProblem problem;
   PlaceOptions place;
   TableRule table;                          ///< empty: the matrix without constraints
@@ -33,7 +34,8 @@ struct PlanOptions {
 /// With its simulation, whose matrix is the final one of the placement.
 struct Plan : CertifiedPlan {
   SimulationResult simulation;
-  bool complete = false;  ///< nothing was interrupted
+  std::optional<GivenSignals> signals;  ///< if signals were given
+  bool complete = false;                ///< nothing was interrupted
 };
 
 /// Simulates a scene, places transceivers on the matrix, and certifies the placement, which may refine both.
@@ -41,8 +43,7 @@ struct Plan : CertifiedPlan {
 /// samples) refer to the final placement. Warnings are those of the scene, and one if nearly all labels
 /// receive far more than they require, or less. An interrupted simulation is placed with its samples so far
 /// and not certified. With the simulation's checkpoint an interrupted plan continues, to the same result as
-/// an uninterrupted one, apart from decisions by time. Throws InputError if the given matrix is that of
-/// another simulation.
+/// an uninterrupted one, apart from decisions by time.
 Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control = {});
 
 }  // namespace shelfbeam

@@ -96,8 +96,6 @@ TEST_F(Parts, AreThePlanOfOneRun) {
   EXPECT_EQ(json("merged/placement.json")["chosen"], json("one/placement.json")["chosen"]);
 
   refused("plan @store.json --signal @1.h5 -o @other", {"1.h5: is part 1 of 2", "merge all parts"});
-  refused("plan @store.json --signal @signal.h5 --seed 2 -o @other",
-          {"seed is '1' instead of '2'", "--signal"});
   refused("plan @store.json --signal @signal.h5 --samples 64 -o @other", {"--signal", "--samples"});
   refused("place @1.h5", {"1.h5: is part 1 of 2"});
   refused("merge @1.h5 -o @again.h5", {"number 2 is missing", "simulate them, or name their files"});

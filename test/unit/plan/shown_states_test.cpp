@@ -14,7 +14,7 @@ std::vector<ShownState> shown(const std::vector<std::uint32_t>& missed) {
   const FreshStatesOptions options{
       .round = 2, .looks = {static_cast<std::uint32_t>(missed.size())}, .ends_early = false};
   const auto labels_of = [&](std::uint64_t k) {
-    std::vector<std::uint32_t> labels(missed.at(k - first_fresh_state(2)));
+    std::vector<std::uint32_t> labels(missed.at(k - first_fresh_state(0, 2)));
     for (std::uint32_t i = 0; i < labels.size(); ++i) labels[i] = i;
     return labels;
   };
@@ -24,7 +24,7 @@ std::vector<ShownState> shown(const std::vector<std::uint32_t>& missed) {
 std::vector<std::uint64_t> numbers(const std::vector<ShownState>& states) {
   std::vector<std::uint64_t> numbers;
   numbers.reserve(states.size());
-  for (const ShownState& state : states) numbers.push_back(state.number - first_fresh_state(2));
+  for (const ShownState& state : states) numbers.push_back(state.number - first_fresh_state(0, 2));
   return numbers;
 }
 

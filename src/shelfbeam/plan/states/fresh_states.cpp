@@ -126,7 +126,7 @@ FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
     }
     control.report(Task::fresh_states, static_cast<double>(outcome.states) / looks.back(),
                    options.ends_early ? fmt::format("plan {}", options.round) : "");
-    const std::uint64_t number = first_fresh_state(options.round) + outcome.states;
+    const std::uint64_t number = first_fresh_state(options.question, options.round) + outcome.states;
     const auto missed = missed_in(number);
     ++outcome.states;
     for (const std::uint32_t i : missed) ++outcome.missed[i];

@@ -10,10 +10,11 @@
 
 namespace shelfbeam {
 
-/// Numbers of the first states of the rounds. No two rounds, no sample and no verification share a state.
-inline std::uint64_t first_fresh_state(std::uint32_t round) {
-  constexpr std::uint64_t states_per_round = 1'000'000;
-  return round * states_per_round;
+/// Numbers of the first states of the rounds that answer a question (question_key). No two rounds, no sample
+/// and no verification share a state, and different questions hardly ever. Numbers are exact in JSON.
+inline std::uint64_t first_fresh_state(std::uint64_t question, std::uint32_t round) {
+  constexpr std::uint64_t states_per_round = 1'000'000, rounds = 1'000, questions = 4'000'000;
+  return (question % questions * rounds + round) * states_per_round;
 }
 
 /// The round of a verification, beyond those of plans.
@@ -34,6 +35,7 @@ struct FreshStates {
 using MissedLabels = std::function<std::vector<std::uint32_t>(std::uint64_t k)>;
 
 struct FreshStatesOptions {
+  std::uint64_t question = 0;
   std::uint32_t round = 1;  ///< 1, 2, ...
   double level = 0.01;      ///< the probability that a false goal is certified; looks share it
   /// Numbers of states after which the round may end with the statement.

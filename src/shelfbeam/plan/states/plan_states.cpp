@@ -11,6 +11,7 @@
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/states/place_over_states.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/states/assumed_variation.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
@@ -144,7 +145,8 @@ class Planner {
   std::optional<EndReason> certify() {
     Availability& answer = result_.availability;
     // The other statement is the bound.
-    Rounds rounds(options_.confidence, 2, {options_.budget_s}, options_.simulation.seed, control_);
+    const std::uint64_t question = question_key(options_.simulation.seed, all_, problem());
+    Rounds rounds(options_.confidence, 2, {options_.budget_s}, question, control_);
     const std::uint32_t factor = states_factor(options_.goal, answer.required);
     Selection named = selected_;
     while (rounds.round() < max_state_rounds) {
@@ -157,7 +159,7 @@ class Planner {
       rounds.next();
       const Scene units = with_units(scene_, named);
       const StateExamination examination(states_, units, problem(), options_.simulation, log_, control_);
-      FreshStatesOptions of_round{.round = rounds.round(), .level = rounds.level()};
+      FreshStatesOptions of_round{.question = question, .round = rounds.round(), .level = rounds.level()};
       for (std::uint32_t& look : of_round.looks) look *= factor;
       FreshStates fresh = examine([&](std::uint64_t k) { return examination.missed(k); }, options_.goal,
                                   answer.required, of_round, Deadline(rounds.left()), control_);

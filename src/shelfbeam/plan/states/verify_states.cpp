@@ -13,6 +13,7 @@
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
+#include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 #include "shelfbeam/plan/states/fresh_states.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
@@ -79,7 +80,8 @@ Availability verify_over_states(const Store& store, const Scene& scene, const Sc
   found.required = required_availabilities(units, options.goal);
   {
     const StateExamination examination(states, low_units, problem, options.simulation, log, control);
-    const FreshStatesOptions one_look{.round = verifying_round,
+    const FreshStatesOptions one_look{.question = question_key(options.simulation.seed, low_units, problem),
+                                      .round = verifying_round,
                                       .level = 1 - options.confidence,
                                       .looks = {options.states},
                                       .ends_early = false};

@@ -121,7 +121,7 @@ Plan plan_checked(const Store& store, const Scene& scene, const PlanRequest& req
   const std::uint32_t states = states_of(request, store);
   const SimulationOptions simulation = simulation_of(request, inputs.checkpoint);
   PlanOptions options = nominal_options(request, simulation, states > 0);
-  if (inputs.matrix) options.matrix = std::move(*inputs.matrix);
+  options.signals = std::move(inputs.signals);
   options.table = [&](const SignalMatrix& matrix) { return table_of(request, matrix, name); };
   Plan plan = make_plan(scene, std::move(options), control);
   if (states == 0 || !plan.complete || !plan.placement.has_selection()) return plan;

@@ -17,7 +17,7 @@ struct Store;
 
 /// Results that another run has already simulated, and the files by which an interrupted plan continues.
 struct PlanInputs {
-  std::optional<SignalMatrix> matrix = {};          ///< of this store, seed and estimator
+  std::optional<StoredSignals> signals = {};        ///< reused if they fit (fitting_signals)
   std::vector<std::filesystem::path> sampled = {};  ///< parts of the states on which units are placed
   CheckpointOptions checkpoint = {};                ///< of the simulation
   std::filesystem::path states_checkpoint = {};     ///< of the states

@@ -1,0 +1,228 @@
+#include "shelfbeam/plan/question/fitting_signals.hpp"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/transport/run/matrix_rows.hpp"
+
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Json;
+
+// Every entry has another value.
+StoredSignals signals_of(const Scene& scene) {
+  StoredSignals signals{detail::matrix_head(scene, scene_hash(scene), 7, "test")};
+  const std::size_t size = signals.rows() * signals.columns();
+  for (std::size_t k = 0; k < size; ++k) {
+    signals.mean.push_back(static_cast<float>(k));
+    signals.standard_error.push_back(static_cast<float>(k) + 0.25F);
+    signals.direct.push_back(static_cast<float>(k) + 0.5F);
+    signals.flags.push_back(k % 3 == 0 ? 1 : 0);
+  }
+  for (std::size_t i = 0; i < signals.rows(); ++i) signals.labels[i].samples = i;
+  return signals;
+}
+
+struct Change {
+  std::optional<Misfit> misfit;  ///< nothing: the signals still fit
+  std::function<void(Json& store, double x)> apply;
+};
+
+Change sets(const std::string& pointer, double from, double to, std::optional<Misfit> misfit = {}) {
+  return {misfit,
+          [=](Json& store, double x) { store[Json::json_pointer(pointer)] = from + x * (to - from); }};
+}
+
+std::string name_of(double x) {
+  return "X" + std::to_string(static_cast<int>(1e6 * x));
+}
+
+// `x` is in (0, 1). No change reverses another.
+const std::vector<Change>& changes() {
+  static const std::vector<Change> all{
+      sets("/transceiver_types/down/cost", 5, 9),
+      sets("/label_types/small/threshold", 0.03, 0.09),
+      sets("/label_types/small/safety_factor", 2, 4),
+      sets("/label_types/large/link_cost", 1, 2),
+      sets("/label_types/deep/responsivity/exponent", 3, 4),  // no label has this type
+      sets("/materials/carton/reflectance", 0.1, 0.5),        // nor a surface this material
+      {{}, [](Json& store, double x) { store["name"] = name_of(x); }},
+      {{}, [](Json& store, double x) { store["fixtures"][1]["id"] = name_of(x); }},
+      {{}, [](Json& store, double) { store["labels"] = Json::array(); }},
+      {{}, [](Json& store, double) { store["transceivers"]["installed"] = Json::array(); }},
+      {{}, [](Json& store, double) { store["transceivers"]["keep_out"][0]["max"] = {3.5, 3.5}; }},
+      {{},
+       [](Json& store, double x) {
+         Json reordered{{name_of(x), {{"type", "lambertian"}, {"reflectance", x}}}};
+         reordered.update(store["materials"]);
+         store["materials"] = reordered;
+       }},
+      sets("/wavelength_nm", 945, 949, Misfit::light),
+      sets("/materials/white/reflectance", 0.1, 0.7, Misfit::light),
+      sets("/materials/foil/eta", 1, 1.5, std::nullopt),
+      sets("/fixtures/1/at/0", 1.1, 1.9, Misfit::light),
+      sets("/fixtures/2/max/2", 1, 2.9, Misfit::light),
+      sets("/fixtures/0/stocking", 0.1, 0.5, Misfit::light),
+      {Misfit::light, [](Json& store, double) { store["fixtures"][1]["goods"] = "carton"; }},
+      sets("/fixtures/0/labels/tilt_deg", 11, 40, Misfit::labels),
+      sets("/label_types/small/responsivity/exponent", 2, 4, Misfit::labels),
+      sets("/label_types/large/size/0", 0.1, 0.2, Misfit::labels),
+      {Misfit::labels,
+       [](Json& store, double x) {
+         store["labels"].push_back(
+             {{"id", name_of(x)}, {"position", {4 + x, 2, 1}}, {"normal", {0, 1, 0}}, {"type", "large"}});
+       }},
+      sets("/transceiver_types/down/emission/peak", 2.5, 4, Misfit::transceivers),
+      sets("/transceiver_types/ring/radius", 0.05, 0.1, Misfit::transceivers),
+      sets("/transceivers/grids/0/z", 2.5, 2.85, Misfit::transceivers),
+      sets("/transceivers/list/0/roll_deg", 40, 80, Misfit::transceivers),
+      sets("/transceivers/list/0/axis/0", 0.1, 0.9, Misfit::transceivers),
+      {Misfit::transceivers,
+       [](Json& store, double x) {
+         store["transceivers"]["list"].push_back(
+             {{"id", name_of(x)}, {"position", {4 + x, 3, 2.5}}, {"type", "wide"}});
+       }},
+  };
+  return all;
+}
+
+Json sample() {
+  Json store = test::sample_store();
+  store["label_types"]["small"]["responsivity"] = {{"type", "cosine_power"}, {"exponent", 1}};
+  store["label_types"]["large"]["size"] = {0.05, 0.05};
+  return store;
+}
+
+template <class Row>
+auto place_of(const Row& row) {
+  const Vec3& p = row.position;
+  if constexpr (requires { row.normal; })
+    return std::tuple(p.x, p.y, p.z, row.normal.x, row.normal.y, row.normal.z);
+  else
+    return std::tuple(p.x, p.y, p.z, row.axis.x, row.axis.y, row.axis.z);
+}
+
+template <class Row>
+std::size_t index_at(const std::vector<Row>& rows, const Row& place) {
+  const auto found =
+      std::ranges::find_if(rows, [&](const Row& row) { return place_of(row) == place_of(place); });
+  return static_cast<std::size_t>(found - rows.begin());
+}
+
+template <class Rows>
+std::vector<std::string> ids_of(const Rows& rows) {
+  std::vector<std::string> ids;
+  for (const auto& row : rows) ids.push_back(row.id);
+  return ids;
+}
+
+void expect_same_entries(const SignalMatrix& fitting, const StoredSignals& all, const Scene& scene) {
+  ASSERT_EQ(fitting.rows(), scene.labels.size());
+  ASSERT_EQ(fitting.columns(), scene.transceivers.size());
+  EXPECT_EQ(fitting.provenance.store_hash, scene.store_hash);
+  for (std::size_t i = 0; i < fitting.rows(); ++i) {
+    const LabelRow& row = fitting.labels[i];
+    ASSERT_EQ(row.id, scene.labels[i].id);
+    ASSERT_EQ(row.requirement, scene.requirement_of(scene.labels[i]));
+    const std::size_t k = index_at(all.labels, row);
+    ASSERT_EQ(row.samples, all.labels.at(k).samples);
+    for (std::size_t j = 0; j < fitting.columns(); ++j) {
+      const TransceiverColumn& column = fitting.transceivers[j];
+      ASSERT_EQ(column.cost, scene.type_of(scene.transceivers[j]).cost);
+      ASSERT_EQ(column.installed, scene.transceivers[j].installed);
+      const std::size_t from = all.at(k, index_at(all.transceivers, column)), to = fitting.at(i, j);
+      ASSERT_EQ(fitting.mean[to], all.mean.at(from));
+      ASSERT_EQ(fitting.standard_error[to], all.standard_error[from]);
+      ASSERT_EQ(fitting.direct[to], all.direct[from]);
+      ASSERT_EQ(fitting.flags[to], all.flags[from]);
+    }
+  }
+}
+
+TEST(FittingSignals, AreThoseOfAStoreWithTheSameLight) {
+  const Scene scene = test::scene_of(sample());
+  const StoredSignals all = signals_of(scene);
+  std::mt19937 random(50);
+  std::uniform_real_distribution<double> inside(0.05, 0.95);
+  std::map<std::size_t, int> times;
+  int fitting_with_other_names = 0, misfits_with_the_same_names = 0;
+  for (int k = 0; k < 300; ++k) {
+    Json store = sample();
+    std::optional<Misfit> expected;
+    const int length = 1 + k % 6;
+    for (int c = 0; c < length; ++c) {
+      // Most sequences would not fit otherwise.
+      std::size_t which = random() % changes().size();
+      if (k % 2 == 0)
+        while (changes()[which].misfit) which = random() % changes().size();
+      const Change& change = changes()[which];
+      change.apply(store, inside(random));
+      if (change.misfit && (!expected || *change.misfit < *expected)) expected = change.misfit;
+      ++times[which];
+    }
+    const Scene changed = test::scene_of(store);
+    const auto found = fitting_signals(all, changed);
+    const bool has_same_names = ids_of(changed.labels) == ids_of(scene.labels) &&
+                                ids_of(changed.transceivers) == ids_of(scene.transceivers);
+    if (expected) {
+      ASSERT_TRUE(std::holds_alternative<MisfitReason>(found)) << store.dump(1);
+      EXPECT_EQ(std::get<MisfitReason>(found).code, *expected) << store.dump(1);
+      misfits_with_the_same_names += has_same_names ? 1 : 0;
+    } else {
+      ASSERT_TRUE(std::holds_alternative<SignalMatrix>(found))
+          << to_text(std::get<MisfitReason>(found).code) << store.dump(1);
+      expect_same_entries(std::get<SignalMatrix>(found), all, changed);
+      fitting_with_other_names += has_same_names ? 0 : 1;
+    }
+  }
+  EXPECT_EQ(times.size(), changes().size()) << "each change was made";
+  // A comparison by names would have failed both ways.
+  EXPECT_GT(misfits_with_the_same_names, 30);
+  EXPECT_GT(fitting_with_other_names, 30);
+}
+
+TEST(FittingSignals, KeepTheirBytesForTheSameLabelsAndCandidates) {
+  Json store = sample();
+  const StoredSignals all = signals_of(test::scene_of(store));
+  store["label_types"]["large"]["safety_factor"] = 3;
+  const Scene changed = test::scene_of(store);
+  const auto found = fitting_signals(all, changed);
+  const auto& fitting = std::get<SignalMatrix>(found);
+  EXPECT_EQ(fitting.mean, all.mean);
+  EXPECT_EQ(fitting.standard_error, all.standard_error);
+  EXPECT_EQ(fitting.provenance.seed, 7u);
+}
+
+TEST(FittingSignals, OfOlderFilesAreThoseOfTheirStore) {
+  const Json store = sample();
+  const Scene scene = test::scene_of(store);
+  StoredSignals old = signals_of(scene);
+  old.provenance.light_hash.clear();
+  for (LabelRow& row : old.labels) row.light = 0;
+  for (TransceiverColumn& column : old.transceivers) column.light = 0;
+  EXPECT_TRUE(std::holds_alternative<SignalMatrix>(fitting_signals(old, scene)));
+  Json cheaper = store;
+  cheaper["transceiver_types"]["down"]["cost"] = 1;
+  const auto refused = fitting_signals(old, test::scene_of(cheaper));
+  EXPECT_EQ(std::get<MisfitReason>(refused).code, Misfit::store);
+}
+
+TEST(FittingSignals, OfAChangingShopAreRefused) {
+  const Scene scene = test::scene_of(sample());
+  StoredSignals signals = signals_of(scene);
+  signals.states.emplace();
+  EXPECT_EQ(std::get<MisfitReason>(fitting_signals(signals, scene)).code, Misfit::states);
+}
+
+}  // namespace
+}  // namespace shelfbeam
