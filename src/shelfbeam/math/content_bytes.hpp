@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -9,7 +10,8 @@
 
 namespace shelfbeam {
 
-/// Collects values for a hash, numbers as bytes, because conversion to text would be slow for many.
+/// Hashes values, numbers as bytes, because conversion to text would be slow for many. It keeps at most about
+/// a megabyte of them.
 class ContentBytes {
  public:
   ContentBytes& add(std::string_view text) {
@@ -35,6 +37,8 @@ class ContentBytes {
  private:
   template <class T>
   void append(const T& value) {
+    constexpr std::size_t kept = 1 << 20;
+    if (bytes_.size() >= kept) bytes_ = content_hash(bytes_);
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof(value));
   }
 

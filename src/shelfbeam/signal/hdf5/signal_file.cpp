@@ -49,7 +49,8 @@ class MatrixReader {
     // Reading the ids first verifies m and n before arrays of these sizes are allocated.
     each_label_member([&](const auto& path, auto member) { column(path, m, matrix.labels, member); });
     each_unit_member([&](const auto& path, auto member) { column(path, n, matrix.transceivers, member); });
-    if (file_.has_attribute("light_hash")) {
+    // Other programs may copy the attributes alone.
+    if (file_.has_attribute("light_hash") && file_.has("/labels/light") && file_.has("/transceivers/light")) {
       matrix.provenance.light_hash = file_.text_attribute("light_hash");
       column("/labels/light", m, matrix.labels, &LabelRow::light);
       column("/transceivers/light", n, matrix.transceivers, &TransceiverColumn::light);
