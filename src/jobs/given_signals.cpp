@@ -1,12 +1,10 @@
 #include "jobs/given_signals.hpp"
 
-#include <cstddef>
-
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/scene/light_keys.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/transport/run/matrix_rows.hpp"
 
 #include "jobs/plan_folder.hpp"
 
@@ -17,11 +15,8 @@ namespace {
 void add_light(StoredSignals& signals, const std::filesystem::path& store) {
   if (signals.provenance.store_hash != content_hash(read_file(store))) return;
   const Scene scene = make_scene(read_store(store));
-  const LightKeys keys = light_keys(scene);
-  if (keys.labels.size() != signals.rows() || keys.transceivers.size() != signals.columns()) return;
-  signals.provenance.light_hash = keys.light_hash;
-  for (std::size_t i = 0; i < signals.rows(); ++i) signals.labels[i].light = keys.labels[i];
-  for (std::size_t j = 0; j < signals.columns(); ++j) signals.transceivers[j].light = keys.transceivers[j];
+  if (scene.labels.size() == signals.rows() && scene.transceivers.size() == signals.columns())
+    detail::set_light(signals, scene);
 }
 
 }  // namespace

@@ -24,7 +24,6 @@ std::string with_flag(std::string_view message, Setting setting) {
                                                          {Setting::strictness, "--strict"},
                                                          {Setting::overwriting, "--overwrite"},
                                                          {Setting::part, "--part"},
-                                                         {Setting::signals, "--signal"},
                                                          {Setting::reading, "--read-as"},
                                                          {Setting::heuristic, "--heuristic"},
                                                          {Setting::lengths, "--by-length"},

@@ -64,9 +64,9 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
   PlanText text = plan_text(plan, table);
   if (plan.certificate) text.answer = with_effort(text.answer, plan.certificate->open);
   const SimulationSummary& summary = plan.simulation.summary;
-  std::string simulated =
-      plan.signals ? signals_text(*plan.signals, summary.labels, summary.candidates, job.signal->string())
-                   : "";
+  std::string simulated;
+  if (plan.signals)
+    simulated = signals_text(*plan.signals, summary.labels, summary.candidates, job.signal->string());
   if (!plan.signals || std::holds_alternative<MisfitReason>(*plan.signals))
     simulated += describe(summary, job.plan.follows_decision());
   simulated += '\n';

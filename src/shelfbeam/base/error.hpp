@@ -27,7 +27,6 @@ enum class Setting {
   strictness,
   overwriting,
   part,
-  signals,
   reading,
   curve,
   sensitivity,

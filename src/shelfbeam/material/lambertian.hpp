@@ -30,7 +30,7 @@ struct Lambertian {
 
   /// Describes the keys in a store file except "type" (material_fields.hpp).
   void fields(Fields& f, ReflectanceKeys& keys);
-  /// The material with the values of `json` after reading. Throws InputError with the JSON path.
+  /// Checks the rules that tie keys together; `prepared` is the material with these values, for use.
   void check(const JsonCursor& json, KeyRules& rules) const;
   Lambertian prepared() const;
 };

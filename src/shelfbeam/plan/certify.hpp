@@ -19,8 +19,8 @@ class PreparedScene;
 struct CertifyOptions {
   double confidence = 0.99;
   RoundBudget budget = {};  ///< for everything after the first placement
-  /// Estimator, memory limit, and the seed of the samples of the certificate (question_key). Verification has
-  /// the seed of the question itself.
+  /// Estimator, memory limit and seed. `certify` keys its samples by this seed, which should be that of the
+  /// question (question_key); `verify_installation` forms the key of its question itself.
   SimulationOptions simulation = {};
   PlaceOptions place = {};
 };

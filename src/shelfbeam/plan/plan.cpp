@@ -4,7 +4,6 @@
 #include <memory>
 #include <numeric>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -114,26 +113,30 @@ std::optional<SimulationResult> reused(std::optional<StoredSignals> signals, con
 
 Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control) {
   Plan plan;
-  std::unique_ptr<const PreparedScene> prepared;
+  // Rows of signals are sampled again for the certificate.
+  const bool has_rows = options.simulation.strategy != Strategy::particle;
   auto known = reused(std::move(options.signals), scene, plan.signals);
-  if (!known) prepared = prepare(scene, options.simulation, true, control);
+  std::unique_ptr<const PreparedScene> prepared;
+  if (!known || (options.confidence && has_rows))
+    prepared = prepare(scene, options.simulation, true, control);
   plan.simulation = known ? std::move(*known) : simulate(*prepared, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   // A certificate may place again, on signals that are more accurate where they decide.
   PlaceOptions first = options.place;
   if (options.confidence) first.time_limit_s *= share_of_first_placement;
-  const SignalTable first_table = table(plan.simulation.matrix);
-  plan.placement = place(first_table, options.problem, first, control);
   // Independent samples of few units are traced from the labels.
   SimulationOptions fresh = options.simulation;
-  if (fresh.strategy == Strategy::particle) fresh.strategy = Strategy::mis;
-  fresh.seed = question_key(options.simulation.seed, first_table, options.problem);
+  if (!has_rows) fresh.strategy = Strategy::mis;
+  {
+    const SignalTable first_table = table(plan.simulation.matrix);
+    plan.placement = place(first_table, options.problem, first, control);
+    if (options.confidence || options.sensitivity)
+      fresh.seed = question_key(options.simulation.seed, first_table, options.problem);
+  }
   const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something) {
     const CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
-    const bool has_rows = options.simulation.strategy != Strategy::particle;
-    if (has_rows && !prepared) prepared = prepare(scene, options.simulation, true, control);
     Certified certified = has_rows ? certify(*prepared, table, how, std::move(plan.simulation.matrix),
                                              std::move(plan.placement), control)
                                    : certify(scene, table, how, std::move(plan.simulation.matrix),

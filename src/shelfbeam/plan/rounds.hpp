@@ -37,7 +37,7 @@ class Rounds {
   /// Minimum samples per label and batch: smaller batches are so skewed that limits fail too often.
   static constexpr std::uint64_t min_samples = 256;
 
-  /// `statements`: of each round. The seed is that of the planning matrix.
+  /// `statements`: of each round. The seed is that of the question.
   Rounds(double confidence, int statements, const RoundBudget& budget, std::uint64_t seed,
          const RunControl& control)
       : error_((1 - confidence) / statements), budget_(budget), seed_(seed), control_(control) {}

@@ -1,5 +1,6 @@
 #include "shelfbeam/plan/question/fitting_signals.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>

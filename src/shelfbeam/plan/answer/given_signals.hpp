@@ -10,7 +10,7 @@
 
 namespace shelfbeam {
 
-/// A reason for which signals do not fit a scene.
+/// The kind of difference between signals and a scene that they do not fit.
 enum class Misfit : std::uint8_t {
   states,        ///< they are of a changing shop
   store,         ///< another store, by its hash, in a file without light_hash
@@ -28,13 +28,13 @@ inline constexpr auto names_of<Misfit> =
 
 struct MisfitReason {
   Misfit code = Misfit::light;
-  std::size_t missing = 0;    ///< number of labels or transceivers
-  std::string first_missing;  ///< id of one of them
+  std::size_t missing = 0;         ///< number of labels or transceivers
+  std::string first_missing = {};  ///< id of one of them
 };
 
 /// Signals that another run has simulated.
 struct ReusedSignals {
-  std::size_t labels = 0, transceivers = 0;  ///< number of all
+  std::size_t labels = 0, transceivers = 0;  ///< numbers in the file, which may have more than the scene
   std::uint64_t seed = 0;
 };
 

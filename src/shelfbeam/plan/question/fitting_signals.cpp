@@ -1,7 +1,8 @@
 #include "shelfbeam/plan/question/fitting_signals.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cstddef>
+#include <cstdint>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -21,21 +22,16 @@ std::variant<Numbers, MisfitReason> matching(const std::vector<Row>& to, const s
   std::unordered_multimap<std::uint64_t, std::uint32_t> found;
   for (std::uint32_t k = 0; k < from.size(); ++k) found.emplace(from[k].light, k);
   Numbers numbers;
-  MisfitReason missing{code, 0, {}};
+  MisfitReason missing{code};
   for (const Row& row : to) {
     const auto [first, last] = found.equal_range(row.light);
     if (first == last) {
       if (missing.missing++ == 0) missing.first_missing = row.id;
       continue;
     }
-    std::uint32_t best = first->second;
-    bool has_id = false;
-    for (auto one = first; one != last; ++one) {
-      const bool is_named = from[one->second].id == row.id;
-      if (is_named > has_id || (is_named == has_id && one->second < best)) best = one->second;
-      has_id = has_id || is_named;
-    }
-    numbers.push_back(best);
+    // Those with this id come first, then the smaller indices.
+    const auto rank = [&](const auto& one) { return std::pair(from[one.second].id != row.id, one.second); };
+    numbers.push_back(std::ranges::min_element(first, last, {}, rank)->second);
   }
   if (missing.missing > 0) return missing;
   return numbers;
@@ -76,15 +72,14 @@ SignalMatrix part(const SignalMatrix& matrix, SignalMatrix head, const Numbers& 
 }  // namespace
 
 std::variant<SignalMatrix, MisfitReason> fitting_signals(StoredSignals signals, const Scene& scene) {
-  if (signals.states) return MisfitReason{Misfit::states, 0, {}};
+  if (signals.states) return MisfitReason{Misfit::states};
   SignalMatrix head =
       detail::matrix_head(scene, scene_hash(scene), signals.provenance.seed, signals.provenance.estimator);
   if (signals.provenance.light_hash.empty()) {
-    if (signals.provenance.store_hash != head.provenance.store_hash)
-      return MisfitReason{Misfit::store, 0, {}};
+    if (signals.provenance.store_hash != head.provenance.store_hash) return MisfitReason{Misfit::store};
     return SignalMatrix(std::move(signals));
   }
-  if (signals.provenance.light_hash != head.provenance.light_hash) return MisfitReason{Misfit::light, 0, {}};
+  if (signals.provenance.light_hash != head.provenance.light_hash) return MisfitReason{Misfit::light};
   const auto rows = matching(head.labels, signals.labels, Misfit::labels);
   if (const auto* missing = std::get_if<MisfitReason>(&rows)) return *missing;
   const auto columns = matching(head.transceivers, signals.transceivers, Misfit::transceivers);

@@ -122,25 +122,27 @@ TransceiverColumn describe(const Scene& scene, const Transceiver& unit) {
 
 }  // namespace
 
+void set_light(SignalMatrix& matrix, const Scene& scene) {
+  const LightKeys keys = light_keys(scene);
+  matrix.provenance.light_hash = keys.light_hash;
+  for (std::size_t i = 0; i < keys.labels.size(); ++i) matrix.labels[i].light = keys.labels[i];
+  for (std::size_t j = 0; j < keys.transceivers.size(); ++j)
+    matrix.transceivers[j].light = keys.transceivers[j];
+}
+
 SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint64_t seed,
                          const std::string& estimator) {
   SignalMatrix matrix;
-  const LightKeys keys = light_keys(scene);
-  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-    matrix.labels.push_back(describe(scene, scene.labels[i]));
-    matrix.labels.back().light = keys.labels[i];
-  }
-  for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
-    matrix.transceivers.push_back(describe(scene, scene.transceivers[j]));
-    matrix.transceivers.back().light = keys.transceivers[j];
-  }
+  for (const Label& label : scene.labels) matrix.labels.push_back(describe(scene, label));
+  for (const Transceiver& unit : scene.transceivers) matrix.transceivers.push_back(describe(scene, unit));
   for (const EmittingSurface& surface : scene.emitting_surfaces) {
     matrix.transceivers.emplace_back();
     matrix.transceivers.back().id = surface.id;
   }
   matrix.wavelength_nm = scene.wavelength_nm;
   matrix.currency = scene.currency;
-  matrix.provenance = {std::string(program_version()), hash, seed, estimator, keys.light_hash};
+  matrix.provenance = {std::string(program_version()), hash, seed, estimator};
+  set_light(matrix, scene);
   return matrix;
 }
 

@@ -54,6 +54,9 @@ class MatrixRows {
   std::vector<Part> parts_;          ///< by row, of the other items
 };
 
+/// Sets the keys of light of a matrix with the labels and transceivers of the scene (light_keys).
+void set_light(SignalMatrix& matrix, const Scene& scene);
+
 /// A matrix without entries: its labels, sources and provenance.
 SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint64_t seed,
                          const std::string& estimator);
