@@ -123,6 +123,7 @@ std::size_t index_at(const std::vector<Row>& rows, const Row& place) {
 template <class Rows>
 std::vector<std::string> ids_of(const Rows& rows) {
   std::vector<std::string> ids;
+  ids.reserve(rows.size());
   for (const auto& row : rows) ids.push_back(row.id);
   return ids;
 }

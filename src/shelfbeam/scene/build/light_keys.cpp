@@ -44,6 +44,7 @@ std::string light_of(TransceiverType type) {
 template <class Type>
 std::vector<std::string> lights_of(const std::vector<Type>& types) {
   std::vector<std::string> lights;
+  lights.reserve(types.size());
   for (const Type& type : types) lights.push_back(light_of(type));
   return lights;
 }
