@@ -10,7 +10,6 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
-#include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
 #include "jobs/given_signals.hpp"
@@ -48,16 +47,22 @@ bool is_open(const PlanRequest& request, const Plan& plan, bool is_imprecise) {
   if (const auto& availability = plan.availability)
     return !availability->is_impossible() &&
            (request.certifies ? !availability->certified : availability->sample_selected.empty());
-  return is_imprecise || (plan.certificate && plan.certificate->open) || !plan.curve.is_complete ||
+  return is_imprecise || !plan.curve.is_complete ||
          (request.reflectance_error && plan.placement.has_selection() && !plan.sensitivity);
+}
+
+// A certified plan can be mounted, even if fewer units may suffice.
+ExitCode code_of(const CertifiedPlan& plan) {
+  if (!plan.certificate) return exit_code_of(plan.placement.status);
+  if (plan.placement.has_selection()) return plan.certificate->all_reached() ? done : stopped_early;
+  return plan.certificate->open ? stopped_early : exit_code_of(plan.placement.status);
 }
 
 ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise) {
   if (!plan.complete) return stopped_early;
   if (plan.availability && plan.availability->is_impossible()) return answer_is_no;
   if (is_open(request, plan, is_imprecise)) return stopped_early;
-  if (plan.availability || is_certified_minimum(plan)) return done;
-  return exit_code_of(plan.placement.status);
+  return plan.availability ? done : code_of(plan);
 }
 
 }  // namespace

@@ -1,16 +1,25 @@
 #include "jobs/plan_summary.hpp"
 
-#include "shelfbeam/report/messages/proof.hpp"
+#include <cstdint>
+
+#include "shelfbeam/plan/answer/value_bounds.hpp"
 #include "shelfbeam/report/terminal/plan_text.hpp"
 
 namespace shelfbeam::jobs {
 
 namespace {
 
-// The proven bound on the count behind the answer: that of the certificate if labels are verified.
-std::size_t count_bound(const CertifiedPlan& plan) {
+// The proven bound on the value behind the answer: that of the certificate if labels are verified.
+void add_bound(const CertifiedPlan& plan, PlanSummary& summary) {
+  const Placement& placement = plan.placement;
   const bool is_verified = plan.certificate && !plan.certificate->none_verified();
-  return is_verified ? plan.certificate->count_lower_bound : proven_count(plan.placement);
+  const ValueBounds bounds = value_bounds(plan);
+  const double bound = is_verified ? bounds.certified : bounds.simulated;
+  if (!(bound > 0)) return;
+  if (!minimises_cost(placement.problem))
+    summary.lower_bound = static_cast<std::uint64_t>(bound);
+  else if (placement.problem.combination == Combination::spend && placement.price)
+    summary.price_lower_bound = bounds.is_minimum(bound) ? placement.price->to_spend : bound;
 }
 
 }  // namespace
@@ -20,12 +29,13 @@ PlanSummary summary_of(const PlanEnd& end) {
   const Placement& placement = plan.placement;
   PlanSummary summary;
   summary.code = end.code;
-  summary.answer = plan_text(plan, end.table, false).answer;
+  const PlanText text = plan_text(plan, end.table, false);
+  summary.answer = text.open.empty() ? text.answer : text.answer + " " + text.open;
   summary.labels = end.table.rows();
   // Without an answer, units and bound are those of the shop as the file gives it.
   if (end.code != answer_is_no) {
     if (placement.count() > 0) summary.units = placement.count();
-    if (const std::size_t bound = count_bound(plan); bound > 0) summary.lower_bound = bound;
+    add_bound(plan, summary);
   }
   if (placement.price) {
     summary.price = placement.price->to_spend;

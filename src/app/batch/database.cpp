@@ -29,6 +29,7 @@ CREATE TABLE stores (
   units INTEGER,
   lower_bound INTEGER,
   price REAL,                   -- of the new units
+  price_lower_bound REAL,       -- of plans that minimise the price
   currency TEXT,
   report TEXT                   -- path from the folder of the results
 );
@@ -114,10 +115,10 @@ std::string database_of(std::span<const StoreResult> results) {
   database.execute(schema);
   std::uint64_t position = 0;
   for (const StoreResult& result : results) {
-    database.insert("INSERT INTO stores VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", ++position, result.name,
+    database.insert("INSERT INTO stores VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", ++position, result.name,
                     result.store, std::string(to_text(result.status)), result.answer, result.labels,
-                    result.units, result.lower_bound, result.price, unless_empty(result.currency),
-                    unless_empty(result.report));
+                    result.units, result.lower_bound, result.price, result.price_lower_bound,
+                    unless_empty(result.currency), unless_empty(result.report));
     std::uint64_t number = 0;
     for (const Finding& warning : result.warnings)
       database.insert("INSERT INTO warnings VALUES (?, ?, ?, ?)", result.name, ++number,

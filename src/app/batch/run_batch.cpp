@@ -233,7 +233,7 @@ std::vector<OpenPlan> open_plans(const BatchOptions& options) {
     OpenPlan plan{&store, input_of(store, options), {}};
     const auto record = read_record(options.folder, store);
     plan.continues = record && record->input == plan.input;
-    if (plan.continues && record->is_final) continue;
+    if (record && record->is_final && (plan.continues || options.keeps_answers)) continue;
     if (plan.continues) plan.effort = record->result.effort;
     plans.push_back(std::move(plan));
   }

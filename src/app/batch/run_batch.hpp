@@ -25,6 +25,7 @@ struct BatchOptions {
   unsigned jobs = 1;       ///< max number of plans at a time
   std::size_t memory = 0;  ///< of all plans together, bytes
   bool safe_csv = false;
+  bool keeps_answers = false;  ///< also those of other inputs, such as of other options
 };
 
 /// A plan that a batch has to make.
@@ -35,7 +36,8 @@ struct OpenPlan {
   bool continues = false;  ///< whether its checkpoints are of the same input
 };
 
-/// The stores without a final record of the same input. Throws InputError for records of a later version.
+/// The stores without a final record of the same input, or with `keeps_answers` without any final record.
+/// Throws InputError for records of a later version.
 std::vector<OpenPlan> open_plans(const BatchOptions& options);
 
 struct BatchEnd {

@@ -1,14 +1,16 @@
 #include "app/text/flags.hpp"
 
 #include <map>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/text/terminal.hpp"
 
 namespace shelfbeam::app {
 
-std::string with_flag(std::string_view message, Setting setting) {
+std::string with_flags(std::string_view message, std::span<const Setting> settings) {
   static const std::map<Setting, std::string_view> flags{{Setting::memory, "--memory"},
                                                          {Setting::files_outside, "--allow-outside"},
                                                          {Setting::resumption, "--resume"},
@@ -34,9 +36,18 @@ std::string with_flag(std::string_view message, Setting setting) {
                                                          {Setting::availability, "--availability"},
                                                          {Setting::all_at_once, "--all-at-once"},
                                                          {Setting::mean_missed, "--mean-missed"},
-                                                         {Setting::sampled, "--sampled"}};
-  const auto found = flags.find(setting);
-  return found == flags.end() ? std::string(message) : fmt::format("{} ({})", message, found->second);
+                                                         {Setting::sampled, "--sampled"},
+                                                         {Setting::budget, "--budget"},
+                                                         {Setting::time_limit, "--time-limit"},
+                                                         {Setting::solver, "--solver"}};
+  std::vector<std::string_view> named;
+  for (const Setting setting : settings)
+    if (const auto found = flags.find(setting); found != flags.end()) named.push_back(found->second);
+  return named.empty() ? std::string(message) : fmt::format("{} ({})", message, fmt::join(named, ", "));
+}
+
+std::string with_flag(std::string_view message, Setting setting) {
+  return with_flags(message, {&setting, 1});
 }
 
 jobs::JobError job_error(const std::exception& error, Setting setting) {

@@ -39,6 +39,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* open_name = "open";  ///< with --only
+
 struct BatchArguments {
   CommonOptions common;
   fs::path source, output;
@@ -46,11 +48,19 @@ struct BatchArguments {
   unsigned jobs = 0;
   std::size_t memory = 0;
   std::vector<StoreStatus> only;
+  bool only_open = false;  ///< planned stores with a gap
   std::optional<Share> part;
   bool resume = false, overwrite = false, collect = false, slurm = false, safe_csv = false;
   std::uint32_t tasks = 1000;
   std::string task_time;
   std::vector<std::string> sbatch;
+
+  /// Whether stores are chosen by their results.
+  bool chooses() const { return only_open || !only.empty(); }
+  bool chooses(const StoreResult& result) const {
+    return std::find(only.begin(), only.end(), result.status) != only.end() ||
+           (only_open && result.is_open());
+  }
 };
 
 void print_warning(const BatchArguments& options, std::string_view text) {
@@ -87,7 +97,7 @@ void expect_folder(const BatchArguments& options) {
     throw InputError(options.output.string(), "has no results of a batch",
                      "check the path of the folder, or plan the stores first");
   if (!has_records || options.resume || options.overwrite || options.collect || options.part ||
-      !options.only.empty())
+      options.chooses())
     return;
   throw InputError(
       options.output.string(), "contains the results of an earlier batch",
@@ -100,10 +110,9 @@ void forget_results(const BatchArguments& options, const BatchOptions& batch) {
   for (const ListedStore& store : batch.stores) {
     const auto is_chosen = [&] {
       if (options.overwrite) return true;
-      if (options.only.empty()) return false;
+      if (!options.chooses()) return false;
       const auto record = read_record(batch.folder, store);
-      return record &&
-             std::find(options.only.begin(), options.only.end(), record->result.status) != options.only.end();
+      return record && options.chooses(record->result);
     };
     std::error_code missing;
     if (is_chosen()) fs::remove(batch.folder.record(store.name), missing);
@@ -130,6 +139,7 @@ BatchOptions batch_options(const BatchArguments& options) {
   batch.jobs =
       std::min(batch.jobs, static_cast<unsigned>(std::max<std::size_t>(1, batch.memory / least_memory)));
   batch.safe_csv = options.safe_csv;
+  batch.keeps_answers = options.chooses();
   if (options.part) {
     std::vector<ListedStore> own;
     for (std::size_t k = options.part->number - 1; k < batch.stores.size(); k += options.part->count)
@@ -155,6 +165,8 @@ int print_results(const BatchArguments& options, const std::vector<StoreResult>&
       fmt::print("  '--only failed' plans the failed stores again, after their files are corrected\n");
     if (count(StoreStatus::undecided) > 0)
       fmt::print("  '--only undecided -- --budget SECONDS' gives undecided plans more time\n");
+    if (std::any_of(results.begin(), results.end(), [](const StoreResult& one) { return one.is_open(); }))
+      fmt::print("  '--only open -- --budget SECONDS' gives plans that may be too large more time\n");
   }
   return count(StoreStatus::planned) == static_cast<std::ptrdiff_t>(results.size()) ? done : answer_is_no;
 }
@@ -299,12 +311,17 @@ void add_batch(CLI::App& app, ChosenVerb& chosen) {
       "--resume", options->resume,
       "Continue an interrupted batch; stores whose file or options have changed are planned again");
   const auto set_only = [options](const std::vector<std::string>& names) {
-    for (const std::string& name : names) options->only.push_back(from_text<StoreStatus>(name).value());
+    for (const std::string& name : names)
+      if (name == open_name)
+        options->only_open = true;
+      else
+        options->only.push_back(from_text<StoreStatus>(name).value());
   };
   first
       .add_call<std::vector<std::string>>(
-          "--only", set_only, one_of({"failed", "infeasible", "undecided"}),
-          "Plan the stores with this result again, and those without a result")
+          "--only", set_only, one_of({"failed", "infeasible", "undecided", open_name}),
+          "Plan the stores with this result again, and those without a result; open: planned stores for "
+          "which fewer units, or a lower price, may be enough")
       ->delimiter(',')
       ->allow_extra_args(false);
   first.add_flag("--overwrite", options->overwrite,

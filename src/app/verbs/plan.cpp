@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/messages/end_reason.hpp"
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/signals.hpp"
 #include "shelfbeam/report/terminal/coverage_text.hpp"
@@ -16,6 +17,7 @@
 #include "app/options/simulation_options.hpp"
 #include "app/options/usage.hpp"
 #include "app/text/end_at_once.hpp"
+#include "app/text/flags.hpp"
 #include "app/text/simulation_text.hpp"
 #include "app/text/store_summary.hpp"
 #include "app/text/style.hpp"
@@ -57,12 +59,16 @@ std::string additions(const PlanJob& job, const Plan& plan, const SignalTable& t
   return text;
 }
 
-// The answer comes first, then the page that shows it, then the details.
+// The answer comes first, then its open part, then the page that shows it, then the details.
 std::string result(const PlanJob& job, const PlanEnd& end) {
   const Plan& plan = end.plan;
   const SignalTable& table = end.table;
   PlanText text = plan_text(plan, table);
   if (plan.certificate) text.answer = with_effort(text.answer, plan.certificate->open);
+  Remedy remedy = remedy_for(plan);
+  remedy.advice = with_flags(remedy.advice, remedy.settings);
+  text.open = remedy.after(text.open);
+  if (!text.open.empty()) text.open += '\n';
   const SimulationSummary& summary = plan.simulation.summary;
   std::string simulated;
   if (plan.signals)
@@ -74,8 +80,8 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
     simulated.insert(at, "  ");
   const std::string report =
       end.is_kept ? "" : fmt::format("report: {}\n", (job.folder / report_name).string());
-  return fmt::format("{}\n{}{}{}simulation: {}", styled(Style::answer, text.answer), report, text.details,
-                     additions(job, plan, table), simulated);
+  return fmt::format("{}\n{}{}{}{}simulation: {}", styled(Style::answer, text.answer), text.open, report,
+                     text.details, additions(job, plan, table), simulated);
 }
 
 std::string remark_on_interruption(const PlanJob& job, const PlanEnd& end) {

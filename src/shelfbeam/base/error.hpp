@@ -34,7 +34,10 @@ enum class Setting {
   availability,
   all_at_once,
   mean_missed,
-  sampled
+  sampled,
+  budget,
+  time_limit,
+  solver
 };
 
 /// Wrong input. The message states the location, the problem and a suggestion. It may quote any bytes of

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <random>
@@ -78,6 +79,39 @@ std::string hard_matrix() {
     csv += '\n';
   }
   return csv;
+}
+
+// The first samples certify all labels, and nothing is left for the proof of the bound.
+TEST_F(ExitCode, ZeroIfOnlyTheBoundIsOpen) {
+  const std::string plan = "plan @store.json -o @plan --overwrite --samples 2000 --budget 1e-6";
+  const std::string out = told(plan);
+  const Json placement = json("plan/placement.json"), certificate = placement["certificate"];
+  EXPECT_EQ(certificate["reached"], 17);
+  EXPECT_FALSE(certificate["open"].is_null());
+  ASSERT_LT(certificate["count_lower_bound"], placement["count"]);
+  const std::string sentence = fmt::format(
+      "All 17 labels are certified, so the plan can be mounted as it is; whether fewer transceivers are "
+      "enough "
+      "is open: {} to {}",
+      certificate["count_lower_bound"].get<int>(), placement["count"].get<int>());
+  EXPECT_NE(out.find('\n' + sentence), std::string::npos) << out;
+  EXPECT_NE(out.find("A larger budget of the certificate may decide this (--budget).\n"), std::string::npos)
+      << out;
+  EXPECT_NE(bytes("plan/report.html").find(sentence), std::string::npos);
+
+  // The control: a label for which all candidates together are just enough.
+  Json store = small_store();
+  double& threshold = store["label_types"]["standard"]["threshold"].get_ref<double&>();
+  threshold = 0.5;
+  folder.write("store.json", store.dump());
+  told(plan, 1);
+  const Json infeasible = json("plan/placement.json");
+  for (const Json& label : infeasible["unreachable"])
+    threshold = std::min(threshold, label["most"].get<double>() * (1 - 1e-6));
+  folder.write("store.json", store.dump());
+  const std::string undecided = told(plan, 3);
+  EXPECT_EQ(undecided.find("are certified"), std::string::npos) << undecided;
+  EXPECT_NE(undecided.find("may decide this (--budget).\n"), std::string::npos) << undecided;
 }
 
 TEST_F(ExitCode, ThreeAtTheTimeLimit) {

@@ -166,6 +166,27 @@ class Batch(unittest.TestCase):
         self.assertEqual(runs, {"0001-broken": 1, "0002-valid": 2})
         self.assertIn("the limit is 0.88 GB", answer)  # 80 % of all, not of a half
 
+    def test_plans_with_an_open_bound_are_planned(self):
+        chain.make_chain(self.shops, "--count", 2, "--kinds", "valid")
+        certified = ["--samples", "2000", "--budget"]
+        # Without a budget, the first samples certify the labels of one shop, but prove no bound.
+        self.batch("--", *certified, "600", code=0)
+        (self.results / "records/0001-valid.json").unlink()
+        ended = self.batch("--only", "failed", "--", *certified, "1e-6", code=0)
+        first, second = sorted(chain.rows(self.results), key=lambda row: row["name"])
+        self.assertEqual([first["status"], second["status"]], ["planned"] * 2)
+        low, high = first["price_lower_bound"] or first["lower_bound"], first["price"] or first["units"]
+        self.assertLess(float(low), float(high))
+        self.assertIn("are certified, so the plan can be mounted as it is; whether", first["answer"])
+        self.assertIn("For 1 planned store, whether", ended.stdout)
+        self.assertIn("open: 0001-valid (", ended.stdout)
+        self.assertIn("'--only open -- --budget SECONDS'", ended.stdout)
+        # More time for this plan only: the other keeps its answer, although its options were others.
+        record = (self.results / "records/0002-valid.json").stat().st_mtime_ns
+        ended = self.batch("--only", "open", "--", *certified, "599", code=0)
+        self.assertNotIn("is open", ended.stdout)
+        self.assertEqual((self.results / "records/0002-valid.json").stat().st_mtime_ns, record)
+
     def test_parts_are_the_batch(self):
         chain.make_chain(self.shops, "--count", 4, "--kinds", "valid,broken")
         self.batch("--", *QUICK, code=1)

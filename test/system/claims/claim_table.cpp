@@ -1,3 +1,5 @@
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "system/claims/claim_conditions.hpp"
@@ -106,6 +108,26 @@ std::vector<Claim> certificates() {
   };
 }
 
+std::vector<Claim> open_bounds() {
+  const auto has_certificate = [](T t) { return is(t, "open") && is(t, "all reached") && is(t, "verified"); };
+  const auto has_none = [](T t) { return is(t, "open") && !is(t, "verified"); };
+  const auto may_decide = [](T t) { return is(t, "open") || !is(t, "all reached"); };
+  std::vector<Claim> claims{{"open.certified", {"labels", "@"}, has_certificate},
+                            {"open.uncertified", {"@"}, has_none}};
+  for (const char* group : {"range", "only_signals"}) {
+    const bool is_proven = std::string_view(group) == "only_signals";
+    const auto holds_so_far = [=](T t) { return is(t, "open") && is(t, "simulated holds") == is_proven; };
+    const std::string key = fmt::format("open.{}.", group);
+    claims.insert(claims.end(), {{key + "fewer", {"open bound", "units"}, holds_so_far},
+                                 {key + "fewer_new", {"open bound new", "new units"}, holds_so_far},
+                                 {key + "cheaper", {"< open bound", "new spend"}, holds_so_far},
+                                 {key + "sum", {"< open bound", "~ value"}, holds_so_far}});
+  }
+  for (const char* remedy : {"budget", "search", "both", "exact", "near"})
+    claims.push_back({fmt::format("open.remedy.{}", remedy), {}, may_decide});
+  return claims;
+}
+
 std::vector<Claim> headlines() {
   return {
       {"headline.spacing", {"?"}},
@@ -159,11 +181,11 @@ std::vector<Claim> first_page() {
   std::vector<Claim> claims{
       {"verdict.certified.yes",
        {},
-       [](T t) { return is(t, is(t, "over states") ? "certified states" : "settled"); }},
+       [](T t) { return is(t, is(t, "over states") ? "certified states" : "all reached"); }},
       {"verdict.certified.open",
        {},
        [](T t) {
-         return is(t, "over states") ? !is(t, "certified states") : !is(t, "settled") && t("missed") == 0;
+         return is(t, "over states") ? !is(t, "certified states") : !is(t, "all reached") && t("missed") == 0;
        }},
       {"verdict.certified.no",
        {},
@@ -245,8 +267,8 @@ std::vector<Claim> first_page() {
 const std::vector<Claim>& claims() {
   static const std::vector<Claim> all = [] {
     std::vector<Claim> joined;
-    for (const auto& part : {counts_of_labels(), proofs_on_signals(), certificates(), headlines(),
-                             first_page(), claims_of_lists()})
+    for (const auto& part : {counts_of_labels(), proofs_on_signals(), certificates(), open_bounds(),
+                             headlines(), first_page(), claims_of_lists()})
       joined.insert(joined.end(), part.begin(), part.end());
     return joined;
   }();

@@ -117,8 +117,8 @@ std::string relation_of(const PlannedStore& store) {
 // Texts of the catalogue that name a bound, a count or a confidence are in the table, or they are words,
 // titles and columns without a claim.
 TEST(Claims, ListAllTextsOfResults) {
-  const std::set<std::string> groups{"verdict", "summary",     "headline",     "reach",      "objective",
-                                     "proof",   "certificate", "availability", "sensitivity"};
+  const std::set<std::string> groups{"verdict", "summary",     "headline",     "reach",       "objective",
+                                     "proof",   "certificate", "availability", "sensitivity", "open"};
   // Beginnings of keys without a claim. The table of alternatives is read cell by cell.
   const std::vector<std::string> without_claim{
       "summary.store", "summary.kicker", "summary.and_others", "summary.buy.", "summary.alternatives.",

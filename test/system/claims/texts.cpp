@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/summary.hpp"
 #include "shelfbeam/report/page/sections.hpp"
@@ -76,6 +77,8 @@ std::vector<Text> texts_of(const PlannedStore& store) {
   const CertifiedPlan& plan = store.plan;
   const Subject examined = plan.certificate ? Subject::certificate : Subject::signals;
   std::vector<Text> texts{{certificate_sentence(plan), Subject::certificate},
+                          {open_bound(plan)},
+                          {remedy_for(plan).after("")},
                           {describe(plan.alternatives, plan.placement, store.table)}};
   if (plan.availability) {
     texts.push_back({availability_answer(*plan.availability, plan.placement, store.table)});

@@ -159,7 +159,8 @@ void Truth::add_certificate(const CertifiedPlan& plan) {
   values_["certificate"] = plan.certificate.has_value();
   values_["over states"] = plan.availability.has_value();
   double certified = 0, verified = 0;
-  for (const char* name : {"undecided", "unverified", "missed", "bound labels", "all reached", "settled"})
+  for (const char* name :
+       {"undecided", "unverified", "missed", "bound labels", "all reached", "settled", "depends on signals"})
     values_[name] = 0;
   of_subject_[{Subject::nothing, "reached"}] = values_["labels"];
   values_["confirmed"] = values_["reached"];
@@ -192,6 +193,11 @@ void Truth::add_certificate(const CertifiedPlan& plan) {
   values_["verified"] = verified;
   values_["certified"] = certified;
   values_["certified new"] = certified - values_["installed"];
+  // Nothing is certified about a sum that depends on signals.
+  const bool counts_signals = verified == 0 || (values_["by sum"] > 0 && values_["depends on signals"] > 0);
+  values_["open bound"] = counts_signals ? values_["simulated"] : certified;
+  values_["open bound new"] = std::max(0.0, values_["open bound"] - values_["installed"]);
+  values_["open"] = values_["open bound"] < value * (1 - rounding);
   values_["certified holds"] = certified > 0 && certified >= value * (1 - rounding);
 }
 

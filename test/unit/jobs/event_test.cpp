@@ -18,6 +18,7 @@ TEST(JobEvents, EndsAreReadBack) {
                              4,
                              std::nullopt,
                              480.5,
+                             470.25,
                              "EUR",
                              {{FindingCode::labels_flooded, "", {3.0, "L1"}, "w"}}},
                             stopped_early};
@@ -30,6 +31,7 @@ TEST(JobEvents, EndsAreReadBack) {
   EXPECT_TRUE(result.is_complete);
   EXPECT_EQ(result.summary.units, 4U);
   EXPECT_FALSE(result.summary.lower_bound);
+  EXPECT_EQ(result.summary.price_lower_bound, 470.25);
   EXPECT_EQ(line_of(*end), line);
   end = read_end(line_of(JobError{out_of_memory, "\xff", true, false}));
   ASSERT_TRUE(end);

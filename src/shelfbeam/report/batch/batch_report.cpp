@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/text.hpp"
@@ -55,6 +56,28 @@ std::string memory_text(std::uint64_t bytes) {
   return say("batch.megabytes", grouped((bytes + 500'000) / 1'000'000));
 }
 
+// The lower bound on the minimised value.
+std::string bound_text(const StoreResult& result) {
+  return result.price_lower_bound ? price_text(rounded_down(*result.price_lower_bound, 2), result.currency)
+                                  : optional_count(result.lower_bound);
+}
+
+// "north (8 to 11)": the bound and the value of planned stores that leave a gap, the first few of them.
+std::string open_stores(Results results) {
+  constexpr std::size_t shown = 5;
+  std::vector<std::string> parts;
+  std::size_t count = 0;
+  for (const StoreResult& result : results) {
+    if (!result.is_open() || ++count > shown) continue;
+    const std::string value =
+        result.price_lower_bound ? price_text(*result.price, result.currency) : optional_count(result.units);
+    parts.push_back(say("batch.range", result.name, bound_text(result), value));
+  }
+  if (count == 0) return {};
+  const std::string list = fmt::format("{}", fmt::join(parts, ", "));
+  return " " + say_count("batch.open", count, count > shown ? say("summary.and_others", list) : list);
+}
+
 // A path as an address relative to the page.
 std::string address(std::string_view path) {
   constexpr std::string_view kept = "/-._~";
@@ -99,7 +122,7 @@ std::string need_section(Results results, std::string_view need) {
     std::string answer = result.answer;
     for (const Finding& warning : result.warnings) answer += " " + say("batch.warning", warning.sentence);
     const bool has_run = result.effort.runs > 0;
-    table.add_row({result.name, optional_count(result.units), optional_count(result.lower_bound),
+    table.add_row({result.name, optional_count(result.units), bound_text(result),
                    result.price ? price_text(*result.price, result.currency) : "–", answer,
                    has_run ? duration_text(result.effort.cpu_s) : "–",
                    has_run ? memory_text(result.effort.peak_memory) : "–"},
@@ -122,22 +145,23 @@ std::string batch_answer(Results results) {
     text += fmt::format("{}{} {}", separator, grouped(count), words(fmt::format("batch.short.{}", need)));
     separator = ", ";
   }
-  return text + ".";
+  return text + "." + open_stores(results);
 }
 
 std::string batch_csv(Results results, bool safe) {
   const auto text = [&](std::string_view field) { return csv_field(field, safe); };
   const auto number = [](const auto& value) { return value ? csv_number(static_cast<double>(*value)) : ""; };
   std::string csv =
-      "name,store,status,units,lower_bound,price,currency,labels,warnings,answer,report,runs,cpu_s,wall_s,"
+      "name,store,status,units,lower_bound,price,price_lower_bound,currency,labels,warnings,answer,report,"
+      "runs,cpu_s,wall_s,"
       "peak_memory\n";
   for (const StoreResult& result : results) {
     const PlanEffort& effort = result.effort;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", text(result.name),
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{}\n", text(result.name),
                        text(result.store), to_text(result.status), number(result.units),
-                       number(result.lower_bound), number(result.price), text(result.currency), result.labels,
-                       result.warnings.size(), text(result.answer), text(result.report), effort.runs,
-                       effort.cpu_s, effort.wall_s, effort.peak_memory);
+                       number(result.lower_bound), number(result.price), number(result.price_lower_bound),
+                       text(result.currency), result.labels, result.warnings.size(), text(result.answer),
+                       text(result.report), effort.runs, effort.cpu_s, effort.wall_s, effort.peak_memory);
   }
   return csv;
 }

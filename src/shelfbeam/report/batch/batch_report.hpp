@@ -7,7 +7,8 @@
 
 namespace shelfbeam {
 
-/// One sentence: the number of stores, and of those that need attention, by reason.
+/// The number of stores, and of those that need attention, by reason; then the planned stores for which fewer
+/// units, or a lower price, may be enough.
 std::string batch_answer(std::span<const StoreResult> results);
 
 /// The results as a table, in their order; times and memory are in the last columns. Free texts are made safe

@@ -14,19 +14,16 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const PlanNumbers& numbers) {
   const auto optional = [](const auto& value) { return value ? Json(*value) : Json(); };
-  return {{"answer", numbers.answer},
-          {"labels", numbers.labels},
-          {"units", optional(numbers.units)},
-          {"lower_bound", optional(numbers.lower_bound)},
-          {"price", optional(numbers.price)},
-          {"currency", numbers.currency},
-          {"warnings", to_json(numbers.warnings)}};
+  return {{"answer", numbers.answer},         {"labels", numbers.labels},
+          {"units", optional(numbers.units)}, {"lower_bound", optional(numbers.lower_bound)},
+          {"price", optional(numbers.price)}, {"price_lower_bound", optional(numbers.price_lower_bound)},
+          {"currency", numbers.currency},     {"warnings", to_json(numbers.warnings)}};
 }
 
 PlanNumbers read_numbers(const Json& json) {
   PlanNumbers numbers;
   const auto read = [&](const char* key, auto& value) {
-    if (!json.at(key).is_null())
+    if (json.contains(key) && !json.at(key).is_null())
       value = json.at(key).get<typename std::decay_t<decltype(value)>::value_type>();
   };
   numbers.answer = json.at("answer");
@@ -34,6 +31,7 @@ PlanNumbers read_numbers(const Json& json) {
   read("units", numbers.units);
   read("lower_bound", numbers.lower_bound);
   read("price", numbers.price);
+  read("price_lower_bound", numbers.price_lower_bound);
   numbers.currency = json.at("currency");
   numbers.warnings = findings_of(json.at("warnings"));
   return numbers;

@@ -44,9 +44,15 @@ struct PlanNumbers {
   std::uint64_t labels = 0;
   std::optional<std::uint64_t> units = {}, lower_bound = {};  ///< of a placement
   std::optional<double> price = {};                           ///< of the new units
+  std::optional<double> price_lower_bound = {};               ///< of a placement that minimises the price
   std::string currency = {};                                  ///< empty: not given
   std::vector<Finding> warnings = {};
 
+  /// The bound leaves open whether fewer units, or a lower price, are enough.
+  bool has_gap() const {
+    return (units && lower_bound && *lower_bound < *units) ||
+           (price && price_lower_bound && *price_lower_bound < *price);
+  }
   bool operator==(const PlanNumbers&) const = default;
 };
 
@@ -63,6 +69,8 @@ struct StoreResult : PlanNumbers {
   std::string report;  ///< path of the report from the folder of the results; empty without one
   PlanEffort effort;
 
+  /// The plan can be used, but fewer units, or a lower price, may be enough.
+  bool is_open() const { return status == StoreStatus::planned && has_gap(); }
   bool operator==(const StoreResult&) const = default;
 };
 

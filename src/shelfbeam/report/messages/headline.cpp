@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/messages/availability.hpp"
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
@@ -84,9 +85,10 @@ void lead_with_certificate(const CertifiedPlan& plan, Headline& headline) {
   const Certificate& certificate = *plan.certificate;
   headline.remarks.insert(headline.remarks.begin(), say("headline.simulated", headline.answer));
   headline.answer = with_joined_percent(certificate_sentence(plan));
+  const bool is_settled = plan.placement.has_selection() ? certificate.all_reached() : !certificate.open;
   headline.tone = certificate.count(Verdict::missed) > 0 ? Headline::Tone::no
-                  : certificate.open                     ? Headline::Tone::open
-                                                         : Headline::Tone::yes;
+                  : is_settled                           ? Headline::Tone::yes
+                                                         : Headline::Tone::open;
 }
 
 // The answer for a shop that changes, instead of that for the shop as the file gives it.
@@ -136,6 +138,7 @@ Headline headline(const ReportData& data) {
     remark(price_sentence(placement));
   }
   if (plan.certificate) lead_with_certificate(plan, result);
+  remark(remedy_for(plan).after(open_bound(plan)));
   if (const std::string conflicts = conflict_sentence(placement); !conflicts.empty()) remark(conflicts + ".");
   if (!plan.availability) remark(proof_sentence(placement));
   if (!plan.certificate && !plan.availability) remark(sampling_remark(data));

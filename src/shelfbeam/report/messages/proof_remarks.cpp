@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
@@ -19,7 +20,8 @@ namespace {
 class ProofWriter {
  public:
   explicit ProofWriter(const ReportData& data)
-      : placement_(data.input.plan.placement),
+      : plan_(data.input.plan),
+        placement_(data.input.plan.placement),
         certificate_(data.input.plan.certificate && !data.input.plan.certificate->none_verified()
                          ? &*data.input.plan.certificate
                          : nullptr),
@@ -32,6 +34,8 @@ class ProofWriter {
   std::string bound() const {
     if (!applies_) return {};
     if (is_certified()) return of_kind("summary.bound.certified.{}");
+    if (const std::string open = open_bound(plan_, installed_); !open.empty())
+      return remedy_for(plan_).after(open);
     if (is_proven()) return of_kind("summary.bound.proven.{}");
     if (placement_.status == Status::feasible) return of_kind("summary.bound.greedy.{}");
     if (bounds_.simulated > bounds_.certified * (1 + 1e-9))
@@ -82,8 +86,7 @@ class ProofWriter {
   // "all 12 labels receive enough signal and that at least 4 transceivers are necessary"
   std::string confirmed() const {
     const std::size_t reached = certificate_->count(Verdict::reached);
-    const std::string labels =
-        say_count("summary.confirms.labels", reached, labels_reached(reached, labels_));
+    std::string labels = say_count("summary.confirms.labels", reached, labels_reached(reached, labels_));
     // A bound without labels needed no samples.
     if (!applies_ || certificate_->bound_labels == 0 || bounds_.certified == 0) return labels;
     if (is_certified()) return of_kind("summary.bound.confirmed.{}", labels);
@@ -91,6 +94,7 @@ class ProofWriter {
     return with_bound.empty() ? labels : with_bound;
   }
 
+  const CertifiedPlan& plan_;
   const Placement& placement_;
   const Certificate* certificate_;  ///< null without verdicts
   ValueBounds bounds_;

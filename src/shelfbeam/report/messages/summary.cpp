@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "shelfbeam/report/messages/availability.hpp"
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
@@ -207,7 +208,8 @@ class SummaryWriter {
       summary_.risks.push_back(
           say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
     add_materials();
-    if (placement_.status == Status::stopped && !plan_.availability && !is_certified_minimum(plan_))
+    if (placement_.status == Status::stopped && !plan_.availability && !is_certified_minimum(plan_) &&
+        open_bound(plan_).empty())
       summary_.risks.push_back(say("summary.risks.stopped"));
     risk("summary.risks.flagged", data_.outcome.flagged_labels);
     risk("summary.risks.warnings", plan_.warnings.size());

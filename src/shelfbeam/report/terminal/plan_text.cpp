@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 
@@ -10,6 +11,7 @@ namespace shelfbeam {
 PlanText plan_text(const CertifiedPlan& plan, const SignalTable& table, bool has_scope) {
   if (const auto& availability = plan.availability) {
     PlanText text{availability_answer(*availability, plan.placement, table),
+                  {},
                   availability_details(*availability, plan.placement)};
     if (availability->is_impossible()) return text;
     text.details += chosen(plan.placement.selected, table);
@@ -17,13 +19,14 @@ PlanText plan_text(const CertifiedPlan& plan, const SignalTable& table, bool has
       text.details += fmt::format("  {}\n", price);
     return text;
   }
-  std::string placed = describe(plan.placement, table);
-  if (plan.certificate) return {certificate_sentence(plan, has_scope), "on the simulated signals: " + placed};
+  std::string placed = describe(plan.placement, table), open = open_bound(plan);
+  if (plan.certificate)
+    return {certificate_sentence(plan, has_scope), std::move(open), "on the simulated signals: " + placed};
   const std::size_t end = placed.find('\n');
   std::string answer = placed.substr(0, end);
   placed.erase(0, end + 1);
   if (plan.placement.has_selection()) answer += " Not verified yet.";
-  return {std::move(answer), std::move(placed)};
+  return {std::move(answer), std::move(open), std::move(placed)};
 }
 
 }  // namespace shelfbeam

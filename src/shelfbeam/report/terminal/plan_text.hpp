@@ -10,6 +10,7 @@ namespace shelfbeam {
 /// A plan in a few lines for a terminal.
 struct PlanText {
   std::string answer;   ///< one line
+  std::string open;     ///< open_bound()
   std::string details;  ///< lines about the placement
 };
 

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
@@ -195,6 +196,55 @@ void say_certificates(Sentences& to) {
   }
 }
 
+// The end of a plan whose bound is below its value, by count, by price and by a sum, and its remedy.
+void say_open_bounds(Sentences& to) {
+  to.heading("open bound");
+  const auto say = [&](const Placement& placement, double bound, const std::optional<EndReason>& open,
+                       Verdict last = Verdict::reached, std::size_t installed = 0) {
+    CertifiedPlan plan{placement};
+    Certificate& certificate = plan.certificate.emplace();
+    certificate.labels.resize(1186, {Verdict::reached});
+    certificate.labels.back().verdict = last;
+    if (has_known_prices(placement.problem)) certificate.cost_lower_bound = bound;
+    certificate.count_lower_bound = static_cast<std::size_t>(bound);
+    certificate.open = open;
+    const auto [advice, settings] = remedy_for(plan);
+    to.say(fmt::format("'{}' '{}' {}", open_bound(plan, installed), advice, settings.size()));
+  };
+  const auto of_count = [](double bound, Status status) { return of_units(11, bound, status); };
+  const Placement stopped = of_count(9, Status::stopped), proven = of_count(11, Status::optimal);
+  for (const EndReason& open : {EndReason{EndCause::budget},
+                                {EndCause::proof_cost, 0, 9},
+                                {EndCause::weak_bound},
+                                {EndCause::signals_near},
+                                {EndCause::interrupted},
+                                {.cause = EndCause::labels_near, .leaves_cheaper = true}})
+    say(stopped, 8, open);
+  say(proven, 8, EndReason{EndCause::budget});
+  say(of_count(9, Status::feasible), 9, EndReason{EndCause::weak_bound});
+  say(stopped, 8, EndReason{EndCause::budget}, Verdict::reached, 3);
+  const PlacementProblem spend{.combination = Combination::spend}, sum{.combination = weighted};
+  Placement priced = of_units(11, 0, Status::stopped, spend);
+  say(priced, 850, EndReason{EndCause::budget});
+  priced.price = Price{"EUR", 1500, 1000};
+  say(priced, 850.5, EndReason{EndCause::budget});
+  priced.problem = sum;
+  say(priced, 850.5, EndReason{EndCause::budget});
+  priced.status = Status::optimal;
+  say(priced, 850.5, EndReason{EndCause::budget});
+  priced.problem.objective = Objective::signal;  // bounded for the simulated signals only
+  say(priced, 0, EndReason{EndCause::budget});
+  priced.status = Status::stopped;
+  say(priced, 0, {});
+  // Controls: a certified minimum, labels that are not certified, and a plan without a certificate.
+  say(proven, 11, {});
+  for (const Verdict last : {Verdict::undecided, Verdict::missed, Verdict::unverified})
+    say(stopped, 8, EndReason{EndCause::budget}, last);
+  say(stopped, 8, EndReason{EndCause::labels_near}, Verdict::undecided);
+  for (const Placement& placement : {stopped, proven, of_count(9, Status::feasible)})
+    to.say(fmt::format("'{}' '{}'", open_bound({placement}), remedy_for({placement}).advice));
+}
+
 // The remarks of the first page where the certificate proves less than the search, as much, and more, by
 // count and by price.
 void say_proofs_of_the_first_page(Sentences& to) {
@@ -294,6 +344,7 @@ TEST(Messages, EqualTheSnapshot) {
   say_prices(said);
   say_what_is_out_of_reach(said);
   say_certificates(said);
+  say_open_bounds(said);
   say_proofs_of_the_first_page(said);
   say_headlines(said);
   test::expect_snapshot(said.text(), "messages.txt");
