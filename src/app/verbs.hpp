@@ -41,6 +41,9 @@ void add_export(CLI::App& app, ChosenVerb& chosen);
 /// Hidden from the help; for other programs (docs/formats/job.md).
 void add_job(CLI::App& app, ChosenVerb& chosen);
 
+/// Runs a plan, shows its progress and prints its result; returns the exit code.
+int run_and_print(const jobs::PlanJob& job, const CommonOptions& common);
+
 /// The plan of a command line. Throws as parse_command_line.
 jobs::PlanJob parsed_plan(int argc, const char* const* argv);
 

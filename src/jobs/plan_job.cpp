@@ -10,6 +10,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/store/given_units.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
 #include "jobs/given_signals.hpp"
@@ -58,8 +59,22 @@ ExitCode code_of(const CertifiedPlan& plan) {
   return plan.certificate->open ? stopped_early : exit_code_of(plan.placement.status);
 }
 
+// The selection need not reach all labels; for a share, the certified labels decide.
+ExitCode code_of(const PartialReach& partial, const Certificate& certificate) {
+  const std::size_t reached = certificate.count(Verdict::reached),
+                    missed = certificate.count(Verdict::missed);
+  const std::size_t labels = certificate.labels.size(), open = labels - reached - missed;
+  if (partial.goal == ReachGoal::at_most) return open > 0 ? stopped_early : done;
+  if (partial.goal == ReachGoal::given && missed > 0) return answer_is_no;
+  const double share = partial.goal == ReachGoal::share ? partial.value : 1, rounding = 1e-9;
+  const double wanted = share * static_cast<double>(labels) * (1 - rounding);
+  if (static_cast<double>(reached) >= wanted) return done;
+  return static_cast<double>(reached + open) < wanted ? answer_is_no : stopped_early;
+}
+
 ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise) {
   if (!plan.complete) return stopped_early;
+  if (plan.placement.partial && plan.certificate) return code_of(*plan.placement.partial, *plan.certificate);
   if (plan.availability && plan.availability->is_impossible()) return answer_is_no;
   if (is_open(request, plan, is_imprecise)) return stopped_early;
   return plan.availability ? done : code_of(plan);
@@ -93,7 +108,18 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
                                        .memory = job.plan.simulation.memory,
                                        .file_size = job.file_size.value_or(StoreLimits{}.file_size),
                                        .cancel = watch.cancel});
+  for (const std::string& unit : job.units.pinned) store.pinned.push_back({unit, job.store.string()});
+  for (const std::string& unit : job.units.excluded) store.excluded.push_back({unit, job.store.string()});
+  PlanRequest request = job.plan;
+  if (job.selection) store = with_candidates_of(*job.selection, std::move(store));
   const Scene scene = make_inspected_scene(store);
+  if (job.selection) {
+    const Placement given = given_units(*job.selection, scene);
+    request.partial.given = given.selected;
+    request.problem.model = job.model.value_or(given.problem.model);
+    request.problem.redundant = request.problem.redundant || given.problem.redundant;
+    request.states = 0;
+  }
   const std::string resolved = resolved_store_json(store, scene);
   expect_own_folder(job.folder, job.store, resolved);
   PlanInputs inputs{.sampled = job.sampled,
@@ -101,10 +127,10 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
                     .states_checkpoint = job.folder / states_checkpoint_name};
   inputs.checkpoint.path = checkpoint_path(job.folder / signal_name);
   const std::string name = job.store.string();
-  check_request(job.plan, inputs, store, scene, name);
+  check_request(request, inputs, store, scene, name);
   if (watch.read) watch.read();
   const PlanFolder folder(job.folder, resolved, job.overwrite);
-  const SimulationOptions simulation = simulation_of(job.plan, inputs.checkpoint);
+  const SimulationOptions simulation = simulation_of(request, inputs.checkpoint);
   // The report and the tables take at least as much again as the resolved store.
   constexpr std::size_t least_report = 600'000;
   expect_room_for_matrix(job.folder, scene, simulation, 2 * resolved.size() + least_report);
@@ -112,12 +138,12 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   expect_no_warnings(scene, job.strict);
   if (job.signal) inputs.signals = read_given_signals(*job.signal);
   PlanEnd end;
-  end.plan = plan_checked(store, scene, job.plan, std::move(inputs),
+  end.plan = plan_checked(store, scene, request, std::move(inputs),
                           {job.threads, watch.cancel, watch.progress}, name);
   shorten_names(end.plan.warnings, job.store);
   store.cancel = nullptr;  // the results of an interrupted run are written, too
   const SimulationSummary& summary = end.plan.simulation.summary;
-  end.table = table_of(job.plan, end.plan.simulation.matrix, name);
+  end.table = table_of(request, end.plan.simulation.matrix, name);
   end.answer = plan_json(end.plan, end.table);
   end.is_imprecise = !end.plan.certificate && !end.plan.availability && summary.unmet_error;
   end.is_kept = !end.plan.complete && folder.has_finished_plan();
@@ -131,7 +157,7 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
     remove_checkpoint(simulation.checkpoint.path);
     remove_checkpoint(job.folder / states_checkpoint_name);
   }
-  end.code = code_of(job.plan, end.plan, end.is_imprecise);
+  end.code = code_of(request, end.plan, end.is_imprecise);
   return end;
 }
 

@@ -11,6 +11,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/plan/store/plan_store.hpp"
 #include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/signal/constraints/unit_choice.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "jobs/exit_code.hpp"
@@ -21,6 +22,11 @@ namespace shelfbeam::jobs {
 struct PlanJob {
   std::filesystem::path store, folder;
   PlanRequest plan = {};
+  UnitChoice units = {};  ///< besides those of the store
+  /// Units to be examined instead of planned (given_units). Their problem is that of the file, with `model`
+  /// and unit failure of this job if these are given.
+  std::optional<std::filesystem::path> selection = {};
+  std::optional<CommunicationModel> model = {};
   /// Signals to reuse: a signal file, or the folder of a plan (read_given_signals).
   std::optional<std::filesystem::path> signal = {};
   std::vector<std::filesystem::path> sampled = {};  ///< parts of SampledStates; empty: none

@@ -136,6 +136,15 @@ void describe(Fields& f, SimulationRequest& r) {
   });
 }
 
+void texts(Fields& f, std::string_view key, std::vector<std::string>& values, std::string_view says) {
+  const auto read = [&](const JsonCursor& json) {
+    values.clear();
+    for (const JsonCursor& element : json.elements()) values.push_back(element.text());
+  };
+  f.custom(key, {read, [&] { return Json(values); }, R"({"type": "array", "items": {"type": "string"}})"},
+           optional(says, !values.empty()));
+}
+
 void describe(Fields& f, PlacementProblem& p) {
   const PlacementProblem usual = PlanRequest{}.problem;
   name(f, "model", p.model, usual.model, "`cooperative` or `non-cooperative`");
@@ -151,6 +160,12 @@ void describe(Fields& f, PlaceOptions& p) {
   name(f, "solver", p.solver, usual.solver, "`auto`, `search`, `mip` or `greedy`");
   f.text("backend", p.backend, optional("MIP back end", !p.backend.empty()));
   number(f, "time_limit", p.time_limit_s, usual.time_limit_s, {}, "s");
+}
+
+void describe(Fields& f, PartialQuestion& question) {
+  whole(f, "at_most", question.at_most, "number of units that reach as many labels as possible", 1,
+        std::numeric_limits<std::int64_t>::max());
+  number(f, "reach", question.share, {above_zero, 1}, "share of the labels, with as few units as possible");
 }
 
 void describe(Fields& f, TableConstraints& c) {
@@ -174,6 +189,7 @@ void describe(Fields& f, PlanRequest& r) {
            optional("of the random numbers", r.seed != usual.seed));
   f.object("simulation", [&](Fields& part) { describe(part, r.simulation); }, optional("", true));
   f.object("problem", [&](Fields& part) { describe(part, r.problem); }, optional("", true));
+  describe(f, r.partial);
   f.object("place", [&](Fields& part) { describe(part, r.place); }, optional("", true));
   f.object("constraints", [&](Fields& part) { describe(part, r.constraints); }, optional("", true));
   flag(f, "certify", r.certifies, usual.certifies, "with independent samples");
@@ -191,6 +207,11 @@ void describe(Fields& f, PlanJob& job) {
   with_default(job.store, usual.store, [&](auto& given) { path(f, "store", given, "store file"); });
   with_default(job.folder, usual.folder, [&](auto& given) { path(f, "folder", given, "for the results"); });
   f.object("plan", [&](Fields& part) { describe(part, job.plan); }, optional("the request", true));
+  path(f, "selection", job.selection,
+       "placement.json, or a CSV of mounted units, to be examined instead of a plan");
+  name(f, "model", job.model, "of a selection: instead of its own");
+  texts(f, "pinned", job.units.pinned, "ids or patterns of units that are part of the plan");
+  texts(f, "excluded", job.units.excluded, "ids or patterns of units that are not");
   path(f, "signal", job.signal, "signals to reuse if they fit: a signal file, or the folder of a plan");
   paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
   with_default(job.threads, usual.threads,

@@ -76,6 +76,31 @@ void add_requirement_options(CLI::App& verb, TableConstraints& constraints) {
                       "CSV with columns a,b: pairs of transceivers that must not both be chosen; repeatable");
 }
 
+void add_unit_options(CLI::App& verb, UnitChoice& units) {
+  const OptionGroup placement(verb, group::placement);
+  const auto add = [&](const char* flag, std::vector<std::string>& ids, const char* help) {
+    placement.add(flag, ids, an_id(), help)->allow_extra_args(false);
+  };
+  add("--pin", units.pinned,
+      "New transceiver that is part of the plan, at its price: an id, or a pattern with '*' and '?'; "
+      "repeatable");
+  add("--exclude", units.excluded,
+      "Transceiver that is not part of the plan: an id, or a pattern with '*' and '?'; repeatable");
+}
+
+void add_partial_options(CLI::App& verb, PartialQuestion& question) {
+  const OptionGroup first(verb);
+  auto* at_most =
+      first.add("--at-most", question.at_most, whole_number("K", 1),
+                "Reach as many labels as possible with at most K transceivers, instead of all labels");
+  first
+      .add("--reach", question.share, a_share("SHARE", {0, 1, false, true}),
+           "Reach this share of the labels, e.g. 0.95 or 95%, with as few transceivers as possible, instead "
+           "of "
+           "all labels")
+      ->excludes(at_most);
+}
+
 std::vector<std::string> scenario_names(const std::vector<Path>& files) {
   std::vector<Path> whole, bare;
   for (const Path& file : files) {
@@ -108,6 +133,7 @@ ReadTable PlacementInput::table(const PlacementProblem& problem) const {
   SignalTable table = stack_tables(std::move(scenarios));
   const std::string name = names_of(signals);
   if (threshold > 0) set_requirement(table, threshold);
+  units.apply(table, name);
   constraints.apply(table, name);
   try {
     check_problem(table, problem);
@@ -134,6 +160,7 @@ void add_placement_input(CLI::App& verb, PlacementInput& input) {
                   "sparse: sparse text; scp, rail: forms of OR-Library files; auto (default): reject such a "
                   "file");
   add_requirement_options(verb, input.constraints);
+  add_unit_options(verb, input.units);
 }
 
 void add_problem_options(CLI::App& verb, PlacementProblem& problem) {

@@ -11,8 +11,10 @@
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
+#include "shelfbeam/plan/question/partial_question.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/signal/constraints/table_constraints.hpp"
+#include "shelfbeam/signal/constraints/unit_choice.hpp"
 #include "shelfbeam/signal/tables/table_reading.hpp"
 
 namespace shelfbeam::app {
@@ -28,6 +30,7 @@ struct PlacementInput {
   double threshold = 0;                        ///< 0: not given
   TableReading reading = TableReading::automatic;
   TableConstraints constraints;
+  UnitChoice units;
 
   /// Throws InputError if the output would overwrite an input file.
   void keep(const std::filesystem::path& output) const;
@@ -36,6 +39,12 @@ struct PlacementInput {
 };
 
 void add_placement_input(CLI::App& verb, PlacementInput& input);
+
+/// Pinned and excluded units, for `place`, `plan` and `export`.
+void add_unit_options(CLI::App& verb, UnitChoice& units);
+
+/// Most labels with few units, or fewest units for a share of the labels, for `place` and `plan`.
+void add_partial_options(CLI::App& verb, PartialQuestion& question);
 
 /// Options of the placement problem, for `place`, `plan` and `export`.
 void add_problem_options(CLI::App& verb, PlacementProblem& problem);

@@ -105,6 +105,13 @@ CLI::Validator a_path(const std::string& name) {
   return {check, name};
 }
 
+CLI::Validator an_id() {
+  const auto check = [](const std::string& text) {
+    return text.empty() ? std::string("the id is empty") : std::string();
+  };
+  return {check, "ID"};
+}
+
 std::string choices(const std::vector<std::string>& names) {
   return fmt::format("{{{}}}", fmt::join(names, ","));
 }

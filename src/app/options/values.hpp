@@ -25,6 +25,8 @@ CLI::Validator whole_number(const std::string& name, std::uint64_t least,
                             std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 /// A path that is not empty.
 CLI::Validator a_path(const std::string& name = "PATH");
+/// An id, or a pattern of ids.
+CLI::Validator an_id();
 /// "{a,b}"
 std::string choices(const std::vector<std::string>& names);
 /// One of the names, shown as "{a,b}".

@@ -18,6 +18,7 @@ std::string with_flags(std::string_view message, std::span<const Setting> settin
                                                          {Setting::forbidden_pairs, "--forbid"},
                                                          {Setting::share, "--share"},
                                                          {Setting::units, "--at-most"},
+                                                         {Setting::share_of_labels, "--reach"},
                                                          {Setting::failure, "--survive-failure"},
                                                          {Setting::estimator, "--estimator"},
                                                          {Setting::strategy, "--strategy"},
@@ -39,7 +40,9 @@ std::string with_flags(std::string_view message, std::span<const Setting> settin
                                                          {Setting::sampled, "--sampled"},
                                                          {Setting::budget, "--budget"},
                                                          {Setting::time_limit, "--time-limit"},
-                                                         {Setting::solver, "--solver"}};
+                                                         {Setting::solver, "--solver"},
+                                                         {Setting::pinned, "--pin"},
+                                                         {Setting::excluded, "--exclude"}};
   std::vector<std::string_view> named;
   for (const Setting setting : settings)
     if (const auto found = flags.find(setting); found != flags.end()) named.push_back(found->second);

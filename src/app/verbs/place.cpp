@@ -30,11 +30,8 @@ struct PlaceArguments {
   PlacementInput input;
   std::filesystem::path output;
   std::filesystem::path weights;
-  std::size_t at_most = 0;  ///< 0: not given
-  double reach = 0;         ///< share of the labels; 0: not given
+  PartialQuestion question;
   bool curve = false;
-
-  bool counts_labels() const { return at_most > 0 || reach > 0; }
 };
 
 struct Answer {
@@ -49,13 +46,14 @@ std::string with_time(const std::string& object, double seconds) {
 }
 
 Answer reach(const PlaceArguments& options, const SignalTable& table, const RunControl& control) {
-  if (options.reach > 0) {
-    const FewestUnits fewest = fewest_units(table, options.problem, options.reach, options.solver, control);
+  if (options.question.share) {
+    const FewestUnits fewest =
+        fewest_units(table, options.problem, *options.question.share, options.solver, control);
     return {fewest_units_json(fewest, table), describe(fewest, table), jobs::exit_code_of(fewest.status),
             fewest.seconds};
   }
   const MaxCoverage reach =
-      maximise_coverage(table, options.problem, options.at_most, options.solver, control);
+      maximise_coverage(table, options.problem, *options.question.at_most, options.solver, control);
   return {coverage_json(reach, table), describe(reach, table), jobs::exit_code_of(reach.status),
           reach.seconds};
 }
@@ -76,15 +74,8 @@ Answer cover(const PlaceArguments& options, const SignalTable& table, const RunC
 }
 
 void check(const PlaceArguments& options) {
-  const PlacementProblem& problem = options.problem;
-  if (options.counts_labels() &&
-      (problem.objective != Objective::count || problem.combination == Combination::weighted))
-    throw InputError(options.reach > 0 ? "--reach" : "--at-most",
-                     options.reach > 0
-                         ? "minimises the number of units and does not use objectives or costs"
-                         : "maximises the number of labels and does not use objectives or costs",
-                     "remove --objective and --weighted");
-  if (!options.weights.empty() && !options.counts_labels() && !options.curve)
+  check_question(options.question, options.problem);
+  if (!options.weights.empty() && !options.question.is_asked() && !options.curve)
     throw InputError("--weights", "applies only if some labels may be missed",
                      "add --at-most, --reach or --curve");
 }
@@ -101,7 +92,7 @@ int run_place(const PlaceArguments& options) {
   {
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
-    answer = options.counts_labels() ? reach(options, table, control) : cover(options, table, control);
+    answer = options.question.is_asked() ? reach(options, table, control) : cover(options, table, control);
   }
   if (!options.output.empty()) write_file(options.output, answer.json);
   if (options.common.json)
@@ -120,19 +111,12 @@ void add_place(CLI::App& app, ChosenVerb& chosen) {
   add_placement_input(*verb, options->input);
   const OptionGroup first(*verb);
   first.add("-o,--output", options->output, a_path(), "Write the placement as JSON to this file");
-  auto* at_most =
-      first.add("--at-most", options->at_most, whole_number("K", 1),
-                "Reach as many labels as possible with at most K transceivers, instead of all labels");
-  auto* reach = first
-                    .add("--reach", options->reach, a_share("SHARE", {0, 1, false, true}),
-                         "Reach this share of the labels, e.g. 0.95 or 95%, with as few transceivers as "
-                         "possible, instead of all labels")
-                    ->excludes(at_most);
+  add_partial_options(*verb, options->question);
   first
       .add_flag("--curve", options->curve,
                 "Also print the number of labels that fewer transceivers can reach")
-      ->excludes(at_most)
-      ->excludes(reach);
+      ->excludes("--at-most")
+      ->excludes("--reach");
   first.add("--weights", options->weights, a_path("FILE"),
             "CSV with columns id,weight: weights of labels for --at-most, --reach and --curve; default 1");
   add_problem_options(*verb, options->problem);

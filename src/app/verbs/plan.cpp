@@ -104,9 +104,9 @@ PlanJob job_of(const PlanArguments& options) {
   return job;
 }
 
-int run_plan_verb(const PlanArguments& options) {
-  const PlanJob job = job_of(options);
-  const CommonOptions& common = options.common;
+}  // namespace
+
+int run_and_print(const PlanJob& job, const CommonOptions& common) {
   PlanEnd end;
   {
     const CancelToken& cancel = cancel_on_signal();
@@ -132,6 +132,8 @@ int run_plan_verb(const PlanArguments& options) {
   return end.code;
 }
 
+namespace {
+
 CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
   CLI::App* verb =
       app.add_subcommand("plan", "Simulate a store, place transceivers, certify and report the plan");
@@ -150,14 +152,18 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
                "materials and wavelength are the same, and if they contain all labels and candidates; "
                "otherwise, the store is simulated again. The certificate takes samples of its own");
   for (const char* other : {"--samples", "--relative-error", "--time"}) signal->excludes(other);
+  add_partial_options(*verb, job.plan.partial);
   add_problem_options(*verb, job.plan.problem);
   add_solver_options(*verb, job.plan.place);
   add_requirement_options(*verb, job.plan.constraints);
+  add_unit_options(*verb, job.units);
   add_certificate_options(*verb, job.plan.confidence, job.plan.budget_s);
   certificate.add_flag_call(
       "--no-certificate", [&job] { job.plan.certifies = false; },
       "Do not certify: treat the simulated signals as exact");
-  first.add_flag("--curve", job.plan.curve, "Also report how many labels fewer transceivers can reach");
+  first.add_flag("--curve", job.plan.curve, "Also report how many labels fewer transceivers can reach")
+      ->excludes("--at-most")
+      ->excludes("--reach");
   auto* sensitivity =
       first.add_flag("--sensitivity", options->sensitivity,
                      "Also determine the effect of uncertain reflectances on the labels that are reached");
@@ -190,7 +196,8 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
       "  shelfbeam plan store.json -o plan\n"
       "  shelfbeam plan store.json -o plan --curve --sensitivity\n"
       "  shelfbeam plan store.json -o plan --samples 50000\n"
-      "  shelfbeam plan store.json -o plan --signal signal.h5\n"
+      "  shelfbeam plan store.json -o new --signal plan --pin T7 --exclude 'W*'\n"
+      "  shelfbeam plan store.json -o few --signal plan --at-most 8\n"
       "  shelfbeam plan store.json -o plan --survive-failure --min-spacing 2\n"
       "  shelfbeam plan store.json -o plan --confidence 99.9% --budget 1800\n"
       "  shelfbeam plan store.json -o plan --threads 8 --resume\n"
@@ -205,7 +212,7 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
 void add_plan(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<PlanArguments>();
   add_plan(app, options.get())->callback([options, &chosen] {
-    chosen = [options] { return run_plan_verb(*options); };
+    chosen = [options] { return run_and_print(job_of(*options), options->common); };
   });
 }
 

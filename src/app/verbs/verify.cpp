@@ -11,12 +11,12 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
-#include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/plan/certify.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/verify_states.hpp"
+#include "shelfbeam/plan/store/given_units.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
@@ -38,6 +38,8 @@
 
 namespace shelfbeam::app {
 
+using jobs::PlanJob;
+
 namespace {
 
 struct VerifyArguments {
@@ -49,7 +51,8 @@ struct VerifyArguments {
   AvailabilityGoal goal;
   bool survive_failure = false;
   std::filesystem::path store, placement, output;
-  bool allow_outside = false, safe_csv = false;
+  std::optional<std::filesystem::path> signal;  ///< of the report
+  bool allow_outside = false, safe_csv = false, overwrite = false;
 };
 
 struct Installation {
@@ -57,12 +60,6 @@ struct Installation {
   Scene scene;  ///< its transceivers are the mounted units
   PlacementProblem problem;
 };
-
-bool is_json(const std::filesystem::path& path) {
-  const std::string text = read_text(path);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && (text[first] == '{' || text[first] == '/');  // '/': a comment
-}
 
 Installation load_installation(const VerifyArguments& options) {
   const std::filesystem::path& units = options.placement;
@@ -72,12 +69,31 @@ Installation load_installation(const VerifyArguments& options) {
                                                  .memory = options.simulation.memory,
                                                  .output = options.output,
                                                  .cancel = &cancel});
-  if (!is_json(units)) return {store, scene_with_units(store, units), {}};
-  const Scene scene = make_scene(store);
-  const Placement placement = read_placement(units, table_without_signals(scene));
-  if (!placement.has_selection() || placement.selected.empty())
-    throw InputError(units.string(), "selects no transceivers", "choose another placement");
-  return {store, with_units(scene, placement.selected), placement.problem};
+  const Scene scene = make_scene(with_candidates_of(units, store));
+  const Placement given = given_units(units, scene);
+  return {store, with_units(scene, given.selected), given.problem};
+}
+
+// An output without the ending of a table is the folder of a report.
+bool is_folder(const std::filesystem::path& output) {
+  return std::filesystem::is_directory(output) || (!output.empty() && !output.has_extension());
+}
+
+PlanJob job_of(const VerifyArguments& options) {
+  PlanJob job{.store = options.store, .folder = options.output, .selection = options.placement};
+  job.plan.seed = options.common.seed;
+  job.plan.simulation = options.simulation;
+  job.plan.problem.redundant = options.survive_failure;
+  job.model = options.model;
+  job.plan.confidence = options.confidence;
+  job.plan.budget_s = options.budget_s;
+  job.signal = options.signal;
+  job.threads = options.common.threads;
+  job.checkpoint = options.simulation.checkpoint;
+  job.allow_outside = options.allow_outside;
+  job.overwrite = options.overwrite;
+  job.safe_csv = options.safe_csv;
+  return job;
 }
 
 int verify_in_states(const VerifyArguments& options, const Installation& installation,
@@ -121,6 +137,15 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
 }
 
 int run_verify(const VerifyArguments& options) {
+  if (is_folder(options.output)) {
+    if (options.states.value_or(0) > 0)
+      throw InputError(options.output.string(), "is the folder of a report, which has no states",
+                       "name a CSV file with the ending .csv");
+    return run_and_print(job_of(options), options.common);
+  }
+  if (options.signal || options.overwrite)
+    throw InputError(options.signal ? "--signal" : "--overwrite", "applies to the folder of a report",
+                     "name a folder with --output");
   protect_input(options.output, options.store);
   protect_input(options.output, options.placement);
   const Installation installation = load_installation(options);
@@ -166,7 +191,9 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   first.require("STORE", options->store, a_path(), "Store file (JSON)");
   first.require("PLACEMENT", options->placement, a_path(),
                 "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type");
-  first.add("-o,--output", options->output, a_path(), "Write one row per label to this CSV file");
+  first.add("-o,--output", options->output, a_path(),
+            "Write one row per label to this CSV file; a name without ending is a folder, for the report of "
+            "these units with all files of a plan");
   first.add_choice("--model", options->model,
                    "Communication model; default: the model of the placement, or cooperative for a CSV");
   first.add_flag("--survive-failure", options->survive_failure,
@@ -178,12 +205,17 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
                     options->goal);
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_run_options(*verb, options->simulation, options->simulation.checkpoint);
+  OptionGroup(*verb, group::simulation)
+      .add("--signal", options->signal, a_path(), "With a folder: signals to reuse, as for plan --signal");
+  OptionGroup(*verb, group::runs)
+      .add_flag("--overwrite", options->overwrite, "With a folder: replace a finished plan in it");
   add_store_options(*verb, options->allow_outside);
   add_safe_csv(*verb, options->safe_csv)->needs("--output");
   finish_verb(*verb, chosen, options, run_verify,
               "Examples:\n"
               "  shelfbeam verify store.json plan/placement.json\n"
               "  shelfbeam verify store.json installed.csv -o verification.csv\n"
+              "  shelfbeam verify store.json changed.json -o changed --signal plan\n"
               "  shelfbeam verify store.json installed.csv --states 1000");
 }
 

@@ -16,6 +16,7 @@ enum class Setting {
   forbidden_pairs,
   share,
   units,
+  share_of_labels,
   failure,
   estimator,
   strategy,
@@ -37,7 +38,9 @@ enum class Setting {
   sampled,
   budget,
   time_limit,
-  solver
+  solver,
+  pinned,
+  excluded
 };
 
 /// Wrong input. The message states the location, the problem and a suggestion. It may quote any bytes of

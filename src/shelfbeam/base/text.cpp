@@ -248,6 +248,13 @@ std::string in_quotes(std::string_view value) {
   return fmt::format("'{}'", shortened(value, most));
 }
 
+std::vector<std::uint32_t> matching_ids(std::string_view pattern, std::span<const std::string_view> ids) {
+  std::vector<std::uint32_t> found;
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    if (matches_glob(ids[k], pattern)) found.push_back(static_cast<std::uint32_t>(k));
+  return found;
+}
+
 std::vector<std::string_view> split(std::string_view line, char separator) {
   std::vector<std::string_view> fields;
   while (true) {

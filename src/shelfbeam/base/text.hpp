@@ -22,6 +22,9 @@ std::string join(std::span<const std::string_view> words, std::string_view separ
 /// Shell-style match: '*' matches any run of characters, '?' matches one character.
 bool matches_glob(std::string_view text, std::string_view pattern);
 
+/// The indices of the ids that match a pattern, ascending.
+std::vector<std::uint32_t> matching_ids(std::string_view pattern, std::span<const std::string_view> ids);
+
 /// Splits at `separator` (empty fields kept) and trims blanks around each field.
 std::vector<std::string_view> split(std::string_view line, char separator);
 

@@ -115,42 +115,54 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
   Plan plan;
   // Rows of signals are sampled again for the certificate.
   const bool has_rows = options.simulation.strategy != Strategy::particle;
+  const bool is_partial = options.partial.is_asked();
   auto known = reused(std::move(options.signals), scene, plan.signals);
   std::unique_ptr<const PreparedScene> prepared;
-  if (!known || (options.confidence && has_rows))
+  if (!known || (options.confidence && has_rows && !is_partial))
     prepared = prepare(scene, options.simulation, true, control);
   plan.simulation = known ? std::move(*known) : simulate(*prepared, options.simulation, control);
   const TableRule table =
       options.table ? options.table : [](const SignalMatrix& matrix) { return make_signal_table(matrix); };
   // A certificate may place again, on signals that are more accurate where they decide.
   PlaceOptions first = options.place;
-  if (options.confidence) first.time_limit_s *= share_of_first_placement;
+  if (options.confidence && !is_partial) first.time_limit_s *= share_of_first_placement;
   // Independent samples of few units are traced from the labels.
   SimulationOptions fresh = options.simulation;
   if (!has_rows) fresh.strategy = Strategy::mis;
   {
     const SignalTable first_table = table(plan.simulation.matrix);
-    plan.placement = place(first_table, options.problem, first, control);
-    if (options.confidence || options.sensitivity)
+    plan.placement = is_partial
+                         ? place_partially(first_table, options.problem, options.partial, first, control)
+                         : place(first_table, options.problem, first, control);
+    // verify_installation forms the key of its question itself.
+    if (!is_partial && (options.confidence || options.sensitivity))
       fresh.seed = question_key(options.simulation.seed, first_table, options.problem);
   }
-  const bool says_something = plan.placement.has_selection() || !plan.placement.unreachable.empty();
+  const bool says_something = is_partial
+                                  ? !plan.placement.selected.empty()
+                                  : plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something) {
     const CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
-    Certified certified = has_rows ? certify(*prepared, table, how, std::move(plan.simulation.matrix),
-                                             std::move(plan.placement), control)
-                                   : certify(scene, table, how, std::move(plan.simulation.matrix),
-                                             std::move(plan.placement), control);
-    plan.simulation.matrix = std::move(certified.matrix);
-    plan.placement = std::move(certified.placement);
-    plan.certificate = std::move(certified.certificate);
-    plan.certificate->mark_unverified();
+    if (is_partial) {
+      plan.certificate = verify_installation(with_units(scene, plan.placement.selected),
+                                             plan.placement.problem, how, control)
+                             .certificate;
+    } else {
+      Certified certified = has_rows ? certify(*prepared, table, how, std::move(plan.simulation.matrix),
+                                               std::move(plan.placement), control)
+                                     : certify(scene, table, how, std::move(plan.simulation.matrix),
+                                               std::move(plan.placement), control);
+      plan.simulation.matrix = std::move(certified.matrix);
+      plan.placement = std::move(certified.placement);
+      plan.certificate = std::move(certified.certificate);
+      plan.certificate->mark_unverified();
+    }
   }
   const SignalTable last = table(plan.simulation.matrix);
-  if (options.curve && plan.placement.has_selection())
+  if (options.curve && !is_partial && plan.placement.has_selection())
     plan.curve =
         add_curve(plan.placement, last, options.place.time_limit_s, control, plan.certificate.has_value());
-  if (options.alternatives && plan.simulation.summary.complete)
+  if (options.alternatives && !is_partial && plan.simulation.summary.complete)
     plan.alternatives = alternatives_to(plan.placement, last, control);
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
     plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);

@@ -7,6 +7,7 @@
 #include "shelfbeam/plan/answer/given_signals.hpp"
 #include "shelfbeam/plan/answer/sensitivity.hpp"
 #include "shelfbeam/plan/certify.hpp"
+#include "shelfbeam/plan/question/partial_question.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 
@@ -22,6 +23,8 @@ struct PlanOptions {
   /// first placement.
   std::optional<StoredSignals> signals;
   PlacementProblem problem;
+  /// Instead of a selection that reaches all labels. The certificate then verifies its labels, without bound.
+  PartialQuestion partial = {};
   PlaceOptions place;
   TableRule table;                          ///< empty: the matrix without constraints
   std::optional<double> confidence = 0.99;  ///< of the certificate; nullopt: no certificate

@@ -32,6 +32,7 @@ struct Transceiver {
   double roll_deg = 0;
   TransceiverTypeId type;
   bool installed = false;
+  bool pinned = false;        ///< not installed, but part of every selection
   double relative_power = 1;  ///< to that of its type
 };
 
@@ -111,6 +112,7 @@ struct Scene {
   std::vector<Part> parts;
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
+  std::vector<Transceiver> excluded;  ///< candidates that the store excludes by their ids
   std::vector<EmittingSurface> emitting_surfaces;
   std::vector<Finding> warnings;
   std::size_t ignored_warnings = 0;  ///< by the key "ignore" of elements of the store

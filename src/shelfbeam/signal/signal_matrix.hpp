@@ -36,6 +36,7 @@ struct TransceiverColumn {
   Vec3 axis;        ///< unit length
   double cost = 1;  ///< c_j^T of (3.3)
   bool installed = false;
+  bool pinned = false;      ///< not installed, but part of every selection
   std::uint64_t light = 0;  ///< LightKeys::transceivers, if Provenance::light_hash is known
 
   bool operator==(const TransceiverColumn&) const = default;
@@ -74,6 +75,7 @@ struct MatrixPart {
 struct SignalMatrix {
   std::vector<LabelRow> labels;
   std::vector<TransceiverColumn> transceivers;
+  std::vector<std::string> excluded;  ///< ids of candidates that the store excludes: they have no column
   std::vector<float> mean;            ///< m n entries: the signal of label i from transceiver j alone
   std::vector<float> standard_error;  ///< m n entries: of `mean`, from independent batches
   std::vector<float> direct;          ///< m n entries: the part of `mean` without any reflection

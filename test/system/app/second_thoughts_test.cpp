@@ -24,6 +24,7 @@ class SecondThoughts : public test::ProgramTest {
 };
 
 constexpr auto plan = "plan @store.json --samples 1000 --no-certificate";
+constexpr auto again = "plan @store.json --no-certificate --signal @first";
 
 TEST_F(SecondThoughts, AboutPricesAndRequirementsKeepTheSignals) {
   test::Json store = test::small_store();
@@ -33,9 +34,9 @@ TEST_F(SecondThoughts, AboutPricesAndRequirementsKeepTheSignals) {
   store["label_types"]["standard"]["safety_factor"] = 1.1;
   store["name"] = "another name";
   write(store);
-  const std::string again =
+  const std::string second_plan =
       "plan @store.json --no-certificate --survive-failure --signal @first --seed 2 -o @second";
-  EXPECT_THAT(told(again), HasSubstr("read from "));
+  EXPECT_THAT(told(second_plan), HasSubstr("read from "));
   const SignalMatrix first = signals("first"), second = signals("second");
   EXPECT_EQ(second.mean, first.mean);
   EXPECT_EQ(second.standard_error, first.standard_error);
@@ -45,7 +46,7 @@ TEST_F(SecondThoughts, AboutPricesAndRequirementsKeepTheSignals) {
 
   // The same placement as from a file with these signals.
   told("place @second/signal.h5 --survive-failure -o @placed.json");
-  EXPECT_EQ(json("placed.json")["chosen"], json("second/placement.json")["chosen"]);
+  EXPECT_EQ(json("placed.json").at("selected"), json("second/placement.json").at("selected"));
 }
 
 TEST_F(SecondThoughts, AboutTheShopAreSimulatedAgain) {
@@ -65,6 +66,125 @@ TEST_F(SecondThoughts, AboutTheShopAreSimulatedAgain) {
   store = test::small_store();
   store["materials"]["m"]["reflectance"] = 0.123;
   expect_again("light", "a material or the wavelength has changed");
+}
+
+TEST_F(SecondThoughts, PinAndExcludeUnits) {
+  test::Json store = test::small_store();
+  store["currency"] = "EUR";
+  store["transceiver_types"]["ceiling"]["cost"] = 100;
+  write(store);
+  told(fmt::format("{} -o @first", plan));
+  const test::Json first = json("first/placement.json");
+  const std::string gone = first["selected"][0];
+  told(fmt::format("{} --pin G1-1-1 --exclude {} -o @second", again, gone));
+  const test::Json second = json("second/placement.json");
+  EXPECT_THAT(second["selected"], testing::Contains("G1-1-1"));
+  EXPECT_THAT(second["selected"], testing::Not(testing::Contains(gone)));
+  EXPECT_EQ(second["price"]["new"], 100 * second["count"].get<int>()) << "a pinned unit is bought";
+  EXPECT_THAT(bytes("second/mounting.csv"), testing::ContainsRegex(",G1-1-1,ceiling,0,.*,1\n"));
+  EXPECT_THAT(bytes("second/placement.csv"), testing::ContainsRegex("\nG1-1-1,.*,1\n"));
+  EXPECT_THAT(bytes("second/report.html"), HasSubstr("(1 chosen by you)"));
+  EXPECT_THAT(bytes("second/report.html"), HasSubstr("G1-1-1 <small>(chosen by you)</small>"));
+  EXPECT_THAT(bytes("first/report.html"), testing::Not(HasSubstr("chosen by you")));
+  EXPECT_EQ(signals("second").columns() + 1, signals("first").columns());
+
+  // The same as keys of the store, as options of `place`, and from the resolved store.
+  store["transceivers"]["pinned"] = {"G1-1-1"};
+  store["transceivers"]["excluded"] = {gone};
+  write(store);
+  told(fmt::format("{} -o @third", again));
+  EXPECT_EQ(bytes("third/placement.json"), bytes("second/placement.json"));
+  told(fmt::format("place @first/signal.h5 --pin G1-1-1 --exclude {} -o @placed.json", gone));
+  EXPECT_EQ(json("placed.json").at("selected"), second.at("selected"));
+  told("place @second/signal.h5 -o @placed.json");
+  EXPECT_EQ(json("placed.json").at("selected"), second.at("selected"));
+  EXPECT_EQ(json("placed.json").at("price"), second.at("price"));
+  told("plan @second/store.json --samples 1000 --no-certificate -o @fourth");
+  EXPECT_EQ(json("fourth/placement.json").at("selected"), second.at("selected"));
+
+  // A price list names all candidates.
+  folder.write("costs.csv", fmt::format("id,cost\nG1-1-1,70\n{},5\n", gone));
+  told(fmt::format("{} --costs @costs.csv -o @fifth", again));
+  EXPECT_EQ(json("fifth/placement.json")["price"]["new"], 100 * second["count"].get<int>() - 30);
+}
+
+TEST_F(SecondThoughts, RefuseUnknownUnits) {
+  told(fmt::format("{} -o @first", plan));
+  for (const char* flag : {"--pin", "--exclude"}) {
+    refused(fmt::format("{} {} G1-11 -o @second", plan, flag), {"'G1-11'", "did you mean 'G1-1-1'?"});
+    refused(fmt::format("place @first/signal.h5 {} G1-11", flag),
+            {"signal.h5: has no transceiver 'G1-11'", "did you mean 'G1-1-1'?", flag});
+  }
+  refused(fmt::format("{} --pin G1-1-* --exclude G1-*-1 -o @second", plan), {"pinned unit 'G1-1-1'"});
+}
+
+TEST_F(SecondThoughts, AskForAPartOfTheLabels) {
+  told(fmt::format("{} -o @first", plan));
+  const std::size_t units = json("first/placement.json").at("count");
+  ASSERT_GT(units, 1U);
+  const std::string fewer = fmt::format("plan @store.json --signal @first --at-most {}", units - 1);
+  const std::string text = told(fewer + " -o @fewer");
+  EXPECT_THAT(text, HasSubstr("with 99 % confidence"));
+  const test::Json placed = json("fewer/placement.json");
+  EXPECT_EQ(placed["partial"]["goal"], "at_most");
+  EXPECT_EQ(placed["partial"]["value"], units - 1);
+  told(fmt::format("place @first/signal.h5 --at-most {} -o @placed.json", units - 1));
+  const test::Json alone = json("placed.json");
+  EXPECT_EQ(placed.at("selected"), alone.at("selected"));
+  EXPECT_EQ(placed["partial"]["reached"], alone.at("reached"));
+  EXPECT_EQ(placed["partial"]["reached_upper_bound"], alone.at("reached_upper_bound"));
+  const test::Json& certificate = placed.at("certificate");
+  EXPECT_LT(certificate.at("reached"), 17);
+  EXPECT_FALSE(certificate.at("missed").empty());
+  EXPECT_THAT(bytes("fewer/report.html"), HasSubstr("asked for"));
+
+  // The report is rebuilt from the files.
+  const std::string page = bytes("fewer/report.html");
+  told("report @fewer");
+  EXPECT_EQ(bytes("fewer/report.html"), page);
+
+  told("plan @store.json --signal @first --reach 50% -o @half");
+  const test::Json half = json("half/placement.json");
+  EXPECT_LE(half.at("count"), placed.at("count"));
+  EXPECT_EQ(half["partial"]["goal"], "share");
+  EXPECT_GE(half.at("certificate").at("reached"), 9);
+
+  refused("plan @store.json -o @bad --at-most 2 --objective links", {"--at-most"});
+  refused("plan @store.json -o @bad --reach 0.5 --weighted", {"--reach"});
+  refused("plan @store.json -o @bad --at-most 2 --curve", {"--curve"});
+}
+
+TEST_F(SecondThoughts, ReportOnAnySelection) {
+  told(fmt::format("{} -o @first", plan));
+  test::Json placement = json("first/placement.json");
+  told("verify @store.json @first/placement.json -o @same --signal @first");
+  EXPECT_EQ(json("same/placement.json").at("selected"), placement.at("selected"));
+  EXPECT_EQ(json("same/placement.json")["partial"]["goal"], "given");
+  EXPECT_EQ(signals("same").mean, signals("first").mean);
+  EXPECT_THAT(bytes("same/report.html"), HasSubstr("This selection was given"));
+
+  // The verdicts are those of the CSV file.
+  placement["selected"].erase(0);
+  placement["count"] = placement["selected"].size();
+  folder.write("changed.json", placement.dump());
+  told("verify @store.json @changed.json -o @changed --signal @first", 1);
+  told("verify @store.json @changed.json -o @changed.csv", 1);
+  EXPECT_EQ(bytes("changed/verification.csv"), bytes("changed.csv"));
+  const std::string page = bytes("changed/report.html");
+  told("report @changed");
+  EXPECT_EQ(bytes("changed/report.html"), page);
+
+  // Mounted units need not be candidates.
+  folder.write(
+      "mounted.csv",
+      "id,x,y,z,ax,ay,az,roll_deg,type\nold-1,2,2,2.8,0,0,-1,0,ceiling\nold-2,5,4,2.8,0,0,-1,0,ceiling\n");
+  const test::Outcome mounted =
+      test::shelfbeam(test::words(folder, "verify @store.json @mounted.csv -o @mounted"));
+  EXPECT_EQ(mounted.err, "");
+  EXPECT_EQ(json("mounted/placement.json").at("selected"), test::Json({"old-1", "old-2"}));
+  EXPECT_EQ(signals("mounted").columns(), 2U);
+  refused("verify @store.json @first/placement.json -o @first", {"finished plan", "--overwrite"});
+  refused("verify @store.json @first/placement.json --overwrite", {"--overwrite"});
 }
 
 TEST_F(SecondThoughts, ReadPlansOfEarlierVersions) {

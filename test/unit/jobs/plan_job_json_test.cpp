@@ -15,6 +15,9 @@ PlanJob job_with_all_values() {
   job.store = "shop/store.json";
   job.folder = "plans/\xff";  // not UTF-8
   job.signal = "signal.h5";
+  job.selection = "placement.json";
+  job.model = CommunicationModel::non_cooperative;
+  job.units = {{"G1-1-1", "till*"}, {"G1-?-2"}};
   job.sampled = {"one.h5", "two.h5"};
   job.threads = 3;
   job.checkpoint.resume = true;
@@ -35,6 +38,8 @@ PlanJob job_with_all_values() {
   plan.simulation.max_bounces = 4;
   plan.simulation.memory = 1'000'000;
   plan.problem = {CommunicationModel::non_cooperative, Objective::links, Combination::weighted, 0.5, true};
+  plan.partial.at_most = 4;
+  plan.partial.share = 0.9;
   plan.place.solver = SolverChoice::mip;
   plan.place.backend = "cbc";
   plan.place.time_limit_s = 7;
@@ -62,8 +67,8 @@ TEST(PlanJobJson, IsReadBack) {
   EXPECT_EQ(*read.plan.simulation.heuristic, Heuristic::power);
   // Every value counts: each of them is written.
   const auto json = nlohmann::ordered_json::parse(text);
-  EXPECT_EQ(json.size(), 13U);
-  EXPECT_EQ(json["plan"].size(), 13U);
+  EXPECT_EQ(json.size(), 17U);
+  EXPECT_EQ(json["plan"].size(), 15U);
   EXPECT_EQ(json["plan"]["simulation"].size(), 11U);
 }
 

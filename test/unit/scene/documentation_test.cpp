@@ -52,7 +52,8 @@ TEST(Documentation, EveryExampleIsTested) {
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
   tested["store/variation.md"] = tested["store/room.md"] = tested["store/fixtures.md"] =
-      tested["store/transceivers.md"] = tested["store/labels.md"] = 1;
+      tested["store/labels.md"] = 1;
+  tested["store/transceivers.md"] = 2;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 1}}));
 }
@@ -145,6 +146,18 @@ TEST(Documentation, ExampleOfMountsIsAccepted) {
   for (const char* id : {"A1-1-1/a1", "A1-5-4/a2", "R1-1", "R1-13", "column-2/a2"})
     EXPECT_TRUE(ids.contains(id)) << id;
   EXPECT_FALSE(ids.contains("A1-3-3/a1")) << "over the counter";
+}
+
+TEST(Documentation, ExampleOfGivenUnitsIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store["transceivers"] =
+      Json::parse(fenced_blocks("store/transceivers.md", "jsonc").at(1), nullptr, true, true);
+  const Scene scene = test::scene_of(store);
+  const auto pinned = std::find_if(scene.transceivers.begin(), scene.transceivers.end(),
+                                   [](const Transceiver& unit) { return unit.pinned; });
+  ASSERT_NE(pinned, scene.transceivers.end());
+  EXPECT_EQ(pinned->id, "G1-3-2");
+  EXPECT_EQ(scene.excluded.size(), 4u);
 }
 
 TEST(Documentation, ExampleOfVariationIsAccepted) {

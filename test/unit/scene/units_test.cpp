@@ -132,7 +132,7 @@ class UnitsCsv : public testing::Test {
   Vec3 unit(const std::string& header, const std::string& row) {
     folder.write("labels.csv", "id,x,y,z,nx,ny,nz,type\nL1,5000,2000,1000,0,0,1,large\n");
     const Store store = test::read_text(json.dump(), folder.path());
-    return scene_with_units(store, folder.write("units.csv", header + "\n" + row + "\n"))
+    return make_scene(store_with_units(store, folder.write("units.csv", header + "\n" + row + "\n")))
         .transceivers.at(0)
         .position;
   }

@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/answer/method.hpp"
+#include "shelfbeam/placement/answer/partial_reach.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
@@ -60,6 +61,9 @@ struct Placement {
   bool unit_costs = false;          ///< no costs were given for the objective, so each link or signal costs 1
   double min_spacing = 0;           ///< m; SignalTable::min_spacing
   std::size_t forbidden_pairs = 0;  ///< number of SignalTable::conflicts
+  /// For a question that does not require all labels. There is then no bound on costs, and `infeasible` means
+  /// that no selection reaches the required share.
+  std::optional<PartialReach> partial = {};
   /// Labels that no selection reaches. An infeasible problem without any has conflicts that prevent one
   /// selection from reaching all labels.
   std::vector<Unreachable> unreachable;

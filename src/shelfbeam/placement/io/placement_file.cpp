@@ -135,6 +135,13 @@ void describe(Record& record, Unreachable& one) {
   record.non_negative("most", one.max_signal);
 }
 
+void describe(Record& record, PartialReach& partial) {
+  record.name("goal", partial.goal);
+  record.non_negative("value", partial.value);
+  record.count("reached", partial.reached);
+  record.count("reached_upper_bound", partial.max_reached);
+}
+
 void describe(Record& record, Placement& placement) {
   const TableIds& ids = record.ids();
   const SignalTable& table = ids.table;
@@ -173,6 +180,7 @@ void describe(Record& record, Placement& placement) {
   record.note("backend", [&] { return backend_of(placement.solver); });
   record.list("unreachable", placement.unreachable);
   record.note("scenarios", [&] { return scenarios(placement, table); });
+  record.optional("partial", placement.partial);
   record.note("verification", [] { return "not verified yet"; });
   record.note("critical", [&] { return critical(placement, ids); });
   if (record.has("price", placement.price.has_value())) record.nullable("price", placement.price);

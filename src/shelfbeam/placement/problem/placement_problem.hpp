@@ -86,9 +86,9 @@ constexpr bool has_known_prices(const PlacementProblem& problem) {
   return minimises_cost(problem) && !depends_on_signals(problem);
 }
 
-/// The part of a unit in the new spend: installed units are free.
+/// The part of a unit in the new spend: units that are mounted already are free.
 inline double price_to_spend(const SignalTable::Transceiver& unit) {
-  return unit.installed ? 0 : unit.cost;
+  return unit.installed && !unit.pinned ? 0 : unit.cost;
 }
 
 /// gamma tau: for the sum of signals (cooperative) or for one unit alone (non-cooperative).

@@ -78,8 +78,8 @@ SpendOrder::SpendOrder(const SignalTable& table, double known) {
 SignalTable SpendOrder::priced(SignalTable table) const {
   for (std::size_t j = 0; j < price_.size(); ++j) {
     const double steps = price_[j] / step_;
-    table.transceivers[j].cost =
-        table.transceivers[j].installed ? 0 : (max_units_ + 1) * (is_whole_ ? std::round(steps) : steps) + 1;
+    table.transceivers[j].cost = (max_units_ + 1) * (is_whole_ ? std::round(steps) : steps) +
+                                 (table.transceivers[j].installed ? 0 : 1);
   }
   return table;
 }

@@ -30,11 +30,11 @@ double price_step(std::span<const double> prices);
 
 /// Sums of prices that put the new spend first and the number of units second: unit j costs
 ///
-///   w_j = K p_j + 1,   p_j = price / step,   0 if it is installed,
+///   w_j = K p_j + 1,   p_j = price / step,
 ///
-/// with K above the number of new units in any selection that costs no more than a known one, so that the
-/// order of sums is the order of (spend, units). Prices without a common step are compared to within a
-/// millionth of the known spend.
+/// or K p_j if it is installed, where p_j = 0 unless it is pinned, with K above the number of new units in
+/// any selection that costs no more than a known one, so that the order of sums is the order of (spend,
+/// units). Prices without a common step are compared to within a millionth of the known spend.
 class SpendOrder {
  public:
   /// `known`: the new spend of a selection that reaches all labels; infinite if none is known.

@@ -8,8 +8,10 @@ SignalTable table_without_signals(const Scene& scene) {
     const double requirement = scene.requirement_of(label);
     table.labels.push_back({label.id, requirement, requirement, 0, 0});
   }
+  for (const Transceiver& unit : scene.excluded) table.excluded.push_back(unit.id);
   for (const Transceiver& unit : scene.transceivers)
-    table.transceivers.push_back({unit.id, scene.type_of(unit).cost, unit.installed, unit.position});
+    table.transceivers.push_back(
+        {unit.id, scene.type_of(unit).cost, unit.installed || unit.pinned, unit.position, unit.pinned});
   table.row_begin.assign(table.labels.size() + 1, 0);
   return table;
 }

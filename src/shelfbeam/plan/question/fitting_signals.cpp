@@ -94,6 +94,7 @@ std::variant<SignalMatrix, MisfitReason> fitting_signals(StoredSignals signals, 
   SignalMatrix fitting = std::move(signals);
   fitting.labels = std::move(head.labels);
   fitting.transceivers = std::move(head.transceivers);
+  fitting.excluded = std::move(head.excluded);
   fitting.currency = std::move(head.currency);
   fitting.provenance = std::move(head.provenance);
   return fitting;

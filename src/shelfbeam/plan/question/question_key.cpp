@@ -32,7 +32,7 @@ std::uint64_t question_key(std::uint64_t seed, const SignalTable& table, const P
         .add(label.signal_cost)
         .add(label.weight);
   for (const SignalTable::Transceiver& unit : table.transceivers)
-    bytes.add(unit.id).add(unit.cost).add(unit.installed);
+    bytes.add(unit.id).add(unit.cost).add(unit.installed).add(unit.pinned);
   for (const auto& [a, b] : table.conflicts) bytes.add(a).add(b);
   for (const std::size_t begin : table.row_begin) bytes.add(begin);
   for (const SignalEntry& entry : table.entries) bytes.add(entry.transceiver).add(entry.signal);

@@ -6,6 +6,7 @@
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
+#include "shelfbeam/plan/question/partial_question.hpp"
 #include "shelfbeam/signal/constraints/table_constraints.hpp"
 #include "shelfbeam/transport/run/simulation_request.hpp"
 
@@ -17,6 +18,7 @@ struct PlanRequest {
   std::uint64_t seed = 1;
   SimulationRequest simulation = {};
   PlacementProblem problem = {.combination = Combination::automatic};
+  PartialQuestion partial = {};  ///< instead of a selection that reaches all labels
   PlaceOptions place = {};
   TableConstraints constraints = {};
   bool certifies = true;

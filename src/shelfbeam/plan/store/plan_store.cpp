@@ -26,6 +26,7 @@ PlanOptions nominal_options(const PlanRequest& request, const SimulationOptions&
   PlanOptions options;
   options.simulation = simulation;
   options.problem = request.problem;
+  options.partial = request.partial;
   options.place = request.place;
   options.place.seed = request.seed;
   options.budget.seconds = request.budget_s;
@@ -67,6 +68,8 @@ void expect_changing_shop(const PlanRequest& request, const Store& store) {
   const auto refuse = [](const char* where, const char* problem, Setting setting) {
     throw InputError(where, problem, "omit it, or plan the shop as in the store file, in 0 states", setting);
   };
+  if (request.partial.is_asked())
+    refuse("a part of the labels", "does not apply to a shop that changes", Setting::units);
   if (request.curve) refuse("the curve", "does not apply to a shop that changes", Setting::curve);
   if (request.reflectance_error)
     refuse("the sensitivity", "does not apply to a shop that changes: reflectances are at their low ends",
@@ -102,6 +105,9 @@ void check_request(const PlanRequest& request, const PlanInputs& inputs, const S
     expect_fixed_shop(request, inputs);
   else
     expect_changing_shop(request, store);
+  check_question(request.partial, request.problem);
+  if (request.partial.is_asked() && request.curve)
+    throw InputError("the curve", "belongs to plans that reach all labels", "omit it", Setting::curve);
   SignalTable nothing = table_without_signals(scene);
   request.constraints.apply(nothing, name);
   simulation_of(request);

@@ -61,14 +61,16 @@ std::string placement_csv(const ReportInput& input) {
   std::map<std::string_view, double> roll_deg;
   for (const Transceiver& transceiver : input.scene.transceivers)
     roll_deg.emplace(transceiver.id, transceiver.roll_deg);
-  std::string csv = "id,x,y,z,ax,ay,az,roll_deg,type,cost,installed,reaches_alone,strongest_for,needed_by\n";
+  std::string csv =
+      "id,x,y,z,ax,ay,az,roll_deg,type,cost,installed,reaches_alone,strongest_for,needed_by,pinned\n";
   for (const UnitOutcome& unit : outcome.units) {
     const TransceiverColumn& t = matrix.transceivers[unit.column];
     const auto roll = roll_deg.find(t.id);
-    csv += row({text(t.id), coordinates(t.position), coordinates(t.axis),
-                csv_number(roll == roll_deg.end() ? 0 : roll->second), text(t.type), csv_number(t.cost),
-                t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
-                fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by)});
+    csv +=
+        row({text(t.id), coordinates(t.position), coordinates(t.axis),
+             csv_number(roll == roll_deg.end() ? 0 : roll->second), text(t.type), csv_number(t.cost),
+             t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
+             fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by), t.pinned ? "1" : "0"});
   }
   return csv;
 }

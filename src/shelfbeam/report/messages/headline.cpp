@@ -6,6 +6,7 @@
 
 #include "shelfbeam/report/messages/availability.hpp"
 #include "shelfbeam/report/messages/open_bound.hpp"
+#include "shelfbeam/report/messages/partial.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/text/catalogue.hpp"
@@ -28,7 +29,7 @@ Headline with_selection(const ReportData& data) {
       say("headline.reach", units_reach(placement.count()), labels_reached(data.outcome.met, labels),
           failure_clause(placement.problem),
           placement.min_spacing > 0 ? say("headline.spacing", plain(placement.min_spacing)) : std::string(),
-          all_met ? page_bound(placement) : ".");
+          all_met && !placement.partial ? page_bound(placement) : ".");
 
   std::size_t installed = 0;
   for (const std::uint32_t column : placement.selected)
@@ -129,6 +130,7 @@ Headline headline(const ReportData& data) {
   const auto remark = [&](std::string text) {
     if (!text.empty()) result.remarks.push_back(std::move(text));
   };
+  remark(partial_sentence(placement, data.outcome.labels.size()));
   if (data.has_selection()) {
     if (std::string close = closeness_remark(data); !close.empty() && !plan.certificate && !plan.availability)
       result.remarks.insert(result.remarks.begin(), std::move(close));

@@ -33,7 +33,7 @@ double proven_bound(const CertifiedPlan& plan) {
 }
 
 bool has_open_bound(const CertifiedPlan& plan) {
-  return plan.placement.has_selection() && !plan.availability &&
+  return plan.placement.has_selection() && !plan.availability && !plan.placement.partial &&
          !(is_verified(plan) && has_open_labels(plan)) && !value_bounds(plan).is_minimum(proven_bound(plan));
 }
 

@@ -8,6 +8,7 @@
 
 #include "shelfbeam/report/messages/availability.hpp"
 #include "shelfbeam/report/messages/open_bound.hpp"
+#include "shelfbeam/report/messages/partial.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
@@ -57,6 +58,7 @@ class SummaryWriter {
       add_availability(*plan_.availability);
       return std::move(summary_);
     }
+    if (placement_.partial) summary_.remarks.push_back(partial_sentence(placement_, labels()));
     ProofRemarks proof = proof_remarks(data_);
     if (!proof.bound.empty()) summary_.remarks.push_back(std::move(proof.bound));
     summary_.remarks.push_back(std::move(proof.confirmation));
@@ -120,6 +122,7 @@ class SummaryWriter {
   }
 
   std::string obstacle() const {
+    if (placement_.partial) return partial_sentence(placement_, labels());
     if (!placement_.unreachable.empty()) return say("summary.none.out_of_reach", page_out_of_reach(data_));
     const std::string why = conflict_reason(placement_, data_.has_options());
     return why.empty() ? say("summary.none.infeasible")

@@ -124,14 +124,15 @@ std::string mounting_csv(const ReportInput& input) {
   const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   std::string csv =
       "number,id,type,installed,distance_1_cm,from_1,distance_2_cm,from_2,height_cm,tilt_deg,towards_deg,"
-      "roll_deg\n";
+      "roll_deg,pinned\n";
   for (const MountedUnit& unit : mounting_sheet(input)) {
     const auto& [first, second] = unit.references;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id), text(unit.type),
-                       unit.installed ? 1 : 0, centimetres(first.distance), text(name_of(first)),
-                       centimetres(second.distance), text(name_of(second)), height_cm(unit),
-                       csv_number(std::round(10 * unit.tilt_deg) / 10),
-                       csv_number(std::round(10 * unit.towards_deg) / 10), csv_number(unit.roll_deg));
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id),
+                       text(unit.type), unit.installed ? 1 : 0, centimetres(first.distance),
+                       text(name_of(first)), centimetres(second.distance), text(name_of(second)),
+                       height_cm(unit), csv_number(std::round(10 * unit.tilt_deg) / 10),
+                       csv_number(std::round(10 * unit.towards_deg) / 10), csv_number(unit.roll_deg),
+                       unit.pinned ? 1 : 0);
   }
   return csv;
 }

@@ -24,8 +24,13 @@ std::vector<MountedUnit> mounting_sheet(const ReportInput& input) {
   std::vector<MountedUnit> sheet;
   for (const std::size_t k : walking_order_of(input)) {
     const TransceiverColumn& of = input.matrix.transceivers[input.plan.placement.selected[k]];
-    MountedUnit unit{sheet.size() + 1, of.id,       of.type,
-                     of.installed,     of.position, references_of(input.scene, of.position)};
+    MountedUnit unit{sheet.size() + 1,
+                     of.id,
+                     of.type,
+                     of.installed,
+                     of.pinned,
+                     of.position,
+                     references_of(input.scene, of.position)};
     const double level = std::hypot(of.axis.x, of.axis.y);
     unit.tilt_deg = std::atan2(level, -of.axis.z) / degree;
     if (level > 1e-9) unit.towards_deg = std::fmod(std::atan2(of.axis.y, of.axis.x) / degree + 360, 360);

@@ -16,7 +16,7 @@ namespace shelfbeam {
 struct MountedUnit {
   std::size_t number = 0;  ///< in the table and on the drawings: the place in walking order, from 1
   std::string id, type;
-  bool installed = false;
+  bool installed = false, pinned = false;
   Vec3 position;  ///< m
   std::array<Reference, 2> references;
   double tilt_deg = 0;     ///< of the axis from straight down

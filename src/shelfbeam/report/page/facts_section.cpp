@@ -56,6 +56,7 @@ std::string bound_text(const ReportData& data, const std::string& bound) {
 void add_bounds(Facts& facts, const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   facts.add("facts.placement.units", grouped(placement.count()));
+  if (placement.partial) return;
   facts.add("facts.count_bound", bound_text(data, grouped(proven_count(placement))));
   facts.add("facts.placement.count_gap", percent(count_gap(placement)));
   // With the count as the only objective, these rows would repeat the rows above.

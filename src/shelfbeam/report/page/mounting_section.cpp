@@ -40,15 +40,17 @@ std::string height(const Scene& scene, const MountedUnit& unit) {
   return below ? fmt::format("{}<br><small>{}</small>", text, say("mounting.below_ceiling", *below)) : text;
 }
 
+std::string remark(const MountedUnit& unit) {
+  const char* const key = unit.installed ? "mounting.installed" : unit.pinned ? "mounting.pinned" : nullptr;
+  return key == nullptr ? "" : fmt::format(" <small>({})</small>", words(key));
+}
+
 std::string row(const Scene& scene, const MountedUnit& unit) {
   return "<tr>" + cell(fmt::format("<b>{}</b>", unit.number), "n") +
          cell(unit.installed ? "–" : "<span class=\"tick-box\"></span>") +
          cell(distance(unit.references[0])) + cell(distance(unit.references[1])) +
          cell(height(scene, unit), "n") + cell(picture(unit) + escape(direction_of(unit))) +
-         cell(escape(unit.type)) +
-         cell(escape(unit.id) +
-              (unit.installed ? fmt::format(" <small>({})</small>", words("mounting.installed")) : "")) +
-         "</tr>\n";
+         cell(escape(unit.type)) + cell(escape(unit.id) + remark(unit)) + "</tr>\n";
 }
 
 }  // namespace

@@ -21,13 +21,14 @@ std::string list(const char* key, const std::vector<std::string>& items) {
 // The number of units and the price of every type.
 std::string shopping_list(const ReportData& data) {
   struct Row {
-    std::size_t fresh = 0, there = 0;
+    std::size_t fresh = 0, pinned = 0, there = 0;
   };
   std::map<std::pair<std::string, double>, Row> rows;  // by type and price
   for (const UnitOutcome& one : data.outcome.units) {
     const TransceiverColumn& unit = data.transceiver(one.column);
     Row& row = rows[{unit.type, unit.cost}];
     (unit.installed ? row.there : row.fresh) += 1;
+    row.pinned += unit.pinned ? 1 : 0;
   }
   const std::optional<Price>& price = data.input.plan.placement.price;
   const bool has_there =
@@ -44,7 +45,9 @@ std::string shopping_list(const ReportData& data) {
   }
   HtmlTable table(columns);
   const auto add = [&](const std::string& name, const Row& row, const std::string& each, double amount) {
-    std::vector<std::string> cells{name, grouped(row.fresh)};
+    std::vector<std::string> cells{
+        name, row.pinned > 0 ? say("summary.buy.pinned", grouped(row.fresh), grouped(row.pinned))
+                             : grouped(row.fresh)};
     if (has_there) cells.push_back(grouped(row.there));
     if (has_prices) cells.insert(cells.end(), {each, money(amount, price)});
     table.add_row(cells);
@@ -53,6 +56,7 @@ std::string shopping_list(const ReportData& data) {
   for (const auto& [key, row] : rows) {
     add(key.first, row, money(key.second, price), key.second * static_cast<double>(row.fresh));
     all.fresh += row.fresh;
+    all.pinned += row.pinned;
     all.there += row.there;
   }
   if (rows.size() > 1) add(say("summary.buy.total"), all, "", sum);

@@ -69,11 +69,14 @@ std::string unit_section(const ReportData& data) {
   for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
     const UnitOutcome& unit = data.outcome.units[k];
     const TransceiverColumn& transceiver = data.transceiver(unit.column);
-    table.add_row(
-        {grouped(k + 1), transceiver.installed ? say("units.installed", transceiver.id) : transceiver.id,
-         fixed(transceiver.position.x, 2), fixed(transceiver.position.y, 2), fixed(transceiver.position.z, 2),
-         grouped(unit.reaches_alone), grouped(unit.strongest_for), grouped(unit.needed_by), transceiver.type,
-         direction(transceiver.axis, roll_deg[transceiver.id])});
+    table.add_row({grouped(k + 1),
+                   transceiver.installed ? say("units.installed", transceiver.id)
+                   : transceiver.pinned  ? say("units.pinned", transceiver.id)
+                                         : transceiver.id,
+                   fixed(transceiver.position.x, 2), fixed(transceiver.position.y, 2),
+                   fixed(transceiver.position.z, 2), grouped(unit.reaches_alone), grouped(unit.strongest_for),
+                   grouped(unit.needed_by), transceiver.type,
+                   direction(transceiver.axis, roll_deg[transceiver.id])});
   }
   return html_section("units", say("units.title"),
                       table.html() + paragraph(say("units.note"), "note") + served_labels(data));

@@ -10,6 +10,7 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/weak_spots.hpp"
 #include "shelfbeam/report/messages/availability.hpp"
+#include "shelfbeam/report/messages/partial.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 
@@ -94,6 +95,24 @@ std::string solved(const Placement& placement, const SignalTable& table) {
   return text + single_unit_labels(placement, table);
 }
 
+std::string partial(const Placement& placement, const SignalTable& table) {
+  std::string text;
+  if (placement.has_selection()) {
+    text = fmt::format("{} {} ({}).\n{}", units_reach(placement.count()),
+                       labels_reached(placement.partial->reached, table.rows()), model_of(placement.problem),
+                       chosen(placement.selected, table));
+    if (const std::string price = price_sentence(placement); !price.empty())
+      text += fmt::format("  {}\n", price);
+  } else if (placement.status != Status::infeasible) {
+    text = nothing_found(placement);
+  }
+  text += fmt::format("{}{}\n", text.empty() ? "" : "  ", partial_sentence(placement, table.rows()));
+  if (placement.partial->goal == ReachGoal::given) return text;
+  return text + fmt::format("  {}; {:.2f} s, solver {}\n  bound: {}\n", to_text(placement.status),
+                            placement.seconds, solver_text(placement.solver),
+                            bound_proof_text(placement.bound_proof));
+}
+
 std::vector<std::string> added_to(const std::vector<std::uint32_t>& before,
                                   const std::vector<std::uint32_t>& after, const SignalTable& table) {
   std::vector<std::string> ids;
@@ -131,6 +150,7 @@ std::string availability_details(const Availability& availability, const Placeme
 }
 
 std::string describe(const Placement& placement, const SignalTable& table) {
+  if (placement.partial) return partial(placement, table);
   const bool is_infeasible = placement.status == Status::infeasible;
   std::string text = is_infeasible               ? infeasible(placement, table)
                      : placement.has_selection() ? solved(placement, table)

@@ -110,7 +110,8 @@ std::string scene_hash(const Scene& scene) {
     bytes.add(scene.transceivers[j].id)
         .add(scene.transceivers[j].type.value)
         .add(keys.transceivers[j])
-        .add(scene.transceivers[j].installed);
+        .add(scene.transceivers[j].installed)
+        .add(scene.transceivers[j].pinned);
   return bytes.hash();
 }
 

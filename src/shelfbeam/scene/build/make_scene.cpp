@@ -3,7 +3,7 @@
 #include <new>
 #include <set>
 #include <string_view>
-#include <unordered_map>
+#include <unordered_set>
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/box_index.hpp"
-#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/build/given_units.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/build/mount_points.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
@@ -79,7 +79,7 @@ class SceneMaker {
     find_bounds();
     add_labels();
     add_transceivers();
-    mark_installed();
+    mark_given_units(store_, kept_out_ids_, scene_, sources_);
     warn_of_bright_materials();
     warn_of_misplaced(scene_, sources_, warnings_, store_.cancel);
     scene_.warnings = warnings_.findings();
@@ -244,7 +244,7 @@ class SceneMaker {
       return;
     }
     expect_in_room(unit.id, unit.position, where, "transceiver", store_.transceivers);
-    if (!unit_index_.emplace(unit.id, scene_.transceivers.size()).second)
+    if (!unit_ids_.insert(unit.id).second)
       throw InputError(where, fmt::format("has the duplicate transceiver id {}", in_quotes(unit.id)),
                        id_remedy(unit.id, "make ids unique"));
     scene_.transceivers.push_back(unit);
@@ -286,40 +286,13 @@ class SceneMaker {
     fail("has no candidate transceivers", "add 'grids', 'areas' or a 'list', or shrink 'keep_out'");
   }
 
-  void mark_installed() {
-    for (const auto& [id, where] : store_.installed) {
-      const auto found = unit_index_.find(id);
-      if (found == unit_index_.end())
-        throw InputError(
-            where, fmt::format("names the unknown transceiver {}", in_quotes(id)),
-            kept_out_ids_.count(id) != 0 ? "it is in a 'keep_out' area" : "list it, or correct the id");
-      scene_.transceivers[found->second].installed = true;
-    }
-    expect_one_installed_at_a_point();
-  }
-
-  void expect_one_installed_at_a_point() const {
-    const DistinctPositions groups = distinct_positions(positions_of(scene_.transceivers));
-    std::vector<const Transceiver*> at(groups.count, nullptr);
-    for (const auto& [id, where] : store_.installed) {
-      const std::size_t index = unit_index_.at(id);
-      const Transceiver*& first = at[groups.group_of[index]];
-      if (first != nullptr && first->id != id)
-        throw InputError(
-            where,
-            fmt::format("{} is installed at the mounting point of {}", in_quotes(id), in_quotes(first->id)),
-            "remove one of the two, or correct a position");
-      first = &scene_.transceivers[index];
-    }
-  }
-
   const Store& store_;
   const BoxIndex keep_out_;
   Scene scene_;
   DeviceSources sources_;
   WarningList warnings_{store_.file, store_.ignored};
   SceneMemory memory_;
-  std::unordered_map<std::string, std::size_t> unit_index_;
+  std::unordered_set<std::string> unit_ids_;
   std::set<std::string> kept_out_ids_, fixture_ids_;
   std::vector<TriangleRange> wall_surfaces_;  ///< by inner wall
 };
@@ -343,7 +316,7 @@ StoreWithScene read_store_with_scene(const std::filesystem::path& path, const St
   return {std::move(store), std::move(scene)};
 }
 
-Scene scene_with_units(Store store, const std::filesystem::path& csv) {
+Store store_with_units(Store store, const std::filesystem::path& csv) {
   store.grids.clear();
   store.areas.clear();
   store.rails.clear();
@@ -351,9 +324,11 @@ Scene scene_with_units(Store store, const std::filesystem::path& csv) {
   store.transceivers.clear();
   store.keep_out.clear();
   store.installed.clear();
+  store.pinned.clear();
+  store.excluded.clear();
   read_transceivers_csv(csv, StoreNames(store), store);
   if (store.transceivers.empty()) throw InputError(csv.string(), "lists no units", "list the mounted units");
-  return make_scene(store);
+  return store;
 }
 
 }  // namespace shelfbeam

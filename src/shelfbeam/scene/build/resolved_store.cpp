@@ -71,13 +71,24 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   append_list(text, 1, scene.labels, store.cancel,
               [&](const Label& label) { return resolved(label, lists); });
   text += ",\n \"transceivers\": {\n  \"list\": ";
-  append_list(text, 2, scene.transceivers, store.cancel,
-              [&](const Transceiver& unit) { return resolved(unit, lists); });
-  std::vector<std::string> installed;
-  for (const Transceiver& unit : scene.transceivers)
-    if (unit.installed) installed.push_back(unit.id);
-  text += ",\n  \"installed\": ";
-  append_list(text, 2, installed, store.cancel, [](const std::string& id) { return Json(id); });
+  std::vector<Transceiver> all = scene.transceivers;
+  all.insert(all.end(), scene.excluded.begin(), scene.excluded.end());
+  append_list(text, 2, all, store.cancel, [&](const Transceiver& unit) { return resolved(unit, lists); });
+  const auto append_ids = [&](std::string_view key, const std::vector<std::string>& ids) {
+    text += fmt::format(",\n  \"{}\": ", key);
+    append_list(text, 2, ids, store.cancel, [](const std::string& id) { return Json(id); });
+  };
+  const auto ids_of = [](const std::vector<Transceiver>& units, const auto& is_listed) {
+    std::vector<std::string> ids;
+    for (const Transceiver& unit : units)
+      if (is_listed(unit)) ids.push_back(unit.id);
+    return ids;
+  };
+  append_ids("installed", ids_of(scene.transceivers, [](const Transceiver& unit) { return unit.installed; }));
+  const auto pinned = ids_of(scene.transceivers, [](const Transceiver& unit) { return unit.pinned; });
+  if (!pinned.empty()) append_ids("pinned", pinned);
+  if (!scene.excluded.empty())
+    append_ids("excluded", ids_of(scene.excluded, [](const auto&) { return true; }));
   return text + "\n }\n}\n";
 }
 

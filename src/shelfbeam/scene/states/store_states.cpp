@@ -108,6 +108,8 @@ class StoreStates::Drawing {
     state_.keep_out.clear();
     state_.transceivers.clear();
     state_.installed.clear();
+    state_.pinned.clear();
+    state_.excluded.clear();
     for (Transceiver unit : devices_.transceivers) {
       expect_running(state_.cancel);
       if (varies(Cause::mounting)) move(unit);

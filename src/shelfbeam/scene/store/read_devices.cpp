@@ -150,8 +150,10 @@ void read_labels(const JsonCursor& section, const StoreNames& names, const Store
 
 void read_transceivers(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                        Store& store, Problems& problems) {
-  problems.collect(
-      [&] { section.expect_keys({"grids", "areas", "rails", "on", "list", "keep_out", "installed"}); });
+  problems.collect([&] {
+    section.expect_keys(
+        {"grids", "areas", "rails", "on", "list", "keep_out", "installed", "pinned", "excluded"});
+  });
   const auto each = [&](const char* key, const auto& read) {
     if (const auto list = section.find(key)) problems.collect([&] { read(*list); });
   };
@@ -165,10 +167,13 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
   });
   each("keep_out",
        [&](const JsonCursor& list) { read_devices(list, names, store, problems, store.keep_out); });
-  each("installed", [&](const JsonCursor& list) {
-    for (const JsonCursor& id : list.elements())
-      problems.collect([&] { store.installed.push_back({id.text(), id.where()}); });
-  });
+  for (const auto& [key, units] :
+       {std::pair("installed", &store.installed), std::pair("pinned", &store.pinned),
+        std::pair("excluded", &store.excluded)})
+    each(key, [&](const JsonCursor& list) {
+      for (const JsonCursor& id : list.elements())
+        problems.collect([&] { units->push_back({id.text(), id.where()}); });
+    });
 }
 
 void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,

@@ -60,6 +60,7 @@ struct Store {
   std::vector<Listed<Transceiver>> transceivers;
   std::vector<KeepOut> keep_out;
   std::vector<Listed<std::string>> installed;
+  std::vector<Listed<std::string>> pinned, excluded;  ///< ids or patterns
   std::optional<StoreVariation> variation;
   std::vector<Finding> warnings;  ///< about the ids in its CSV files
   IgnoredCodes ignored;
@@ -91,9 +92,9 @@ struct DeviceSources {
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.
 Scene make_scene(const Store& store, DeviceSources* sources = nullptr);
 
-/// The store's scene with the units of a CSV file (read_transceivers_csv) instead of its candidates. They may
-/// have any position, even the same. Throws InputError with file and line.
-Scene scene_with_units(Store store, const std::filesystem::path& csv);
+/// The store with the units of a CSV file (read_transceivers_csv) instead of its candidates. They may have
+/// any position, even the same. Throws InputError with file and line.
+Store store_with_units(Store store, const std::filesystem::path& csv);
 
 /// The store without references: labels and candidates are listed, meshes are inlined. Reading it back gives
 /// the same scene to the bit. Its content hash identifies the store in result files.

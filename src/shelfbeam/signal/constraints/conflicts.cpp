@@ -74,13 +74,18 @@ void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
   const CsvIdLookup columns(table.transceivers, "transceiver");
   while (csv.next()) {
     csv.expect_fields(2, 2);
+    const auto is_excluded = [&](std::size_t field) {
+      const std::string id = csv.id(field);
+      return std::find(table.excluded.begin(), table.excluded.end(), id) != table.excluded.end();
+    };
+    if (is_excluded(0) || is_excluded(1)) continue;
     const std::uint32_t a = columns.read(csv, 0), b = columns.read(csv, 1);
     if (a == b)
       csv.fail(fmt::format("names {} twice", in_quotes(csv.id(0))), "name two different transceivers");
     if (table.transceivers[a].installed && table.transceivers[b].installed)
       csv.fail(
-          fmt::format("{} and {} are both already installed", in_quotes(csv.id(0)), in_quotes(csv.id(1))),
-          "remove the line, or one of the two units from 'installed'");
+          fmt::format("{} and {} are both installed or pinned", in_quotes(csv.id(0)), in_quotes(csv.id(1))),
+          "remove the line, or choose only one of the two units");
     table.conflicts.emplace_back(std::min(a, b), std::max(a, b));
   }
   order(table.conflicts);

@@ -27,6 +27,8 @@ void expect_same(const SignalTable::Transceiver& unit, const SignalTable::Transc
                      same_store);
   };
   if (unit.cost != first.cost) fail(fmt::format("costs {}", unit.cost), fmt::format("costs {}", first.cost));
+  if (unit.pinned != first.pinned)
+    fail(unit.pinned ? "is pinned" : "is not pinned", unit.pinned ? "is not" : "is");
   if (unit.installed != first.installed)
     fail(unit.installed ? "is installed" : "is not installed", unit.installed ? "is not" : "is");
   if (!unit.position || !first.position) return;
@@ -92,6 +94,7 @@ SignalTable stack_tables(std::vector<NamedTable> tables) {
                          "give each scenario its own file name");
   SignalTable all;
   all.transceivers = tables.front().table.transceivers;
+  all.excluded = tables.front().table.excluded;
   all.currency = tables.front().table.currency;
   all.row_begin = {0};
   for (NamedTable& scenario : tables) {

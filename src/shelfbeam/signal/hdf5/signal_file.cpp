@@ -49,6 +49,10 @@ class MatrixReader {
     // Reading the ids first verifies m and n before arrays of these sizes are allocated.
     each_label_member([&](const auto& path, auto member) { column(path, m, matrix.labels, member); });
     each_unit_member([&](const auto& path, auto member) { column(path, n, matrix.transceivers, member); });
+    if (file_.has("/transceivers/pinned"))
+      column("/transceivers/pinned", n, matrix.transceivers, &TransceiverColumn::pinned);
+    if (file_.has("/transceivers/excluded"))
+      matrix.excluded = printable_texts("/transceivers/excluded", file_.length("/transceivers/excluded"));
     // Other programs may copy the attributes alone.
     if (file_.has_attribute("light_hash") && file_.has("/labels/light") && file_.has("/transceivers/light")) {
       matrix.provenance.light_hash = file_.text_attribute("light_hash");

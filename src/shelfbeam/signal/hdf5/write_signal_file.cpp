@@ -56,6 +56,10 @@ class MatrixWriter {
     file_.group("/transceivers");
     detail::each_unit_member(
         [&](const auto& path, auto member) { column(path, matrix_.transceivers, member); });
+    const auto& units = matrix_.transceivers;
+    if (std::any_of(units.begin(), units.end(), [](const TransceiverColumn& unit) { return unit.pinned; }))
+      column("/transceivers/pinned", units, &TransceiverColumn::pinned);
+    if (!matrix_.excluded.empty()) file_.texts("/transceivers/excluded", matrix_.excluded);
     if (has_light) {
       column("/labels/light", matrix_.labels, &LabelRow::light);
       column("/transceivers/light", matrix_.transceivers, &TransceiverColumn::light);

@@ -43,6 +43,7 @@ SignalMatrix without_entries(const SignalMatrix& part, std::size_t labels) {
   all.transceivers = part.transceivers;
   all.length_step = part.length_step;
   all.wavelength_nm = part.wavelength_nm;
+  all.excluded = part.excluded;
   all.currency = part.currency;
   all.provenance = part.provenance;
   all.labels.resize(labels);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -125,14 +126,17 @@ std::optional<char> separator_of(std::string_view text, const std::string& name)
   return separators.find(',') != std::string::npos ? ',' : separators.front();
 }
 
-// Calls apply(row, field) for every line after the header, with the element of `rows` that has its id.
+// Calls apply(row, field) for every line after the header, with the element of `rows` that has its id. Lines
+// with the id of an excluded element have no effect.
 template <class Rows, class Apply>
-void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Apply& apply) {
+void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Apply& apply,
+                   std::span<const std::string> excluded = {}) {
   const std::size_t width = csv.fields().size();
   const CsvIdLookup ids(rows, kind);
   std::unordered_set<std::uint32_t> seen;
   while (csv.next()) {
     csv.expect_fields(width, width);
+    if (std::find(excluded.begin(), excluded.end(), csv.id(0)) != excluded.end()) continue;
     const std::uint32_t row = ids.read(csv, 0);
     if (!seen.insert(row).second)
       csv.fail(0, fmt::format("is the duplicate {} {}", kind, in_quotes(csv.id(0))),
@@ -215,7 +219,8 @@ void apply_costs(SignalTable& table, const std::filesystem::path& path) {
   if (of_transceivers) {
     detail::for_each_line(
         csv, table.transceivers, "transceiver",
-        [&](SignalTable::Transceiver& unit, std::size_t field) { unit.cost = csv.amount(field); });
+        [&](SignalTable::Transceiver& unit, std::size_t field) { unit.cost = csv.amount(field); },
+        table.excluded);
   } else {
     detail::for_each_line(csv, table.labels, "label", [&](SignalTable::Label& label, std::size_t field) {
       (header[field] == "link_cost" ? label.link_cost : label.signal_cost) = csv.amount(field);

@@ -136,7 +136,9 @@ SignalTable make_signal_table(const SignalMatrix& matrix, const std::string& nam
         {label.id, label.requirement, label.requirement, label.link_cost, label.signal_cost});
   table.transceivers.reserve(matrix.columns());
   for (const TransceiverColumn& unit : matrix.transceivers)
-    table.transceivers.push_back({unit.id, unit.cost, unit.installed, unit.position});
+    table.transceivers.push_back(
+        {unit.id, unit.cost, unit.installed || unit.pinned, unit.position, unit.pinned});
+  table.excluded = matrix.excluded;
   table.currency = matrix.currency;
   table.mounts = shared_mounts(matrix);
   expect_one_installed(table, name);

@@ -37,13 +37,15 @@ struct SignalTable {
   struct Transceiver {
     std::string id;
     double cost = 1;
-    bool installed = false;
+    bool installed = false;             ///< part of every selection: mounted already, or pinned
     std::optional<Vec3> position = {};  ///< m; from signal files
+    bool pinned = false;                ///< the user chose it: installed, but its price is to be spent
   };
 
   std::vector<Label> labels;
   std::vector<Transceiver> transceivers;
-  std::string currency;  ///< of the costs of transceivers; empty: not given
+  std::vector<std::string> excluded;  ///< ids of candidates without a column, which other files may name
+  std::string currency;               ///< of the costs of transceivers; empty: not given
   /// Groups of columns that are options of one mounting point, of which at most one can be chosen: at least
   /// two each, ascending, without duplicates. Every other column has its own mounting point.
   std::vector<std::vector<std::uint32_t>> mounts;

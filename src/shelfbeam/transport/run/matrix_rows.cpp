@@ -117,7 +117,7 @@ LabelRow describe(const Scene& scene, const Label& label) {
 
 TransceiverColumn describe(const Scene& scene, const Transceiver& unit) {
   const TransceiverType& type = scene.type_of(unit);
-  return {unit.id, type.name, unit.position, unit.axis, type.cost, unit.installed};
+  return {unit.id, type.name, unit.position, unit.axis, type.cost, unit.installed, unit.pinned};
 }
 
 }  // namespace
@@ -139,6 +139,7 @@ SignalMatrix matrix_head(const Scene& scene, const std::string& hash, std::uint6
     matrix.transceivers.emplace_back();
     matrix.transceivers.back().id = surface.id;
   }
+  for (const Transceiver& unit : scene.excluded) matrix.excluded.push_back(unit.id);
   matrix.wavelength_nm = scene.wavelength_nm;
   matrix.currency = scene.currency;
   matrix.provenance = {std::string(program_version()), hash, seed, estimator};

@@ -1,0 +1,37 @@
+#include "shelfbeam/plan/store/given_units.hpp"
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/math/order.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/plan/io/scene_table.hpp"
+
+namespace shelfbeam {
+
+bool is_placement_file(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string::npos && (text[first] == '{' || text[first] == '/');  // '/': a comment
+}
+
+Store with_candidates_of(const std::filesystem::path& file, Store store) {
+  return is_placement_file(file) ? std::move(store) : store_with_units(std::move(store), file);
+}
+
+Placement given_units(const std::filesystem::path& file, const Scene& scene) {
+  if (!is_placement_file(file)) {
+    Placement all;
+    all.selected = all_numbers(scene.transceivers.size());
+    return all;
+  }
+  Placement placement = read_placement(file, table_without_signals(scene));
+  if (!placement.has_selection() || placement.selected.empty())
+    throw InputError(file.string(), "selects no transceivers", "choose another placement");
+  return placement;
+}
+
+}  // namespace shelfbeam
