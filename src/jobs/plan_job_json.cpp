@@ -181,10 +181,7 @@ void describe(Fields& f, AvailabilityGoal& goal) {
 
 void describe(Fields& f, PlanRequest& r) {
   const PlanRequest usual;
-  const auto read_seed = [&](const JsonCursor& json) {
-    if (!json.value().is_number_unsigned()) json.fail("is not a whole number of at least 0", "use one");
-    r.seed = json.value().get<std::uint64_t>();
-  };
+  const auto read_seed = [&](const JsonCursor& json) { r.seed = json.natural(); };
   f.custom("seed", {read_seed, [&] { return Json(r.seed); }, R"({"type": "integer", "minimum": 0})"},
            optional("of the random numbers", r.seed != usual.seed));
   f.object("simulation", [&](Fields& part) { describe(part, r.simulation); }, optional("", true));

@@ -238,6 +238,11 @@ std::int64_t JsonCursor::integer(std::int64_t low, std::int64_t high) const {
   return static_cast<std::int64_t>(value);
 }
 
+std::uint64_t JsonCursor::natural() const {
+  if (!as_node(node_).is_number_unsigned()) fail("is not a whole number of at least 0", "use one");
+  return as_node(node_).get<std::uint64_t>();
+}
+
 bool JsonCursor::boolean() const {
   if (!as_node(node_).is_boolean()) fail_kind("true or false");
   return as_node(node_).get<bool>();

@@ -107,6 +107,7 @@ class JsonCursor {
   double metres(double low, double high) const;  ///< a length within [low, high] metres
   std::string length_text() const;               ///< the number and its unit of length, for messages
   std::int64_t integer(std::int64_t low, std::int64_t high) const;
+  std::uint64_t natural() const;  ///< any whole number of at least 0, exactly
   bool boolean() const;
   std::string text() const;
   std::vector<double> numbers(std::size_t count) const;  ///< array of exactly `count` finite numbers

@@ -113,6 +113,7 @@ std::optional<SimulationResult> reused(std::optional<StoredSignals> signals, con
 
 Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control) {
   Plan plan;
+  plan.seed = options.simulation.seed;
   // Rows of signals are sampled again for the certificate.
   const bool has_rows = options.simulation.strategy != Strategy::particle;
   const bool is_partial = options.partial.is_asked();

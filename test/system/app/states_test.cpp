@@ -1,9 +1,19 @@
 // Tests a shop that changes through the program: plan, verify, inspect and simulate.
 
+#include <cstddef>
+#include <cstdint>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/report/data/shop_states.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "system/app/program.hpp"
 #include "unit/plan/states/known_states.hpp"
@@ -56,6 +66,53 @@ TEST_F(StatesSlow, ArePlannedAndVerified) {
   EXPECT_THAT(answer, HasSubstr("The best addition is U11 at (11, 6, 2.9) m"));
   EXPECT_THAT(bytes("units-states.csv"), HasSubstr("L1,0.95,300,"));
   refused("verify @store.json @units.csv --states 300 --availability 95% --mean-missed 2", {"--mean-missed"});
+}
+
+// The labels of a shop with known states that are missed in the states of a page: their chosen units stand
+// behind pallets.
+std::vector<std::vector<std::uint32_t>> missed_on_page(const CertifiedPlan& answer,
+                                                       const std::vector<ShopState>& page) {
+  std::vector<std::vector<std::uint32_t>> missed;
+  for (const ShopState& state : page) {
+    std::set<std::uint32_t> blocked;  // units: U00, U01, U10, ...
+    for (const ShopState::Block& block : state.blocks)
+      blocked.insert(2 * static_cast<std::uint32_t>(block.footprint[0][1] / 4) +
+                     (block.footprint[0][0] > 6 ? 1 : 0));
+    std::set<std::uint32_t> labels{0, 1, 2};
+    for (const std::uint32_t j : answer.placement.selected)
+      if (!blocked.contains(j)) labels.erase(j / 2);
+    missed.emplace_back(labels.begin(), labels.end());
+  }
+  return missed;
+}
+
+TEST_F(StatesSlow, OnThePageAreThoseThatWereExamined) {
+  folder.write("store.json", test::KnownStates({{{0.3, 0.3}, {0.3, 0.3}, {0.3, 0.3}}}).text());
+  told("simulate @store.json --samples 500 --seed 5 -o @signal.h5 --quiet");
+  told("plan @store.json --availability 50% --states 20 --signal @signal.h5 --seed 2 -o @plan --quiet");
+  EXPECT_EQ(json("plan/placement.json")["seed"], 2);
+  const std::string report = bytes("plan/report.html");
+  EXPECT_THAT(report, HasSubstr("2; 5 of the signals"));
+  told("report @plan --quiet");
+  EXPECT_EQ(bytes("plan/report.html"), report);
+
+  const Store store = read_store(folder / "plan/store.json");
+  const Scene scene = make_scene(store);
+  const SignalMatrix matrix = read_signal_file(folder / "plan/signal.h5");
+  CertifiedPlan answer = read_plan(folder / "plan/placement.json", make_signal_table(matrix));
+  std::vector<std::vector<std::uint32_t>> examined;
+  ASSERT_TRUE(answer.availability);
+  for (const ShownState& state : answer.availability->shown) examined.push_back(state.missed);
+  ASSERT_GE(examined.size(), 4U);
+  EXPECT_EQ(missed_on_page(answer, shop_states(store, scene, matrix, answer)), examined);
+  answer.seed = 5;
+  EXPECT_NE(missed_on_page(answer, shop_states(store, scene, matrix, answer)), examined);
+
+  const std::string number = std::to_string(answer.availability->shown[0].number);
+  told("inspect @store.json --seed 2 -o @state.json --quiet --state " + number);
+  answer.seed = 2;
+  const std::size_t boxes = shop_states(store, scene, matrix, answer)[0].blocks.size();
+  EXPECT_EQ(json("state.json")["fixtures"].size(), json("plan/store.json")["fixtures"].size() + boxes);
 }
 
 TEST_F(States, AreExportedAndSimulatedWithTheSameBytes) {

@@ -63,6 +63,21 @@ TEST(PlanFile, IsReadBack) {
   EXPECT_FALSE(read.curve.is_complete);
 }
 
+TEST(PlanFile, KeepsItsSeed) {
+  const test::TempFolder folder;
+  CertifiedPlan plan = example_plan();
+  EXPECT_FALSE(read_plan(folder.write("none.json", plan_json(plan, example())), example()).seed);
+  plan.seed = 18'446'744'073'709'551'615U;  // no double has this value
+  const std::string text = plan_json(plan, example());
+  EXPECT_EQ(read_plan(folder.write("p.json", text), example()).seed, plan.seed);
+  auto file = nlohmann::ordered_json::parse(text);
+  for (const char* other : {"-1", "1.5", "\"1\""}) {
+    file["seed"] = nlohmann::ordered_json::parse(other);
+    test::expect_input_error([&] { read_plan(folder.write("p.json", file.dump()), example()); }, "seed",
+                             "whole number");
+  }
+}
+
 TEST(PlanFile, KeepsStatesOfTheShop) {
   const test::TempFolder folder;
   CertifiedPlan plan{example_plan().placement};

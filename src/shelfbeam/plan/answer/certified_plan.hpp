@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct CertifiedPlan {
   std::optional<Availability> availability = {};  ///< of a shop that changes; then there is no certificate
   std::optional<Sensitivity> sensitivity = {};    ///< to reflectances
   std::vector<Finding> warnings = {};             ///< about implausible values and results
+  /// Of the random numbers of the plan; its signals may have another (Provenance). Nothing for a placement
+  /// alone, and for plans up to version 0.3, whose signals have the same.
+  std::optional<std::uint64_t> seed = {};
 };
 
 }  // namespace shelfbeam

@@ -56,6 +56,10 @@ void describe(Record& record, Certificate& certificate) {
 
 void describe(Record& record, CertifiedPlan& plan) {
   describe(record, plan.placement);
+  if (record.has("seed", plan.seed.has_value()))
+    record.custom(
+        "seed", [&] { return Json(*plan.seed); },
+        [&](const JsonCursor& json) { plan.seed = json.natural(); });
   describe(record, plan.curve);
   record.optional("certificate", plan.certificate);
   record.optional("states", plan.availability);

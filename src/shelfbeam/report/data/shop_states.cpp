@@ -28,7 +28,7 @@ std::vector<ShopState> shop_states(const Store& store, const Scene& scene, const
                                    const CertifiedPlan& plan) {
   std::vector<ShopState> shown;
   if (!store.variation || !plan.availability || plan.availability->shown.empty()) return shown;
-  const StoreStates states(store, scene, matrix.provenance.seed);
+  const StoreStates states(store, scene, plan.seed.value_or(matrix.provenance.seed));
   for (const ShownState& verdicts : plan.availability->shown) {
     const Store drawn = states.state(verdicts.number);
     ShopState state{verdicts, {}, {}};

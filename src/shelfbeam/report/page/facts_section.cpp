@@ -185,7 +185,10 @@ std::string origin_facts(const ReportData& data) {
   for (const LabelType& type : scene.label_types)
     facts.add_named(say("facts.origin.type", type.name),
                     say("facts.origin.requirement", data.unit.text(type.requirement())));
-  facts.add("facts.origin.seed", fmt::format("{}", provenance.seed));
+  const std::uint64_t seed = data.input.plan.seed.value_or(provenance.seed);
+  facts.add("facts.origin.seed", seed == provenance.seed ? fmt::format("{}", seed)
+                                                         : say("facts.origin.seeds", fmt::format("{}", seed),
+                                                               fmt::format("{}", provenance.seed)));
   facts.add("facts.origin.program",
             provenance.program_version.empty() ? "" : "shelfbeam " + provenance.program_version);
   facts.add("facts.origin.hash", provenance.store_hash);

@@ -143,6 +143,20 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
 }
 
 // The page contains sections for this kind of problem and result, and no others.
+TEST(ReportHtml, NamesTheSeedsOfPlanAndSignals) {
+  Supermarket s;
+  s.matrix.provenance.seed = 8'231;
+  const auto names = [&](const char* text) {
+    return test::pieces(test::static_report(s.input)).contains(text);
+  };
+  EXPECT_TRUE(names("8231"));
+  s.plan.seed = 8'231;
+  EXPECT_TRUE(names("8231"));
+  s.plan.seed = 8'232;
+  EXPECT_FALSE(names("8231"));
+  EXPECT_TRUE(names("8232; 8231 of the signals"));
+}
+
 TEST(ReportHtml, HasTheSectionsOfTheResult) {
   struct Case {
     std::function<void(Placement&)> change;

@@ -105,6 +105,16 @@ TEST(PageStates, AreTheSameFromTheResolvedStore) {
   EXPECT_EQ(packed(again), packed(shop.input()));
 }
 
+// Reused signals may have another seed than the plan.
+TEST(PageStates, HaveTheSeedOfThePlan) {
+  ChangingShop shop;
+  const std::string page = packed(shop.input());
+  shop.matrix.provenance.seed = seed + 1;
+  EXPECT_NE(packed(shop.input()), page) << "without a seed of the plan";
+  shop.plan.seed = seed;
+  EXPECT_EQ(packed(shop.input()), page);
+}
+
 TEST(PageStates, AreOmittedForAShopThatDoesNotChange) {
   ChangingShop shop;
   shop.plan.availability.reset();
