@@ -43,4 +43,13 @@ std::uint64_t question_key(std::uint64_t seed, const Scene& units, const Placeme
   return mix_key(seed, of("verify", problem).add(scene_hash(units)).key());
 }
 
+std::uint64_t question_key(std::uint64_t fixed, const StatesQuestion& changing) {
+  const auto& [scene, goal, required, confidence, states] = changing;
+  ContentBytes bytes;
+  bytes.add("states").add(scene_hash(scene)).add(goal.rule).add(goal.value.has_value());
+  bytes.add(goal.value.value_or(0)).add(confidence).add(states);
+  for (const double availability : required) bytes.add(availability);
+  return mix_key(fixed, bytes.key());
+}
+
 }  // namespace shelfbeam

@@ -145,7 +145,9 @@ class Planner {
   std::optional<EndReason> certify() {
     Availability& answer = result_.availability;
     // The other statement is the bound.
-    const std::uint64_t question = question_key(options_.simulation.seed, all_, problem());
+    const std::uint64_t question =
+        question_key(question_key(options_.simulation.seed, all_, problem()),
+                     {scene_, options_.goal, answer.required, options_.confidence, options_.sample});
     Rounds rounds(options_.confidence, 2, {options_.budget_s}, question, control_);
     const std::uint32_t factor = states_factor(options_.goal, answer.required);
     Selection named = selected_;

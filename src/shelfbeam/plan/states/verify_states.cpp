@@ -80,7 +80,10 @@ Availability verify_over_states(const Store& store, const Scene& scene, const Sc
   found.required = required_availabilities(units, options.goal);
   {
     const StateExamination examination(states, low_units, problem, options.simulation, log, control);
-    const FreshStatesOptions one_look{.question = question_key(options.simulation.seed, low_units, problem),
+    const std::uint64_t question =
+        question_key(question_key(options.simulation.seed, low_units, problem),
+                     {scene, options.goal, found.required, options.confidence, options.states});
+    const FreshStatesOptions one_look{.question = question,
                                       .round = verifying_round,
                                       .level = 1 - options.confidence,
                                       .looks = {options.states},

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -197,6 +198,53 @@ TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
   EXPECT_EQ(found.addition->id, "U11");
   EXPECT_EQ(found.addition->without.below(found.required), 1U);
   EXPECT_EQ(found.addition->added.below(found.required), 0U);
+}
+
+std::vector<std::uint64_t> numbers_of(const Availability& found) {
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(found.shown.size());
+  for (const ShownState& state : found.shown) numbers.push_back(state.number);
+  return numbers;
+}
+
+// Fresh states that may have suggested a change must not confirm it.
+TEST(VerifyStates, TakesOtherStatesForAnotherQuestion) {
+  const KnownStates::Pallets pallets{{{0, 0}, {0.15, 0.15}, {0, 0.2}}};
+  const std::vector<std::uint32_t> every{0, 1, 2}, left{0, 2, 4};
+  const auto numbers = [&](const VerifyStatesOptions& options, const KnownStates& shop) {
+    const Scene scene = make_scene(shop.store());
+    ResultLog log({}, {}, false, 0);
+    return numbers_of(
+        verify_over_states(shop.store(), scene, sub_scene(scene, every, left), {}, options, log));
+  };
+  const VerifyStatesOptions options{.states = 4, .simulation = KnownStates::simulation(5)};
+  const KnownStates shop(pallets);
+  std::set<std::vector<std::uint64_t>> found{numbers(options, shop)};
+  EXPECT_EQ(numbers(options, shop), *found.begin()) << "the same question";
+  VerifyStatesOptions other = options;
+  other.goal = {AvailabilityRule::labels, 0.9};
+  found.insert(numbers(other, shop));
+  other.goal = {AvailabilityRule::shop, 0.9};
+  found.insert(numbers(other, shop));
+  other = options;
+  other.confidence = 0.95;
+  found.insert(numbers(other, shop));
+  found.insert(numbers(options, KnownStates(pallets, R"("unit_power_db": 1,)")));
+  EXPECT_EQ(found.size(), 5U);
+}
+
+TEST(PlanStatesSlow, TakesOtherStatesForAnotherQuestion) {
+  const KnownStates::Pallets pallets{{{0.01, 0.01}, {0.01, 0.01}, {0.01, 0.01}}};
+  const KnownStates shop(pallets);
+  const auto numbers = [](const StatesOptions& options, const KnownStates& of) {
+    return numbers_of(of.plan(1, options).availability);
+  };
+  std::set<std::vector<std::uint64_t>> found{numbers({.sample = 20}, shop)};
+  EXPECT_EQ(numbers({.sample = 20}, shop), *found.begin()) << "the same question";
+  found.insert(numbers({.sample = 20, .goal = {AvailabilityRule::labels, 0.9}}, shop));
+  found.insert(numbers({.sample = 21}, shop));
+  found.insert(numbers({.sample = 20}, KnownStates(pallets, R"("unit_power_db": 0.1,)")));
+  EXPECT_EQ(found.size(), 4U);
 }
 
 // A label whose misses are counted as often as those of the required availability at the worst may be
