@@ -140,7 +140,8 @@ struct Scene {
 };
 
 /// Identifies a scene in checkpoints and results: its store_hash or, if that is empty, a hash of everything
-/// that affects a simulation.
+/// that affects a simulation, a placement or an analysis. So ranges of reflectances count, too, although a
+/// simulation does not depend on them.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace shelfbeam

@@ -69,8 +69,9 @@ std::string hash_of_surfaces(const Scene& scene) {
     }
     bytes.add(*number);
   }
+  // A material without a surface emits nothing.
   for (const EmittingSurface& surface : scene.emitting_surfaces)
-    bytes.add(surface.id).add(surface.material.value).add(surface.radiance);
+    bytes.add(surface.id).add(numbers[surface.material.value].value_or(count)).add(surface.radiance);
   return bytes.hash();
 }
 
@@ -78,8 +79,8 @@ std::string hash_of_surfaces(const Scene& scene) {
 
 LightKeys light_keys(const Scene& scene) {
   LightKeys keys{hash_of_surfaces(scene), {}, {}};
-  const auto key_of = [](const std::string& type, const Vec3& position, const Vec3& direction, double factor,
-                         double roll_deg) {
+  const auto key_of = [](const std::string& type, const Vec3& position, const Vec3& direction,
+                         double factor = 1, double roll_deg = 0) {
     ContentBytes bytes;
     bytes.add(type).add(factor).add(roll_deg);
     add(add(bytes, position), direction);
@@ -87,8 +88,7 @@ LightKeys light_keys(const Scene& scene) {
   };
   const std::vector<std::string> labels = lights_of(scene.label_types);
   for (const Label& label : scene.labels)
-    keys.labels.push_back(
-        key_of(labels[label.type.value], label.position, label.normal, label.relative_sensitivity, 0));
+    keys.labels.push_back(key_of(labels[label.type.value], label.position, label.normal));
   const std::vector<std::string> units = lights_of(scene.transceiver_types);
   for (const Transceiver& unit : scene.transceivers)
     keys.transceivers.push_back(
@@ -105,7 +105,10 @@ std::string scene_hash(const Scene& scene) {
   for (const LabelType& type : scene.label_types) bytes.add(type.name).add(text_of(type));
   for (const TransceiverType& type : scene.transceiver_types) bytes.add(type.name).add(text_of(type));
   for (std::size_t i = 0; i < scene.labels.size(); ++i)
-    bytes.add(scene.labels[i].id).add(scene.labels[i].type.value).add(keys.labels[i]);
+    bytes.add(scene.labels[i].id)
+        .add(scene.labels[i].type.value)
+        .add(scene.labels[i].relative_sensitivity)
+        .add(keys.labels[i]);
   for (std::size_t j = 0; j < scene.transceivers.size(); ++j)
     bytes.add(scene.transceivers[j].id)
         .add(scene.transceivers[j].type.value)

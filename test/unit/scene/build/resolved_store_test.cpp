@@ -1,4 +1,5 @@
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <random>
 #include <string>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/scene/light_keys.hpp"
 
 #include "support/temp_folder.hpp"
 #include "unit/scene/same_scene.hpp"
@@ -218,6 +220,36 @@ TEST(ResolvedStore, HasTheHashOfTheScene) {
   EXPECT_EQ(own, hash_without_store(make_scene(store)));
   scene.emitting_surfaces.push_back({"lamp", MaterialId{0}, 1});
   EXPECT_NE(hash_without_store(scene), own);
+}
+
+// Relative sensitivities divide requirements; signals do not depend on them.
+TEST(ResolvedStore, HashButNoKeyOfLightCoversSensitivities) {
+  const Scene scene = test::scene_of(sample_store());
+  Scene changed = scene;
+  changed.labels[0].relative_sensitivity = 1.25;
+  EXPECT_NE(hash_without_store(changed), hash_without_store(scene));
+  EXPECT_EQ(light_keys(changed).labels, light_keys(scene).labels);
+  changed = scene;
+  changed.materials[0].reflectance_range = {0.1, 0.9};
+  EXPECT_NE(hash_without_store(changed), hash_without_store(scene));
+  EXPECT_EQ(light_keys(changed).light_hash, light_keys(scene).light_hash);
+}
+
+TEST(ResolvedStore, LightOfEmittingSurfacesHasTheirMaterials) {
+  Json text = sample_store();
+  const auto hash_of = [&](const std::string& material) {
+    Scene scene = test::scene_of(text);
+    for (std::uint32_t m = 0; m < scene.materials.size(); ++m)
+      if (scene.materials[m].name == material) scene.emitting_surfaces.push_back({"lamp", MaterialId{m}, 1});
+    return light_keys(scene).light_hash;
+  };
+  const std::string white = hash_of("white");
+  EXPECT_NE(hash_of("tile"), white);
+  EXPECT_NE(hash_of("carton"), white) << "no surface emits";
+  Json materials{{"unused", {{"type", "lambertian"}, {"reflectance", 0.4}}}};
+  materials.update(text["materials"]);
+  text["materials"] = materials;
+  EXPECT_EQ(hash_of("white"), white) << "with another number";
 }
 
 }  // namespace
