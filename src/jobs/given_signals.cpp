@@ -7,6 +7,7 @@
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 
 #include "jobs/plan_folder.hpp"
+#include "jobs/plan_record.hpp"
 
 namespace shelfbeam::jobs {
 
@@ -24,7 +25,12 @@ void add_light(StoredSignals& signals, const std::filesystem::path& store) {
 StoredSignals read_given_signals(const std::filesystem::path& signals) {
   if (!std::filesystem::is_directory(signals)) return read_signal_file(signals);
   StoredSignals found = read_signal_file(signals / signal_name);
-  if (found.provenance.light_hash.empty()) add_light(found, signals / store_name);
+  if (found.provenance.light_hash) return found;
+  add_light(found, signals / store_name);
+  // Nor did these versions mark the signals of an interrupted simulation.
+  const std::filesystem::path placement = signals / placement_name;
+  if (std::filesystem::exists(placement))
+    if (const auto record = read_record(placement)) found.provenance.complete = record->is_complete;
   return found;
 }
 

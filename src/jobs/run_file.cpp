@@ -42,8 +42,8 @@ void add_effort(Json& json, const char* name, const std::optional<EndReason>& op
 Json to_json(const GivenSignals& given) {
   if (const auto* misfit = std::get_if<MisfitReason>(&given)) {
     Json json = {{"reused", false}, {"misfit", to_text(misfit->code)}};
-    if (misfit->missing > 0)
-      json.update({{"missing", misfit->missing}, {"first_missing", misfit->first_missing}});
+    if (misfit->missing)
+      json.update({{"missing", misfit->missing->count}, {"first_missing", misfit->missing->first}});
     return json;
   }
   const auto& [labels, transceivers, seed] = std::get<ReusedSignals>(given);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -24,8 +25,10 @@ struct Provenance {
   std::string program_version;
   std::string store_hash;  ///< scene_hash of the simulated store; empty for an imported matrix
   std::uint64_t seed = 0;
-  std::string estimator;        ///< e.g. "uniform mis (balance), direct exact"; empty for an imported matrix
-  std::string light_hash = {};  ///< light_keys of the simulated store; empty if unknown, as up to version 0.3
+  std::string estimator;  ///< e.g. "uniform mis (balance), direct exact"; empty for an imported matrix
+  /// light_keys of the simulated store; nothing if unknown, as up to version 0.3.
+  std::optional<std::string> light_hash = {};
+  bool complete = true;  ///< the simulation was not interrupted
 
   bool operator==(const Provenance&) const = default;
 };

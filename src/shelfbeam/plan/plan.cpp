@@ -97,10 +97,10 @@ SimulationResult result_of(SignalMatrix matrix) {
 
 // The given signals, if they fit.
 std::optional<SimulationResult> reused(std::optional<StoredSignals> signals, const Scene& scene,
-                                       std::optional<GivenSignals>& given) {
+                                       const PathRules& wanted, std::optional<GivenSignals>& given) {
   if (!signals) return {};
   const ReusedSignals all{signals->rows(), signals->columns(), signals->provenance.seed};
-  auto fitting = fitting_signals(std::move(*signals), scene);
+  auto fitting = fitting_signals(std::move(*signals), scene, wanted);
   if (auto* reason = std::get_if<MisfitReason>(&fitting)) {
     given = std::move(*reason);
     return {};
@@ -117,7 +117,7 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
   // Rows of signals are sampled again for the certificate.
   const bool has_rows = options.simulation.strategy != Strategy::particle;
   const bool is_partial = options.partial.is_asked();
-  auto known = reused(std::move(options.signals), scene, plan.signals);
+  auto known = reused(std::move(options.signals), scene, options.simulation.rules(), plan.signals);
   std::unique_ptr<const PreparedScene> prepared;
   if (!known || (options.confidence && has_rows && !is_partial))
     prepared = prepare(scene, options.simulation, true, control);

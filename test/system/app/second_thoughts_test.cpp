@@ -1,5 +1,6 @@
 // Tests plans that reuse the signals of earlier ones through the program.
 
+#include <csignal>
 #include <string>
 
 #include <fmt/format.h>
@@ -185,6 +186,68 @@ TEST_F(SecondThoughts, ReportOnAnySelection) {
   EXPECT_EQ(signals("mounted").columns(), 2U);
   refused("verify @store.json @first/placement.json -o @first", {"finished plan", "--overwrite"});
   refused("verify @store.json @first/placement.json --overwrite", {"--overwrite"});
+}
+
+TEST_F(SecondThoughts, OverwriteThePlanWhoseSignalsTheyReuse) {
+  told(fmt::format("{} -o @plan", plan));
+  const SignalMatrix first = signals("plan");
+  test::Json store = test::small_store();
+  store["transceiver_types"]["ceiling"]["cost"] = 7;
+  write(store);
+  refused("plan @store.json -o @plan --signal @plan", {"contains a finished plan"});
+  EXPECT_THAT(told("plan @store.json --no-certificate -o @plan --signal @plan --overwrite"),
+              HasSubstr("read from "));
+  EXPECT_EQ(signals("plan").mean, first.mean);
+  EXPECT_EQ(signals("plan").transceivers[0].cost, 7);
+}
+
+TEST_F(SecondThoughts, TellHowManySignalsTheyReuse) {
+  told(fmt::format("{} -o @first", plan));
+  test::Json store = test::small_store();
+  store["labels"] = test::Json::array();
+  write(store);
+  EXPECT_THAT(told("plan @store.json --no-certificate --signal @first -o @second"),
+              HasSubstr("16 labels x 12 candidates, read from the 17 x 12 of "));
+}
+
+TEST_F(SecondThoughts, AboutOtherPathsAreSimulatedAgain) {
+  told("plan @store.json --samples 1000 --no-certificate --max-bounces 2 -o @first");
+  const std::string again = "plan @store.json --no-certificate --samples 64 --signal @first ";
+  EXPECT_THAT(told(again + "-o @all"), HasSubstr("another number of bounces"));
+  EXPECT_EQ(json("all/run.json")["signals"]["misfit"], "paths");
+  EXPECT_THAT(told(again + "--max-bounces 2 -o @two"), HasSubstr("read from "));
+}
+
+// Stops a plan when its checkpoint has appeared.
+TEST_F(SecondThoughts, DoNotReuseAnInterruptedSimulation) {
+  const std::string line = "--samples 400000000 --threads 1 --checkpoint-interval 0";
+  for (const char* verb : {"plan @store.json -o @plan ", "simulate @store.json -o @signal.h5 "}) {
+    test::Process process(test::command(test::words(folder, verb + line)));
+    process.wait_for_changes(path(verb[0] == 'p' ? "plan/signal.h5.checkpoint" : "signal.h5.checkpoint"), 3);
+    process.send(SIGINT);
+    ASSERT_EQ(process.wait().exit_code, 3) << verb;
+  }
+  int number = 0;
+  for (const char* signal : {"@plan", "@plan/signal.h5", "@signal.h5"}) {
+    const std::string name = fmt::format("again{}", ++number);
+    EXPECT_THAT(told(fmt::format("{} --signal {} -o @{}", plan, signal, name)),
+                HasSubstr("its simulation was interrupted"));
+    EXPECT_EQ(json(name + "/run.json")["signals"]["misfit"], "incomplete");
+  }
+}
+
+// A certificate on reused signals continues after an interruption.
+TEST_F(SecondThoughts, ResumeTheirCertificates) {
+  told("simulate @store.json --samples 1000 -o @signal.h5 --quiet");
+  const std::string line = "plan @store.json --signal @signal.h5 ";
+  told(line + "-o @whole");
+  test::Process process(test::command(test::words(folder, line + "--threads 1 -o @plan")));
+  process.wait_for_changes(path("plan"), 1);
+  process.send(SIGINT);
+  const int code = process.wait().exit_code;
+  EXPECT_THAT(told(line + "-o @plan --resume" + (code == 0 ? " --overwrite" : "")), HasSubstr("read from "));
+  for (const char* name : {"signal.h5", "placement.json", "labels.csv", "verification.csv"})
+    EXPECT_TRUE(bytes(fmt::format("plan/{}", name)) == bytes(fmt::format("whole/{}", name))) << name;
 }
 
 TEST_F(SecondThoughts, ReadPlansOfEarlierVersions) {

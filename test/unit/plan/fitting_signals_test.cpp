@@ -5,13 +5,17 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/transport/run/matrix_rows.hpp"
+#include "shelfbeam/transport/run/simulate.hpp"
 
 #include "unit/scene/sample_store.hpp"
 
@@ -20,9 +24,16 @@ namespace {
 
 using test::Json;
 
+constexpr auto reuse = "reuse, 128 + 3 first rays per batch";
+
+std::variant<SignalMatrix, MisfitReason> fit(StoredSignals signals, const Scene& scene,
+                                             const PathRules& wanted = SimulationOptions().rules()) {
+  return fitting_signals(std::move(signals), scene, wanted);
+}
+
 // Every entry has another value.
 StoredSignals signals_of(const Scene& scene) {
-  StoredSignals signals{detail::matrix_head(scene, scene_hash(scene), 7, "test")};
+  StoredSignals signals{detail::matrix_head(scene, scene_hash(scene), 7, reuse)};
   const std::size_t size = signals.rows() * signals.columns();
   for (std::size_t k = 0; k < size; ++k) {
     signals.mean.push_back(static_cast<float>(k));
@@ -60,6 +71,10 @@ const std::vector<Change>& changes() {
       {{}, [](Json& store, double x) { store["name"] = name_of(x); }},
       {{}, [](Json& store, double x) { store["fixtures"][1]["id"] = name_of(x); }},
       {{}, [](Json& store, double) { store["labels"] = Json::array(); }},
+      {{},
+       [](Json& store, double x) {
+         for (Json& label : store["labels"]) label["relative_sensitivity"] = 1 + x;
+       }},
       {{}, [](Json& store, double) { store["transceivers"]["installed"] = Json::array(); }},
       {{}, [](Json& store, double) { store["transceivers"]["keep_out"][0]["max"] = {3.5, 3.5}; }},
       {{},
@@ -173,7 +188,7 @@ TEST(FittingSignals, AreThoseOfAStoreWithTheSameLight) {
       ++times[which];
     }
     const Scene changed = test::scene_of(store);
-    const auto found = fitting_signals(all, changed);
+    const auto found = fit(all, changed);
     const bool has_same_names = ids_of(changed.labels) == ids_of(scene.labels) &&
                                 ids_of(changed.transceivers) == ids_of(scene.transceivers);
     if (expected) {
@@ -198,32 +213,98 @@ TEST(FittingSignals, KeepTheirBytesForTheSameLabelsAndCandidates) {
   const StoredSignals all = signals_of(test::scene_of(store));
   store["label_types"]["large"]["safety_factor"] = 3;
   const Scene changed = test::scene_of(store);
-  const auto found = fitting_signals(all, changed);
+  const auto found = fit(all, changed);
   const auto& fitting = std::get<SignalMatrix>(found);
   EXPECT_EQ(fitting.mean, all.mean);
   EXPECT_EQ(fitting.standard_error, all.standard_error);
   EXPECT_EQ(fitting.provenance.seed, 7u);
 }
 
+Misfit misfit_of(const StoredSignals& signals, const Scene& scene,
+                 const PathRules& wanted = SimulationOptions().rules()) {
+  const auto found = fit(signals, scene, wanted);
+  const auto* reason = std::get_if<MisfitReason>(&found);
+  return reason != nullptr ? reason->code : throw std::runtime_error("they fit");
+}
+
+StoredSignals without_light(StoredSignals signals) {
+  signals.provenance.light_hash.reset();
+  for (LabelRow& row : signals.labels) row.light = 0;
+  for (TransceiverColumn& column : signals.transceivers) column.light = 0;
+  return signals;
+}
+
 TEST(FittingSignals, OfOlderFilesAreThoseOfTheirStore) {
   const Json store = sample();
   const Scene scene = test::scene_of(store);
-  StoredSignals old = signals_of(scene);
-  old.provenance.light_hash.clear();
-  for (LabelRow& row : old.labels) row.light = 0;
-  for (TransceiverColumn& column : old.transceivers) column.light = 0;
-  EXPECT_TRUE(std::holds_alternative<SignalMatrix>(fitting_signals(old, scene)));
+  const StoredSignals all = signals_of(scene), old = without_light(all);
+  const auto found = fit(old, scene);
+  EXPECT_EQ(std::get<SignalMatrix>(found), static_cast<const SignalMatrix&>(all)) << "with the keys of light";
   Json cheaper = store;
   cheaper["transceiver_types"]["down"]["cost"] = 1;
-  const auto refused = fitting_signals(old, test::scene_of(cheaper));
-  EXPECT_EQ(std::get<MisfitReason>(refused).code, Misfit::store);
+  EXPECT_EQ(misfit_of(old, test::scene_of(cheaper)), Misfit::store);
 }
 
-TEST(FittingSignals, OfAChangingShopAreRefused) {
+TEST(FittingSignals, OfOlderFilesHaveTheLabelsAndCandidatesOfTheirStore) {
   const Scene scene = test::scene_of(sample());
-  StoredSignals signals = signals_of(scene);
+  const StoredSignals old = without_light(signals_of(scene));
+  StoredSignals fewer = old;
+  fewer.labels.pop_back();
+  fewer.mean.resize(fewer.rows() * fewer.columns());
+  EXPECT_EQ(misfit_of(fewer, scene), Misfit::store);
+  StoredSignals other = old;
+  other.labels.back().id = "other";
+  EXPECT_EQ(misfit_of(other, scene), Misfit::labels);
+  other = old;
+  other.transceivers.front().id = "other";
+  EXPECT_EQ(misfit_of(other, scene), Misfit::transceivers);
+  // The order may be another.
+  StoredSignals exchanged = old;
+  std::swap(exchanged.labels[0], exchanged.labels[1]);
+  const auto found = fit(exchanged, scene);
+  EXPECT_EQ(std::get<SignalMatrix>(found).mean[0], old.mean[old.at(1, 0)]);
+}
+
+TEST(FittingSignals, AreWhole) {
+  const Scene scene = test::scene_of(sample());
+  const StoredSignals all = signals_of(scene);
+  StoredSignals signals = all;
   signals.states.emplace();
-  EXPECT_EQ(std::get<MisfitReason>(fitting_signals(signals, scene)).code, Misfit::states);
+  EXPECT_EQ(misfit_of(signals, scene), Misfit::states);
+  signals = all;
+  signals.part.emplace();
+  EXPECT_EQ(misfit_of(signals, scene), Misfit::part);
+  signals = all;
+  signals.provenance.complete = false;
+  EXPECT_EQ(misfit_of(signals, scene), Misfit::incomplete);
+}
+
+TEST(FittingSignals, HaveThePathsOfTheSimulation) {
+  Json store = sample();
+  store["fixtures"][2]["material"] = "foil";
+  const Scene scene = test::scene_of(store);
+  StoredSignals signals = signals_of(scene);
+  const auto fits = [&](const std::string& estimator, const PathRules& wanted) {
+    signals.provenance.estimator = estimator;
+    const auto found = fit(signals, scene, wanted);
+    if (const auto* reason = std::get_if<MisfitReason>(&found)) {
+      EXPECT_EQ(reason->code, Misfit::paths);
+    }
+    return std::holds_alternative<SignalMatrix>(found);
+  };
+  const PathRules all, three{.max_bounces = 3}, walk{.strategy = Strategy::walk},
+      particle{.strategy = Strategy::particle};
+  for (const char* complete : {reuse, "uniform mis (power), direct exact", "uniform nee, direct sampled", ""})
+    EXPECT_TRUE(fits(complete, all)) << complete;
+  for (const char* other : {"uniform walk, direct sampled", "particle, direct sampled", "another program",
+                            "uniform mis (balance), direct exact, at most 3 bounces"})
+    EXPECT_FALSE(fits(other, all)) << other;
+  EXPECT_TRUE(fits("uniform nee, direct exact, at most 3 bounces", three));
+  EXPECT_FALSE(fits("uniform nee, direct exact, at most 30 bounces", three));
+  EXPECT_FALSE(fits(reuse, three));
+  EXPECT_TRUE(fits("uniform walk, direct sampled", walk));
+  EXPECT_TRUE(fits("particle, direct sampled", particle));
+  EXPECT_FALSE(fits("particle, direct sampled", walk));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -13,6 +14,9 @@ namespace shelfbeam {
 /// The kind of difference between signals and a scene that they do not fit.
 enum class Misfit : std::uint8_t {
   states,        ///< they are of a changing shop
+  part,          ///< they are a part of a simulation
+  incomplete,    ///< their simulation was interrupted
+  paths,         ///< it allowed another number of bounces, or its strategy finds other light
   store,         ///< another store, by its hash, in a file without light_hash
   light,         ///< other surfaces, materials or wavelength
   labels,        ///< labels of the scene are missing
@@ -21,15 +25,22 @@ enum class Misfit : std::uint8_t {
 template <>
 inline constexpr auto names_of<Misfit> =
     std::to_array<Named<Misfit>>({{"states", Misfit::states},
+                                  {"part", Misfit::part},
+                                  {"incomplete", Misfit::incomplete},
+                                  {"paths", Misfit::paths},
                                   {"store", Misfit::store},
                                   {"light", Misfit::light},
                                   {"labels", Misfit::labels},
                                   {"transceivers", Misfit::transceivers}});
 
 struct MisfitReason {
+  struct Missing {
+    std::size_t count = 0;
+    std::string first;  ///< id of one of them
+  };
+
   Misfit code = Misfit::light;
-  std::size_t missing = 0;         ///< number of labels or transceivers
-  std::string first_missing = {};  ///< id of one of them
+  std::optional<Missing> missing = {};  ///< labels or transceivers
 };
 
 /// Signals that another run has simulated.

@@ -10,7 +10,7 @@ namespace {
 
 std::string reason_text(const MisfitReason& reason) {
   const std::string key = fmt::format("signals.misfit.{}", to_text(reason.code));
-  return reason.missing > 0 ? say_count(key, reason.missing, reason.first_missing) : say(key);
+  return reason.missing ? say_count(key, reason.missing->count, reason.missing->first) : say(key);
 }
 
 }  // namespace
@@ -19,7 +19,11 @@ std::string signals_text(const GivenSignals& given, std::size_t labels, std::siz
                          const std::string& name) {
   if (const auto* misfit = std::get_if<MisfitReason>(&given))
     return say("signals.again", name, reason_text(*misfit));
-  return say("signals.reused", grouped(labels), grouped(candidates), name);
+  const auto& all = std::get<ReusedSignals>(given);
+  if (all.labels == labels && all.transceivers == candidates)
+    return say("signals.reused", grouped(labels), grouped(candidates), name);
+  return say("signals.reused_some", grouped(labels), grouped(candidates), name, grouped(all.labels),
+             grouped(all.transceivers));
 }
 
 }  // namespace shelfbeam

@@ -41,6 +41,8 @@ class MatrixReader {
     StoredSignals matrix;
     matrix.provenance = {file_.text_attribute("program_version"), file_.text_attribute("store_hash"),
                          file_.attribute<std::uint64_t>("seed"), file_.text_attribute("estimator")};
+    if (file_.has_attribute("complete"))
+      matrix.provenance.complete = file_.attribute<std::uint32_t>("complete") != 0;
     matrix.wavelength_nm = file_.attribute<double>("wavelength_nm");
     if (file_.has_attribute("currency")) matrix.currency = file_.text_attribute("currency");
 

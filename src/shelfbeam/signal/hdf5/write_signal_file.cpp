@@ -34,8 +34,8 @@ class MatrixWriter {
     file_.attribute("store_hash", provenance.store_hash);
     file_.attribute("seed", provenance.seed);
     file_.attribute("estimator", provenance.estimator);
-    const bool has_light = !provenance.light_hash.empty();
-    if (has_light) file_.attribute("light_hash", provenance.light_hash);
+    if (provenance.light_hash) file_.attribute("light_hash", *provenance.light_hash);
+    if (!provenance.complete) file_.attribute("complete", std::uint32_t{0});
     file_.attribute("wavelength_nm", matrix_.wavelength_nm);
     if (!matrix_.currency.empty()) file_.attribute("currency", matrix_.currency);
 
@@ -60,7 +60,7 @@ class MatrixWriter {
     if (std::any_of(units.begin(), units.end(), [](const TransceiverColumn& unit) { return unit.pinned; }))
       column("/transceivers/pinned", units, &TransceiverColumn::pinned);
     if (!matrix_.excluded.empty()) file_.texts("/transceivers/excluded", matrix_.excluded);
-    if (has_light) {
+    if (provenance.light_hash) {
       column("/labels/light", matrix_.labels, &LabelRow::light);
       column("/transceivers/light", matrix_.transceivers, &TransceiverColumn::light);
     }

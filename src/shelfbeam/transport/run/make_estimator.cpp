@@ -1,8 +1,11 @@
 #include "shelfbeam/transport/run/make_estimator.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <limits>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -89,6 +92,22 @@ std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOp
                      fmt::format("is too small: the labels form {} groups", estimator->items()),
                      fmt::format("use at most {} parts", estimator->items()), Setting::part);
   return std::make_unique<detail::EstimatorShare>(std::move(estimator), number - 1, count);
+}
+
+std::optional<PathRules> rules_of_estimator(std::string_view name) {
+  constexpr std::string_view of_labels = "uniform ", limit = ", at most ";
+  if (name.starts_with("reuse")) return SimulationOptions().rules();
+  if (name.starts_with(of_labels)) name.remove_prefix(of_labels.size());
+  const auto strategy = from_text<Strategy>(name.substr(0, name.find_first_of(" ,")));
+  if (!strategy) return {};
+  PathRules rules{.strategy = *strategy};
+  if (const std::size_t at = name.find(limit); at != std::string_view::npos) {
+    const std::string_view number = name.substr(at + limit.size());
+    const auto [end, error] =
+        std::from_chars(number.data(), number.data() + number.size(), rules.max_bounces);
+    if (error != std::errc{}) return {};
+  }
+  return rules;
 }
 
 std::uint32_t batches_for(const Estimator& estimator, const SimulationOptions& options) {

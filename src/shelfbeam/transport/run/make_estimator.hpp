@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -15,6 +17,10 @@ namespace shelfbeam {
 /// when cancelled.
 std::unique_ptr<Estimator> make_estimator(const World& world, const SimulationOptions& options,
                                           const RunControl& control = {});
+
+/// Strategy and max number of bounces of the estimator with this name (Estimator::name); nothing if there is
+/// none.
+std::optional<PathRules> rules_of_estimator(std::string_view name);
 
 /// Max number of batches per item: the number that gives the requested samples, or max_samples of a relative
 /// error; at least `min_batches`, for their spread. Unlimited with a time limit.

@@ -83,9 +83,11 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
                                 options.bounce_layers(), options.length_layers());
     };
     const std::vector<std::uint32_t>& simulated = prepared.labels();
+    bool complete = false;
     const auto head_of = [&](const detail::MatrixRows& rows) {
       StoredSignals head{detail::matrix_head(scene, hash, options.seed, estimator.name())};
       head.length_step = options.by_length.step;
+      head.provenance.complete = complete;
       for (std::size_t i = 0; i < head.rows(); ++i) {
         head.labels[i].batches = rows.batches(i);
         head.labels[i].samples = std::uint64_t{head.labels[i].batches} * estimator.samples_per_batch();
@@ -99,7 +101,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       return head;
     };
     try {
-      const bool complete = scheduler.run();
+      complete = scheduler.run();
       const bool is_saved =
           complete ? options.checkpoint.at_end && scheduler.try_to_save() : scheduler.has_checkpoint();
       if (scheduler.fewest_batches() < 2)

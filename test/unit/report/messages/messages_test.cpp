@@ -2,6 +2,7 @@
 // check values.
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -17,6 +18,7 @@
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/messages/signals.hpp"
 
 #include "support/snapshot.hpp"
 #include "unit/report/supermarket_report.hpp"
@@ -337,6 +339,23 @@ void say_headlines(Sentences& to) {
   }
 }
 
+void say_signals(Sentences& to) {
+  to.heading("signals");
+  const auto say = [&](const GivenSignals& given) {
+    const std::string text = signals_text(given, 1186, 90, "old.h5");
+    to.say(text.substr(0, text.find_last_not_of(' ') + 1));
+  };
+  say(ReusedSignals{1186, 90, 1});
+  say(ReusedSignals{2000, 90, 1});
+  for (const auto& [name, code] : names_of<Misfit>) {
+    if (code != Misfit::labels && code != Misfit::transceivers) {
+      say(MisfitReason{code});
+      continue;
+    }
+    for (const std::size_t count : {1, 2000}) say(MisfitReason{code, MisfitReason::Missing{count, "A1"}});
+  }
+}
+
 TEST(Messages, EqualTheSnapshot) {
   Sentences said;
   say_selections(said);
@@ -347,6 +366,7 @@ TEST(Messages, EqualTheSnapshot) {
   say_open_bounds(said);
   say_proofs_of_the_first_page(said);
   say_headlines(said);
+  say_signals(said);
   test::expect_snapshot(said.text(), "messages.txt");
 }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/stats/moments.hpp"
+#include "shelfbeam/transport/run/make_estimator.hpp"
 
 #include "physics/comparison.hpp"
 #include "support/expect_input_error.hpp"
@@ -52,6 +54,30 @@ TEST(Simulate, EveryStrategyIsBitwiseTheSameForAnyNumberOfThreads) {
       options.seed = 2;
       EXPECT_NE(one.mean, with(1).mean);
     }
+}
+
+TEST(Simulate, NamesTheRulesOfItsPaths) {
+  Scene scene = test::SmallStore{}.scene();
+  for (TransceiverType& type : scene.transceiver_types) type.radius = 0.1;
+  SimulationOptions options;
+  options.samples = 64;
+  const auto expect_named = [&] {
+    const std::string name = simulate(scene, options).matrix.provenance.estimator;
+    const auto rules = rules_of_estimator(name);
+    ASSERT_TRUE(rules) << name;
+    EXPECT_EQ(rules->strategy, options.rules().strategy) << name;
+    EXPECT_EQ(rules->max_bounces, options.rules().max_bounces) << name;
+  };
+  expect_named();
+  options.estimator = EstimatorKind::uniform;
+  for (const Strategy strategy : {Strategy::walk, Strategy::nee, Strategy::mis, Strategy::particle})
+    for (const std::uint32_t bounces : {0U, 12U, PathRules::no_limit}) {
+      options.strategy = strategy;
+      options.max_bounces = bounces;
+      expect_named();
+    }
+  for (const char* other : {"", "uniform", "another program", "nee, at most many bounces"})
+    EXPECT_FALSE(rules_of_estimator(other)) << other;
 }
 
 TEST(Simulate, RefusesInvalidOptions) {
