@@ -145,13 +145,12 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
   verb->get_option("--samples")
       ->description(
           "Samples per label; default: as many as the certificate needs (with --no-certificate: 10000)");
-  auto* signal =
-      OptionGroup(*verb, group::simulation)
-          .add("--signal", job.signal, a_path(),
-               "Signals to reuse: a signal file, or the folder of an earlier plan. They fit if geometry, "
-               "materials and wavelength are the same, and if they contain all labels and candidates; "
-               "otherwise, the store is simulated again. The certificate takes samples of its own");
-  for (const char* other : {"--samples", "--relative-error", "--time"}) signal->excludes(other);
+  OptionGroup(*verb, group::simulation)
+      .add("--signal", job.signal, a_path(),
+           "Signals to reuse: a signal file, or the folder of an earlier plan. They fit if geometry, "
+           "materials and wavelength are the same, and if they contain all labels and candidates; "
+           "otherwise, the store is simulated again, with the options of a simulation. The certificate takes "
+           "samples of its own");
   add_partial_options(*verb, job.plan.partial);
   add_problem_options(*verb, job.plan.problem);
   add_solver_options(*verb, job.plan.place);

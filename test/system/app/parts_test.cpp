@@ -96,7 +96,13 @@ TEST_F(Parts, AreThePlanOfOneRun) {
   EXPECT_EQ(json("merged/placement.json")["chosen"], json("one/placement.json")["chosen"]);
 
   refused("plan @store.json --signal @1.h5 -o @other", {"1.h5: is part 1 of 2", "merge all parts"});
-  refused("plan @store.json --signal @signal.h5 --samples 64 -o @other", {"--signal", "--samples"});
+  // The samples apply if the signals do not fit.
+  const std::string fewer = "plan @store.json --no-certificate --signal @signal.h5 --samples 64 -o @";
+  EXPECT_THAT(told(fewer + "fitting"), HasSubstr("read from "));
+  EXPECT_TRUE(bytes("fitting/signal.h5") == bytes("signal.h5"));
+  EXPECT_THAT(told(fewer + "misfit --max-bounces 1"), HasSubstr("another number of bounces"));
+  told("plan @store.json --no-certificate --samples 64 --max-bounces 1 -o @simulated");
+  EXPECT_TRUE(bytes("misfit/signal.h5") == bytes("simulated/signal.h5"));
   refused("place @1.h5", {"1.h5: is part 1 of 2"});
   refused("merge @1.h5 -o @again.h5", {"number 2 is missing", "simulate them, or name their files"});
   refused("merge @1.h5 @2.h5 -o @1.h5", {"is also the input"});
