@@ -13,9 +13,9 @@
 #include "shelfbeam/plan/store/given_units.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
-#include "jobs/given_signals.hpp"
 #include "jobs/plan_files.hpp"
 #include "jobs/run_file.hpp"
+#include "jobs/stored_plan.hpp"
 
 namespace shelfbeam::jobs {
 namespace fs = std::filesystem;

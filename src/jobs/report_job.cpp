@@ -5,16 +5,13 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/shop_states.hpp"
-#include "shelfbeam/signal/hdf5/signal_file.hpp"
-#include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "jobs/plan_files.hpp"
 #include "jobs/plan_folder.hpp"
 #include "jobs/plan_record.hpp"
+#include "jobs/stored_plan.hpp"
 
 namespace shelfbeam::jobs {
 
@@ -57,14 +54,7 @@ void replace(const std::filesystem::path& folder, AtomicFolder& files) {
 std::filesystem::path rebuild_report(const std::filesystem::path& folder, bool safe_csv) {
   std::optional<OutputLock> lock;
   if (std::filesystem::is_directory(folder)) lock.emplace(folder / signal_name, folder.string());
-  const Store store = read_store(folder / store_name);
-  const Scene scene = make_scene(store);
-  const std::string signal = (folder / signal_name).string();
-  const SignalMatrix matrix = read_signal_file(signal);
-  // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
-  if (matrix.provenance.store_hash != content_hash(read_file(folder / store_name)))
-    throw InputError(signal, "does not belong to the store file in this folder", "plan the store again");
-  const CertifiedPlan plan = read_plan(folder / placement_name, make_signal_table(matrix, signal));
+  const auto [store, scene, matrix, plan] = read_stored_plan(folder);
   AtomicFolder files(folder);
   add_report(files, {scene, matrix, plan, safe_csv, shop_states(store, scene, matrix, plan)});
   replace(folder, files);

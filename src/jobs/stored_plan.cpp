@@ -1,9 +1,15 @@
-#include "jobs/given_signals.hpp"
+#include "jobs/stored_plan.hpp"
 
+#include <string>
+#include <utility>
+
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
-#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
 
 #include "jobs/plan_folder.hpp"
@@ -21,6 +27,20 @@ void add_light(StoredSignals& signals, const std::filesystem::path& store) {
 }
 
 }  // namespace
+
+StoredPlan read_stored_plan(const std::filesystem::path& folder) {
+  Store store = read_store(folder / store_name);
+  Scene scene = make_scene(store);
+  const std::string signal = (folder / signal_name).string();
+  SignalMatrix matrix = read_signal_file(signal);
+  // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
+  if (matrix.provenance.store_hash != content_hash(read_file(folder / store_name)))
+    throw InputError(signal, "does not belong to the store file in this folder", "plan the store again");
+  SignalTable table = table_without_signals(scene);
+  table.mounts = shared_mounts(matrix);
+  CertifiedPlan plan = read_plan(folder / placement_name, table);
+  return {std::move(store), std::move(scene), std::move(matrix), std::move(plan)};
+}
 
 StoredSignals read_given_signals(const std::filesystem::path& signals) {
   if (!std::filesystem::is_directory(signals)) return read_signal_file(signals);
