@@ -18,7 +18,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::uint32_t states_per_cause = 60, batches = 64;
+constexpr std::uint32_t states_per_cause = 60, batches_per_state = 64;
 constexpr std::uint64_t first_state = 900'000'000;  ///< beyond those of samples and rounds
 constexpr double uniform_variance = 1.0 / 12;       ///< of a number between 0 and 1
 
@@ -59,7 +59,7 @@ class Causes {
     const std::size_t columns = low_.transceivers.size();
     SignalMoments signal(low_.labels.size());
     simulate_states(
-        states, first, options_, {first_state, states_per_cause, batches},
+        states, first, options_, {first_state, states_per_cause, batches_per_state},
         [&](const StateSignals& state) {
           for (std::size_t i = 0; i < signal.size(); ++i) {
             ReceivedSignal received(problem_);
