@@ -66,6 +66,7 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   add_verify(app, chosen);
   add_report(app, chosen);
   add_compare(app, chosen);
+  add_diff(app, chosen);
   add_export(app, chosen);
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
   add_job(app, chosen);

@@ -197,7 +197,7 @@ int run_compare(const CompareArguments& options) {
 
 void add_compare(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
-      app.add_subcommand("compare", "Compare measured with simulated signals; fit the factor between them");
+      app.add_subcommand("compare", "Compare measured with simulated signals ('diff' is for plans)");
   auto options = std::make_shared<CompareArguments>();
   const OptionGroup first(*verb);
   first.require("SIGNAL", options->signal, a_path(), "Signal file (HDF5, from trusted sources only)");
@@ -213,7 +213,8 @@ void add_compare(CLI::App& app, ChosenVerb& chosen) {
   finish_verb(*verb, chosen, options, run_compare,
               "Examples:\n"
               "  shelfbeam compare plan/signal.h5 measured.csv -o comparison\n"
-              "  shelfbeam compare plan/signal.h5 labels.csv --placement plan/placement.json");
+              "  shelfbeam compare plan/signal.h5 labels.csv --placement plan/placement.json\n"
+              "To show what changed between two plans, use 'shelfbeam diff'.");
 }
 
 }  // namespace shelfbeam::app

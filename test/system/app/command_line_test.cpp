@@ -14,7 +14,7 @@ using test::expect_silent;
 using test::Json;
 
 const std::vector<std::string> verbs = {"new",    "inspect", "simulate", "place", "plan",
-                                        "verify", "report",  "compare",  "export"};
+                                        "verify", "report",  "compare",  "diff",  "export"};
 
 TEST(Help, OfEveryVerbShowsExamplesAndCommonOptions) {
   for (const std::string& verb : verbs) {

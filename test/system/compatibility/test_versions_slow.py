@@ -74,6 +74,15 @@ class Kept(unittest.TestCase):
             for unit in json.loads((kept / "plan/placement.json").read_text())["selected"]:
                 self.assertIn(unit, page)
 
+    def test_plans_are_compared(self):
+        present = HERE / present_version() / "plan"
+        for version, kept in self.each_version():
+            compared = run("diff", kept / "plan", present, "--json")
+            self.assertEqual(compared.returncode, 0, compared.stderr)
+            difference = json.loads(compared.stdout)
+            self.assertEqual(difference["differs"], False, version)
+            self.assertEqual(difference["before"]["certificate"], "certified", version)
+
     def test_plans_are_verified_and_replaced(self):
         for _, kept in self.each_version():
             plan = kept / "plan"

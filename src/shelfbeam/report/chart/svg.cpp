@@ -67,4 +67,11 @@ std::string inline_svg(double width, double height, std::string_view css_class, 
                      coordinate(width), coordinate(height), css_class, escape(description), body);
 }
 
+std::string legend_item(std::string_view symbol, std::string_view text) {
+  return fmt::format(
+      "<li><svg class=\"key\" viewBox=\"-14 -14 28 28\" aria-hidden=\"true\"><use "
+      "href=\"#{}\"/></svg>{}</li>",
+      symbol, escape(text));
+}
+
 }  // namespace shelfbeam

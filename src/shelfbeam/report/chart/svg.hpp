@@ -42,4 +42,7 @@ class SvgCanvas {
 std::string inline_svg(double width, double height, std::string_view css_class, std::string_view description,
                        std::string_view body);
 
+/// <li> of a legend: a symbol of about 28 x 28 units, and plain text.
+std::string legend_item(std::string_view symbol, std::string_view text);
+
 }  // namespace shelfbeam

@@ -37,13 +37,6 @@ std::vector<double> signals_of(const ReportData& data, std::size_t level) {
   return values;
 }
 
-std::string key(const std::string& symbol, const std::string& text) {
-  return fmt::format(
-      "<li><svg class=\"key\" viewBox=\"-14 -14 28 28\" aria-hidden=\"true\"><use "
-      "href=\"#{}\"/></svg>{}</li>",
-      symbol, escape(text));
-}
-
 // A line from the disc of a tilted unit in the direction of its tilt.
 std::string nose_of(const TransceiverColumn& unit) {
   const double lean = std::hypot(unit.axis.x, unit.axis.y);
@@ -148,7 +141,7 @@ std::string Maps::overview(const std::string& description) const {
   SvgCanvas canvas;
   for (std::size_t k = 0; k < lost.size(); ++k) canvas.use("m0", at[k], data_.label(lost[k]).id);
   const std::string lost_key =
-      lost.empty() ? "" : key("m0", say("drawing.legend.out_of_reach", grouped(lost.size())));
+      lost.empty() ? "" : legend_item("m0", say("drawing.legend.out_of_reach", grouped(lost.size())));
   return fmt::format("<figure class=\"overview\">\n{}<ul class=\"legend\">{}{}</ul>\n</figure>\n",
                      picture(canvas.body(), "m", description), lost_key, unit_legend(false));
 }
@@ -211,14 +204,15 @@ std::string Maps::margin_legend(const ShelfLevel& level) const {
   std::string html = "<ul class=\"legend\">";
   for (std::size_t k = 0; k < margin_classes.size(); ++k)
     if (k > 1 || counts[k] > 0)
-      html += key(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name(), grouped(counts[k])));
+      html += legend_item(fmt::format("m{}", k),
+                          fmt::format("{}: {}", margin_classes[k].name(), grouped(counts[k])));
   const auto hollow = static_cast<std::size_t>(
       std::count_if(level.labels.begin(), level.labels.end(),
                     [&](std::uint32_t label) { return data_.outcome.labels[label].depends_on_flagged; }));
-  if (hollow > 0) html += key("hollow-key", say("drawing.legend.unreliable", grouped(hollow)));
+  if (hollow > 0) html += legend_item("hollow-key", say("drawing.legend.unreliable", grouped(hollow)));
   if (data_.has_selection() &&
       std::binary_search(level.labels.begin(), level.labels.end(), data_.outcome.by_margin.front()))
-    html += key("worst", say("drawing.legend.worst"));
+    html += legend_item("worst", say("drawing.legend.worst"));
   return html + unit_legend(true) + "</ul>\n";
 }
 
@@ -230,27 +224,27 @@ std::string Maps::unit_legend(bool has_candidates) const {
       (data_.transceiver(unit.column).installed ? old : fresh) = true;
       leans |= !nose_of(data_.transceiver(unit.column)).empty();
     }
-  if (fresh) html += key("unit", say("drawing.legend.unit"));
-  if (old) html += key("unit-old", say("drawing.legend.installed"));
-  if (leans) html += key("unit-aim", say("drawing.legend.aim"));
+  if (fresh) html += legend_item("unit", say("drawing.legend.unit"));
+  if (old) html += legend_item("unit-old", say("drawing.legend.installed"));
+  if (leans) html += legend_item("unit-aim", say("drawing.legend.aim"));
   const std::vector<Look> looks = looks_of(data_.input.scene);
   if (std::find(looks.begin(), looks.end(), Look::overhead) != looks.end())
-    html += key("overhead", say("drawing.legend.overhead"));
+    html += legend_item("overhead", say("drawing.legend.overhead"));
   if (has_candidates)
-    html +=
-        key("cross", say(data_.has_selection() ? "drawing.legend.not_chosen" : "drawing.legend.candidate"));
+    html += legend_item(
+        "cross", say(data_.has_selection() ? "drawing.legend.not_chosen" : "drawing.legend.candidate"));
   if (data_.input.plan.placement.problem.redundant)
     html += fmt::format("<li>{}</li>", escape(words("drawing.legend.without_strongest")));
   return html;
 }
 
 std::string Maps::signal_legend() const {
-  std::string html = "<ul class=\"legend\">" + key("gz", say("drawing.legend.none"));
+  std::string html = "<ul class=\"legend\">" + legend_item("gz", say("drawing.legend.none"));
   for (std::size_t k = 0; k < scale_.classes(); ++k) {
     const std::string upper = data_.unit.round_number(scale_.edges[k + 1]) + "\u00A0" + data_.unit.name;
-    html += key(fmt::format("g{}", k),
-                k == 0 ? say("drawing.legend.below", upper)
-                       : say("drawing.legend.range", data_.unit.round_number(scale_.edges[k]), upper));
+    html += legend_item(fmt::format("g{}", k), k == 0 ? say("drawing.legend.below", upper)
+                                                      : say("drawing.legend.range",
+                                                            data_.unit.round_number(scale_.edges[k]), upper));
   }
   return html + unit_legend(true) + "</ul>\n";
 }

@@ -1,0 +1,71 @@
+#include "shelfbeam/report/difference/difference_report.hpp"
+
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/difference/difference_map.hpp"
+#include "shelfbeam/report/page/html.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr std::size_t max_rows = 50;
+
+std::string table_html(const TextTable& table) {
+  std::vector<HtmlTable::Column> columns;
+  for (const std::string& head : table.front()) columns.push_back({head, false, true});
+  HtmlTable html(columns);
+  for (std::size_t k = 1; k < table.size(); ++k) html.add_row(table[k]);
+  return html.html();
+}
+
+const char* tone_of(const PlanDifference& difference) {
+  if (difference.count(LabelChange::lost) > 0 || !difference.figures.after.has_selection) return "no";
+  return difference.figures.after.certificate == CertificateState::certified ? "yes" : "open";
+}
+
+std::string label_sections(const DifferenceInput& input) {
+  std::string html;
+  for (const LabelChange change :
+       {LabelChange::lost, LabelChange::gained, LabelChange::stays_missed, LabelChange::added}) {
+    const std::size_t count = input.difference.count(change);
+    if (count == 0) continue;
+    const std::string heading = label_count(change, count);
+    html += html_section(std::string(to_text(change)),
+                         count > max_rows ? say("difference.first_of", heading, max_rows) : heading,
+                         table_html(changed_labels(input, change, max_rows)));
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string difference_html(const DifferenceReport& report) {
+  const DifferenceInput& input = report.input;
+  const PlanDifference& difference = input.difference;
+  const std::string title =
+      say("difference.title", printable(report.before_name), printable(report.after_name));
+  std::string body = fmt::format(
+      "<header class=\"{}\">\n<p class=\"kicker\">{}</p>\n<h1>{}</h1>\n<p "
+      "class=\"answer\">{}</p>\n</header>\n",
+      tone_of(difference), escape(words("difference.kicker")), escape(title),
+      escape(difference_answer(input)));
+  body += html_section("figures", say("difference.section.figures"), table_html(difference_figures(input)));
+  body += html_section("map", say("difference.section.map"), difference_map(input, report.after));
+  const TextTable units = changed_units(input);
+  body += html_section("units", say("difference.section.units"),
+                       paragraph(unit_counts(difference)) + (units.size() > 1 ? table_html(units) : ""));
+  body += label_sections(input);
+  body += html_section("weakest", say("difference.section.weakest"), table_html(weakest_labels(input)));
+  body += html_section("store", say("difference.section.store"),
+                       difference.store.empty() ? paragraph(say("difference.section.no_store"))
+                                                : html_list(store_lines(difference)));
+  return html_page(title, "<main>\n" + body + "</main>\n");
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,144 @@
+#include "shelfbeam/report/difference/difference_report.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/report/difference/difference_json.hpp"
+
+#include "unit/report/markup.hpp"
+#include "unit/report/supermarket_report.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The kiosk, whose ids need escaping, with some of its three units.
+struct KioskPlan {
+  Store store = sample_store::kiosk();
+  Scene scene = make_scene(store);
+  SignalMatrix matrix = sample_store::matrix_of(scene);
+  CertifiedPlan plan{sample_store::cover(matrix)};
+
+  ComparedPlan compared() const { return compared_plan(matrix, plan, resolved_store_json(store, scene)); }
+  void choose(std::vector<std::uint32_t> selected) {
+    plan.placement.selected = std::move(selected);
+    plan.placement.objective_value = static_cast<double>(plan.placement.count());
+  }
+};
+
+struct TwoPlans {
+  ComparedPlan before, after;
+  PlanDifference difference = difference_of(before, after);
+  DifferenceInput input{before, after, difference};
+};
+
+std::string answer_to(const KioskPlan& before, const KioskPlan& after) {
+  const TwoPlans compared{before.compared(), after.compared()};
+  return difference_answer(compared.input);
+}
+
+TEST(DifferenceReport, AnswersInOneSentence) {
+  KioskPlan all, two, none;
+  all.choose({0, 1, 2});
+  two.choose({0, 1});
+  none.choose({});
+  none.plan.placement.objective_value = std::numeric_limits<double>::infinity();
+  for (KioskPlan* one : {&all, &two, &none}) {
+    one->plan.placement.price.reset();
+    for (LabelRow& label : one->matrix.labels) label.requirement = 1e-9;
+  }
+  EXPECT_EQ(answer_to(all, all), "The plans do not differ.");
+  EXPECT_EQ(answer_to(all, two), "One unit fewer: 2 instead of 3; all 20 labels stay reached.");
+  EXPECT_EQ(answer_to(two, all), "One unit more: 3 instead of 2; all 20 labels stay reached.");
+  EXPECT_EQ(answer_to(none, two),
+            "2 units, where the first plan has no selection; 0 of 20 labels stay reached, "
+            "20 gained.");
+  EXPECT_EQ(answer_to(two, none),
+            "No selection, where the first plan has 2 units; 0 of 20 labels stay reached, "
+            "20 lost.");
+  KioskPlan other = two;
+  other.choose({0, 2});
+  EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them elsewhere; all 20 labels stay reached.");
+  other.plan.placement.price = {"EUR", 200, 200};
+  two.plan.placement.price = {"EUR", 300, 250};
+  EXPECT_EQ(answer_to(two, other),
+            "2 units as before, 1 of them elsewhere; 200 EUR to spend instead of 250 EUR; "
+            "all 20 labels stay reached.");
+  two.plan.placement.price->currency = "USD";
+  EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them elsewhere; all 20 labels stay reached.");
+  other.matrix.labels[3].requirement = 1e9;
+  EXPECT_EQ(answer_to(all, other), "One unit fewer: 2 instead of 3; 19 of 20 labels stay reached, 1 lost.");
+  other.matrix.labels[4].id = "new";
+  other.matrix.labels[4].position.x += 1;
+  EXPECT_EQ(answer_to(all, other),
+            "One unit fewer: 2 instead of 3; 18 of 19 labels stay reached, 1 lost, 1 new "
+            "label reached, 1 label is gone.");
+}
+
+TEST(DifferenceReport, PageIsWellFormedAndContainsBothPlans) {
+  KioskPlan before, after;
+  before.choose({0, 1});
+  after.choose({1, 2});
+  after.matrix.transceivers[1].position.x -= 1;
+  after.matrix.labels[0].requirement = 1e9;
+  after.store.materials[0].material = Lambertian{0.5};
+  const TwoPlans compared{before.compared(), after.compared()};
+  const std::string html = difference_html({compared.input, after.scene, "plan<1>", "plan&2"});
+  EXPECT_EQ(test::fault(html), "");
+  const std::string text = test::read_markup(html).text;
+  for (const std::string piece :
+       {"plan<1> and plan&2", "1 moved, 1 added, 1 removed", "T&1", "T,2", "T\"3\"", "1 label lost",
+        "grey: reflectance 0.5 instead of 0.7", "label lost", "moved unit", "removed unit"})
+    EXPECT_THAT(text, HasSubstr(piece));
+  EXPECT_THAT(text, testing::Not(HasSubstr("label gained"))) << "negative control";
+  EXPECT_EQ(test::count_of("href=\"#unit-added\"", html), 2U) << "the unit and its key";
+  EXPECT_EQ(test::count_of("href=\"#unit-removed\"", html), 3U) << "also the old place of the moved unit";
+}
+
+TEST(DifferenceReport, NamesFewElementsWithTheirValuesAndManyByRanges) {
+  KioskPlan before, after;
+  after.store.fixtures.clear();
+  after.store.fixtures.push_back(
+      {sample_store::gondola("A<1>", {1.5, 2.5}, 3, 0.8, {0.5, 1.2}, 0, {Face::front, Face::back}),
+       "fixtures"});
+  after.scene = make_scene(after.store);
+  after.matrix = sample_store::matrix_of(after.scene);
+  const TwoPlans compared{before.compared(), after.compared()};
+  EXPECT_THAT(store_lines(compared.difference),
+              ElementsAre("Fixtures: 1 moved, A<1>: at [1.5, 2.5] instead of [1.5, 2]",
+                          "Labels: 20 moved, A<1>-front-1-1…5, A<1>-front-2-1…5, A<1>-back-1-1…5, "
+                          "A<1>-back-2-1…5"));
+}
+
+TEST(DifferenceReport, JsonHasTheSameLists) {
+  KioskPlan before, after;
+  before.choose({0, 1});
+  after.choose({1, 2});
+  after.plan.placement.min_spacing = 2;
+  after.matrix.labels[0].requirement = 1e9;
+  const TwoPlans compared{before.compared(), after.compared()};
+  const auto json = difference_json(compared.input);
+  EXPECT_EQ(json["differs"], true);
+  EXPECT_EQ(json["units"]["kept"][0]["after"]["id"], "T,2");
+  EXPECT_EQ(json["units"]["added"][0]["id"], "T\"3\"");
+  EXPECT_EQ(json["units"]["removed"][0]["id"], "T&1");
+  EXPECT_EQ(json["labels"]["lost"].size(), 1U);
+  EXPECT_EQ(json["labels"]["lost"][0]["id"], after.matrix.labels[0].id);
+  EXPECT_EQ(json["labels"]["lost"][0]["before"]["reached"], true);
+  EXPECT_EQ(json["question"][0]["key"], "min_spacing");
+  EXPECT_EQ(json["question"][0]["before"], nullptr);
+  EXPECT_EQ(json["question"][0]["after"], 2);
+  EXPECT_TRUE(json["store"].empty());
+}
+
+}  // namespace
+}  // namespace shelfbeam
