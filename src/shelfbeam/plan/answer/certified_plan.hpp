@@ -26,6 +26,11 @@ struct CertifiedPlan {
   /// Of the random numbers of the plan; its signals may have another (Provenance). Nothing for a placement
   /// alone, and for plans up to version 0.3, whose signals have the same.
   std::optional<std::uint64_t> seed = {};
+
+  /// Independent samples, or fresh states of a shop that changes, have verified the plan or labels of it.
+  bool is_verified() const {
+    return availability ? availability->certified : certificate && !certificate->none_verified();
+  }
 };
 
 }  // namespace shelfbeam

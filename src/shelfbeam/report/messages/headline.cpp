@@ -108,7 +108,7 @@ void lead_with_availability(const ReportData& data, Headline& headline) {
 }
 
 std::string sampling_remark(const ReportData& data) {
-  std::string text = say("headline.unverified");
+  std::string text = say("headline.unverified", words("certificate.lacking"));
   const SamplingSummary& s = data.sampling;
   if (!s.has_errors) return text + " " + say("headline.no_errors");
   if (s.relevant > 0)

@@ -44,7 +44,7 @@ class ProofWriter {
   }
 
   std::string confirmation() const {
-    if (certificate_ == nullptr) return say("summary.unchecked");
+    if (certificate_ == nullptr) return say("summary.unchecked", words("certificate.lacking"));
     const bool is_all = certificate_->all_reached() && (is_certified() || bound().empty());
     const std::string confidence = confidence_percent(certificate_->confidence);
     return say("summary.checked", is_all ? say("summary.confirms.this", confidence)

@@ -27,7 +27,8 @@ std::string verdict_of(const ReportData& data, Tone tone) {
     return say(fmt::format("verdict.certified.{}", key_of(tone)));
   if (tone == Tone::yes && data.uncertain > 0)
     return say_count("verdict.uncertified.uncertain", data.uncertain);
-  return say(fmt::format("verdict.uncertified.{}", key_of(tone)));
+  const Tone shown = tone == Tone::open && data.has_selection() ? Tone::yes : tone;
+  return say(fmt::format("verdict.uncertified.{}", key_of(shown)));
 }
 
 // "label A1", "labels A1 to A3": the first few ranges of ids.
@@ -130,7 +131,7 @@ class SummaryWriter {
   }
 
   std::string confirmation_of_obstacle() const {
-    if (!verified_) return say("summary.unchecked");
+    if (!verified_) return say("summary.unchecked", words("certificate.lacking"));
     const std::size_t missed = plan_.certificate->count(Verdict::missed);
     return missed == 0
                ? say("summary.none.undecided")

@@ -92,10 +92,8 @@ void add_block(Dxf& dxf) {
   dxf.put(0, "ENDBLK").put(8, units_layer).end();
 }
 
-// Release 12 has no variable for the unit of length, so a text below the shop states it.
-void add_note(Dxf& dxf, const Vec3& corner) {
-  dxf.put(0, "TEXT").put(8, note_layer).at(corner.x, corner.y).put(40, text_height);
-  dxf.put(1, cad_text(words("mounting.drawing_unit")));
+void add_note(Dxf& dxf, double x, double y, std::string_view key) {
+  dxf.put(0, "TEXT").put(8, note_layer).at(x, y).put(40, text_height).put(1, cad_text(words(key)));
 }
 
 void add_outline(Dxf& dxf, std::span<const Vec2> corners) {
@@ -146,7 +144,9 @@ std::string mounting_dxf(const ReportInput& input) {
   add_layers(dxf);
   add_block(dxf);
   dxf.begin("ENTITIES");
-  add_note(dxf, corner);
+  // Release 12 has no variable for the unit of length, so a text below the shop states it.
+  add_note(dxf, corner.x, corner.y, "mounting.drawing_unit");
+  if (!input.plan.is_verified()) add_note(dxf, corner.x, corner.y + line_height, "certificate.lacking");
   if (scene.room) {
     add_outline(dxf, scene.room->outline);
     for (const Polygon& hole : scene.room->holes) add_outline(dxf, hole);

@@ -81,6 +81,8 @@ std::string placement_facts(const ReportData& data) {
     facts.add("facts.placement.spacing", plain(placement.min_spacing) + "\u00A0m");
   if (placement.min_spacing > 0 || placement.forbidden_pairs > 0)
     facts.add("facts.placement.pairs", grouped(placement.forbidden_pairs));
+  if (!data.input.plan.certificate && !data.input.plan.availability)
+    facts.add("facts.certificate.title", say("facts.certificate.none"));
   facts.add("facts.placement.status", std::string(status_name(placement.status)));
   if (placement.status != Status::infeasible) {
     facts.add("facts.placement.proof", std::string(bound_proof_text(placement.bound_proof)));

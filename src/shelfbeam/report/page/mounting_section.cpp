@@ -65,7 +65,8 @@ std::string mounting_section(const ReportData& data, const Maps& maps) {
   for (const MountedUnit& unit : units) rows += row(data.input.scene, unit);
   return html_section(
       "mounting", say("mounting.title"),
-      paragraph(say("mounting.intro")) + maps.overview(say("mounting.drawing")) +
+      (data.input.plan.is_verified() ? "" : paragraph(say("certificate.lacking"), "uncertified")) +
+          paragraph(say("mounting.intro")) + maps.overview(say("mounting.drawing")) +
           fmt::format(
               "<div class=\"scroll\" tabindex=\"0\"><table class=\"sheet\">\n<thead><tr>{}</tr></thead>\n"
               "<tbody>\n{}</tbody></table></div>\n",

@@ -5,6 +5,7 @@
 #include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 namespace shelfbeam {
 
@@ -25,7 +26,7 @@ PlanText plan_text(const CertifiedPlan& plan, const SignalTable& table, bool has
   const std::size_t end = placed.find('\n');
   std::string answer = placed.substr(0, end);
   placed.erase(0, end + 1);
-  if (plan.placement.has_selection()) answer += " Not verified yet.";
+  if (plan.placement.has_selection()) answer += fmt::format(" {}", words("certificate.lacking"));
   return {std::move(answer), std::move(open), std::move(placed)};
 }
 

@@ -390,7 +390,7 @@ TEST(Headline, CountsLabelsWithinSamplingError) {
   error = static_cast<float>(0.505 * (label.signal - label.requirement));
   EXPECT_EQ(uncertain_labels(s.matrix, outcome), 1U);
   EXPECT_TRUE(is_close(s));
-  EXPECT_TRUE(test::pieces(report_html(s.input)).contains("Not verified yet, 1 label uncertain"));
+  EXPECT_TRUE(test::pieces(report_html(s.input)).contains("Not certified, 1 label uncertain"));
 }
 
 }  // namespace

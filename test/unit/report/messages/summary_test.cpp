@@ -74,7 +74,7 @@ TEST(Summary, ExplainsThatNoPlanReachesAllLabels) {
   EXPECT_TRUE(
       contains(s, "Not possible\nNo plan reaches all labels: 2 of 926 labels cannot be reached, even"));
   EXPECT_TRUE(contains(s, "Out of reach: " + s.matrix.labels[3].id));
-  EXPECT_TRUE(contains(s, "Not verified yet"));
+  EXPECT_TRUE(contains(s, "Not certified"));
   expect_plain_words(all_of(summary_of(ReportData(s.input))));
   test::certify(s);
   for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::unverified;
@@ -109,7 +109,8 @@ TEST(Summary, CountsNewAndInstalledUnits) {
 
 TEST(Summary, StatesPriceProofAndVerification) {
   Supermarket s;
-  EXPECT_TRUE(contains(s, "Not verified yet: the result rests on one simulation"));
+  EXPECT_TRUE(contains(
+      s, "Not certified: no independent samples have verified this result. It rests on one simulation"));
   EXPECT_FALSE(contains(s, "cost"));
   s.placement.price = Price{"EUR", 2040, 1800.5};
   EXPECT_TRUE(contains(s, "The new transceivers cost 1,800.50\u00A0EUR."));
@@ -134,7 +135,7 @@ TEST(Summary, StatesPriceProofAndVerification) {
   EXPECT_TRUE(contains(s, "Fewer are not enough.\n"));
   EXPECT_TRUE(contains(s, "A second, independent simulation confirms this with 95\u00A0% confidence."));
   for (LabelVerdict& label : s.plan.certificate->labels) label.verdict = Verdict::unverified;
-  EXPECT_TRUE(contains(s, "Not verified yet"));
+  EXPECT_TRUE(contains(s, "Not certified"));
   EXPECT_FALSE(contains(s, "0 of 926"));
 }
 

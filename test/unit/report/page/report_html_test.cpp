@@ -15,6 +15,7 @@
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/text/catalogue.hpp"
 
 #include "unit/report/markup.hpp"
 #include "unit/report/sample_store.hpp"
@@ -155,6 +156,20 @@ TEST(ReportHtml, NamesTheSeedsOfPlanAndSignals) {
   s.plan.seed = 8'232;
   EXPECT_FALSE(names("8231"));
   EXPECT_TRUE(names("8232; 8231 of the signals"));
+}
+
+TEST(ReportHtml, MarksPlansWithoutACertificate) {
+  Supermarket s;
+  const std::string mark(words("certificate.lacking"));
+  const auto marks = [&] {
+    const std::string text = read_markup(test::static_report(s.input)).text, drawing = mounting_dxf(s.input);
+    std::size_t count = drawing.find(mark) == std::string::npos ? 0 : 1;
+    for (std::size_t at = 0; (at = text.find(mark, at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  EXPECT_EQ(marks(), 4U) << "summary, mounting sheet, details and drawing";
+  certify(s);
+  EXPECT_EQ(marks(), 0U);
 }
 
 TEST(ReportHtml, HasTheSectionsOfTheResult) {
