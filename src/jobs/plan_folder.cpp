@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/provenance.hpp"
@@ -94,7 +96,7 @@ void PlanFolder::Made::remove() const {
     if (!fs::remove(level, reason) && fs::exists(level, reason)) break;
 }
 
-PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite)
+PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite, bool has_fitting_signals)
     : folder_(std::move(folder)),
       store_(std::move(store)),
       overwrite_(overwrite),
@@ -102,9 +104,13 @@ PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite)
   const fs::path& path = folder_.path;
   const Found found = look();
   has_finished_plan_ = found.has_finished_plan;
-  if (has_finished_plan_ && !overwrite_)
-    throw InputError(path.string(), finished_plan, "choose another folder, or allow the plan to be replaced",
-                     Setting::overwriting);
+  if (has_finished_plan_ && !overwrite_) {
+    constexpr auto remedy = "choose another folder, or allow the plan to be replaced";
+    if (!has_fitting_signals) throw InputError(path.string(), finished_plan, remedy, Setting::overwriting);
+    throw InputError(path.string(), finished_plan,
+                     fmt::format("{}; its signals fit this store and can be reused", remedy),
+                     Setting::overwriting_with_reuse);
+  }
   if (found.foreign)
     throw InputError((path / *found.foreign).string(), foreign_file,
                      "move it to another place, or choose another folder for the plan");

@@ -35,7 +35,9 @@ class PlanFolder {
   /// Makes the folder. `store`: the resolved store of this run. Throws InputError if another run uses the
   /// folder, if the folder contains a finished plan and `overwrite` is false, and if a file of a plan's names
   /// was not written by an earlier run, or has been changed since; OutputError if a file cannot be written.
-  PlanFolder(std::filesystem::path folder, std::string store, bool overwrite);
+  /// `has_fitting_signals`: the error about a finished plan says that its signals can be reused.
+  PlanFolder(std::filesystem::path folder, std::string store, bool overwrite,
+             bool has_fitting_signals = false);
   /// Removes the folder and those above it again if they are new and empty.
   ~PlanFolder();
   PlanFolder(const PlanFolder&) = delete;

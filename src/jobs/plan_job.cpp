@@ -129,15 +129,16 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   const std::string name = job.store.string();
   check_request(request, inputs, store, scene, name);
   if (watch.read) watch.read();
-  const PlanFolder folder(job.folder, resolved, job.overwrite);
   const SimulationOptions simulation = simulation_of(request, inputs.checkpoint);
+  PlanEnd end;
+  end.could_reuse = !job.signal && has_fitting_signals(job.folder, scene, simulation.rules());
+  const PlanFolder folder(job.folder, resolved, job.overwrite, end.could_reuse);
   // The report and the tables take at least as much again as the resolved store.
   constexpr std::size_t least_report = 600'000;
   expect_room_for_matrix(job.folder, scene, simulation, 2 * resolved.size() + least_report);
   if (watch.begun) watch.begun(scene, simulation);
   expect_no_warnings(scene, job.strict);
   if (job.signal) inputs.signals = read_given_signals(*job.signal);
-  PlanEnd end;
   end.plan = plan_checked(store, scene, request, std::move(inputs),
                           {job.threads, watch.cancel, watch.progress}, name);
   shorten_names(end.plan.warnings, job.store);

@@ -2,12 +2,14 @@
 
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
+#include "shelfbeam/plan/question/fitting_signals.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 #include "shelfbeam/transport/run/matrix_rows.hpp"
@@ -52,6 +54,15 @@ StoredSignals read_given_signals(const std::filesystem::path& signals) {
   if (std::filesystem::exists(placement))
     if (const auto record = read_record(placement)) found.provenance.complete = record->is_complete;
   return found;
+}
+
+bool has_fitting_signals(const std::filesystem::path& folder, const Scene& scene, const PathRules& wanted) {
+  if (!std::filesystem::exists(folder / placement_name)) return false;
+  try {
+    return std::holds_alternative<SignalMatrix>(fitting_signals(read_given_signals(folder), scene, wanted));
+  } catch (const InputError&) {  // not of a plan
+    return false;
+  }
 }
 
 }  // namespace shelfbeam::jobs

@@ -6,6 +6,7 @@
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
+#include "shelfbeam/transport/world/path_rules.hpp"
 
 namespace shelfbeam::jobs {
 
@@ -26,5 +27,8 @@ StoredPlan read_stored_plan(const std::filesystem::path& folder);
 /// light_hash from the store file of the plan, and count as incomplete if the plan was interrupted. Throws
 /// InputError.
 StoredSignals read_given_signals(const std::filesystem::path& signals);
+
+/// Whether the folder contains a plan whose signals fit (fitting_signals).
+bool has_fitting_signals(const std::filesystem::path& folder, const Scene& scene, const PathRules& wanted);
 
 }  // namespace shelfbeam::jobs

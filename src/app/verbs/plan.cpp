@@ -75,6 +75,10 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
     simulated = signals_text(*plan.signals, summary.labels, summary.candidates, job.signal->string());
   if (!plan.signals || std::holds_alternative<MisfitReason>(*plan.signals))
     simulated += describe(summary, job.plan.follows_decision());
+  if (end.could_reuse)
+    simulated +=
+        fmt::format("\nthe signals of the plan that was replaced fit, too; '--signal {}' reuses them",
+                    job.folder.string());
   simulated += '\n';
   for (std::size_t at = 0; (at = simulated.find('\n', at) + 1) < simulated.size();)
     simulated.insert(at, "  ");

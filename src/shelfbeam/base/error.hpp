@@ -27,6 +27,7 @@ enum class Setting {
   relative_error,
   strictness,
   overwriting,
+  overwriting_with_reuse,
   part,
   reading,
   curve,

@@ -69,6 +69,22 @@ TEST_F(SecondThoughts, AboutTheShopAreSimulatedAgain) {
   expect_again("light", "a material or the wavelength has changed");
 }
 
+TEST_F(SecondThoughts, AreOfferedTheSignalsOfThePlanInTheFolder) {
+  told(fmt::format("{} -o @first", plan));
+  const std::string same = fmt::format("{} --seed 2 -o @first", plan);
+  refused(same, {"finished plan", "its signals fit this store", "(--overwrite, --signal)"});
+  EXPECT_THAT(told(same + " --overwrite"),
+              HasSubstr(fmt::format("'--signal {}' reuses them", path("first"))));
+  EXPECT_THAT(told(fmt::format("{} -o @first --overwrite", again)), testing::Not(HasSubstr("reuses them")));
+  test::Json store = test::small_store();
+  store["materials"]["m"]["reflectance"] = 0.25;
+  write(store);
+  const test::Outcome other = test::shelfbeam(test::words(folder, same));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, testing::Not(HasSubstr("its signals fit")));
+  EXPECT_THAT(told(same + " --overwrite"), testing::Not(HasSubstr("reuses them")));
+}
+
 TEST_F(SecondThoughts, PinAndExcludeUnits) {
   test::Json store = test::small_store();
   store["currency"] = "EUR";

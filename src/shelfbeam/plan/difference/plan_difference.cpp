@@ -162,6 +162,10 @@ std::vector<QuestionKey> changed_question(const CertifiedPlan& before, const Cer
   setting(QuestionKey::share, &PlacementProblem::share);
   compare(QuestionKey::min_spacing, [](const auto& plan) { return plan.placement.min_spacing; });
   compare(QuestionKey::forbidden_pairs, [](const auto& plan) { return plan.placement.forbidden_pairs; });
+  compare(QuestionKey::partial, [](const auto& plan) {
+    const auto& partial = plan.placement.partial;
+    return partial ? std::optional(std::pair(partial->goal, partial->value)) : std::nullopt;
+  });
   const auto confidence = [](const CertifiedPlan& plan) -> std::optional<double> {
     if (plan.availability) return plan.availability->confidence;
     return plan.certificate ? std::optional(plan.certificate->confidence) : std::nullopt;

@@ -113,6 +113,7 @@ enum class QuestionKey {
   share,
   min_spacing,
   forbidden_pairs,
+  partial,  ///< the part of the labels that is asked for (Placement::partial)
   confidence,
   availability_rule,
   availability_goal
@@ -127,6 +128,7 @@ inline constexpr auto names_of<QuestionKey> =
                                        {"share", QuestionKey::share},
                                        {"min_spacing", QuestionKey::min_spacing},
                                        {"forbidden_pairs", QuestionKey::forbidden_pairs},
+                                       {"partial", QuestionKey::partial},
                                        {"confidence", QuestionKey::confidence},
                                        {"availability_rule", QuestionKey::availability_rule},
                                        {"availability_goal", QuestionKey::availability_goal}});

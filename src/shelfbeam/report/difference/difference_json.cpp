@@ -124,6 +124,9 @@ Json setting_json(QuestionKey key, const CertifiedPlan& plan) {
       return plan.placement.min_spacing > 0 ? Json(plan.placement.min_spacing) : Json(nullptr);
     case QuestionKey::forbidden_pairs:
       return plan.placement.forbidden_pairs;
+    case QuestionKey::partial:
+      if (!plan.placement.partial) return nullptr;
+      return {{"goal", to_text(plan.placement.partial->goal)}, {"value", plan.placement.partial->value}};
     case QuestionKey::confidence:
       return plan.availability ? plan.availability->confidence : plan.certificate->confidence;
     case QuestionKey::availability_rule:

@@ -99,6 +99,15 @@ std::string margin_text(const LabelState& label) {
   return decibels(margin_db(label.signal, label.requirement));
 }
 
+std::string goal_of(const Placement& placement) {
+  if (!placement.partial) return say("difference.question.all");
+  const auto& [goal, value, reached, max_reached] = *placement.partial;
+  if (goal == ReachGoal::at_most)
+    return say_count("difference.question.at_most", static_cast<std::uint64_t>(value));
+  return goal == ReachGoal::share ? say("difference.question.part", percent(value))
+                                  : say("difference.question.given");
+}
+
 std::string setting_text(QuestionKey key, const CertifiedPlan& plan) {
   const PlacementProblem& problem = plan.placement.problem;
   const auto none = [] { return say("difference.question.none"); };
@@ -117,6 +126,8 @@ std::string setting_text(QuestionKey key, const CertifiedPlan& plan) {
                                             : none();
     case QuestionKey::forbidden_pairs:
       return grouped(plan.placement.forbidden_pairs);
+    case QuestionKey::partial:
+      return goal_of(plan.placement);
     case QuestionKey::confidence:
       return confidence_text(plan.availability ? plan.availability->confidence
                                                : plan.certificate->confidence) +

@@ -187,6 +187,8 @@ TEST(PlanDifference, FindsEveryChangeOfTheQuestion) {
   EXPECT_EQ(changed([](auto& plan) { plan.placement.min_spacing = 2; }), Keys{QuestionKey::min_spacing});
   EXPECT_EQ(changed([](auto& plan) { plan.placement.forbidden_pairs = 3; }),
             Keys{QuestionKey::forbidden_pairs});
+  EXPECT_EQ(changed([](auto& plan) { plan.placement.partial = {ReachGoal::at_most, 3, 2, 2}; }),
+            Keys{QuestionKey::partial});
   Example one, two;
   one.certify({Verdict::reached, Verdict::reached, Verdict::reached});
   two.certify({Verdict::reached, Verdict::reached, Verdict::reached});
