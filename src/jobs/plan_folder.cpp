@@ -96,7 +96,8 @@ void PlanFolder::Made::remove() const {
     if (!fs::remove(level, reason) && fs::exists(level, reason)) break;
 }
 
-PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite, bool has_fitting_signals)
+PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite,
+                       const std::function<bool()>& can_reuse)
     : folder_(std::move(folder)),
       store_(std::move(store)),
       overwrite_(overwrite),
@@ -106,7 +107,7 @@ PlanFolder::PlanFolder(fs::path folder, std::string store, bool overwrite, bool 
   has_finished_plan_ = found.has_finished_plan;
   if (has_finished_plan_ && !overwrite_) {
     constexpr auto remedy = "choose another folder, or allow the plan to be replaced";
-    if (!has_fitting_signals) throw InputError(path.string(), finished_plan, remedy, Setting::overwriting);
+    if (!can_reuse()) throw InputError(path.string(), finished_plan, remedy, Setting::overwriting);
     throw InputError(path.string(), finished_plan,
                      fmt::format("{}; its signals fit this store and can be reused", remedy),
                      Setting::overwriting_with_reuse);

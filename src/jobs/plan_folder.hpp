@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,9 +36,9 @@ class PlanFolder {
   /// Makes the folder. `store`: the resolved store of this run. Throws InputError if another run uses the
   /// folder, if the folder contains a finished plan and `overwrite` is false, and if a file of a plan's names
   /// was not written by an earlier run, or has been changed since; OutputError if a file cannot be written.
-  /// `has_fitting_signals`: the error about a finished plan says that its signals can be reused.
+  /// The error about a finished plan says whether its signals can be reused.
   PlanFolder(std::filesystem::path folder, std::string store, bool overwrite,
-             bool has_fitting_signals = false);
+             const std::function<bool()>& can_reuse);
   /// Removes the folder and those above it again if they are new and empty.
   ~PlanFolder();
   PlanFolder(const PlanFolder&) = delete;

@@ -63,13 +63,13 @@ ExitCode code_of(const CertifiedPlan& plan) {
 ExitCode code_of(const PartialReach& partial, const Certificate& certificate) {
   const std::size_t reached = certificate.count(Verdict::reached),
                     missed = certificate.count(Verdict::missed);
-  const std::size_t labels = certificate.labels.size(), open = labels - reached - missed;
-  if (partial.goal == ReachGoal::at_most) return open > 0 ? stopped_early : done;
+  const std::size_t labels = certificate.labels.size();
+  if (partial.goal == ReachGoal::at_most) return reached + missed < labels ? stopped_early : done;
   if (partial.goal == ReachGoal::given && missed > 0) return answer_is_no;
   const double share = partial.goal == ReachGoal::share ? partial.value : 1, rounding = 1e-9;
   const double wanted = share * static_cast<double>(labels) * (1 - rounding);
   if (static_cast<double>(reached) >= wanted) return done;
-  return static_cast<double>(reached + open) < wanted ? answer_is_no : stopped_early;
+  return stopped_early;  // another selection may reach it
 }
 
 ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise) {
@@ -130,15 +130,17 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   check_request(request, inputs, store, scene, name);
   if (watch.read) watch.read();
   const SimulationOptions simulation = simulation_of(request, inputs.checkpoint);
-  PlanEnd end;
-  end.could_reuse = !job.signal && has_fitting_signals(job.folder, scene, simulation.rules());
-  const PlanFolder folder(job.folder, resolved, job.overwrite, end.could_reuse);
+  const auto can_reuse = [&] {
+    return !job.signal && has_fitting_signals(job.folder, scene, simulation.rules());
+  };
+  const PlanFolder folder(job.folder, resolved, job.overwrite, can_reuse);
   // The report and the tables take at least as much again as the resolved store.
   constexpr std::size_t least_report = 600'000;
   expect_room_for_matrix(job.folder, scene, simulation, 2 * resolved.size() + least_report);
   if (watch.begun) watch.begun(scene, simulation);
   expect_no_warnings(scene, job.strict);
   if (job.signal) inputs.signals = read_given_signals(*job.signal);
+  PlanEnd end;
   end.plan = plan_checked(store, scene, request, std::move(inputs),
                           {job.threads, watch.cancel, watch.progress}, name);
   shorten_names(end.plan.warnings, job.store);

@@ -59,7 +59,6 @@ struct PlanEnd {
   /// Folder of the interrupted plan if it could not be continued otherwise.
   std::optional<std::filesystem::path> elsewhere;
   ExitCode code = done;
-  bool could_reuse = false;   ///< the folder had a plan whose signals fit, but they were not given
   bool is_imprecise = false;  ///< the requested relative error was not reached, and no certificate covers it
 };
 

@@ -87,7 +87,7 @@ void print_difference(const DiffArguments& options, const DifferenceInput& input
        {LabelChange::lost, LabelChange::gained, LabelChange::stays_missed, LabelChange::added}) {
     const std::size_t count = difference.count(change);
     const std::string heading = label_count(change, count);
-    print_rows(count > listed_labels ? say("difference.first_of", heading, listed_labels) : heading + ":",
+    print_rows((count > listed_labels ? say("difference.first_of", heading, listed_labels) : heading) + ":",
                changed_labels(input, change, listed_labels), 1);
   }
   print_rows(say("difference.section.weakest") + ":", weakest_labels(input), 1);

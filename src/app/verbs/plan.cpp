@@ -50,7 +50,7 @@ std::string additions(const PlanJob& job, const Plan& plan, const SignalTable& t
                     no_curve, (job.folder / signal_name).string());
   if (plan.sensitivity)
     text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
-  else if (!job.plan.reflectance_error && placement.has_selection())
+  else if (!job.plan.reflectance_error && placement.has_selection() && !job.selection)
     text += "  darker or lighter surfaces were not examined; '--sensitivity' examines them\n";
   else if (job.plan.reflectance_error)
     text += fmt::format("  no sensitivity {}\n", placement.has_selection()
@@ -75,10 +75,6 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
     simulated = signals_text(*plan.signals, summary.labels, summary.candidates, job.signal->string());
   if (!plan.signals || std::holds_alternative<MisfitReason>(*plan.signals))
     simulated += describe(summary, job.plan.follows_decision());
-  if (end.could_reuse)
-    simulated +=
-        fmt::format("\nthe signals of the plan that was replaced fit, too; '--signal {}' reuses them",
-                    job.folder.string());
   simulated += '\n';
   for (std::size_t at = 0; (at = simulated.find('\n', at) + 1) < simulated.size();)
     simulated.insert(at, "  ");

@@ -74,9 +74,10 @@ Installation load_installation(const VerifyArguments& options) {
   return {store, with_units(scene, given.selected), given.problem};
 }
 
-// An output without the ending of a table is the folder of a report.
+// A new name without the ending of a table is the folder of a report.
 bool is_folder(const std::filesystem::path& output) {
-  return std::filesystem::is_directory(output) || (!output.empty() && !output.has_extension());
+  if (std::filesystem::exists(output)) return std::filesystem::is_directory(output);
+  return !output.empty() && output.extension() != ".csv";
 }
 
 PlanJob job_of(const VerifyArguments& options) {
@@ -138,6 +139,7 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
 
 int run_verify(const VerifyArguments& options) {
   if (is_folder(options.output)) {
+    expect_no_goal(options.goal);
     if (options.states.value_or(0) > 0)
       throw InputError(options.output.string(), "is the folder of a report, which has no states",
                        "name a CSV file with the ending .csv");
@@ -192,8 +194,8 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   first.require("PLACEMENT", options->placement, a_path(),
                 "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type");
   first.add("-o,--output", options->output, a_path(),
-            "Write one row per label to this CSV file; a name without ending is a folder, for the report of "
-            "these units with all files of a plan");
+            "Write one row per label to this CSV file; another name than *.csv is a folder, for the report "
+            "on these units with all files of a plan");
   first.add_choice("--model", options->model,
                    "Communication model; default: the model of the placement, or cooperative for a CSV");
   first.add_flag("--survive-failure", options->survive_failure,

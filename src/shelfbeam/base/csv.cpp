@@ -281,6 +281,10 @@ std::uint32_t CsvIdLookup::read(CsvReader& csv, std::size_t field) const {
                                       : fmt::format("did you mean {}?", in_quotes(near))));
 }
 
+bool CsvIdLookup::is_ignored(CsvReader& csv, std::size_t field) const {
+  return !ignored_.empty() && ignored_.contains(csv.id(field));
+}
+
 std::string csv_quoted(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "shelfbeam/base/changed_ids.hpp"
@@ -86,8 +88,10 @@ std::string csv_separators(std::string_view text);
 class CsvIdLookup {
  public:
   /// Each item has an `id`. The items must outlive this object. Errors call an item a `kind`.
+  /// `ignored`: ids without an item, which the file may name.
   template <class Items>
-  CsvIdLookup(const Items& items, std::string_view kind) : kind_(kind) {
+  CsvIdLookup(const Items& items, std::string_view kind, std::span<const std::string> ignored = {})
+      : kind_(kind), ignored_(ignored.begin(), ignored.end()) {
     for (const auto& item : items) {
       index_.emplace(item.id, static_cast<std::uint32_t>(known_.size()));
       known_.push_back(item.id);
@@ -95,9 +99,12 @@ class CsvIdLookup {
   }
   /// The index of the item that a field names. Throws InputError when no item has this id.
   std::uint32_t read(CsvReader& csv, std::size_t field) const;
+  /// Whether a field names one of the ignored ids.
+  bool is_ignored(CsvReader& csv, std::size_t field) const;
 
  private:
   std::string_view kind_;
+  std::unordered_set<std::string_view> ignored_;
   std::vector<std::string_view> known_;
   std::unordered_map<std::string_view, std::uint32_t> index_;
 };

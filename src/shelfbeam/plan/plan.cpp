@@ -135,16 +135,16 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
     plan.placement = is_partial
                          ? place_partially(first_table, options.problem, options.partial, first, control)
                          : place(first_table, options.problem, first, control);
-    // verify_installation forms the key of its question itself.
-    if (!is_partial && (options.confidence || options.sensitivity))
+    if (options.confidence || options.sensitivity)
       fresh.seed = question_key(options.simulation.seed, first_table, options.problem);
   }
   const bool says_something = is_partial
                                   ? !plan.placement.selected.empty()
                                   : plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something) {
-    const CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
+    CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
     if (is_partial) {
+      how.simulation.seed = options.simulation.seed;  // verify_installation forms the key of its question
       plan.certificate = verify_installation(with_units(scene, plan.placement.selected),
                                              plan.placement.problem, how, control)
                              .certificate;

@@ -35,7 +35,8 @@ TEST_F(PlanFolder, AFinishedPlanIsReplacedOnRequestOnly) {
   told(plan);
   const auto before = contents(folder / "plan");
   for (const char* more : {"", " --seed 2", " --resume"})
-    refused(plan + std::string(more), {path("plan") + ": contains a finished plan", "(--overwrite)"});
+    refused(plan + std::string(more),
+            {path("plan") + ": contains a finished plan", "(--overwrite, --signal)"});
   told(overwriting() + " --seed 2");
   EXPECT_FALSE(bytes("plan/signal.h5") == before.at("signal.h5"));
   told(overwriting());

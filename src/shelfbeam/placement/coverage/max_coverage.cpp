@@ -186,8 +186,8 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
   milp::backends_of(options.backend);  // throws for an unknown name
   if (const std::size_t installed = detail::installed_units(table).size(); installed > units)
     throw InputError("number of units",
-                     fmt::format("is {}, but {} units are already installed", units, installed),
-                     "use at least the number of installed units", Setting::units);
+                     fmt::format("is {}, but {} units are installed or pinned", units, installed),
+                     "use at least this number", Setting::units);
   MaxCoverage reach = Maximisation(table, problem, units, options, control).run();
   reach.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return reach;

@@ -39,7 +39,9 @@ Json whole_bound(double value) {
                               : Json(nullptr);
 }
 
-std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTable& table) {
+// Units that were given may share a mounting point.
+std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTable& table,
+                                         bool is_given) {
   std::vector<std::uint32_t> selected;
   std::vector<bool> seen(table.columns(), false);
   for (const JsonCursor& element : cursor.elements()) {
@@ -48,7 +50,7 @@ std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const Ids& id
       element.fail(fmt::format("is a duplicate {}", in_quotes(element.text())), "remove it");
     seen[selected.back()] = true;
   }
-  if (const auto crowded = shared_mounts(table, seen); !crowded.empty()) {
+  if (const auto crowded = shared_mounts(table, seen); !crowded.empty() && !is_given) {
     std::vector<std::string> options;
     for (const std::uint32_t j : table.mounts[crowded.front()])
       if (seen[j]) options.push_back(in_quotes(table.transceivers[j].id));
@@ -159,10 +161,14 @@ void describe(Record& record, Placement& placement) {
       });
   record.later().count("forbidden_pairs", placement.forbidden_pairs,
                        std::numeric_limits<std::int64_t>::max());
+  record.optional("partial", placement.partial);
   record.note("labels", [&] { return table.rows(); });
   record.custom(
       "selected", [&] { return ids.transceivers.list(placement.selected); },
-      [&](const JsonCursor& json) { placement.selected = read_selected(json, ids.transceivers, table); });
+      [&](const JsonCursor& json) {
+        const bool is_given = placement.partial && placement.partial->goal == ReachGoal::given;
+        placement.selected = read_selected(json, ids.transceivers, table, is_given);
+      });
   record.note("count", [&] { return placement.count(); });
   if (record.file() != nullptr) expect_numbers(*record.file(), placement, table);
   record.number("count_lower_bound", placement.count_lower_bound, whole_bound);
@@ -180,12 +186,11 @@ void describe(Record& record, Placement& placement) {
   record.note("backend", [&] { return backend_of(placement.solver); });
   record.list("unreachable", placement.unreachable);
   record.note("scenarios", [&] { return scenarios(placement, table); });
-  record.optional("partial", placement.partial);
   record.note("verification", [] { return "not verified yet"; });
   record.note("critical", [&] { return critical(placement, ids); });
   if (record.has("price", placement.price.has_value())) record.nullable("price", placement.price);
   record.ignore({"curve", "curve_complete", "certificate", "alternatives", "sensitivity", "states",
-                 "warnings", "complete", "files", "total_weight", "seconds"});
+                 "warnings", "seed", "complete", "files", "total_weight", "seconds"});
 }
 
 void describe(Record& record, CoverageCurve& curve) {

@@ -17,7 +17,7 @@ class Mounts {
   explicit Mounts(const SignalTable& table) : Mounts(table.mounts, table.transceivers, table.conflicts) {}
 
   /// `shared` is SignalTable::mounts, `conflicts` SignalTable::conflicts; `units` are the columns, each with
-  /// a member `installed`.
+  /// members `installed` and `pinned`.
   template <class Units>
   Mounts(std::vector<std::vector<std::uint32_t>> shared, const Units& units,
          std::span<const std::pair<std::uint32_t, std::uint32_t>> conflicts = {})
@@ -29,15 +29,15 @@ class Mounts {
       bool taken = false;
       for (const std::uint32_t j : shared_[k]) {
         mount_[j] = k;
-        taken = taken || units[j].installed;
+        taken = taken || is_given(units[j]);
       }
-      for (const std::uint32_t j : shared_[k]) available_[j] = !taken || units[j].installed;
+      for (const std::uint32_t j : shared_[k]) available_[j] = !taken || is_given(units[j]);
     }
     for (const auto& [a, b] : conflicts) {
       partners_[a].push_back(b);
       partners_[b].push_back(a);
-      if (units[a].installed) available_[b] = false;
-      if (units[b].installed) available_[a] = false;
+      if (is_given(units[a])) available_[b] = false;
+      if (is_given(units[b])) available_[a] = false;
     }
   }
 
@@ -64,6 +64,12 @@ class Mounts {
   double max_signal(std::span<const SignalEntry> row, const PlacementProblem& problem) const;
 
  private:
+  // Columns of tables that are pinned are also installed; those of matrices are not.
+  template <class Unit>
+  static bool is_given(const Unit& unit) {
+    return unit.installed || unit.pinned;
+  }
+
   static constexpr std::uint32_t alone = ~std::uint32_t{0};
 
   std::vector<std::vector<std::uint32_t>> shared_;

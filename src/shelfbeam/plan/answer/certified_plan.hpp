@@ -29,7 +29,7 @@ struct CertifiedPlan {
 
   /// Independent samples, or fresh states of a shop that changes, have verified the plan or labels of it.
   bool is_verified() const {
-    return availability ? availability->certified : certificate && !certificate->none_verified();
+    return availability ? availability->has_answer() : certificate && !certificate->none_verified();
   }
 };
 

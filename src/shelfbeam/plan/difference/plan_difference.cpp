@@ -203,7 +203,8 @@ bool PlanDifference::is_empty() const {
   const auto& [before, after] = figures;
   return store.empty() && question.empty() && count(UnitChange::kept) == units.size() &&
          count(LabelChange::stays_reached) + count(LabelChange::stays_missed) == labels.size() &&
-         before.certificate == after.certificate && before.bounds.simulated == after.bounds.simulated &&
+         before.certificate == after.certificate && before.certified == after.certified &&
+         before.confidence == after.confidence && before.bounds.simulated == after.bounds.simulated &&
          before.bounds.certified == after.bounds.certified;
 }
 

@@ -51,6 +51,9 @@ Placement with_bounds(const SignalTable& table, const PlacementProblem& problem,
 }  // namespace
 
 void check_question(const PartialQuestion& question, const PlacementProblem& problem) {
+  if (question.at_most && question.share)
+    throw InputError("a number of units", "excludes a share of the labels", "ask for one of the two",
+                     Setting::units);
   if (!question.is_asked() || question.given) return;
   if (problem.objective == Objective::count && problem.combination != Combination::weighted) return;
   if (question.share)

@@ -35,7 +35,8 @@ struct PlanRequest {
 
   /// Whether the certificate decides how many samples are taken where.
   bool follows_decision() const {
-    return certifies && !simulation.samples && !simulation.relative_error && !simulation.time_s;
+    return certifies && !partial.is_asked() && !simulation.samples && !simulation.relative_error &&
+           !simulation.time_s;
   }
 };
 

@@ -69,7 +69,8 @@ void expect_changing_shop(const PlanRequest& request, const Store& store) {
     throw InputError(where, problem, "omit it, or plan the shop as in the store file, in 0 states", setting);
   };
   if (request.partial.is_asked())
-    refuse("a part of the labels", "does not apply to a shop that changes", Setting::units);
+    refuse("a part of the labels", "cannot be asked for in a shop that changes",
+           request.partial.share ? Setting::share_of_labels : Setting::units);
   if (request.curve) refuse("the curve", "does not apply to a shop that changes", Setting::curve);
   if (request.reflectance_error)
     refuse("the sensitivity", "does not apply to a shop that changes: reflectances are at their low ends",

@@ -36,7 +36,7 @@ std::string label_sections(const DifferenceInput& input) {
     const std::size_t count = input.difference.count(change);
     if (count == 0) continue;
     const std::string heading = label_count(change, count);
-    html += html_section(std::string(to_text(change)),
+    html += html_section(fmt::format("labels-{}", to_text(change)),
                          count > max_rows ? say("difference.first_of", heading, max_rows) : heading,
                          table_html(changed_labels(input, change, max_rows)));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <utility>
@@ -86,10 +87,13 @@ std::string bound_text(const PlanFigures& figures, const Placement& placement) {
   const bool is_certified = bounds.certified > 0;
   const double bound = is_certified ? bounds.certified : bounds.simulated;
   if (!(bound > 0) || !std::isfinite(bound)) return say("difference.bound.none");
-  const std::string value =
-      !minimises_cost(placement.problem) ? plain_down(bound) : at_least(bound, placement.price);
-  const bool is_minimum =
-      figures.has_selection && figures.reached == figures.labels && bounds.is_minimum(bound);
+  const bool is_price = placement.problem.combination == Combination::spend;
+  const std::string value = !minimises_cost(placement.problem)
+                                ? plain_down(bound)
+                                : at_least(bound, is_price ? placement.price : std::nullopt);
+  const bool is_enough = is_certified ? figures.certificate == CertificateState::certified
+                                      : figures.has_selection && figures.reached == figures.labels;
+  const bool is_minimum = is_enough && bounds.is_minimum(bound);
   if (is_certified)
     return say(is_minimum ? "difference.bound.certified_minimum" : "difference.bound.certified", value);
   return say(is_minimum ? "difference.bound.simulated_minimum" : "difference.bound.simulated", value);

@@ -40,14 +40,17 @@ Headline with_selection(const ReportData& data) {
   // Over states, `stopped` says that the bound with its confidence is lower than the value.
   if (placement.status == Status::stopped && !data.input.plan.availability)
     result.remarks.push_back(say("headline.stopped"));
-  if (placement.status == Status::feasible) result.remarks.push_back(say("headline.greedy"));
+  if (placement.status == Status::feasible && !placement.partial)
+    result.remarks.push_back(say("headline.greedy"));
   return result;
 }
 
 Headline infeasible(const ReportData& data) {
   const Placement& placement = data.input.plan.placement;
   Headline result{Headline::Tone::no, say("headline.infeasible"), {}};
-  if (!placement.unreachable.empty())
+  if (placement.partial)
+    result.answer = partial_sentence(placement, data.outcome.labels.size());
+  else if (!placement.unreachable.empty())
     result.answer = say("headline.out_of_reach", page_out_of_reach(data));
   else if (const std::string why = conflict_reason(placement, data.has_options()); !why.empty())
     result.answer = say("headline.not_together", not_all_together(why));
@@ -130,7 +133,7 @@ Headline headline(const ReportData& data) {
   const auto remark = [&](std::string text) {
     if (!text.empty()) result.remarks.push_back(std::move(text));
   };
-  remark(partial_sentence(placement, data.outcome.labels.size()));
+  if (data.has_selection()) remark(partial_sentence(placement, data.outcome.labels.size()));
   if (data.has_selection()) {
     if (std::string close = closeness_remark(data); !close.empty() && !plan.certificate && !plan.availability)
       result.remarks.insert(result.remarks.begin(), std::move(close));

@@ -21,6 +21,8 @@ std::string of_share(const Placement& placement, const PartialReach& partial, st
   const std::string share = percent(partial.value);
   if (placement.status == Status::infeasible)
     return say("partial.share.none", share, labels_reached(partial.max_reached, labels));
+  if (!placement.has_selection())
+    return say("partial.share.some", share, units_needed(proven_count(placement)));
   return say("partial.share.some", share, terminal_bound(placement));
 }
 

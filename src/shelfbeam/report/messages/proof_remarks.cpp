@@ -28,7 +28,7 @@ class ProofWriter {
         bounds_(value_bounds(data.input.plan)),
         labels_(data.outcome.labels.size()),
         installed_(placement_.count() - new_units(data)),
-        applies_(data.outcome.met == labels_ && new_units(data) > 0 &&
+        applies_(!placement_.partial && data.outcome.met == labels_ && new_units(data) > 0 &&
                  !(certificate_ != nullptr && certificate_->count(Verdict::missed) > 0)) {}
 
   std::string bound() const {

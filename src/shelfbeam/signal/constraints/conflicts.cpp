@@ -71,14 +71,15 @@ void forbid_pairs(SignalTable& table, const std::filesystem::path& path) {
   if (csv.column_names() != std::vector<std::string>{"a", "b"})
     csv.fail("is not the header of a file of pairs", expected);
 
-  const CsvIdLookup columns(table.transceivers, "transceiver");
+  const CsvIdLookup columns(table.transceivers, "transceiver", table.excluded);
   while (csv.next()) {
     csv.expect_fields(2, 2);
-    const auto is_excluded = [&](std::size_t field) {
-      const std::string id = csv.id(field);
-      return std::find(table.excluded.begin(), table.excluded.end(), id) != table.excluded.end();
-    };
-    if (is_excluded(0) || is_excluded(1)) continue;
+    const bool is_first = columns.is_ignored(csv, 0), is_second = columns.is_ignored(csv, 1);
+    if (is_first || is_second) {
+      if (!is_first) columns.read(csv, 0);
+      if (!is_second) columns.read(csv, 1);
+      continue;
+    }
     const std::uint32_t a = columns.read(csv, 0), b = columns.read(csv, 1);
     if (a == b)
       csv.fail(fmt::format("names {} twice", in_quotes(csv.id(0))), "name two different transceivers");

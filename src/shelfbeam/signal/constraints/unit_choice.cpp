@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -15,16 +16,20 @@ namespace shelfbeam {
 
 namespace {
 
-// Whether each column matches one of the patterns.
+// Whether each column matches one of the patterns. A pattern may match only `others` instead.
 std::vector<bool> matches(const std::vector<std::string>& patterns, const SignalTable& table,
-                          const std::string& name, Setting setting) {
+                          std::span<const std::string> others, const std::string& name, Setting setting) {
   std::vector<std::string_view> ids;
   ids.reserve(table.columns());
   for (const SignalTable::Transceiver& unit : table.transceivers) ids.emplace_back(unit.id);
+  const auto is_other = [&](const std::string& pattern) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const std::string& id) { return matches_glob(id, pattern); });
+  };
   std::vector<bool> is_match(table.columns());
   for (const std::string& pattern : patterns) {
     const std::vector<std::uint32_t> found = matching_ids(pattern, ids);
-    if (found.empty())
+    if (found.empty() && !is_other(pattern))
       throw InputError(name, fmt::format("has no transceiver {}", in_quotes(pattern)), suggest(pattern, ids),
                        setting);
     for (const std::uint32_t j : found) is_match[j] = true;
@@ -71,8 +76,8 @@ void remove_columns(const std::vector<bool>& is_excluded, SignalTable& table) {
 }  // namespace
 
 void UnitChoice::apply(SignalTable& table, const std::string& name) const {
-  const std::vector<bool> is_pinned = matches(pinned, table, name, Setting::pinned);
-  const std::vector<bool> is_excluded = matches(excluded, table, name, Setting::excluded);
+  const std::vector<bool> is_pinned = matches(pinned, table, {}, name, Setting::pinned);
+  const std::vector<bool> is_excluded = matches(excluded, table, table.excluded, name, Setting::excluded);
   for (std::size_t j = 0; j < table.columns(); ++j) {
     SignalTable::Transceiver& unit = table.transceivers[j];
     if (is_pinned[j] && !unit.installed) unit.installed = unit.pinned = true;

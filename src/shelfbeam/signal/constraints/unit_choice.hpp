@@ -13,8 +13,9 @@ struct UnitChoice {
   std::vector<std::string> excluded;  ///< part of no selection
 
   /// Marks the pinned units and removes the columns of the excluded ones. `name` is the name of the matrix in
-  /// errors. Throws InputError for a pattern that matches no column, for an excluded unit that is installed
-  /// or pinned, for two pinned or installed units at one mounting point, and if no column is left.
+  /// errors. Throws InputError for a pattern that matches no column (or excluded unit), for an excluded unit
+  /// that is installed or pinned, for two pinned or installed units at one mounting point, and if no column
+  /// is left.
   void apply(SignalTable& table, const std::string& name) const;
 };
 

@@ -132,11 +132,11 @@ template <class Rows, class Apply>
 void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Apply& apply,
                    std::span<const std::string> excluded = {}) {
   const std::size_t width = csv.fields().size();
-  const CsvIdLookup ids(rows, kind);
+  const CsvIdLookup ids(rows, kind, excluded);
   std::unordered_set<std::uint32_t> seen;
   while (csv.next()) {
     csv.expect_fields(width, width);
-    if (std::find(excluded.begin(), excluded.end(), csv.id(0)) != excluded.end()) continue;
+    if (ids.is_ignored(csv, 0)) continue;
     const std::uint32_t row = ids.read(csv, 0);
     if (!seen.insert(row).second)
       csv.fail(0, fmt::format("is the duplicate {} {}", kind, in_quotes(csv.id(0))),

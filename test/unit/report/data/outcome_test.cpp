@@ -104,6 +104,24 @@ TEST(Outcome, EqualsAPlainRecomputation) {
     }
 }
 
+// A pinned unit occupies its mounting point, as for the search.
+TEST(Outcome, LeavesAPinnedUnitItsMountingPoint) {
+  SignalMatrix matrix = random_matrix(1, 3, 0);
+  matrix.mean = {1, 4, 2};
+  for (TransceiverColumn& unit : matrix.transceivers) unit.installed = false;
+  matrix.transceivers[0].position = matrix.transceivers[1].position = {1, 1, 3};
+  matrix.transceivers[2].position = {2, 2, 3};
+  Placement placement;
+  placement.problem.model = CommunicationModel::cooperative;
+  placement.selected = {0};
+  EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, 6);
+  matrix.transceivers[0].pinned = true;
+  EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, 3);
+  matrix.transceivers[0].pinned = false;
+  matrix.transceivers[0].installed = true;
+  EXPECT_EQ(outcome_of(matrix, placement).labels[0].best, 3);
+}
+
 TEST(Outcome, CountsLabelsAfterTheWorstFailure) {
   SignalMatrix matrix = random_matrix(2, 3, 0);
   matrix.labels[0].requirement = matrix.labels[1].requirement = 1;

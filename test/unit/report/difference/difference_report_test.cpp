@@ -67,14 +67,14 @@ TEST(DifferenceReport, AnswersInOneSentence) {
             "20 lost.");
   KioskPlan other = two;
   other.choose({0, 2});
-  EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them elsewhere; all 20 labels stay reached.");
+  EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them changed; all 20 labels stay reached.");
   other.plan.placement.price = {"EUR", 200, 200};
   two.plan.placement.price = {"EUR", 300, 250};
   EXPECT_EQ(answer_to(two, other),
-            "2 units as before, 1 of them elsewhere; 200 EUR to spend instead of 250 EUR; "
+            "2 units as before, 1 of them changed; 200 EUR to spend instead of 250 EUR; "
             "all 20 labels stay reached.");
   two.plan.placement.price->currency = "USD";
-  EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them elsewhere; all 20 labels stay reached.");
+  EXPECT_EQ(answer_to(two, other), "2 units as before, 1 of them changed; all 20 labels stay reached.");
   other.matrix.labels[3].requirement = 1e9;
   EXPECT_EQ(answer_to(all, other), "One unit fewer: 2 instead of 3; 19 of 20 labels stay reached, 1 lost.");
   other.matrix.labels[4].id = "new";
@@ -96,8 +96,8 @@ TEST(DifferenceReport, PageIsWellFormedAndContainsBothPlans) {
   EXPECT_EQ(test::fault(html), "");
   const std::string text = test::read_markup(html).text;
   for (const std::string piece :
-       {"plan<1> and plan&2", "1 moved, 1 added, 1 removed", "T&1", "T,2", "T\"3\"", "1 label lost",
-        "grey: reflectance 0.5 instead of 0.7", "label lost", "moved unit", "removed unit"})
+       {"plan<1> and plan&2", "1 changed, 1 added, 1 removed", "T&1", "T,2", "T\"3\"", "1 label lost",
+        "grey: reflectance 0.5 instead of 0.7", "label lost", "changed unit", "removed unit"})
     EXPECT_THAT(text, HasSubstr(piece));
   EXPECT_THAT(text, testing::Not(HasSubstr("label gained"))) << "negative control";
   EXPECT_EQ(test::count_of("href=\"#unit-added\"", html), 2U) << "the unit and its key";
