@@ -23,10 +23,13 @@ Key id_alone(const Identity& thing) {
 
 }  // namespace
 
-std::vector<Match> matches(const std::vector<Identity>& before, const std::vector<Identity>& after) {
+std::vector<Match> matches(const std::vector<Identity>& before, const std::vector<Identity>& after,
+                           SameBy first) {
+  std::array<Key (*)(const Identity&), 3> keys{id_and_value, value_alone, id_alone};
+  if (first == SameBy::id) std::swap(keys[1], keys[2]);
   std::vector<std::optional<std::uint32_t>> partner(after.size());
   std::vector<bool> taken(before.size(), false);
-  for (const auto key_of : std::array<Key (*)(const Identity&), 3>{id_and_value, value_alone, id_alone}) {
+  for (const auto key_of : keys) {
     std::map<Key, std::deque<std::uint32_t>> open;
     for (std::uint32_t i = 0; i < before.size(); ++i)
       if (!taken[i]) open[key_of(before[i])].push_back(i);

@@ -17,8 +17,15 @@ struct Match {
   std::optional<std::uint32_t> before, after;
 };
 
-/// Pairs the things with equal ids and values, then those with equal values, then those with equal ids. In
-/// the order of `after`, then of `before`. Among equals, earlier ones are paired first.
-std::vector<Match> matches(const std::vector<Identity>& before, const std::vector<Identity>& after);
+/// What makes two things the same that agree in one respect only.
+enum class SameBy {
+  value,  ///< a unit that stays in its place has another id
+  id      ///< labels of a moved fixture are in the places of others
+};
+
+/// Pairs the things with equal ids and values, then those that are the same by `first`, then those by the
+/// other. In the order of `after`, then of `before`. Among equals, earlier ones are paired first.
+std::vector<Match> matches(const std::vector<Identity>& before, const std::vector<Identity>& after,
+                           SameBy first);
 
 }  // namespace shelfbeam

@@ -48,7 +48,7 @@ std::vector<Identity> label_identities(const ComparedPlan& plan) {
 
 std::vector<ComparedUnit> compared_units(const ComparedPlan& before, const ComparedPlan& after) {
   std::vector<ComparedUnit> units;
-  for (const auto& [i, j] : matches(unit_identities(before), unit_identities(after))) {
+  for (const auto& [i, j] : matches(unit_identities(before), unit_identities(after), SameBy::value)) {
     ComparedUnit unit;
     if (i) unit.before = before.plan.placement.selected[*i];
     if (j) unit.after = after.plan.placement.selected[*j];
@@ -88,7 +88,7 @@ LabelState state_of(const ComparedPlan& compared, std::uint32_t row) {
 
 std::vector<ComparedLabel> compared_labels(const ComparedPlan& before, const ComparedPlan& after) {
   std::vector<ComparedLabel> labels;
-  for (const auto& [i, j] : matches(label_identities(before), label_identities(after))) {
+  for (const auto& [i, j] : matches(label_identities(before), label_identities(after), SameBy::id)) {
     ComparedLabel label;
     if (i) label.before = state_of(before, *i);
     if (j) label.after = state_of(after, *j);

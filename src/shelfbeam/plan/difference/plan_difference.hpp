@@ -67,7 +67,7 @@ inline constexpr auto names_of<LabelChange> =
                                        {"added", LabelChange::added},
                                        {"removed", LabelChange::removed}});
 
-/// A label of either shop: the same id, or the same position and normal under another id.
+/// A label of either shop: the same id or, of the others, the same position and normal.
 struct ComparedLabel {
   std::optional<LabelState> before, after;
 

@@ -136,7 +136,7 @@ class Comparison {
   }
 
   void elements(StorePart part, const Elements& before, const Elements& after) {
-    for (const auto& [i, j] : matches(before.identities, after.identities)) {
+    for (const auto& [i, j] : matches(before.identities, after.identities, SameBy::id)) {
       StoreChange change{part, StoreChangeKind::changed, {}, {}, {}};
       if (i) change.before_id = before.identities[*i].id;
       if (j) change.after_id = after.identities[*j].id;

@@ -42,7 +42,7 @@ std::string height(const Scene& scene, const MountedUnit& unit) {
 
 std::string remark(const MountedUnit& unit) {
   const char* const key = unit.installed ? "mounting.installed" : unit.pinned ? "mounting.pinned" : nullptr;
-  return key == nullptr ? "" : fmt::format(" <small>({})</small>", words(key));
+  return key == nullptr ? "" : fmt::format("<br><small>({})</small>", words(key));
 }
 
 std::string row(const Scene& scene, const MountedUnit& unit) {

@@ -167,13 +167,15 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
   });
   each("keep_out",
        [&](const JsonCursor& list) { read_devices(list, names, store, problems, store.keep_out); });
-  for (const auto& [key, units] :
-       {std::pair("installed", &store.installed), std::pair("pinned", &store.pinned),
-        std::pair("excluded", &store.excluded)})
+  const auto ids = [&](const char* key, std::vector<Listed<std::string>>& units) {
     each(key, [&](const JsonCursor& list) {
       for (const JsonCursor& id : list.elements())
-        problems.collect([&] { units->push_back({id.text(), id.where()}); });
+        problems.collect([&] { units.push_back({id.text(), id.where()}); });
     });
+  };
+  ids("installed", store.installed);
+  ids("pinned", store.pinned);
+  ids("excluded", store.excluded);
 }
 
 void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,

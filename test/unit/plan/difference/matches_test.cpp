@@ -10,9 +10,10 @@ namespace shelfbeam {
 namespace {
 
 // Pairs as "before-after" of ids, "." for none.
-std::vector<std::string> paired(const std::vector<Identity>& before, const std::vector<Identity>& after) {
+std::vector<std::string> paired(const std::vector<Identity>& before, const std::vector<Identity>& after,
+                                SameBy first = SameBy::value) {
   std::vector<std::string> pairs;
-  for (const auto& [i, j] : matches(before, after))
+  for (const auto& [i, j] : matches(before, after, first))
     pairs.push_back(fmt::format("{}-{}", i ? before[*i].id : ".", j ? after[*j].id : "."));
   return pairs;
 }
@@ -30,6 +31,15 @@ TEST(Matches, PairEqualThingsThenValuesThenIds) {
 // The thing that is still there is not taken for the one that got its id.
 TEST(Matches, PreferValuesToIds) {
   EXPECT_EQ(paired({{"a", "1"}, {"b", "2"}}, {{"b", "1"}, {"a", "3"}}), (Pairs{"a-b", ".-a", "b-."}));
+}
+
+// A gondola moves by the distance of its labels: these keep their ids.
+TEST(Matches, PreferIdsToValues) {
+  const std::vector<Identity> before{{"a", "1"}, {"b", "2"}, {"c", "3"}},
+      after{{"a", "2"}, {"b", "3"}, {"d", "4"}};
+  EXPECT_EQ(paired(before, after, SameBy::id), (Pairs{"a-a", "b-b", ".-d", "c-."}));
+  EXPECT_EQ(paired(before, {{"x", "1"}, {"b", "9"}}, SameBy::id), (Pairs{"a-x", "b-b", "c-."})) << "renamed";
+  EXPECT_EQ(paired(before, after), (Pairs{"b-a", "c-b", ".-d", "a-."})) << "otherwise";
 }
 
 TEST(Matches, PairEqualsOnce) {
