@@ -20,14 +20,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Versions of the program may round the same store differently.
-constexpr double rounding = 1e-9;
+constexpr double number_rounding = 1e-9;
 
 const std::string no_key;
 
 bool is_equal(const Json& a, const Json& b) {
   if (a.is_number() && b.is_number()) {
     const double x = a.get<double>(), y = b.get<double>();
-    return std::abs(x - y) <= rounding * std::max({1.0, std::abs(x), std::abs(y)});
+    return std::abs(x - y) <= number_rounding * std::max({1.0, std::abs(x), std::abs(y)});
   }
   if (a.type() != b.type() || a.size() != b.size()) return false;
   if (a.is_array()) return std::equal(a.begin(), a.end(), b.begin(), is_equal);

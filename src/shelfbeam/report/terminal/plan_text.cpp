@@ -15,7 +15,6 @@ PlanText plan_text(const CertifiedPlan& plan, const SignalTable& table, bool has
                   {},
                   availability_details(*availability, plan.placement)};
     if (availability->is_impossible()) return text;
-    if (!plan.is_verified()) text.answer += fmt::format(" {}", words("certificate.lacking"));
     text.details += chosen(plan.placement.selected, table);
     if (const std::string price = price_sentence(plan.placement); !price.empty())
       text.details += fmt::format("  {}\n", price);
