@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import sqlite3
 import subprocess
@@ -68,6 +69,8 @@ class Batch(unittest.TestCase):
             self.assertGreater(peak_memory, 5_000_000)
         page = (self.results / "results.html").read_text(encoding="utf-8")
         self.assertIn('<a href="plans/0001-valid/report.html">0001-valid</a>', page)
+        heads = re.findall(r"<th[^>]*>([^<]*)</th>", page)
+        self.assertEqual(heads[:5], ["Store", "Units", "At least", "Price", "Answer"])
         self.refused("contains the results of an earlier batch", "'--resume'")
 
         # A corrected store: only this one is planned again.

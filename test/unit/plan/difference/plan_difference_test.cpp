@@ -189,6 +189,12 @@ TEST(PlanDifference, FindsEveryChangeOfTheQuestion) {
             Keys{QuestionKey::forbidden_pairs});
   EXPECT_EQ(changed([](auto& plan) { plan.placement.partial = {ReachGoal::at_most, 3, 2, 2}; }),
             Keys{QuestionKey::partial});
+  Example two_units, three_units;
+  two_units.plan.placement.partial = {ReachGoal::at_most, 2, 1, 1};
+  three_units.plan.placement.partial = {ReachGoal::at_most, 3, 1, 1};
+  EXPECT_EQ(difference(two_units, three_units).question, Keys{QuestionKey::partial});
+  three_units.plan.placement.partial = {ReachGoal::at_most, 2, 3, 3};
+  EXPECT_TRUE(difference(two_units, three_units).question.empty()) << "only the answers differ";
   Example one, two;
   one.certify({Verdict::reached, Verdict::reached, Verdict::reached});
   two.certify({Verdict::reached, Verdict::reached, Verdict::reached});

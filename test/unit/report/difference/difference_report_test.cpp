@@ -119,6 +119,22 @@ TEST(DifferenceReport, NamesFewElementsWithTheirValuesAndManyByRanges) {
                           "A<1>-back-2-1…5"));
 }
 
+// The bound of a plan for a part of the labels is no bound for all of them.
+TEST(DifferenceReport, NamesTheGoalOfAPartialPlan) {
+  KioskPlan all, part;
+  all.choose({0, 1, 2});
+  part.choose({0});
+  for (KioskPlan* one : {&all, &part})
+    one->plan.placement.count_lower_bound = static_cast<double>(one->plan.placement.count());
+  part.plan.placement.partial = {ReachGoal::share, 0.5, 10, 20};
+  const TwoPlans compared{all.compared(), part.compared()};
+  const TextTable figures = difference_figures(compared.input);
+  const std::vector<std::string> goal = figures.back();
+  EXPECT_THAT(goal, ElementsAre("Aim", "all labels", "50.0\u00a0% of the labels"));
+  for (const std::vector<std::string>& row : figures)
+    EXPECT_THAT(row.front(), testing::Not(HasSubstr("all labels")));
+}
+
 TEST(DifferenceReport, JsonHasTheSameLists) {
   KioskPlan before, after;
   before.choose({0, 1});
