@@ -24,7 +24,7 @@ namespace {
 
 using test::Json;
 
-constexpr auto reuse = "reuse, 128 + 3 first rays per batch";
+constexpr auto by_reuse = "reuse, 128 + 3 first rays per batch";
 
 std::variant<SignalMatrix, MisfitReason> fit(StoredSignals signals, const Scene& scene,
                                              const PathRules& wanted = SimulationOptions().rules()) {
@@ -33,7 +33,7 @@ std::variant<SignalMatrix, MisfitReason> fit(StoredSignals signals, const Scene&
 
 // Every entry has another value.
 StoredSignals signals_of(const Scene& scene) {
-  StoredSignals signals{detail::matrix_head(scene, scene_hash(scene), 7, reuse)};
+  StoredSignals signals{detail::matrix_head(scene, scene_hash(scene), 7, by_reuse)};
   const std::size_t size = signals.rows() * signals.columns();
   for (std::size_t k = 0; k < size; ++k) {
     signals.mean.push_back(static_cast<float>(k));
@@ -294,14 +294,14 @@ TEST(FittingSignals, HaveThePathsOfTheSimulation) {
   };
   const PathRules all, three{.max_bounces = 3}, walk{.strategy = Strategy::walk},
       particle{.strategy = Strategy::particle};
-  for (const char* complete : {reuse, "uniform mis (power), direct exact", "uniform nee, direct sampled", ""})
+  for (const char* complete : {by_reuse, "uniform mis (power), direct exact", "uniform nee, direct sampled", ""})
     EXPECT_TRUE(fits(complete, all)) << complete;
   for (const char* other : {"uniform walk, direct sampled", "particle, direct sampled", "another program",
                             "uniform mis (balance), direct exact, at most 3 bounces"})
     EXPECT_FALSE(fits(other, all)) << other;
   EXPECT_TRUE(fits("uniform nee, direct exact, at most 3 bounces", three));
   EXPECT_FALSE(fits("uniform nee, direct exact, at most 30 bounces", three));
-  EXPECT_FALSE(fits(reuse, three));
+  EXPECT_FALSE(fits(by_reuse, three));
   EXPECT_TRUE(fits("uniform walk, direct sampled", walk));
   EXPECT_TRUE(fits("particle, direct sampled", particle));
   EXPECT_FALSE(fits("particle, direct sampled", walk));
