@@ -294,7 +294,8 @@ TEST(FittingSignals, HaveThePathsOfTheSimulation) {
   };
   const PathRules all, three{.max_bounces = 3}, walk{.strategy = Strategy::walk},
       particle{.strategy = Strategy::particle};
-  for (const char* complete : {by_reuse, "uniform mis (power), direct exact", "uniform nee, direct sampled", ""})
+  for (const char* complete :
+       {by_reuse, "uniform mis (power), direct exact", "uniform nee, direct sampled", ""})
     EXPECT_TRUE(fits(complete, all)) << complete;
   for (const char* other : {"uniform walk, direct sampled", "particle, direct sampled", "another program",
                             "uniform mis (balance), direct exact, at most 3 bounces"})
