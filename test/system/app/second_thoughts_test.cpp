@@ -241,7 +241,7 @@ TEST_F(SecondThoughts, AboutOtherPathsAreSimulatedAgain) {
   EXPECT_THAT(told(again + "--max-bounces 2 -o @two"), HasSubstr("read from "));
 }
 
-// Stops a plan when its checkpoint has appeared.
+// Both are stopped after some checkpoints.
 TEST_F(SecondThoughts, DoNotReuseAnInterruptedSimulation) {
   const std::string line = "--samples 400000000 --threads 1 --checkpoint-interval 0";
   for (const char* verb : {"plan @store.json -o @plan ", "simulate @store.json -o @signal.h5 "}) {
