@@ -1,6 +1,7 @@
 #include "jobs/plan_job_json.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -49,19 +50,30 @@ void path(Fields& f, std::string_view key, std::optional<std::filesystem::path>&
            optional(says, value.has_value()));
 }
 
-void paths(Fields& f, std::string_view key, std::vector<std::filesystem::path>& values,
-           std::string_view says) {
+template <class Value, class Read, class Write>
+void list(Fields& f, std::string_view key, std::vector<Value>& values, std::string_view says,
+          const Read& read_one, const Write& write_one) {
   const auto read = [&](const JsonCursor& json) {
     values.clear();
-    for (const JsonCursor& element : json.elements()) values.push_back(read_path(element));
+    for (const JsonCursor& element : json.elements()) values.push_back(read_one(element));
   };
   const auto write = [&] {
     Json list = Json::array();
-    for (const auto& value : values) list.push_back(path_json(value));
+    for (const Value& value : values) list.push_back(write_one(value));
     return list;
   };
   f.custom(key, {read, write, R"({"type": "array", "items": {"type": "string"}})"},
            optional(says, !values.empty()));
+}
+
+void paths(Fields& f, std::string_view key, std::vector<std::filesystem::path>& values,
+           std::string_view says) {
+  list(f, key, values, says, read_path, path_json);
+}
+
+void texts(Fields& f, std::string_view key, std::vector<std::string>& values, std::string_view says) {
+  list(f, key, values, says, std::mem_fn(&JsonCursor::text),
+       [](const std::string& text) { return Json(text); });
 }
 
 // Limits are those of the command line, where a positive number has no other.
@@ -134,15 +146,6 @@ void describe(Fields& f, SimulationRequest& r) {
   with_default(r.memory, std::size_t{0}, [&](auto& given) {
     whole(f, "memory", given, "limit in bytes", 0, std::numeric_limits<std::int64_t>::max());
   });
-}
-
-void texts(Fields& f, std::string_view key, std::vector<std::string>& values, std::string_view says) {
-  const auto read = [&](const JsonCursor& json) {
-    values.clear();
-    for (const JsonCursor& element : json.elements()) values.push_back(element.text());
-  };
-  f.custom(key, {read, [&] { return Json(values); }, R"({"type": "array", "items": {"type": "string"}})"},
-           optional(says, !values.empty()));
 }
 
 void describe(Fields& f, PlacementProblem& p) {

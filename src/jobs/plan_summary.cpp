@@ -12,9 +12,8 @@ namespace {
 // The proven bound on the value behind the answer: that of the certificate if labels are verified.
 void add_bound(const CertifiedPlan& plan, PlanSummary& summary) {
   const Placement& placement = plan.placement;
-  const bool is_verified = plan.certificate && !plan.certificate->none_verified();
   const ValueBounds bounds = value_bounds(plan);
-  const double bound = is_verified ? bounds.certified : bounds.simulated;
+  const double bound = plan.has_verdicts() ? bounds.certified : bounds.simulated;
   if (!(bound > 0)) return;
   if (!minimises_cost(placement.problem))
     summary.lower_bound = static_cast<std::uint64_t>(bound);

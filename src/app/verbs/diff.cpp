@@ -83,13 +83,9 @@ void print_difference(const DiffArguments& options, const DifferenceInput& input
   if (difference.is_empty()) return;
   print_rows({}, difference_figures(input), 3);
   print_rows(say("difference.units_heading", unit_counts(difference)), changed_units(input), 5);
-  for (const LabelChange change :
-       {LabelChange::lost, LabelChange::gained, LabelChange::stays_missed, LabelChange::added}) {
-    const std::size_t count = difference.count(change);
-    const std::string heading = label_count(change, count);
-    print_rows((count > listed_labels ? say("difference.first_of", heading, listed_labels) : heading) + ":",
+  for (const LabelChange change : listed_changes)
+    print_rows(labels_heading(change, difference.count(change), listed_labels) + ":",
                changed_labels(input, change, listed_labels), 1);
-  }
   print_rows(say("difference.section.weakest") + ":", weakest_labels(input), 1);
   fmt::print("{}\n", difference.store.empty() ? say("difference.section.no_store")
                                               : say("difference.section.store") + ":");

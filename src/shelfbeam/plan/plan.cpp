@@ -109,6 +109,31 @@ std::optional<SimulationResult> reused(std::optional<StoredSignals> signals, con
   return result_of(std::get<SignalMatrix>(std::move(fitting)));
 }
 
+// The selection stays, whatever its labels receive.
+void verify_selection(const Scene& scene, SimulationOptions fresh, const PlanOptions& options,
+                      const RunControl& control, Plan& plan) {
+  fresh.seed = options.simulation.seed;  // verify_installation forms the key of its question
+  plan.certificate = verify_installation(with_units(scene, plan.placement.selected), plan.placement.problem,
+                                         {*options.confidence, options.budget, fresh, options.place}, control)
+                         .certificate;
+}
+
+// May refine the matrix and change the placement. `prepared`: null unless rows of signals can be sampled.
+void certify_placement(const Scene& scene, const PreparedScene* prepared, const TableRule& table,
+                       const SimulationOptions& fresh, const PlanOptions& options, const RunControl& control,
+                       Plan& plan) {
+  const CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
+  SignalMatrix matrix = std::move(plan.simulation.matrix);
+  Certified certified =
+      prepared != nullptr
+          ? certify(*prepared, table, how, std::move(matrix), std::move(plan.placement), control)
+          : certify(scene, table, how, std::move(matrix), std::move(plan.placement), control);
+  plan.simulation.matrix = std::move(certified.matrix);
+  plan.placement = std::move(certified.placement);
+  plan.certificate = std::move(certified.certificate);
+  plan.certificate->mark_unverified();
+}
+
 }  // namespace
 
 Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& control) {
@@ -142,22 +167,10 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
                                   ? !plan.placement.selected.empty()
                                   : plan.placement.has_selection() || !plan.placement.unreachable.empty();
   if (options.confidence && plan.simulation.summary.complete && says_something) {
-    CertifyOptions how{*options.confidence, options.budget, fresh, options.place};
-    if (is_partial) {
-      how.simulation.seed = options.simulation.seed;  // verify_installation forms the key of its question
-      plan.certificate = verify_installation(with_units(scene, plan.placement.selected),
-                                             plan.placement.problem, how, control)
-                             .certificate;
-    } else {
-      Certified certified = has_rows ? certify(*prepared, table, how, std::move(plan.simulation.matrix),
-                                               std::move(plan.placement), control)
-                                     : certify(scene, table, how, std::move(plan.simulation.matrix),
-                                               std::move(plan.placement), control);
-      plan.simulation.matrix = std::move(certified.matrix);
-      plan.placement = std::move(certified.placement);
-      plan.certificate = std::move(certified.certificate);
-      plan.certificate->mark_unverified();
-    }
+    if (is_partial)
+      verify_selection(scene, fresh, options, control, plan);
+    else
+      certify_placement(scene, has_rows ? prepared.get() : nullptr, table, fresh, options, control, plan);
   }
   const SignalTable last = table(plan.simulation.matrix);
   if (options.curve && !is_partial && plan.placement.has_selection())

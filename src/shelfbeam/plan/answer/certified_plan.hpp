@@ -27,10 +27,10 @@ struct CertifiedPlan {
   /// alone, and for plans up to version 0.3, whose signals have the same.
   std::optional<std::uint64_t> seed = {};
 
-  /// Independent samples, or fresh states of a shop that changes, have verified the plan or labels of it.
-  bool is_verified() const {
-    return availability ? availability->has_answer() : certificate && !certificate->none_verified();
-  }
+  /// Independent samples have verified at least one label.
+  bool has_verdicts() const { return certificate && !certificate->none_verified(); }
+  /// The same or, for a shop that changes, fresh states have been examined.
+  bool is_verified() const { return availability ? availability->has_answer() : has_verdicts(); }
 };
 
 }  // namespace shelfbeam

@@ -29,7 +29,7 @@ bool ValueBounds::is_minimum(double bound) const {
 
 ValueBounds value_bounds(const CertifiedPlan& plan) {
   const Placement& placement = plan.placement;
-  const bool is_verified = plan.certificate && !plan.certificate->none_verified();
+  const bool is_verified = plan.has_verdicts();
   if (!minimises_cost(placement.problem))
     return {static_cast<double>(placement.count()), static_cast<double>(proven_count(placement)),
             is_verified ? static_cast<double>(plan.certificate->count_lower_bound) : 0};

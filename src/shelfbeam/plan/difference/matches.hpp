@@ -23,8 +23,8 @@ enum class SameBy {
   id      ///< labels of a moved fixture are in the places of others
 };
 
-/// Pairs the things with equal ids and values, then those that are the same by `first`, then those by the
-/// other. In the order of `after`, then of `before`. Among equals, earlier ones are paired first.
+/// Pairs things in three passes: equal ids and values, equal in the respect `first`, equal in the other one.
+/// In the order of `after`, then of `before`. Among equals, earlier ones are paired first.
 std::vector<Match> matches(const std::vector<Identity>& before, const std::vector<Identity>& after,
                            SameBy first);
 

@@ -97,6 +97,13 @@ std::vector<ComparedLabel> compared_labels(const ComparedPlan& before, const Com
   return labels;
 }
 
+std::size_t count_reached(const std::vector<ComparedLabel>& labels,
+                          std::optional<LabelState> ComparedLabel::* of_plan) {
+  return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), [&](const auto& label) {
+    return label.*of_plan && (label.*of_plan)->reached;
+  }));
+}
+
 void add_certificate(PlanFigures& figures, const CertifiedPlan& plan) {
   if (const auto& availability = plan.availability) {
     figures.confidence = availability->confidence;
@@ -104,7 +111,7 @@ void add_certificate(PlanFigures& figures, const CertifiedPlan& plan) {
       figures.certificate = availability->certified ? CertificateState::certified : CertificateState::open;
     return;
   }
-  if (!plan.certificate || plan.certificate->none_verified()) return;
+  if (!plan.has_verdicts()) return;
   const Certificate& certificate = *plan.certificate;
   figures.confidence = certificate.confidence;
   figures.certified = certificate.count(Verdict::reached);
@@ -122,8 +129,6 @@ PlanFigures figures_of(const ComparedPlan& compared) {
   for (const std::uint32_t column : placement.selected)
     figures.installed += transceivers[column].installed ? 1 : 0;
   figures.labels = labels.size();
-  for (std::uint32_t row = 0; row < labels.size(); ++row)
-    figures.reached += state_of(compared, row).reached ? 1 : 0;
   figures.price = placement.price;
   figures.bounds = value_bounds(plan);
   add_certificate(figures, plan);
@@ -209,11 +214,14 @@ bool PlanDifference::is_empty() const {
 }
 
 PlanDifference difference_of(const ComparedPlan& before, const ComparedPlan& after) {
-  return {{figures_of(before), figures_of(after)},
-          compared_units(before, after),
-          compared_labels(before, after),
-          changed_question(before.plan, after.plan),
-          store_changes(before.store, after.store)};
+  PlanDifference difference{{figures_of(before), figures_of(after)},
+                            compared_units(before, after),
+                            compared_labels(before, after),
+                            changed_question(before.plan, after.plan),
+                            store_changes(before.store, after.store)};
+  difference.figures.before.reached = count_reached(difference.labels, &ComparedLabel::before);
+  difference.figures.after.reached = count_reached(difference.labels, &ComparedLabel::after);
+  return difference;
 }
 
 }  // namespace shelfbeam

@@ -57,7 +57,7 @@ struct ValueChange {
   bool operator==(const ValueChange&) const = default;
 };
 
-/// An element of a store, or a part that is no list of elements, that differs.
+/// A difference in an element of a store, or in a part without elements.
 struct StoreChange {
   StorePart part = StorePart::shop;
   StoreChangeKind kind = StoreChangeKind::changed;

@@ -80,7 +80,7 @@ std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
   detail::Json file = Record::write(plan, {table});
   if (plan.availability && plan.availability->has_answer())
     file["verification"] = "states";
-  else if (plan.certificate && !plan.certificate->none_verified())
+  else if (plan.has_verdicts())
     file["verification"] = "certificate";
   return detail::file_text(file);
 }

@@ -90,7 +90,7 @@ std::string address(std::string_view path) {
   return text;
 }
 
-std::string remarks(Results results) {
+std::vector<std::string> remarks(Results results) {
   double cpu_s = 0;
   std::uint64_t peak = 0;
   std::map<std::string, double> prices;
@@ -103,8 +103,7 @@ std::string remarks(Results results) {
   }
   std::string text = say_count("batch.units", units);
   for (const auto& [currency, price] : prices) text += " " + say("batch.price", price_text(price, currency));
-  return paragraph(text, "remark") + paragraph(say("batch.scope"), "remark") +
-         paragraph(say("batch.effort", duration_text(cpu_s), memory_text(peak)), "remark");
+  return {text, say("batch.scope"), say("batch.effort", duration_text(cpu_s), memory_text(peak))};
 }
 
 std::string need_section(Results results, std::string_view need) {
@@ -169,11 +168,8 @@ std::string batch_csv(Results results, bool safe) {
 std::string batch_html(Results results) {
   const std::string title = say("batch.page");
   const bool is_fine = count_of(results, "planned") == results.size();
-  std::string body = fmt::format(
-      "<header class=\"{}\">\n<p class=\"kicker\">{}</p>\n<h1>{}</h1>\n<p "
-      "class=\"answer\">{}</p>\n{}</header>\n",
-      is_fine ? "yes" : "open", escape(words("batch.kicker")), escape(title), escape(batch_answer(results)),
-      remarks(results));
+  std::string body = html_header({is_fine ? "yes" : "open", escape(words("batch.kicker")), title,
+                                  batch_answer(results), remarks(results)});
   for (const std::string_view need : needs) body += need_section(results, need);
   return html_page(title, "<main>\n" + body + "</main>\n");
 }

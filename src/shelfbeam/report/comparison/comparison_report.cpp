@@ -159,11 +159,11 @@ std::string comparison_html(const ComparisonInput& input) {
   const std::vector<std::string> statements = comparison_statements(comparison);
   const bool bad = (comparison.test && comparison.test->rejected()) || !comparison.outliers.empty();
   const std::string title = say("comparison.title", input.measured_name, input.simulated_name);
-  std::string body = fmt::format(
-      "<header class=\"{}\">\n<p class=\"kicker\">{}</p>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
-      bad ? "open" : "yes", escape(words("comparison.kicker")), escape(title), escape(statements[0]));
-  for (std::size_t k = 1; k < statements.size(); ++k) body += paragraph(statements[k], "remark");
-  body += "</header>\n";
+  std::string body = html_header({bad ? "open" : "yes",
+                                  escape(words("comparison.kicker")),
+                                  title,
+                                  statements.front(),
+                                  {statements.begin() + 1, statements.end()}});
   body += html_section(
       "signals", say("comparison.signals.title"),
       "<div class=\"pair\">\n" + scatter_figure(input) + residual_figure(comparison) + "</div>\n");

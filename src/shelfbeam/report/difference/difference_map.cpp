@@ -22,20 +22,21 @@ namespace {
 
 constexpr double unit_radius = 13;
 
-// The mark of a label of the second shop; later ones are drawn on top.
+// Marks of labels of the second shop; later ones are drawn on top.
 struct LabelMark {
+  LabelChange change;
   std::string_view symbol, text;
-
-  bool suits(const ComparedLabel& label) const {
-    const bool was_reached = label.before && label.before->reached;
-    if (label.after->reached) return symbol == (label.before && !was_reached ? "gained" : "m3");
-    return symbol == (was_reached ? "m0" : "m1");
-  }
 };
-constexpr std::array<LabelMark, 4> label_marks{{{"m3", "difference.map.reached"},
-                                                {"m1", "difference.map.missed"},
-                                                {"gained", "difference.map.gained"},
-                                                {"m0", "difference.map.lost"}}};
+constexpr std::array<LabelMark, 4> label_marks{{{LabelChange::stays_reached, "m3", "difference.map.reached"},
+                                                {LabelChange::stays_missed, "m1", "difference.map.missed"},
+                                                {LabelChange::gained, "gained", "difference.map.gained"},
+                                                {LabelChange::lost, "m0", "difference.map.lost"}}};
+
+// A new label looks like one that was always there.
+LabelChange shown_change(const ComparedLabel& label) {
+  if (label.before) return label.change();
+  return label.after->reached ? LabelChange::stays_reached : LabelChange::stays_missed;
+}
 
 class DifferenceMap {
  public:
@@ -92,7 +93,7 @@ class DifferenceMap {
     for (const LabelMark& mark : label_marks) {
       bool is_used = false;
       for (const ComparedLabel& label : input_.difference.labels) {
-        if (!label.after || !mark.suits(label)) continue;
+        if (!label.after || shown_change(label) != mark.change) continue;
         canvas.use(mark.symbol, places[label.after->row], label_id(input_, label));
         is_used = true;
       }

@@ -31,15 +31,10 @@ const char* tone_of(const PlanDifference& difference) {
 
 std::string label_sections(const DifferenceInput& input) {
   std::string html;
-  for (const LabelChange change :
-       {LabelChange::lost, LabelChange::gained, LabelChange::stays_missed, LabelChange::added}) {
-    const std::size_t count = input.difference.count(change);
-    if (count == 0) continue;
-    const std::string heading = label_count(change, count);
-    html += html_section(fmt::format("labels-{}", to_text(change)),
-                         count > max_rows ? say("difference.first_of", heading, max_rows) : heading,
-                         table_html(changed_labels(input, change, max_rows)));
-  }
+  for (const LabelChange change : listed_changes)
+    if (const std::size_t count = input.difference.count(change); count > 0)
+      html += html_section(fmt::format("labels-{}", to_text(change)), labels_heading(change, count, max_rows),
+                           table_html(changed_labels(input, change, max_rows)));
   return html;
 }
 
@@ -50,11 +45,8 @@ std::string difference_html(const DifferenceReport& report) {
   const PlanDifference& difference = input.difference;
   const std::string title =
       say("difference.title", printable(report.before_name), printable(report.after_name));
-  std::string body = fmt::format(
-      "<header class=\"{}\">\n<p class=\"kicker\">{}</p>\n<h1>{}</h1>\n<p "
-      "class=\"answer\">{}</p>\n</header>\n",
-      tone_of(difference), escape(words("difference.kicker")), escape(title),
-      escape(difference_answer(input)));
+  std::string body =
+      html_header({tone_of(difference), escape(words("difference.kicker")), title, difference_answer(input)});
   body += html_section("figures", say("difference.section.figures"), table_html(difference_figures(input)));
   body += html_section("map", say("difference.section.map"), difference_map(input, report.after));
   const TextTable units = changed_units(input);

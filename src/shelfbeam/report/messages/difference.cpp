@@ -354,8 +354,9 @@ TextTable weakest_labels(const DifferenceInput& input) {
   return label_table(input, std::move(labels), 2 * max_weakest);
 }
 
-std::string label_count(LabelChange change, std::size_t count) {
-  return say_count(fmt::format("difference.label.{}", to_text(change)), count);
+std::string labels_heading(LabelChange change, std::size_t count, std::size_t most) {
+  std::string heading = say_count(fmt::format("difference.label.{}", to_text(change)), count);
+  return count > most ? say("difference.first_of", heading, most) : heading;
 }
 
 std::vector<std::string> store_lines(const PlanDifference& difference) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -44,8 +45,12 @@ TextTable changed_labels(const DifferenceInput& input, LabelChange change, std::
 /// The weakest labels of both plans, in the order of their margins in the second plan.
 TextTable weakest_labels(const DifferenceInput& input);
 
-/// "3 labels gained"
-std::string label_count(LabelChange change, std::size_t count);
+/// The changes whose labels are listed, the most urgent first.
+inline constexpr std::array listed_changes{LabelChange::lost, LabelChange::gained, LabelChange::stays_missed,
+                                           LabelChange::added};
+
+/// "3 labels gained"; "30 labels gained, the first 5" where at most so many are listed.
+std::string labels_heading(LabelChange change, std::size_t count, std::size_t most);
 
 /// One line per kind of change in each part of the store. Of many elements, only the first ids are named.
 std::vector<std::string> store_lines(const PlanDifference& difference);

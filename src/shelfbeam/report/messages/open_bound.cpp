@@ -17,10 +17,6 @@ namespace shelfbeam {
 
 namespace {
 
-bool is_verified(const CertifiedPlan& plan) {
-  return plan.certificate && !plan.certificate->none_verified();
-}
-
 bool has_open_labels(const CertifiedPlan& plan) {
   return plan.certificate && !plan.certificate->all_reached();
 }
@@ -29,12 +25,13 @@ bool has_open_labels(const CertifiedPlan& plan) {
 double proven_bound(const CertifiedPlan& plan) {
   const ValueBounds bounds = value_bounds(plan);
   const bool is_covered = !minimises_cost(plan.placement.problem) || has_known_prices(plan.placement.problem);
-  return is_verified(plan) && is_covered ? bounds.certified : bounds.simulated;
+  return plan.has_verdicts() && is_covered ? bounds.certified : bounds.simulated;
 }
 
 bool has_open_bound(const CertifiedPlan& plan) {
   return plan.placement.has_selection() && !plan.availability && !plan.placement.partial &&
-         !(is_verified(plan) && has_open_labels(plan)) && !value_bounds(plan).is_minimum(proven_bound(plan));
+         !(plan.has_verdicts() && has_open_labels(plan)) &&
+         !value_bounds(plan).is_minimum(proven_bound(plan));
 }
 
 // "whether fewer transceivers are enough is open: 8 to 11", for a pattern of keys by kind of value.
@@ -72,7 +69,8 @@ std::string open_bound(const CertifiedPlan& plan, std::size_t installed) {
   if (!has_open_bound(plan)) return {};
   const Placement& placement = plan.placement;
   const double bound = proven_bound(plan);
-  if (!is_verified(plan)) return say("open.uncertified", range("open.range.{}", placement, bound, installed));
+  if (!plan.has_verdicts())
+    return say("open.uncertified", range("open.range.{}", placement, bound, installed));
   const ValueBounds bounds = value_bounds(plan);
   const char* const pattern = bounds.is_minimum(bounds.simulated) ? "open.only_signals.{}" : "open.range.{}";
   return say_count("open.certified", plan.certificate->labels.size(),

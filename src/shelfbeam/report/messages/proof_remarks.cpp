@@ -22,9 +22,7 @@ class ProofWriter {
   explicit ProofWriter(const ReportData& data)
       : plan_(data.input.plan),
         placement_(data.input.plan.placement),
-        certificate_(data.input.plan.certificate && !data.input.plan.certificate->none_verified()
-                         ? &*data.input.plan.certificate
-                         : nullptr),
+        certificate_(plan_.has_verdicts() ? &*plan_.certificate : nullptr),
         bounds_(value_bounds(data.input.plan)),
         labels_(data.outcome.labels.size()),
         installed_(placement_.count() - new_units(data)),

@@ -47,10 +47,7 @@ std::string named(const ReportData& data, const std::vector<std::uint32_t>& rows
 class SummaryWriter {
  public:
   explicit SummaryWriter(const ReportData& data)
-      : data_(data),
-        plan_(data.input.plan),
-        placement_(plan_.placement),
-        verified_(plan_.certificate && !plan_.certificate->none_verified()) {}
+      : data_(data), plan_(data.input.plan), placement_(plan_.placement), verified_(plan_.has_verdicts()) {}
 
   Summary with_selection() {
     summary_.answer = answer();

@@ -44,6 +44,14 @@ std::string HtmlTable::html() const {
       head, rows_);
 }
 
+std::string html_header(const PageHeader& header) {
+  std::string html = fmt::format(
+      "<header class=\"{}\">\n<p class=\"kicker\">{}</p>\n<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
+      header.tone, header.kicker, escape(header.title), escape(header.answer));
+  for (const std::string& remark : header.remarks) html += paragraph(remark, "remark");
+  return html + "</header>\n";
+}
+
 std::string html_section(const std::string& id, const std::string& heading, const std::string& body) {
   return fmt::format("<section id=\"{}\">\n<h2>{}</h2>\n{}</section>\n", id, escape(heading), body);
 }

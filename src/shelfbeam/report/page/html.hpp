@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,14 @@ class HtmlTable {
   std::vector<Column> columns_;
   std::string rows_;
 };
+
+/// The head of a page. Plain texts, except the kicker, which is HTML.
+struct PageHeader {
+  std::string_view tone;  ///< CSS class: "yes", "open", "no"
+  std::string kicker, title, answer;
+  std::vector<std::string> remarks = {};
+};
+std::string html_header(const PageHeader& header);
 
 /// <section> with a heading; `body` is HTML.
 std::string html_section(const std::string& id, const std::string& heading, const std::string& body);

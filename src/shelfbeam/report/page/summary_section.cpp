@@ -129,13 +129,11 @@ std::string alternatives_table(const ReportData& data) {
 std::string summary_section(const ReportData& data, const Maps& maps) {
   const Summary summary = summary_of(data);
   const std::string& name = data.input.scene.name;
-  std::string html = fmt::format(
-      "<header class=\"{}\">\n<p class=\"kicker\">{} <span class=\"verdict\">{}</span></p>\n"
-      "<h1>{}</h1>\n<p class=\"answer\">{}</p>\n",
-      key_of(summary.tone), escape(words("summary.kicker")), escape(summary.verdict),
-      escape(name.empty() ? words("summary.store") : std::string_view(name)), escape(summary.answer));
-  for (const std::string& remark : summary.remarks) html += paragraph(remark, "remark");
-  html += "</header>\n";
+  std::string html =
+      html_header({key_of(summary.tone),
+                   fmt::format("{} <span class=\"verdict\">{}</span>", escape(words("summary.kicker")),
+                               escape(summary.verdict)),
+                   name.empty() ? say("summary.store") : name, summary.answer, summary.remarks});
   if (data.has_selection())
     html += "<div class=\"pair\">\n" + shopping_list(data) +
             list("summary.achieves.title", summary.achieves) + "</div>\n" +

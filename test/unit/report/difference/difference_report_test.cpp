@@ -119,7 +119,7 @@ TEST(DifferenceReport, NamesFewElementsWithTheirValuesAndManyByRanges) {
                           "A<1>-back-2-1…5"));
 }
 
-// The bound of a plan for a part of the labels is no bound for all of them.
+// The bound of a plan for a part of the labels does not hold for plans for all of them.
 TEST(DifferenceReport, NamesTheGoalOfAPartialPlan) {
   KioskPlan all, part;
   all.choose({0, 1, 2});
