@@ -60,10 +60,11 @@ Json state_json(const std::optional<LabelState>& label) {
 }
 
 Json label_json(const DifferenceInput& input, const ComparedLabel& label) {
-  Json json = {{"id", label_id(input, label)}};
+  const std::string& id = label_id(input, label);
+  Json json = {{"id", id}};
   if (label.before && label.after)
-    if (const std::string& id = input.before.labels[label.before->row].id; id != json["id"])
-      json["id_before"] = id;
+    if (const std::string& id_before = input.before.labels[label.before->row].id; id_before != id)
+      json["id_before"] = id_before;
   json["before"] = state_json(label.before);
   json["after"] = state_json(label.after);
   return json;
