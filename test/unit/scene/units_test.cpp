@@ -64,7 +64,7 @@ void expect_same(const Json& store, const Scene& expected) {
 TEST(Units, OneShopInEachUnitIsTheSameScene) {
   const Scene expected = scene_of(sample_store());
   for (const auto& [unit, per_metre] : {std::pair("m", 1), std::pair("cm", 100), std::pair("mm", 1000)}) {
-    Json store = with_lengths([&](double metres) { return decimal(metres * per_metre); });
+    Json store = with_lengths([factor = per_metre](double metres) { return decimal(metres * factor); });
     store["units"] = unit;
     expect_same(store, expected);
   }
