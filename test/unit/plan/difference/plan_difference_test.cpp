@@ -35,7 +35,7 @@ struct Example {
     plan.placement.selected = std::move(selected);
     plan.placement.objective_value = static_cast<double>(plan.placement.count());
   }
-  void certify(std::vector<Verdict> verdicts) {
+  void certify(const std::vector<Verdict>& verdicts) {
     Certificate& certificate = plan.certificate.emplace();
     for (const Verdict verdict : verdicts) certificate.labels.push_back({.verdict = verdict});
   }
