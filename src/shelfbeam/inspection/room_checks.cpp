@@ -53,22 +53,19 @@ bool meets_room(const KeepOut& area, const RoomShape& room) {
 }
 
 void warn_of_keep_out(const Inspected& store, WarningList& warnings) {
-  const auto& areas = store.store.keep_out;
   const Vec3 &low = store.scene.lower, &high = store.scene.upper;
-  for (std::size_t k = 0; k < areas.size(); ++k) {
+  for (const auto& [area, where] : store.store.keep_out) {
     store.expect_running();
-    const Vec2 &min = areas[k].min, &max = areas[k].max;
+    const Vec2 &min = area.min, &max = area.max;
     if (max[0] >= low.x && max[1] >= low.y && min[0] <= high.x && min[1] <= high.y) {
-      if (store.scene.room && !meets_room(areas[k], *store.scene.room))
-        warnings.add(FindingCode::keep_out_outside,
-                     fmt::format("{}: transceivers.keep_out[{}]", store.store.file, k),
+      if (store.scene.room && !meets_room(area, *store.scene.room))
+        warnings.add(FindingCode::keep_out_outside, where,
                      "from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is "
                      "outside the walls of the room; it removes no candidate; move it inside",
                      min[0], min[1], max[0], max[1]);
       continue;
     }
-    warnings.add(FindingCode::keep_out_outside,
-                 fmt::format("{}: transceivers.keep_out[{}]", store.store.file, k),
+    warnings.add(FindingCode::keep_out_outside, where,
                  "extends from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}), but "
                  "the shop from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}); it removes no candidate; "
                  "check its unit of length",

@@ -43,8 +43,7 @@ void warn_of_unusual_values(const Inspected& store, WarningList& warnings) {
     check(type, fmt::format("{}: label_types.{}", file.file, type.name), warnings);
   for (const TransceiverType& type : file.transceiver_types)
     check(type, fmt::format("{}: transceiver_types.{}", file.file, type.name), warnings);
-  for (std::size_t g = 0; g < file.grids.size(); ++g)
-    check(file.grids[g], fmt::format("{}: transceivers.grids[{}]", file.file, g), warnings);
+  for (const auto& [grid, where] : file.grids) check(grid, where, warnings);
   for (const auto& [area, where] : file.areas) check(area, where, warnings);
   for (const auto& [rail, where] : file.rails) check(rail, where, warnings);
   for (const auto& [fixture, where] : file.fixtures) check(fixture, where, warnings);

@@ -11,6 +11,7 @@
 namespace shelfbeam {
 
 class CancelToken;
+class ReadCache;
 struct Store;
 
 /// Limits on a store file, which may come from an untrusted source.
@@ -26,6 +27,8 @@ struct StoreLimits {
   std::filesystem::path output = {};
   /// Ends the reading of the store, and later all work on it, with Interrupted.
   const CancelToken* cancel = nullptr;
+  /// Results of earlier readings.
+  ReadCache* cache = nullptr;
 };
 
 /// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with

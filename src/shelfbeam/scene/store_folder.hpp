@@ -18,6 +18,7 @@ class StoreFolder {
   /// StoreLimits::memory, but at least the memory that the program itself requires.
   std::size_t memory() const;
   const CancelToken* cancel() const { return trust_.cancel; }
+  ReadCache* cache() const { return trust_.cache; }
 
   /// The path of a file named relative to the folder. Throws InputError at the JSON position if the file does
   /// not exist, is a folder or too large, is StoreLimits::output, or lies outside this folder: by "..", an

@@ -81,7 +81,7 @@ inline Store supermarket() {
   add(freezer);
   for (int column = 0; column < 3; ++column)
     add(Box{"P" + std::to_string(column + 1), {6.0 + 6 * column, 1.3, 0}, {6.35 + 6 * column, 1.65, 4}, {}});
-  store.grids = {{{1, 1}, {24, 17}, 1.2, 3.9, {0, 0, -1}, 0, {}}};
+  store.grids = {{{{1, 1}, {24, 17}, 1.2, 3.9, {0, 0, -1}, 0, {}}, "store.json: transceivers.grids[0]"}};
   return store;
 }
 

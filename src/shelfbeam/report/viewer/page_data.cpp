@@ -41,16 +41,32 @@ void PageData::add(std::string_view name, char kind, std::size_t width, std::spa
   static_assert(std::endian::native == std::endian::little);
   arrays_ += fmt::format("{}{{\"name\":\"{}\",\"type\":\"{}{}\",\"count\":{}}}", arrays_.empty() ? "" : ",",
                          name, kind, 8 * width, bytes.size() / width);
-  for (std::size_t plane = 0; plane < width; ++plane)
-    for (std::size_t k = plane; k < bytes.size(); k += width) bytes_ += static_cast<char>(bytes[k]);
+  bytes_.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  sizes_.emplace_back(width, bytes.size());
 }
 
-std::string PageData::base64(std::string_view about) const {
+std::string PageData::header(std::string_view about) const {
   const std::string header = fmt::format("{{\"arrays\":[{}],\"about\":{}}}", arrays_, about);
   std::string all;
   for (unsigned k = 0; k < 4; ++k)
     all += static_cast<char>(static_cast<std::uint32_t>(header.size()) >> (8U * k) & 255U);
-  return to_base64(deflated(all + header + bytes_));
+  return all + header;
+}
+
+std::string PageData::binary(std::string_view about) const {
+  return header(about) + bytes_;
+}
+
+std::string PageData::base64(std::string_view about) const {
+  std::string all = header(about);
+  all.reserve(all.size() + bytes_.size());
+  std::size_t begin = 0;
+  for (const auto& [width, size] : sizes_) {
+    for (std::size_t plane = 0; plane < width; ++plane)
+      for (std::size_t k = plane; k < size; k += width) all += bytes_[begin + k];
+    begin += size;
+  }
+  return to_base64(deflated(all));
 }
 
 }  // namespace shelfbeam

@@ -113,15 +113,15 @@ class GivenUnits {
   std::vector<std::pair<std::uint32_t, std::string>> given_;
 };
 
-void leave_out(const std::vector<bool>& excluded, Scene& scene, std::vector<std::string>& sources) {
+void leave_out(const std::vector<bool>& excluded, Scene& scene, DeviceSources& sources) {
   std::vector<Transceiver> candidates;
   std::vector<std::string> their_sources;
   for (std::size_t j = 0; j < excluded.size(); ++j) {
     (excluded[j] ? scene.excluded : candidates).push_back(std::move(scene.transceivers[j]));
-    if (!excluded[j]) their_sources.push_back(std::move(sources[j]));
+    (excluded[j] ? sources.excluded : their_sources).push_back(std::move(sources.transceivers[j]));
   }
   scene.transceivers = std::move(candidates);
-  sources = std::move(their_sources);
+  sources.transceivers = std::move(their_sources);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void mark_given_units(const Store& store, const std::set<std::string>& kept_out,
   const std::vector<bool> excluded = units.excluded();
   if (std::find(excluded.begin(), excluded.end(), false) == excluded.end())
     throw InputError(store.excluded.back().where, "leaves no candidate", "exclude fewer");
-  leave_out(excluded, scene, sources.transceivers);
+  leave_out(excluded, scene, sources);
 }
 
 }  // namespace shelfbeam

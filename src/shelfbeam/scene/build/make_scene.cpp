@@ -9,21 +9,22 @@
 
 #include "shelfbeam/base/changed_ids.hpp"
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/build/draft.hpp"
 #include "shelfbeam/scene/build/given_units.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/build/mount_points.hpp"
+#include "shelfbeam/scene/build/scene_size.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
-#include "shelfbeam/scene/read_scene.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
-#include "shelfbeam/scene/store_names.hpp"
 #include "shelfbeam/scene/warning_list.hpp"
 
 namespace shelfbeam {
@@ -36,21 +37,30 @@ double scene_bytes(const TransceiverGrid& grid) {
 }
 
 // The areas as flat boxes at height 0; areas include their edges.
-BoxIndex in_plan(const std::vector<KeepOut>& areas) {
-  constexpr double slack = 1e-9;
-  return BoxIndex::over(areas, [](const KeepOut& area) {
+BoxIndex in_plan(const std::vector<Listed<KeepOut>>& areas) {
+  return BoxIndex::over(areas, [](const auto& listed) {
+    constexpr double slack = 1e-9;
+    const KeepOut& area = listed.value;
     return Bounds{{area.min[0], area.min[1], 0}, {area.max[0], area.max[1], 0}}.wider_by(slack);
   });
 }
 
 class SceneMaker {
  public:
-  explicit SceneMaker(const Store& store)
-      : store_(store), keep_out_(in_plan(store.keep_out)), memory_(store.memory) {}
+  /// With `problems`, a draft (draft.hpp).
+  explicit SceneMaker(const Store& store, SceneDetail detail = SceneDetail::surfaces,
+                      Problems* problems = nullptr)
+      : store_(store),
+        problems_(problems),
+        detail_(detail),
+        keep_out_(in_plan(store.keep_out)),
+        memory_(store.memory) {}
 
   Scene make() {
     try {
-      return made();
+      add_everything();
+      if (problems_ == nullptr) check();
+      return std::move(scene_);
     } catch (const std::bad_alloc&) {
       throw MemoryError(
           store_.file,
@@ -62,7 +72,7 @@ class SceneMaker {
   DeviceSources sources() { return std::move(sources_); }
 
  private:
-  Scene made() {
+  void add_everything() {
     scene_.name = store_.name;
     scene_.wavelength_nm = store_.wavelength_nm;
     scene_.currency = store_.currency;
@@ -75,17 +85,30 @@ class SceneMaker {
     add_fixtures();
     add_inner_walls();
     expect_memory_of_mounts();
-    if (scene_.mesh.triangles.empty()) fail("has neither a room nor fixtures", "add a room");
+    attempt([&] {
+      if (is_read_ && !scene_.room && scene_.fixtures.empty())
+        fail("has neither a room nor fixtures", "add a room");
+    });
     find_bounds();
     add_labels();
-    add_transceivers();
-    mark_given_units(store_, kept_out_ids_, scene_, sources_);
+    attempt([&] { add_transceivers(); });
+    attempt([&] { mark_given_units(store_, kept_out_ids_, scene_, sources_); });
+  }
+
+  void check() {
     warn_of_bright_materials();
     warn_of_misplaced(scene_, sources_, warnings_, store_.cancel);
     scene_.warnings = warnings_.findings();
     scene_.ignored_warnings = warnings_.ignored();
     scene_.store_hash = content_hash(resolved_store_json(store_, scene_));
-    return std::move(scene_);
+  }
+
+  // Throws the InputError of a step or, for a draft, keeps it. Returns whether the step succeeded.
+  template <class Step>
+  bool attempt(const Step& step) {
+    if (problems_ != nullptr) return problems_->collect(step);
+    step();
+    return true;
   }
 
   [[noreturn]] void fail(const std::string& problem, const std::string& suggestion) const {
@@ -96,8 +119,7 @@ class SceneMaker {
   void expect_memory() {
     for (const auto& [fixture, where] : store_.fixtures)
       memory_.add(static_cast<double>(scene_bytes(fixture)), where);
-    for (std::size_t g = 0; g < store_.grids.size(); ++g)
-      memory_.add(scene_bytes(store_.grids[g]), fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+    for (const auto& [grid, where] : store_.grids) memory_.add(scene_bytes(grid), where);
     for (const auto& [label, where] : store_.labels) memory_.add(device_bytes_of(label.id), where);
     for (const auto& [unit, where] : store_.transceivers) memory_.add(device_bytes_of(unit.id), where);
   }
@@ -120,17 +142,32 @@ class SceneMaker {
   }
 
   void add_fixtures() {
-    for (const auto& [fixture, where] : store_.fixtures) {
-      expect_running(store_.cancel);
-      const std::string& id = id_of(fixture);
-      expect_new_fixture(id, where);
-      const std::size_t first_vertex = scene_.mesh.vertices.size(), first_part = scene_.parts.size();
-      add_fixture(scene_, fixture, where, warnings_);
-      if (extends_outside_room(scene_, first_vertex, first_part))
-        warnings_.add(FindingCode::fixture_outside_room, where,
-                      "fixture {} extends outside the room; move it, or correct {}", in_quotes(id),
-                      sized_by(fixture));
+    for (const auto& [fixture, where] : store_.fixtures) add_one_fixture(fixture, where, true);
+    for (const auto& [fixture, where] : store_.unfinished) add_one_fixture(fixture, where, false);
+  }
+
+  // An unfinished fixture has only its outline: its problems are known already.
+  void add_one_fixture(const Fixture& fixture, const std::string& where, bool is_finished) {
+    expect_running(store_.cancel);
+    const SceneSize before(scene_);
+    if (attempt([&] {
+          const std::string& id = id_of(fixture);
+          if (is_finished) expect_new_fixture(id, where);
+          add_fixture(scene_, fixture, where, warnings_, detail_);
+          if (detail_ == SceneDetail::surfaces && extends_outside_room(scene_, before.vertices, before.parts))
+            warnings_.add(FindingCode::fixture_outside_room, where,
+                          "fixture {} extends outside the room; move it, or correct {}", in_quotes(id),
+                          sized_by(fixture));
+          sources_.fixtures.push_back(where);
+        })) {
+      if (detail_ == SceneDetail::outlines) {
+        include_vertices(before.vertices);
+        before.restore_surfaces(scene_);
+      }
+      if (!is_finished) scene_.labels.resize(before.labels);
       sources_.labels.resize(scene_.labels.size(), where);
+    } else {
+      before.restore(scene_);
     }
   }
 
@@ -138,7 +175,6 @@ class SceneMaker {
     if (!fixture_ids_.insert(id).second)
       throw InputError(where, fmt::format("has the duplicate fixture id {}", in_quotes(id)),
                        "make ids unique");
-    sources_.fixtures.push_back(where);
   }
 
   void add_inner_walls() {
@@ -146,20 +182,28 @@ class SceneMaker {
     for (std::size_t w = 0; w < store_.room->inner_walls.size(); ++w) {
       expect_running(store_.cancel);
       const std::string where = fmt::format("{}: room.inner_walls[{}]", store_.file, w);
-      expect_new_fixture(store_.room->shape.inner_walls[w].id, where);
+      attempt([&] { expect_new_fixture(store_.room->shape.inner_walls[w].id, where); });
       const auto& panes = store_.room->inner_walls[w].panes;
-      for (std::size_t o = 0; o < panes.size(); ++o)
-        if (panes[o])
-          expect_pane(scene_.materials[panes[o]->value], fmt::format("{}.openings[{}].pane", where, o));
+      attempt([&] {
+        for (std::size_t o = 0; o < panes.size(); ++o)
+          if (panes[o])
+            expect_pane(scene_.materials[panes[o]->value], fmt::format("{}.openings[{}].pane", where, o));
+      });
+      sources_.fixtures.push_back(where);
       add_wall_parts(*store_.room, w, wall_surfaces_[w], scene_);
     }
   }
 
+  // Of the vertices from this one on.
+  void include_vertices(std::size_t first) {
+    for (std::size_t v = first; v < scene_.mesh.vertices.size(); ++v)
+      bounds_.include(scene_.mesh.vertices[v]);
+  }
+
   void find_bounds() {
-    Bounds bounds;
-    for (const Vec3& p : scene_.mesh.vertices) bounds.include(p);
-    scene_.lower = bounds.low;
-    scene_.upper = bounds.high;
+    include_vertices(0);
+    scene_.lower = bounds_.low;
+    scene_.upper = bounds_.high;
   }
 
   // Smooth mirrors and glass are exempt, because chains over them end at random (follow_chain).
@@ -209,28 +253,40 @@ class SceneMaker {
       scene_.labels.push_back(label);
       sources_.labels.push_back(where);
     }
-    if (scene_.labels.empty()) fail("has no labels", "add 'labels' to the store or to a fixture");
+    attempt([&] {
+      if (is_read_ && scene_.labels.empty())
+        fail("has no labels", "add 'labels' to the store or to a fixture");
+    });
     std::unordered_map<std::string_view, std::size_t> seen;
     seen.reserve(scene_.labels.size());
     for (std::size_t i = 0; i < scene_.labels.size(); ++i) {
       expect_running(store_.cancel);
-      const Label& label = scene_.labels[i];
-      if (label.id.empty())
-        throw InputError(sources_.labels[i], "has a label without an id", "give it an id");
-      const auto [first, is_new] = seen.emplace(label.id, i);
-      if (!is_new)
-        throw InputError(sources_.labels[i],
-                         fmt::format("has the duplicate label id {}, first used in {}", in_quotes(label.id),
-                                     sources_.labels[first->second]),
-                         id_remedy(label.id, "make ids unique"));
-      expect_in_room(label.id, label.position, sources_.labels[i], "label", store_.labels);
+      if (!has_too_many_problems()) attempt([&] { expect_new_label(i, seen); });
     }
+  }
+
+  void expect_new_label(std::size_t i, std::unordered_map<std::string_view, std::size_t>& seen) const {
+    const Label& label = scene_.labels[i];
+    if (label.id.empty()) throw InputError(sources_.labels[i], "has a label without an id", "give it an id");
+    const auto [first, is_new] = seen.emplace(label.id, i);
+    if (!is_new)
+      throw InputError(sources_.labels[i],
+                       fmt::format("has the duplicate label id {}, first used in {}", in_quotes(label.id),
+                                   sources_.labels[first->second]),
+                       id_remedy(label.id, "make ids unique"));
+    expect_in_room(label.id, label.position, sources_.labels[i], "label", store_.labels);
+  }
+
+  // Each costs a look at all listed devices (remedy_outside).
+  bool has_too_many_problems() const {
+    constexpr std::size_t many = 100;
+    return problems_ != nullptr && problems_->failures() > many;
   }
 
   bool is_kept_out(const Vec3& p) const {
     const Vec3 q{p.x, p.y, 0};
     return keep_out_.any({q, q}, [&](std::uint32_t k) {
-      const KeepOut& area = store_.keep_out[k];
+      const KeepOut& area = store_.keep_out[k].value;
       return area.low <= p.z && p.z <= area.high &&
              (area.polygon.empty() || contains(area.polygon, {p.x, p.y}));
     });
@@ -238,6 +294,10 @@ class SceneMaker {
 
   void add_transceiver(const Transceiver& unit, const std::string& where) {
     expect_running(store_.cancel);
+    if (!has_too_many_problems()) attempt([&] { add_valid_transceiver(unit, where); });
+  }
+
+  void add_valid_transceiver(const Transceiver& unit, const std::string& where) {
     if (unit.id.empty()) throw InputError(where, "has a transceiver without an id", "give it an id");
     if (is_kept_out(unit.position)) {
       kept_out_ids_.insert(unit.id);
@@ -253,7 +313,7 @@ class SceneMaker {
 
   void add_transceivers() {
     for (std::size_t g = 0; g < store_.grids.size(); ++g) {
-      const TransceiverGrid& grid = store_.grids[g];
+      const auto& [grid, where] = store_.grids[g];
       const auto steps = [&](std::size_t axis) {
         const double extent = grid.max[axis] - grid.min[axis];
         return extent > 0 ? std::max(1L, std::lround(extent / grid.spacing)) : 0L;
@@ -272,7 +332,7 @@ class SceneMaker {
           unit.axis = grid.axis;
           unit.roll_deg = grid.roll_deg;
           unit.type = grid.type;
-          add_transceiver(unit, fmt::format("{}: transceivers.grids[{}]", store_.file, g));
+          add_transceiver(unit, where);
         }
     }
     const std::vector<EmptyMount> empty = generate_candidates(
@@ -281,12 +341,15 @@ class SceneMaker {
     for (const auto& [where, problem] : empty)
       warnings_.add(FindingCode::mount_empty, where, "{}; {}", problem, EmptyMount::remedy);
     for (const auto& [unit, where] : store_.transceivers) add_transceiver(unit, where);
-    if (!scene_.transceivers.empty()) return;
+    if (!is_read_ || !scene_.transceivers.empty()) return;
     if (!empty.empty()) throw InputError(empty.front().where, empty.front().problem, EmptyMount::remedy);
     fail("has no candidate transceivers", "add 'grids', 'areas' or a 'list', or shrink 'keep_out'");
   }
 
   const Store& store_;
+  Problems* const problems_;                                                 // of a draft
+  const bool is_read_ = problems_ == nullptr || problems_->failures() == 0;  // without problems
+  const SceneDetail detail_;
   const BoxIndex keep_out_;
   Scene scene_;
   DeviceSources sources_;
@@ -295,6 +358,7 @@ class SceneMaker {
   std::unordered_set<std::string> unit_ids_;
   std::set<std::string> kept_out_ids_, fixture_ids_;
   std::vector<TriangleRange> wall_surfaces_;  ///< by inner wall
+  Bounds bounds_;
 };
 
 }  // namespace
@@ -306,29 +370,16 @@ Scene make_scene(const Store& store, DeviceSources* sources) {
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust) {
-  return make_scene(read_store(store, trust));
-}
-
-StoreWithScene read_store_with_scene(const std::filesystem::path& path, const StoreLimits& trust) {
-  auto store = std::make_shared<const Store>(read_store(path, trust));
-  Scene scene = make_scene(*store);
-  return {std::move(store), std::move(scene)};
-}
-
-Store store_with_units(Store store, const std::filesystem::path& csv) {
-  store.grids.clear();
-  store.areas.clear();
-  store.rails.clear();
-  store.faces.clear();
-  store.transceivers.clear();
-  store.keep_out.clear();
-  store.installed.clear();
-  store.pinned.clear();
-  store.excluded.clear();
-  read_transceivers_csv(csv, StoreNames(store), store);
-  if (store.transceivers.empty()) throw InputError(csv.string(), "lists no units", "list the mounted units");
-  return store;
+Draft read_draft(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                 SceneDetail detail, const StoreLimits& limits) {
+  Problems problems(name);
+  Draft draft;
+  problems.collect([&] { draft.store = parse_store(text, name, folder, limits, &problems); });
+  SceneMaker maker(draft.store, detail, &problems);
+  problems.collect([&] { draft.scene = maker.make(); });
+  draft.sources = maker.sources();
+  draft.problems = problems.all();
+  return draft;
 }
 
 }  // namespace shelfbeam

@@ -129,6 +129,8 @@ class FixtureList {
       });
     }
     if (failures != problems_.failures()) {
+      if (const auto side = footing_of(fixture); side && side->length > 0 && side->depth > 0)
+        store_.unfinished.push_back({fixture, json.where()});
       if (has_places)
         for (const JsonCursor& label : labels->elements()) read_placed_label(label);
       return;

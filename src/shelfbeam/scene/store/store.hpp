@@ -52,13 +52,14 @@ struct Store {
   std::vector<LabelType> label_types;
   std::vector<TransceiverType> transceiver_types;
   std::vector<Listed<Fixture>> fixtures;
+  std::vector<Listed<Fixture>> unfinished;  ///< fixtures with problems whose size is known
   std::vector<Listed<Label>> labels;
-  std::vector<TransceiverGrid> grids;
+  std::vector<Listed<TransceiverGrid>> grids;
   std::vector<Listed<MountArea>> areas;
   std::vector<Listed<MountRail>> rails;
   std::vector<Listed<MountFaces>> faces;
   std::vector<Listed<Transceiver>> transceivers;
-  std::vector<KeepOut> keep_out;
+  std::vector<Listed<KeepOut>> keep_out;
   std::vector<Listed<std::string>> installed;
   std::vector<Listed<std::string>> pinned, excluded;  ///< ids or patterns
   std::optional<StoreVariation> variation;
@@ -83,10 +84,10 @@ Store read_store(const std::filesystem::path& path, const StoreLimits& trust = {
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                   const StoreLimits& trust = {}, Problems* problems = nullptr);
 
-/// The locations in the store file of a scene's fixtures, labels and transceivers, in their order, for
-/// messages. A generated device has the location of its fixture or grid.
+/// The locations in the store file of a scene's fixtures, labels, transceivers and excluded candidates, in
+/// their order, for messages. A generated device has the location of its fixture or grid.
 struct DeviceSources {
-  std::vector<std::string> fixtures, labels, transceivers;
+  std::vector<std::string> fixtures, labels, transceivers, excluded;
 };
 
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.

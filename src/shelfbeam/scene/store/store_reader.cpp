@@ -10,7 +10,9 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/material_fields.hpp"
+#include "shelfbeam/scene/read_cache.hpp"
 #include "shelfbeam/scene/read_values.hpp"
+#include "shelfbeam/scene/store/completed_fixture.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
@@ -19,7 +21,7 @@ namespace shelfbeam {
 
 namespace {
 
-void read_materials(const JsonCursor& section, Store& store, Problems& problems) {
+void read_materials(const JsonCursor& section, ReadCache* cache, Store& store, Problems& problems) {
   const StoreNames names(store, &problems);
   read_named(section, store.materials, problems, [&](const JsonCursor& json, NamedMaterial& named) {
     problems.collect([&] {
@@ -29,10 +31,20 @@ void read_materials(const JsonCursor& section, Store& store, Problems& problems)
         check(given.material, json, {store.wavelength_nm, given.reflectance_range}, reader);
       };
       if (!read_object(json, names, problems, part, rules)) return;
-      named.material = make_or_fail(json, [&] { return prepared(given.material); });
+      const auto make = [&] { return make_or_fail(json, [&] { return prepared(given.material); }); };
+      named.material =
+          cache == nullptr
+              ? make()
+              : cache->material(fmt::format("{} {}", store.wavelength_nm, json.value().dump()), make);
       named.reflectance_range = given.reflectance_range;
     });
   });
+}
+
+// The lengths of a file are in the unit that it names.
+JsonCursor in_its_unit(const JsonCursor& file) {
+  const auto units = file.find("units");
+  return file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m);
 }
 
 // Files with parts that several stores share.
@@ -44,9 +56,7 @@ std::vector<JsonCursor> read_catalogues(const JsonCursor& root, const StoreFolde
       names->fail(fmt::format("has {} files", names->size()),
                   fmt::format("at most {} are allowed", max_files));
     for (const JsonCursor& name : names->elements()) {
-      const JsonCursor file = JsonCursor::parse_file(folder.find(name));
-      const auto units = file.find("units");
-      files.push_back(file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m));
+      files.push_back(in_its_unit(JsonCursor::parse_file(folder.find(name))));
       files.back().expect_keys(
           {"$schema", "units", "presets", "materials", "label_types", "transceiver_types"});
     }
@@ -87,8 +97,7 @@ class StoreReader {
       : store_(store), folder_(folder), problems_(problems) {}
 
   void read(const JsonCursor& file) {
-    const auto units = file.find("units");
-    const JsonCursor root = file.with_unit(units ? units->choice<LengthUnit>() : LengthUnit::m);
+    const JsonCursor root = in_its_unit(file);
     if (const auto format = root.find("format"))
       expect_format_version(root.where(), format->integer(0, max_versions), store_format_version);
     problems_.collect([&] {
@@ -153,7 +162,7 @@ class StoreReader {
         problems_.mark("preset");
     presets_.check(problems_);
     each_section(files, "materials", "material",
-                 [&](const JsonCursor& json) { read_materials(json, store_, problems_); });
+                 [&](const JsonCursor& json) { read_materials(json, folder_.cache(), store_, problems_); });
     each_section(files, "transceiver_types", "transceiver type",
                  [&](const JsonCursor& json) { read_transceiver_types(json, folder_, store_, problems_); });
     each_section(files, "label_types", "label type",
@@ -199,6 +208,26 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   });
   if (problems == nullptr) own.throw_first();
   return store;
+}
+
+CompletedFixture completed_fixture(const std::string& text, const std::string& name,
+                                   const std::filesystem::path& folder, std::size_t index,
+                                   const StoreLimits& limits) {
+  const JsonCursor root = in_its_unit(JsonCursor::parse(text, name));
+  const StoreFolder files(folder, limits);
+  Problems problems(name);
+  Presets presets;
+  for (const JsonCursor& file : read_catalogues(root, files))
+    if (const auto section = file.find("presets")) presets.add(*section, problems);
+  if (const auto section = root.find("presets")) presets.add(*section, problems);
+  problems.throw_first();
+  const JsonCursor fixtures = root["fixtures"];
+  if (index >= fixtures.size()) fixtures.fail(fmt::format("has no element {}", index));
+  const JsonCursor whole = presets.complete(fixtures.element(index));
+  CompletedFixture completed{whole.value(), {}};
+  for (const auto& [key, value] : whole.members())
+    if (value.unit() != root.unit()) completed.units.emplace(key, value.unit());
+  return completed;
 }
 
 Store read_store(const std::filesystem::path& path, const StoreLimits& trust, Problems* problems) {

@@ -379,7 +379,7 @@ TEST(ReportHtml, StaysSmallForFiveThousandLabels) {
                                                     {0.3, 0.7, 1.1, 1.5, 1.9}, 0, {Face::front}),
                               "fixtures"});
   for (auto& fixture : store.fixtures) std::get<Gondola>(fixture.value).labels->spacing = 1.25;
-  store.grids = {{{5, 5}, {55, 35}, 10, 3.9, {0, 0, -1}, 0, {}}};
+  store.grids = {{{{5, 5}, {55, 35}, 10, 3.9, {0, 0, -1}, 0, {}}, "store.json: transceivers.grids[0]"}};
   const Scene scene = make_scene(store);
   ASSERT_EQ(scene.labels.size(), 5000U);
   const SignalMatrix matrix = sample_store::matrix_of(scene);

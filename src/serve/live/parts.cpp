@@ -1,0 +1,166 @@
+#include "serve/live/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "shelfbeam/scene/fixture/fixture.hpp"
+#include "shelfbeam/scene/fixture/turn.hpp"
+
+#include "serve/live/place.hpp"
+
+namespace shelfbeam::serve {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json points(const std::vector<Vec2>& polygon) {
+  Json all = Json::array();
+  for (const auto& [x, y] : polygon) all.push_back({x, y});
+  return all;
+}
+
+std::vector<Vec2> rectangle(const Vec2& low, const Vec2& high) {
+  return {low, {high[0], low[1]}, high, {low[0], high[1]}};
+}
+
+std::string_view name_of(FixtureForm form) {
+  switch (form) {
+    case FixtureForm::block:
+      return "block";
+    case FixtureForm::prism:
+      return "prism";
+    case FixtureForm::rack:
+      return "rack";
+    case FixtureForm::chest:
+      return "chest";
+    case FixtureForm::sheet:
+      return "sheet";
+    case FixtureForm::mesh:
+      return "mesh";
+    case FixtureForm::wall:
+      return "wall";
+  }
+  return "";
+}
+
+class PartList {
+ public:
+  PartList(const Draft& draft, const Json& store) : draft_(draft), store_(store) {}
+
+  std::vector<Part> parts() {
+    if (draft_.scene.room) add_room(*draft_.scene.room);
+    for (std::size_t f = 0; f < draft_.scene.fixtures.size(); ++f) add_fixture(f);
+    add_mounts();
+    return std::move(parts_);
+  }
+
+ private:
+  void add(std::string_view kind, const std::string& pointer, Json json) {
+    Json part{{"key", pointer.substr(1)}, {"path", pointer}, {"kind", kind}, {"locked", nullptr}};
+    part.update(json);
+    parts_.push_back({part["key"].get<std::string>(), std::move(part)});
+  }
+
+  void add_room(const RoomShape& room) {
+    Json holes = Json::array();
+    for (const Polygon& hole : room.holes) holes.push_back(points(hole));
+    add("room", "/room",
+        {{"id", ""},
+         {"outline", points(room.outline)},
+         {"holes", std::move(holes)},
+         {"height", room.upper().z},
+         {"is_box", room.is_box}});
+    for (std::size_t z = 0; z < room.zones.size(); ++z) {
+      const CeilingZone& zone = room.zones[z];
+      add("zone", "/room/zones/" + std::to_string(z),
+          {{"id", zone.id},
+           {"outline", points(zone.polygon)},
+           {"height", zone.height.at(zone.polygon.front())}});
+    }
+  }
+
+  void add_fixture(std::size_t f) {
+    const FixtureOutline& fixture = draft_.scene.fixtures[f];
+    const Place place = place_of(draft_.sources.fixtures[f], draft_.store.file);
+    const std::size_t copy = ++copies_[place.pointer];
+    Json json{{"id", fixture.id},
+              {"type", fixture.type},
+              {"form", name_of(fixture.form)},
+              {"outline", points(fixture.footprint)},
+              {"height", fixture.height},
+              {"rotation", fixture.rotation_deg}};
+    if (place.is_copy) {
+      json["key"] = place.pointer.substr(1) + "#" + std::to_string(copy);
+      json["locked"] = "repeat";
+    }
+    if (fixture.is_wall()) return add("wall", place.pointer, std::move(json));
+    const auto finished = draft_.store.fixtures.size();
+    if (f >= finished) json["unfinished"] = true;
+    const Fixture& one =
+        f < finished ? draft_.store.fixtures[f].value : draft_.store.unfinished[f - finished].value;
+    if (const auto footing = footing_of(one)) {
+      json["footing"] = {{"at", {footing->at[0], footing->at[1]}},
+                         {"rotation", footing->rotation_deg},
+                         {"length", footing->length},
+                         {"depth", footing->depth}};
+      if (const auto along = against(place.pointer, *footing))
+        json["against"] = {{"along", {(*along)[0], (*along)[1]}}};
+    }
+    add("fixture", place.pointer, std::move(json));
+  }
+
+  // The direction in which "from" or "shift" moves a fixture that stands against a wall or another fixture.
+  std::optional<Vec2> against(const std::string& pointer, const Footing& footing) const {
+    const Json& entry = store_[Json::json_pointer(pointer)];
+    const auto found = entry.find("against");
+    if (found == entry.end() || !found->is_object()) return {};
+    const Vec2 right = turned({1, 0}, footing.rotation_deg);
+    if (!found->contains("wall")) return right;
+    const auto number = found->at("wall").get<std::size_t>();
+    const auto [from, to, inward] = draft_.scene.room->wall(number);
+    const bool is_right = (to[0] - from[0]) * right[0] + (to[1] - from[1]) * right[1] > 0;
+    return is_right ? right : Vec2{-right[0], -right[1]};
+  }
+
+  void add_mounts() {
+    const Store& store = draft_.store;
+    const RoomShape* const room = draft_.scene.room ? &*draft_.scene.room : nullptr;
+    for (const auto& [area, where] : store.keep_out)
+      add("keep_out", pointer(where),
+          {{"id", ""},
+           {"outline", points(area.polygon.empty() ? rectangle(area.min, area.max) : area.polygon)}});
+    for (const auto& [grid, where] : store.grids)
+      add("grid", pointer(where),
+          {{"id", ""}, {"outline", points(rectangle(grid.min, grid.max))}, {"height", grid.z}});
+    for (const auto& [mount, where] : store.areas)
+      add("area", pointer(where), {{"id", ""}, {"outline", points(polygon_of(mount.area, room))}});
+    for (const auto& [rail, where] : store.rails) {
+      std::vector<Vec2> line;
+      for (const Vec3& p : rail.points) line.push_back({p.x, p.y});
+      add("rail", pointer(where),
+          {{"id", rail.id}, {"outline", points(line)}, {"height", rail.points.front().z}});
+    }
+  }
+
+  std::string pointer(const std::string& where) const { return place_of(where, draft_.store.file).pointer; }
+
+  const Draft& draft_;
+  const Json& store_;
+  std::vector<Part> parts_;
+  std::unordered_map<std::string, std::size_t> copies_;
+};
+
+}  // namespace
+
+std::vector<Part> parts_of(const Draft& draft, const Json& store) {
+  return PartList(draft, store).parts();
+}
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace shelfbeam::serve {
+
+/// The JSON pointer of the element that a path of a finding names ("fixtures[3].labels.spacing"); of the
+/// deepest one that exists. Empty for the whole store.
+std::string pointer_of(std::string_view path, const nlohmann::ordered_json& store);
+
+/// The place of a resolved element in the store file.
+struct Place {
+  std::string pointer;   ///< of its entry; empty for elements of other files
+  bool is_copy = false;  ///< one of those that `repeat` makes
+};
+
+/// `where`: the location of an element in a Store, for messages; `file`: the name of the store file in it.
+Place place_of(const std::string& where, const std::string& file);
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,185 @@
+#include "serve/live/shop.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/json_parser.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/report/viewer/page_data.hpp"
+#include "shelfbeam/report/viewer/page_scene.hpp"
+#include "shelfbeam/scene/field_writer.hpp"
+#include "shelfbeam/scene/fixture/fixture.hpp"
+#include "shelfbeam/scene/store/completed_fixture.hpp"
+
+#include "serve/live/place.hpp"
+
+namespace shelfbeam::serve {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The server's own limits: other work has a process of its own.
+constexpr std::size_t max_memory = std::size_t{1} << 30;
+constexpr std::uint64_t max_file = 100'000'000;
+
+template <class Device>
+Json device_json(const Device& device, const std::string& type, const std::string& where,
+                 const std::string& file) {
+  const Place place = place_of(where, file);
+  const Vec3& p = device.position;
+  return {{"id", device.id},
+          {"type", type},
+          {"position", {p.x, p.y, p.z}},
+          {"path", place.pointer.empty() ? Json() : Json(place.pointer)},
+          {"source", where}};
+}
+
+}  // namespace
+
+Shop::Shop(std::filesystem::path file) : file_(std::move(file)), cache_(std::make_unique<ReadCache>()) {}
+
+StoreLimits Shop::limits() const {
+  return {.memory = max_memory, .file_size = max_file, .cache = cache_.get()};
+}
+
+ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
+  const std::string name = file_.filename().string();
+  Json json = parse_json(text, name);
+  Draft draft = read_draft(text, name, file_.parent_path(), SceneDetail::outlines, limits());
+  std::vector<Part> parts = parts_of(draft, json);
+  DeviceArrays labels = labels_of(draft), units = units_of(draft);
+
+  ShopChanges changes;
+  Json set = Json::array(), remove = Json::array();
+  std::map<std::string_view, const Json*> before;
+  for (const Part& part : parts_) before.emplace(part.key, &part.json);
+  for (const Part& part : parts) {
+    const auto found = before.find(part.key);
+    if (found == before.end() || *found->second != part.json) set.push_back(part.json);
+    if (found != before.end()) before.erase(found);
+  }
+  for (const auto& [key, part] : before) remove.push_back(key);
+  changes.parts = {{"set", std::move(set)}, {"remove", std::move(remove)}};
+  changes.labels = devices_frame("labels", revision, labels_, labels);
+  changes.units = devices_frame("units", revision, units_, units);
+
+  text_ = text;
+  json_ = std::move(json);
+  draft_ = std::move(draft);
+  parts_ = std::move(parts);
+  labels_ = std::move(labels);
+  units_ = std::move(units);
+  return changes;
+}
+
+Json Shop::parts() const {
+  Json all = Json::array();
+  for (const Part& part : parts_) all.push_back(part.json);
+  return all;
+}
+
+Json Shop::problems() const {
+  return findings_json(draft_.problems, json_);
+}
+
+std::string Shop::labels(std::uint64_t revision) const {
+  return devices_frame("labels", revision, {}, labels_).value_or("");
+}
+
+std::string Shop::units(std::uint64_t revision) const {
+  return devices_frame("units", revision, {}, units_).value_or("");
+}
+
+Json Shop::details(const std::string& pointer) const {
+  constexpr std::string_view list = "/fixtures/";
+  std::size_t index = 0;
+  const char *const begin = pointer.data() + std::min(pointer.size(), list.size()), *const end =
+                                                                                        pointer.data() +
+                                                                                        pointer.size();
+  if (!pointer.starts_with(list) || begin == end || std::from_chars(begin, end, index).ptr != end)
+    throw InputError(pointer, "is no fixture", "choose an element of 'fixtures'");
+  const auto completed = completed_fixture(text_, draft_.store.file, file_.parent_path(), index, limits());
+  Json details{{"effective", completed.json}, {"units", Json::object()}, {"resolved", nullptr}};
+  for (const auto& [key, unit] : completed.units) details["units"][key] = to_text(unit);
+  const StoreLists lists{draft_.store.materials, draft_.store.label_types, draft_.store.transceiver_types};
+  for (const auto& [fixture, where] : draft_.store.fixtures)
+    if (place_of(where, draft_.store.file).pointer == pointer) {
+      details["resolved"] = resolved(fixture, lists);
+      break;
+    }
+  return details;
+}
+
+Json Shop::label(std::size_t index) const {
+  const Label& label = draft_.scene.labels[index];
+  return device_json(label, draft_.scene.type_of(label).name, draft_.sources.labels[index],
+                     draft_.store.file);
+}
+
+Json Shop::unit(std::size_t index) const {
+  const auto& [scene, sources] = std::tie(draft_.scene, draft_.sources);
+  const std::size_t candidates = scene.transceivers.size();
+  const Transceiver& unit = unit_at(index);
+  return device_json(unit, scene.type_of(unit).name,
+                     index < candidates ? sources.transceivers[index] : sources.excluded[index - candidates],
+                     draft_.store.file);
+}
+
+const Transceiver& Shop::unit_at(std::size_t index) const {
+  const std::size_t candidates = draft_.scene.transceivers.size();
+  return index < candidates ? draft_.scene.transceivers[index] : draft_.scene.excluded[index - candidates];
+}
+
+Json Shop::find(const std::string& text) const {
+  constexpr std::size_t most = 50;
+  const std::string wanted = lower_case(text);
+  Json hits = Json::array();
+  const auto fits = [&](const std::string& id) {
+    return hits.size() < most && lower_case(id).find(wanted) != std::string::npos;
+  };
+  for (const Part& part : parts_) {
+    const auto id = part.json["id"].get<std::string>();
+    if (id.empty() || !fits(id)) continue;
+    hits.push_back({{"kind", part.json["kind"]},
+                    {"id", id},
+                    {"path", part.json["path"]},
+                    {"key", part.key},
+                    {"at", part.json["outline"][0]}});
+  }
+  const auto add_devices = [&](const char* kind, std::size_t count, const auto& device) {
+    for (std::size_t k = 0; k < count; ++k)
+      if (const auto& one = device(k); fits(one.id))
+        hits.push_back(
+            {{"kind", kind}, {"id", one.id}, {"index", k}, {"at", {one.position.x, one.position.y}}});
+  };
+  add_devices("label", label_count(), [&](std::size_t k) -> const Label& { return draft_.scene.labels[k]; });
+  add_devices("unit", unit_count(), [&](std::size_t k) -> const Transceiver& { return unit_at(k); });
+  return hits;
+}
+
+std::string Shop::scene(std::uint64_t revision) const {
+  const Draft whole =
+      read_draft(text_, draft_.store.file, file_.parent_path(), SceneDetail::surfaces, limits());
+  PageData page;
+  Json about = add_scene(page, whole.scene, false);
+  about["revision"] = revision;
+  return page.binary(about.dump());
+}
+
+Json findings_json(const std::vector<Finding>& findings, const Json& store) {
+  Json all = Json::array();
+  for (const Finding& finding : findings)
+    all.push_back({{"code", name_of(finding.code)},
+                   {"path", finding.path},
+                   {"pointer", pointer_of(finding.path, store)},
+                   {"sentence", finding.sentence}});
+  return all;
+}
+
+}  // namespace shelfbeam::serve

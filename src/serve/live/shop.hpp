@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/scene/build/draft.hpp"
+#include "shelfbeam/scene/read_cache.hpp"
+
+#include "serve/live/devices.hpp"
+#include "serve/live/parts.hpp"
+
+namespace shelfbeam::serve {
+
+/// The differences of a shop from the one before, for pages (docs/formats/planner.md).
+struct ShopChanges {
+  nlohmann::ordered_json parts;              ///< {"set": [...], "remove": [...]}
+  std::optional<std::string> labels, units;  ///< frames
+};
+
+/// The resolved shop of a store file that is being edited.
+class Shop {
+ public:
+  /// `file`: the store file. Files that it names must lie in its folder.
+  explicit Shop(std::filesystem::path file);
+
+  /// Resolves a text, which must be a JSON object. Problems of its content are part of the result.
+  ShopChanges update(const std::string& text, std::uint64_t revision);
+
+  /// The file as it was parsed.
+  const nlohmann::ordered_json& json() const { return json_; }
+  const Draft& draft() const { return draft_; }
+  nlohmann::ordered_json parts() const;
+  nlohmann::ordered_json problems() const;
+  std::string labels(std::uint64_t revision) const;
+  std::string units(std::uint64_t revision) const;
+
+  /// An entry of "fixtures" with the keys of its presets, and with all keys, in m.
+  nlohmann::ordered_json details(const std::string& pointer) const;
+  /// Precondition for both: the index is below the number of labels or units.
+  nlohmann::ordered_json label(std::size_t index) const;
+  nlohmann::ordered_json unit(std::size_t index) const;
+  std::size_t label_count() const { return labels_.size(); }
+  std::size_t unit_count() const { return units_.size(); }
+  /// Fixtures, labels and units whose id contains a text, in any case; at most 50.
+  nlohmann::ordered_json find(const std::string& text) const;
+  /// The scene with its surfaces, for the 3-D view.
+  std::string scene(std::uint64_t revision) const;
+
+ private:
+  StoreLimits limits() const;
+  const Transceiver& unit_at(std::size_t index) const;
+
+  std::filesystem::path file_;
+  std::unique_ptr<ReadCache> cache_;
+  std::string text_;
+  nlohmann::ordered_json json_;
+  Draft draft_;
+  std::vector<Part> parts_;
+  DeviceArrays labels_, units_;
+};
+
+/// For pages: code, path, pointer and sentence of each.
+nlohmann::ordered_json findings_json(const std::vector<Finding>& findings,
+                                     const nlohmann::ordered_json& store);
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+
+#include "shelfbeam/scene/scene.hpp"
+
+namespace shelfbeam {
+
+/// The size of a scene to which fixtures are being added.
+struct SceneSize {
+  std::size_t vertices, triangles, fixtures, parts, labels;
+
+  explicit SceneSize(const Scene& scene)
+      : vertices(scene.mesh.vertices.size()),
+        triangles(scene.mesh.triangles.size()),
+        fixtures(scene.fixtures.size()),
+        parts(scene.parts.size()),
+        labels(scene.labels.size()) {}
+
+  /// Removes the surfaces that were added since.
+  void restore_surfaces(Scene& scene) const {
+    scene.mesh.vertices.resize(vertices);
+    scene.mesh.triangles.resize(triangles);
+    scene.mesh.materials.resize(triangles);
+  }
+  /// Removes everything that was added since.
+  void restore(Scene& scene) const {
+    restore_surfaces(scene);
+    scene.fixtures.resize(fixtures);
+    scene.parts.resize(parts);
+    scene.labels.resize(labels);
+  }
+};
+
+}  // namespace shelfbeam

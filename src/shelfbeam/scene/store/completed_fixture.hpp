@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/length_unit.hpp"
+#include "shelfbeam/scene/read_scene.hpp"
+
+namespace shelfbeam {
+
+/// A fixture of a store file with the keys of its presets.
+struct CompletedFixture {
+  nlohmann::ordered_json json;
+  std::map<std::string, LengthUnit> units;  ///< of keys from a catalogue in another unit than the file's
+};
+/// Throws InputError if there is no such fixture, or if its presets have problems. `index`: in "fixtures".
+CompletedFixture completed_fixture(const std::string& text, const std::string& name,
+                                   const std::filesystem::path& folder, std::size_t index,
+                                   const StoreLimits& limits = {});
+
+}  // namespace shelfbeam

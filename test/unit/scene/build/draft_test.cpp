@@ -1,0 +1,135 @@
+#include "shelfbeam/scene/build/draft.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/scene/read_cache.hpp"
+
+#include "unit/scene/mistakes.hpp"
+#include "unit/scene/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Json;
+
+const fs::path photometry = SHELFBEAM_SOURCE_DIR "/data/photometry";
+
+Draft draft_of(const Json& store, SceneDetail detail = SceneDetail::outlines) {
+  return read_draft(store.dump(), "store.json", photometry, detail);
+}
+
+std::vector<std::string> ids(const std::vector<FixtureOutline>& fixtures) {
+  std::vector<std::string> all;
+  for (const FixtureOutline& fixture : fixtures) all.push_back(fixture.id);
+  return all;
+}
+
+void expect_same_plan(const Scene& drawn, const Scene& whole) {
+  ASSERT_EQ(ids(drawn.fixtures), ids(whole.fixtures));
+  for (std::size_t f = 0; f < whole.fixtures.size(); ++f) {
+    const FixtureOutline &one = drawn.fixtures[f], &other = whole.fixtures[f];
+    EXPECT_EQ(std::tie(one.type, one.footprint, one.height, one.rotation_deg, one.form),
+              std::tie(other.type, other.footprint, other.height, other.rotation_deg, other.form));
+  }
+  const auto expect_same = [](const auto& devices, const auto& others) {
+    ASSERT_EQ(devices.size(), others.size());
+    for (std::size_t k = 0; k < devices.size(); ++k) {
+      EXPECT_EQ(devices[k].id, others[k].id);
+      EXPECT_EQ(devices[k].position, others[k].position);
+      EXPECT_EQ(devices[k].type, others[k].type);
+    }
+  };
+  expect_same(drawn.labels, whole.labels);
+  expect_same(drawn.transceivers, whole.transceivers);
+  expect_same(drawn.excluded, whole.excluded);
+  EXPECT_EQ(drawn.lower, whole.lower);
+}
+
+TEST(Draft, HasThePlanOfTheCompleteScene) {
+  ReadCache cache;
+  for (const char* name : {"thesis", "grocery", "chiller", "market-hall", "supermarket", "chiller"}) {
+    SCOPED_TRACE(name);
+    const fs::path file = fs::path(SHELFBEAM_SOURCE_DIR "/examples") / name / "store.json";
+    DeviceSources sources;
+    const Scene whole = make_scene(read_store(file), &sources);
+    const Draft draft = read_draft(read_file(file), file.string(), file.parent_path(), SceneDetail::outlines,
+                                   {.cache = &cache});
+    EXPECT_TRUE(draft.problems.empty());
+    expect_same_plan(draft.scene, whole);
+    EXPECT_EQ(draft.sources.fixtures, sources.fixtures);
+    EXPECT_EQ(draft.sources.labels, sources.labels);
+    EXPECT_EQ(draft.sources.transceivers, sources.transceivers);
+    EXPECT_LT(draft.scene.mesh.triangles.size(), whole.mesh.triangles.size());
+  }
+}
+
+TEST(Draft, HasTheSurfacesOfTheCompleteScene) {
+  const Draft draft = draft_of(test::sample_store(), SceneDetail::surfaces);
+  const Scene whole = make_scene(parse_store(test::sample_store().dump(), "store.json", photometry));
+  expect_same_plan(draft.scene, whole);
+  EXPECT_EQ(draft.scene.mesh.triangles, whole.mesh.triangles);
+  EXPECT_EQ(draft.scene.mesh.vertices, whole.mesh.vertices);
+}
+
+// Whether make_scene accepts a store, and the path of the problem otherwise, is known from its draft.
+TEST(Draft, HasProblemsIfTheStoreIsRefused) {
+  for (const auto& [pointer, value, path] : test::mistakes()) {
+    SCOPED_TRACE(pointer);
+    Json store = test::sample_store();
+    store[Json::json_pointer(pointer)] = Json::parse(value);
+    const Draft draft = draft_of(store);
+    ASSERT_FALSE(draft.problems.empty());
+    EXPECT_EQ(draft.problems.front().path, path);
+    EXPECT_THROW(make_scene(parse_store(store.dump(), "store.json", photometry)), InputError);
+  }
+}
+
+// Problems that are found only when the scene is made.
+TEST(Draft, HasAllProblemsOfPositionsAndIds) {
+  Json store = test::sample_store();
+  store["labels"].push_back(store["labels"][0]);
+  store["labels"].push_back(store["labels"][0]);
+  store["labels"].back()["id"] = "far";
+  store["labels"].back()["position"] = {100, 1, 1};
+  store["fixtures"].push_back(store["fixtures"][0]);
+  store["transceivers"]["pinned"] = {"nobody"};
+  std::vector<std::string> paths;
+  const Draft draft = draft_of(store);
+  for (const Finding& problem : draft.problems) paths.push_back(problem.path);
+  EXPECT_THAT(paths, testing::UnorderedElementsAre("fixtures[4]", "labels[1]", "labels[2]",
+                                                   testing::HasSubstr("transceivers.pinned")));
+  EXPECT_EQ(draft.scene.labels.size(), draft_of(test::sample_store()).scene.labels.size() + 2);
+}
+
+TEST(Draft, DrawsTheRest) {
+  const std::vector<std::string> all = ids(draft_of(test::sample_store()).scene.fixtures);
+  Json store = test::sample_store();
+  store["fixtures"][1]["material"] = "sugar";
+  Draft draft = draft_of(store);
+  std::vector<std::string> drawn = ids(draft.scene.fixtures);
+  EXPECT_THAT(drawn, testing::UnorderedElementsAreArray(all)) << "its size is known";
+  EXPECT_EQ(draft.scene.fixtures.size(), draft.sources.fixtures.size());
+  EXPECT_EQ(draft.sources.fixtures.back(), "store.json: fixtures[1]");
+  for (const Label& label : draft.scene.labels) EXPECT_FALSE(label.id.starts_with("F-"));
+  store["fixtures"][1].erase("depth");
+  EXPECT_EQ(draft_of(store).scene.fixtures.size(), all.size() - 1);
+  store = {{"fixtures", Json::array()}};
+  draft = draft_of(store);
+  EXPECT_TRUE(draft.scene.fixtures.empty());
+  EXPECT_FALSE(draft.problems.empty());
+  EXPECT_EQ(read_draft("{", "store.json", photometry, SceneDetail::outlines).problems.size(), 1U)
+      << "nothing follows from a text that is no JSON";
+}
+
+}  // namespace
+}  // namespace shelfbeam
