@@ -104,6 +104,16 @@ TEST_F(LayersOfATree, HeavyDependencyStaysInOneSource) {
       "HDF5 is included by more than one file: src/shelfbeam/signal/a.cpp, src/shelfbeam/signal/b.cpp");
 }
 
+TEST_F(LayersOfATree, BeastStaysInTwoSourcesOfTheServer) {
+  tree.write("src/serve/http/loop.cpp", "#include <boost/asio/io_context.hpp>\n");
+  tree.write("src/serve/http/session.cpp", "#include <boost/beast/http/read.hpp>\n");
+  tree.write("src/shelfbeam/stats/a.cpp", "#include <boost/math/distributions/beta.hpp>\n");
+  EXPECT_EQ(check_layers(tree.path()).exit_code, 0);
+  tree.write("src/serve/live/a.cpp", "#include <boost/asio/post.hpp>\n");
+  expect_refused("Beast is included by more than 2 files");
+  expect_refused("src/serve/live/a.cpp: Beast is for src/serve/http alone");
+}
+
 TEST_F(LayersOfATree, FolderWithoutSourcesIsAnError) {
   EXPECT_EQ(check_layers(tree / "test").exit_code, 2);
 }

@@ -1,0 +1,88 @@
+#include "serve/http/listener.hpp"
+
+#include <cerrno>
+#include <string>
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+
+namespace shelfbeam::serve::http {
+
+namespace {
+
+struct Address {
+  sockaddr_storage storage{};
+  socklen_t size = 0;
+
+  const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
+  sockaddr* get() { return reinterpret_cast<sockaddr*>(&storage); }
+};
+
+Address address_of(const std::string& text, std::uint16_t port) {
+  Address address;
+  if (auto* ipv4 = reinterpret_cast<sockaddr_in*>(&address.storage);
+      ::inet_pton(AF_INET, text.c_str(), &ipv4->sin_addr) == 1) {
+    ipv4->sin_family = AF_INET;
+    ipv4->sin_port = htons(port);
+    address.size = sizeof *ipv4;
+  } else if (auto* ipv6 = reinterpret_cast<sockaddr_in6*>(&address.storage);
+             ::inet_pton(AF_INET6, text.c_str(), &ipv6->sin6_addr) == 1) {
+    ipv6->sin6_family = AF_INET6;
+    ipv6->sin6_port = htons(port);
+    address.size = sizeof *ipv6;
+  } else {
+    throw InputError("address '" + text + "'", "is neither IPv4 nor IPv6", "e.g. 127.0.0.1 or ::1");
+  }
+  return address;
+}
+
+void switch_on(int descriptor, int level, int option) {
+  const int on = 1;
+  ::setsockopt(descriptor, level, option, &on, sizeof on);
+}
+
+}  // namespace
+
+Listener::Listener(const std::string& address, std::uint16_t port) {
+  Address own = address_of(address, port);
+  descriptor_ = ::socket(own.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  // A server that is started again gets its port back, in spite of the old connections that the kernel
+  // remembers.
+  switch_on(descriptor_, SOL_SOCKET, SO_REUSEADDR);
+  if (own.storage.ss_family == AF_INET6) switch_on(descriptor_, IPPROTO_IPV6, IPV6_V6ONLY);
+  if (descriptor_ < 0 || ::bind(descriptor_, own.get(), own.size) != 0 ||
+      ::listen(descriptor_, SOMAXCONN) != 0 || ::getsockname(descriptor_, own.get(), &own.size) != 0) {
+    const std::string reason = system_reason();
+    ::close(descriptor_);
+    throw InputError(fmt::format("port {} of {}", port, address), fmt::format("cannot be used ({})", reason),
+                     "choose another one");
+  }
+  port_ = ntohs(own.storage.ss_family == AF_INET ? reinterpret_cast<sockaddr_in*>(&own.storage)->sin_port
+                                                 : reinterpret_cast<sockaddr_in6*>(&own.storage)->sin6_port);
+}
+
+Listener::~Listener() {
+  ::close(descriptor_);
+}
+
+Listener::Accepted Listener::accept(int& connection) const {
+  while (true) {
+    connection = ::accept4(descriptor_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (connection >= 0) {
+      switch_on(connection, IPPROTO_TCP, TCP_NODELAY);  // a message is not held back for a fuller packet
+      return Accepted::one;
+    }
+    if (errno == EAGAIN) return Accepted::none;
+    // These errors are of a connection that has ended meanwhile; the next one may be fine.
+    if (errno != EINTR && errno != ECONNABORTED && errno != EPROTO) return Accepted::failed;
+  }
+}
+
+}  // namespace shelfbeam::serve::http

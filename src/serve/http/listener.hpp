@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace shelfbeam::serve::http {
+
+/// A TCP socket that listens.
+class Listener {
+ public:
+  /// `address`: IPv4 or IPv6. `port`: 0 for any free one. Throws InputError if the address is none or the
+  /// port is taken.
+  Listener(const std::string& address, std::uint16_t port);
+  ~Listener();
+  Listener(const Listener&) = delete;
+  Listener& operator=(const Listener&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  std::uint16_t port() const { return port_; }
+
+  enum class Accepted { one, none, failed };
+  /// Accepts a connection without waiting. `failed`: there is one, but descriptors or memory are short; try
+  /// later.
+  Accepted accept(int& connection) const;
+
+ private:
+  int descriptor_;
+  std::uint16_t port_ = 0;
+};
+
+}  // namespace shelfbeam::serve::http

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "serve/http/asset.hpp"
+#include "serve/http/message.hpp"
+
+namespace shelfbeam::serve::http {
+
+/// What a client may use. Times are checked at a quarter of the shortest of them, at most once a second.
+struct Limits {
+  using Time = std::chrono::milliseconds;
+  std::size_t connections = 64;
+  std::size_t head = 8 << 10;                 ///< bytes of the head of a request
+  Time head_time = std::chrono::seconds(10);  ///< from its first to its last byte
+  Time idle = std::chrono::seconds(30);       ///< between two requests
+  Time write = std::chrono::seconds(20);      ///< in which a client takes 256 KiB, or its last bytes
+  Time silence = std::chrono::seconds(60);    ///< in which a page answers a ping, sent after half of this
+  Time farewell = std::chrono::seconds(2);    ///< in which a client takes the end of a connection
+  std::size_t message = 1 << 20;              ///< bytes of a message of a page, in all fragments together
+  std::size_t queue = 8 << 20;                ///< bytes that wait for a page (`Outbox`)
+};
+
+struct Options {
+  std::string address =
+      "127.0.0.1";         ///< IPv4 or IPv6; any other than this one is reachable from other computers
+  std::uint16_t port = 0;  ///< 0: any free one
+  std::string token = {};  ///< 16 or more letters, digits, "-" and "_"; empty: the server makes one
+  std::vector<std::string> hosts = {};                    ///< further names of the server (`Gate`)
+  std::map<std::string, Asset, std::less<>> assets = {};  ///< by their names below the token; "" is the page
+  std::chrono::milliseconds tick{0};                      ///< interval of `Handlers::tick`; 0: never
+  Limits limits = {};
+};
+
+/// A page that is connected through its WebSocket. Numbers grow and are never used again.
+using TabId = std::uint64_t;
+
+/// A document that is made when it is asked for. The browser does not keep it.
+struct Document {
+  std::string type;  ///< media type
+  Bytes bytes;
+};
+
+/// What the owner of a server does. The thread in `Server::run` calls all of them, never from within another
+/// call of the server. An exception ends neither the server nor other pages: the page of `opened` and `text`
+/// is closed with code 1011, the request of `get` is answered with status 500, and `failed` is told.
+/// Functions may be empty.
+struct Handlers {
+  std::function<void(TabId)> opened = {};
+  std::function<void(TabId, std::string_view)> text = {};  ///< a message, in UTF-8
+  std::function<void(TabId)> closed = {};                  ///< once for each opened one
+  /// A GET or HEAD of a name below the token that is no asset; nothing: there is none.
+  std::function<std::optional<Document>(std::string_view name)> get = {};
+  std::function<void()> tick = {};
+  std::function<void(std::string_view what)> failed = {};  ///< what(), for the log
+};
+
+}  // namespace shelfbeam::serve::http

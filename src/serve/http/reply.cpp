@@ -1,0 +1,78 @@
+#include "serve/http/reply.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace shelfbeam::serve::http {
+
+namespace {
+
+std::string_view reason(unsigned status) {
+  switch (status) {
+    case 200:
+      return "OK";
+    case 304:
+      return "Not Modified";
+    case 400:
+      return "Bad Request";
+    case 403:
+      return "Forbidden";
+    case 404:
+      return "Not Found";
+    case 405:
+      return "Method Not Allowed";
+    case 413:
+      return "Content Too Large";
+    case 431:
+      return "Request Header Fields Too Large";
+    default:
+      return "Internal Server Error";
+  }
+}
+
+}  // namespace
+
+Reply refusal(unsigned status) {
+  return {.status = status,
+          .type = "text/plain; charset=utf-8",
+          .body = std::make_shared<const std::string>(fmt::format("{} {}\n", status, reason(status)))};
+}
+
+std::span<const std::pair<std::string_view, std::string_view>> security_fields() {
+  using Field = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array fields{
+      Field{
+          "Content-Security-Policy",
+          "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self'; img-src 'self' blob:; "
+          "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+      Field{"X-Content-Type-Options", "nosniff"}, Field{"Referrer-Policy", "no-referrer"},
+      Field{"Cross-Origin-Opener-Policy", "same-origin"},
+      Field{"Cross-Origin-Resource-Policy", "same-origin"}};
+  return fields;
+}
+
+std::string head_of(const Reply& reply, bool keep_alive) {
+  std::string head = fmt::format("HTTP/1.1 {} {}\r\n", reply.status, reason(reply.status));
+  const auto add = [&](std::string_view name, std::string_view value) {
+    head += fmt::format("{}: {}\r\n", name, value);
+  };
+  for (const auto& [name, value] : security_fields()) add(name, value);
+  add("Connection", keep_alive ? "keep-alive" : "close");
+  if (reply.etag.empty()) {
+    add("Cache-Control", "no-store");
+  } else {
+    add("Cache-Control", "no-cache");
+    add("ETag", reply.etag);
+    add("Vary", "Accept-Encoding");
+  }
+  if (reply.status == 405) add("Allow", "GET, HEAD");
+  if (reply.status != 304) {
+    if (!reply.type.empty()) add("Content-Type", reply.type);
+    if (reply.is_gzip) add("Content-Encoding", "gzip");
+    add("Content-Length", std::to_string(reply.body ? reply.body->size() : 0));
+  }
+  return head + "\r\n";
+}
+
+}  // namespace shelfbeam::serve::http

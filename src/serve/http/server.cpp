@@ -1,0 +1,239 @@
+#include "serve/http/server.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
+
+#include "serve/http/gate.hpp"
+#include "serve/http/listener.hpp"
+#include "serve/http/loop.hpp"
+#include "serve/http/session.hpp"
+#include "serve/http/token.hpp"
+
+namespace shelfbeam::serve::http {
+
+namespace {
+
+using Milliseconds = std::chrono::milliseconds;
+
+Options checked(Options options) {
+  if (options.token.empty()) options.token = make_token();
+  const std::string known = "-_0123456789abcdefghijklmnopqrstuvwxyz";
+  if (options.token.size() < 16 || lower_case(options.token).find_first_not_of(known) != std::string::npos)
+    throw InputError("the token", "is not 16 or more letters, digits, '-' and '_'");
+  return options;
+}
+
+// How often deadlines are checked.
+Milliseconds interval(const Limits& limits) {
+  const Milliseconds shortest = std::min({limits.head_time, limits.idle, limits.write, limits.farewell});
+  return std::clamp(shortest / 4, Milliseconds(1), Milliseconds(1000));
+}
+
+}  // namespace
+
+struct Server::State final : SessionHost {
+  State(Options options_, Handlers handlers_, bool listens)
+      : options(checked(std::move(options_))), handlers(std::move(handlers_)) {
+    if (listens) {
+      listener.emplace(options.address, options.port);
+      loop.when_readable(listener->descriptor(), [this] { return accept(); });
+      options.port = listener->port();
+    }
+    gate.emplace(options.address, options.port, options.token, options.hosts);
+    loop.every(interval(options.limits), [this] { end_late_sessions(); });
+    if (options.tick.count() > 0)
+      loop.every(options.tick, [this] { attempt([this] { call(handlers.tick); }); });
+    loop.when_woken([this] { say_farewell(); });
+  }
+
+  void run() {
+    loop.run([this](const std::exception_ptr& error) { report(error); });
+  }
+
+  const Limits& limits() const override { return options.limits; }
+
+  Verdict judge(const Request& request) override { return gate->judge(request); }
+
+  Reply reply(const Request& request, const Verdict& verdict) override {
+    Reply reply = refusal(500);
+    attempt([&] {
+      if (const auto asset = options.assets.find(verdict.name); asset != options.assets.end()) {
+        reply = asset->second.reply(request);
+        return;
+      }
+      const std::optional<Document> found = handlers.get ? handlers.get(verdict.name) : std::nullopt;
+      reply = found ? Reply{.type = found->type, .body = found->bytes} : refusal(404);
+    });
+    return reply;
+  }
+
+  bool opened(TabId id) override {
+    return attempt([&] { call(handlers.opened, id); });
+  }
+
+  bool text(TabId id, std::string_view message) override {
+    return attempt([&] { call(handlers.text, id, message); });
+  }
+
+  // The handler is called later, because the owner of the server may be in a loop over its pages that sends
+  // to each.
+  void ended(TabId id, bool was_open) override {
+    sessions.erase(id);
+    loop.post([this, id, was_open] {
+      if (was_open) attempt([&] { call(handlers.closed, id); });
+      stop_if_done();
+    });
+  }
+
+  void adopt(int descriptor) {
+    const auto session = make_session(loop.context(), descriptor, ++last_id, *this);
+    sessions.emplace(last_id, session);
+    session->start();
+  }
+
+  // Returns how long to wait before the next call.
+  Milliseconds accept() {
+    if (is_ending) return std::chrono::hours(1);
+    // A few at a time, so that a crowd at the door does not delay those inside.
+    for (int i = 0; i < 16; ++i) {
+      int connection = -1;
+      const Listener::Accepted accepted = listener->accept(connection);
+      if (accepted == Listener::Accepted::failed) return Milliseconds(100);
+      if (accepted == Listener::Accepted::none) break;
+      if (make_room()) {
+        adopt(connection);
+      } else {
+        ::close(connection);
+      }
+    }
+    return Milliseconds(0);
+  }
+
+  // Ends the oldest session that is not in use, if there are too many.
+  bool make_room() {
+    if (sessions.size() < options.limits.connections) return true;
+    for (const Standing standing : {Standing::stranger, Standing::waiting}) {
+      for (const auto& [id, session] : sessions) {
+        if (session->standing() != standing) continue;
+        std::shared_ptr(session)->abort();
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void end_late_sessions() {
+    const auto now = Session::Clock::now();
+    for (const auto& session : present())
+      if (session->deadline() < now) session->abort();
+  }
+
+  void say_farewell() {
+    is_ending = true;
+    for (const auto& session : present()) session->close(CloseCode::going_away);
+    stop_if_done();
+  }
+
+  void stop_if_done() {
+    if (is_ending && sessions.empty()) loop.stop();
+  }
+
+  // A copy, because sessions that end leave the table.
+  std::vector<std::shared_ptr<Session>> present() const {
+    std::vector<std::shared_ptr<Session>> all;
+    for (const auto& [id, session] : sessions) all.push_back(session);
+    return all;
+  }
+
+  template <class Function, class... Arguments>
+  static void call(const Function& function, const Arguments&... arguments) {
+    if (function) function(arguments...);
+  }
+
+  // Whether the action succeeds.
+  template <class Action>
+  bool attempt(const Action& action) {
+    try {
+      action();
+      return true;
+    } catch (...) {
+      report(std::current_exception());
+      return false;
+    }
+  }
+
+  void report(const std::exception_ptr& error) const {
+    std::string what = "an unknown exception";
+    try {
+      std::rethrow_exception(error);
+    } catch (const std::exception& known) {
+      what = known.what();
+    } catch (...) {  // keeps the text above
+    }
+    try {
+      call(handlers.failed, what);
+    } catch (...) {  // there is nobody left to tell
+    }
+  }
+
+  Options options;
+  Handlers handlers;
+  std::optional<Listener> listener;
+  std::optional<Gate> gate;
+  Loop loop;
+  std::map<TabId, std::shared_ptr<Session>> sessions;  // the oldest first
+  TabId last_id = 0;
+  bool is_ending = false;
+};
+
+Server::Server(Options options, Handlers handlers)
+    : state_(std::make_unique<State>(std::move(options), std::move(handlers), true)) {}
+
+Server::~Server() = default;
+
+std::uint16_t Server::port() const {
+  return state_->options.port;
+}
+
+const std::string& Server::token() const {
+  return state_->options.token;
+}
+
+std::string Server::address() const {
+  std::string host = state_->options.address;
+  if (host == "0.0.0.0") host = "127.0.0.1";
+  if (host == "::") host = "::1";
+  if (host.find(':') != std::string::npos) host = "[" + host + "]";
+  return fmt::format("http://{}:{}/{}/", host, port(), token());
+}
+
+void Server::run() {
+  state_->run();
+}
+
+void Server::stop() noexcept {
+  state_->loop.wake();
+}
+
+void Server::send(TabId tab, Message message) {
+  if (const auto found = state_->sessions.find(tab); found != state_->sessions.end())
+    std::shared_ptr(found->second)->send(std::move(message));
+}
+
+void serve_connection(int descriptor, Options options, Handlers handlers) {
+  Server::State state(std::move(options), std::move(handlers), false);
+  state.adopt(descriptor);
+  state.is_ending = true;
+  state.run();
+}
+
+}  // namespace shelfbeam::serve::http

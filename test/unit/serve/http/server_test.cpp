@@ -1,0 +1,140 @@
+#include "serve/http/server.hpp"
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+#include "unit/serve/http/running_server.hpp"
+
+namespace shelfbeam::test {
+namespace {
+
+using testing::HasSubstr;
+
+// Waits until another thread has made it true.
+template <class Condition>
+bool becomes_true(const Condition& condition) {
+  for (int i = 0; i < 2000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return condition();
+}
+
+TEST(Server, SendsAFileOfThePageAsTheClientWantsIt) {
+  const RunningServer server;
+  const std::string plain = server.ask(server.request("page.txt"));
+  EXPECT_THAT(plain, testing::StartsWith("HTTP/1.1 200 OK\r\n"));
+  EXPECT_THAT(plain, HasSubstr("\r\nContent-Type: text/plain\r\n"));
+  EXPECT_THAT(plain, HasSubstr("\r\nCache-Control: no-cache\r\n"));
+  EXPECT_THAT(plain, testing::EndsWith("\r\n\r\nthe page"));
+  const std::string packed = server.ask(server.request("page.txt", "Accept-Encoding: gzip, br\r\n"));
+  EXPECT_THAT(packed, HasSubstr("\r\nContent-Encoding: gzip\r\n"));
+  EXPECT_THAT(packed, HasSubstr("\r\n\r\n\x1f\x8b"));
+  const std::size_t tag = plain.find("ETag: ") + 6;
+  const std::string etag = plain.substr(tag, plain.find("\r\n", tag) - tag);
+  EXPECT_THAT(server.ask(server.request("page.txt", "If-None-Match: " + etag + "\r\n")),
+              testing::StartsWith("HTTP/1.1 304 "));
+  EXPECT_THAT(server.ask(server.request("")), testing::EndsWith("<!doctype html>"));
+}
+
+TEST(Server, SendsADocumentThatIsNotKept) {
+  const RunningServer server;
+  const std::string answer = server.ask(server.request("made"));
+  EXPECT_THAT(answer, HasSubstr("\r\nCache-Control: no-store\r\n"));
+  EXPECT_THAT(answer, testing::EndsWith("\r\n\r\n{}"));
+  EXPECT_THAT(server.ask(server.request("other")), testing::StartsWith("HTTP/1.1 404 "));
+}
+
+TEST(Server, AnswersSeveralRequestsOnOneConnection) {
+  const RunningServer server;
+  Client client(server.port());
+  for (int i = 0; i < 3; ++i) {
+    client.send(server.request("page.txt", {}, "HEAD"));
+    EXPECT_THAT(client.answer(false), HasSubstr("\r\nContent-Length: 8\r\n"));
+    client.send(server.request("page.txt"));
+    EXPECT_THAT(client.answer(), testing::EndsWith("the page"));
+  }
+  client.send(server.request("page.txt", "Connection: close\r\n"));
+  EXPECT_THAT(client.rest(), testing::EndsWith("the page"));
+}
+
+TEST(Server, TalksToPages) {
+  RunningServer server;
+  {
+    Client first = server.tab(), second = server.tab();
+    EXPECT_TRUE(becomes_true([&] { return server.opened == 2; }));
+    for (Client* page : {&first, &second}) {
+      page->send(Frame{.payload = "hello"});
+      EXPECT_EQ(page->message(), "hello");
+    }
+    for (const std::size_t size : {std::size_t{20'000}, std::size_t{5'000'000}}) {
+      first.send(Frame{.payload = "size " + std::to_string(size)});
+      EXPECT_EQ(first.message()->size(), size);
+    }
+    second.send(Frame{.opcode = Opcode::close, .payload = "\x03\xe8"});
+    EXPECT_EQ(second.close_code(), 1000u);
+    EXPECT_EQ(second.rest(), "");
+    EXPECT_TRUE(server.answers(first));
+  }
+  EXPECT_TRUE(becomes_true([&] { return server.closed == 2; }));
+  EXPECT_EQ(server.failed, 0);
+}
+
+TEST(Server, SurvivesExceptionsOfItsOwner) {
+  RunningServer server;
+  Client first = server.tab(), second = server.tab();
+  first.send(Frame{.payload = "throw"});
+  EXPECT_EQ(first.close_code(), 1011u);
+  const std::string answer = server.ask(server.request("throw"));
+  EXPECT_THAT(answer, testing::StartsWith("HTTP/1.1 500 "));
+  EXPECT_THAT(answer, testing::Not(HasSubstr("detail")));
+  EXPECT_TRUE(server.answers(second));
+  EXPECT_EQ(server.failed, 2);
+  EXPECT_TRUE(becomes_true([&] { return server.ticks > 5; }));
+}
+
+TEST(Server, SaysFarewellWhenItStops) {
+  RunningServer server;
+  Client idle(server.port());
+  std::thread stop;
+  {
+    Client page = server.tab();
+    stop = std::thread([&] { server.stop(); });
+    EXPECT_EQ(page.close_code(), 1001u);
+    page.send(Frame{.opcode = Opcode::close, .payload = "\x03\xe9"});
+    EXPECT_EQ(page.rest(), "");
+  }
+  stop.join();
+  EXPECT_EQ(server.closed, 1);
+  EXPECT_EQ(idle.rest(), "");
+}
+
+TEST(Server, StopsInSpiteOfAPageThatDoesNotReply) {
+  RunningServer server({.farewell = std::chrono::milliseconds(50)});
+  const Client page = server.tab();
+  server.stop();
+  EXPECT_EQ(server.closed, 1);
+}
+
+TEST(Server, RefusesWrongOptions) {
+  const auto make = [](serve::http::Options options) {
+    const serve::http::Server server(std::move(options), {});
+  };
+  const RunningServer other;
+  expect_input_error([&] { make({.port = other.port()}); }, "port", "already in use");
+  expect_input_error([&] { make({.address = "localhost"}); }, "localhost", "IPv4");
+  expect_input_error([&] { make({.token = "short"}); }, "token");
+  expect_input_error([&] { make({.hosts = {"http://shop.example"}}); }, "http://shop.example",
+                     "name of a host");
+}
+
+TEST(Server, HasAnAddressThatNobodyGuesses) {
+  const serve::http::Server one({}, {}), two({}, {});
+  EXPECT_EQ(one.token().size(), 32u);
+  EXPECT_NE(one.token(), two.token());
+  EXPECT_EQ(one.address(), fmt::format("http://127.0.0.1:{}/{}/", one.port(), one.token()));
+}
+
+}  // namespace
+}  // namespace shelfbeam::test
