@@ -1,0 +1,185 @@
+#include "serve/http/gate.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/expect_input_error.hpp"
+
+namespace shelfbeam::serve::http {
+namespace {
+
+using Fields = std::vector<std::pair<std::string_view, std::string_view>>;
+
+constexpr auto gate_token = "0123456789abcdef";
+
+Gate gate(std::string_view address = "127.0.0.1", std::uint16_t port = 8080,
+          const std::vector<std::string>& names = {}) {
+  return {address, port, gate_token, names};
+}
+
+unsigned status(const Gate& gate, Fields fields, std::string_view name = "page",
+                std::string_view method = "GET") {
+  const std::string target = "/" + std::string(gate_token) + "/" + std::string(name);
+  return gate.judge({method, target, std::move(fields)}).refusal;
+}
+
+TEST(Gate, LetsInWhatABrowserSends) {
+  EXPECT_EQ(status(gate(), {{"Host", "127.0.0.1:8080"}}), 0u);
+  EXPECT_EQ(status(gate(), {{"host", "LocalHost:8080"}}), 0u);
+  const Fields from_page{{"Host", "localhost:8080"}, {"Sec-Fetch-Site", "same-origin"}};
+  EXPECT_EQ(status(gate(), from_page, "page", "HEAD"), 0u);
+  const Verdict verdict = gate().judge({"GET", "/0123456789abcdef/a/b", {{"Host", "127.0.0.1:8080"}}});
+  EXPECT_TRUE(verdict.has_token);
+  EXPECT_EQ(verdict.name, "a/b");
+}
+
+TEST(Gate, WantsOneHostOfTheList) {
+  for (const std::string_view host :
+       {"", "127.0.0.1", "127.0.0.1:80", "127.0.0.1:8080.", "127.0.0.1:08080", "127.1:8080",
+        "2130706433:8080", "localhost", "localhost.:8080", "localhost.attacker.example:8080",
+        "attacker.example", "attacker.example:8080", "127.0.0.1:8080@attacker.example", "[::1]:8080",
+        "0.0.0.0:8080", "127.0.0.1:8080, attacker.example"})
+    EXPECT_EQ(status(gate(), {{"Host", host}}), 403u) << host;
+  EXPECT_EQ(status(gate(), {}), 403u);
+  EXPECT_EQ(status(gate(), {{"Host", "127.0.0.1:8080"}, {"Host", "127.0.0.1:8080"}}), 403u);
+  EXPECT_EQ(status(gate(), {{"Host", "attacker.example"}, {"Host", "127.0.0.1:8080"}}), 403u);
+  EXPECT_EQ(status(gate(), {{"X-Forwarded-Host", "127.0.0.1:8080"}, {"Host", "attacker.example"}}), 403u);
+}
+
+TEST(Gate, KnowsItsAddressAndFurtherNames) {
+  EXPECT_EQ(status(gate("::1"), {{"Host", "[::1]:8080"}}), 0u);
+  EXPECT_EQ(status(gate("192.168.1.5"), {{"Host", "192.168.1.5:8080"}}), 0u);
+  EXPECT_EQ(status(gate("192.168.1.5"), {{"Host", "192.168.1.6:8080"}}), 403u);
+  EXPECT_EQ(status(gate("0.0.0.0"), {{"Host", "0.0.0.0:8080"}}), 403u);
+  EXPECT_EQ(status(gate("FE80::1"), {{"Host", "[fe80::1]:8080"}}), 0u);
+  EXPECT_EQ(status(gate("127.0.0.1", 80), {{"Host", "127.0.0.1"}}), 0u);
+  EXPECT_EQ(status(gate("127.0.0.1", 80), {{"Host", "127.0.0.1:80"}}), 0u);
+  const Gate named = gate("127.0.0.1", 8080, {"Shop.Example", "tunnel.example:9000", "[fe80::2]"});
+  for (const std::string_view host :
+       {"shop.example", "shop.example:8080", "tunnel.example:9000", "[fe80::2]", "[fe80::2]:8080"})
+    EXPECT_EQ(status(named, {{"Host", host}}), 0u) << host;
+  for (const std::string_view host :
+       {"shop.example:9000", "tunnel.example", "tunnel.example:8080", "a.shop.example", "[fe80::2]:9000"})
+    EXPECT_EQ(status(named, {{"Host", host}}), 403u) << host;
+  for (const std::string_view origin : {"https://shop.example", "http://shop.example:8080"})
+    EXPECT_EQ(status(named, {{"Host", "shop.example"}, {"Origin", origin}}), 0u) << origin;
+}
+
+TEST(Gate, TakesOnlyNamesThatABrowserSends) {
+  for (const char* name :
+       {"", "*", "*.shop.example", "http://shop.example", "shop.example/", "shop.example:", "shop.example:0",
+        "shop.example:65536", "shop.example:x", "a b", "a@b", "::1", "[]", ":80", "sh\xc3\xb6p.example"})
+    test::expect_input_error([&] { gate("127.0.0.1", 8080, {name}); }, "name of a host");
+}
+
+TEST(Gate, WantsTheTokenFirst) {
+  const Fields fields{{"Host", "127.0.0.1:8080"}};
+  for (const std::string_view target :
+       {"/", "/page", "/socket", "/0123456789abcde/page", "/0123456789abcdef0/page", "/0123456789abcdeg/page",
+        "/0123456789ABCDEF/page", "//page", "/page/0123456789abcdef/", "/page?token=0123456789abcdef",
+        "/x/../0123456789abcdef/page", "//0123456789abcdef/page",
+        "http://127.0.0.1:8080/0123456789abcdef/page"}) {
+    for (const std::string_view method : {"GET", "POST", "OPTIONS"}) {
+      const Verdict verdict = gate().judge({method, target, fields});
+      EXPECT_EQ(verdict.refusal, 404u) << method << " " << target;
+      EXPECT_FALSE(verdict.has_token);
+    }
+  }
+}
+
+TEST(Gate, TakesNoOtherMethodsAndNoBodies) {
+  const Fields fields{{"Host", "127.0.0.1:8080"}};
+  for (const std::string_view method :
+       {"POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "TRACE", "get", "GETT", ""})
+    EXPECT_EQ(status(gate(), fields, "page", method), 405u) << method;
+  const auto with = [&](std::string_view name, std::string_view value) {
+    return status(gate(), {fields[0], {name, value}});
+  };
+  EXPECT_EQ(with("Content-Length", "0"), 0u);
+  for (const std::string_view length : {"1", "00", "-0", "", "0, 5", "18446744073709551616"})
+    EXPECT_EQ(with("Content-Length", length), 413u) << length;
+  EXPECT_EQ(with("Transfer-Encoding", "chunked"), 413u);
+  EXPECT_EQ(with("transfer-encoding", "identity"), 413u);
+}
+
+TEST(Gate, ComparesTheOriginWithTheListAndNotWithTheHost) {
+  const auto from = [&](std::string_view origin) {
+    return status(gate(), {{"Host", "127.0.0.1:8080"}, {"Origin", origin}});
+  };
+  EXPECT_EQ(from("http://127.0.0.1:8080"), 0u);
+  EXPECT_EQ(from("http://localhost:8080"), 0u);
+  for (const std::string_view origin :
+       {"null", "", "http://attacker.example", "http://127.0.0.1", "http://127.0.0.1:8081",
+        "https://127.0.0.1:8080", "http://127.0.0.1:8080/", "127.0.0.1:8080",
+        "http://127.0.0.1:8080.attacker.example", "file://", "chrome-extension://abcdefgh"})
+    EXPECT_EQ(from(origin), 403u) << origin;
+  EXPECT_EQ(status(gate(), {{"Host", "attacker.example:8080"}, {"Origin", "http://attacker.example:8080"}}),
+            403u);
+  EXPECT_EQ(status(gate(), {{"Host", "127.0.0.1:8080"},
+                            {"Origin", "http://127.0.0.1:8080"},
+                            {"Origin", "http://attacker.example"}}),
+            403u);
+}
+
+TEST(Gate, WantsAnOriginAtTheSocket) {
+  const Fields good{{"Host", "127.0.0.1:8080"},
+                    {"Origin", "http://127.0.0.1:8080"},
+                    {"Connection", "keep-alive, Upgrade"},
+                    {"Upgrade", "WebSocket"}};
+  EXPECT_EQ(status(gate(), good, "socket"), 0u);
+  const std::string target = std::string("/") + gate_token + "/socket";
+  EXPECT_TRUE(gate().judge({"GET", target, good}).is_socket);
+  const auto changed = [&](std::size_t field, std::string_view value) {
+    Fields fields = good;
+    fields[field].second = value;
+    return status(gate(), fields, "socket");
+  };
+  EXPECT_EQ(status(gate(), {good[0], good[2], good[3]}, "socket"), 403u);
+  EXPECT_EQ(changed(1, "http://attacker.example"), 403u);
+  EXPECT_EQ(changed(1, "null"), 403u);
+  EXPECT_EQ(changed(2, "keep-alive"), 400u);
+  EXPECT_EQ(changed(3, "h2c"), 400u);
+  EXPECT_EQ(status(gate(), {good[0], good[1]}, "socket"), 400u);
+  EXPECT_EQ(status(gate(), good, "socket", "HEAD"), 400u);
+  for (const auto& [site, expected] : {std::pair{"same-origin", 0u},
+                                       {"none", 403u},
+                                       {"same-site", 403u},
+                                       {"cross-site", 403u},
+                                       {"", 403u}}) {
+    Fields fields = good;
+    fields.emplace_back("Sec-Fetch-Site", site);
+    EXPECT_EQ(status(gate(), fields, "socket"), expected) << site;
+  }
+}
+
+TEST(Gate, LetsOtherSitesOnlyLinkToThePage) {
+  const auto of = [&](std::string_view name, std::string_view site, std::string_view mode,
+                      std::string_view dest) {
+    return status(gate(),
+                  {{"Host", "127.0.0.1:8080"},
+                   {"Sec-Fetch-Site", site},
+                   {"Sec-Fetch-Mode", mode},
+                   {"Sec-Fetch-Dest", dest}},
+                  name);
+  };
+  EXPECT_EQ(of("page.js", "same-origin", "no-cors", "script"), 0u);
+  EXPECT_EQ(of("page.js", "none", "navigate", "document"), 0u);
+  for (const std::string_view site : {"same-site", "cross-site"}) {
+    EXPECT_EQ(of("", site, "navigate", "document"), 0u);
+    EXPECT_EQ(of("", site, "navigate", "iframe"), 403u);
+    EXPECT_EQ(of("", site, "no-cors", "image"), 403u);
+    EXPECT_EQ(of("", site, "cors", "empty"), 403u);
+    EXPECT_EQ(of("page.js", site, "navigate", "document"), 403u);
+    EXPECT_EQ(of("page.js", site, "no-cors", "script"), 403u);
+  }
+  EXPECT_EQ(status(gate(), {{"Host", "127.0.0.1:8080"},
+                            {"Sec-Fetch-Site", "same-origin"},
+                            {"Sec-Fetch-Site", "cross-site"}}),
+            403u);
+}
+
+}  // namespace
+}  // namespace shelfbeam::serve::http
