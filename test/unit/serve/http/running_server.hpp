@@ -42,8 +42,9 @@ class RunningServer {
                       std::string_view method = "GET") const {
     return fmt::format("{} /{}/{} HTTP/1.1\r\nHost: {}\r\n{}\r\n", method, test_token, name, host(), fields);
   }
-  std::string handshake() const {
-    return request("socket", "Origin: http://" + host() + "\r\n" + std::string(upgrade));
+  /// `fields`: further ones.
+  std::string handshake(std::string_view fields = {}) const {
+    return request("socket", fmt::format("Origin: http://{}\r\n{}{}", host(), upgrade, fields));
   }
 
   /// The answer to a request on a connection of its own; empty if there is none.
@@ -54,9 +55,9 @@ class RunningServer {
   }
 
   /// A page with an open WebSocket.
-  Client tab(int receive_buffer = 0) const {
+  Client tab(int receive_buffer = 0, std::string_view fields = {}) const {
     Client client(port(), receive_buffer);
-    client.send(handshake());
+    client.send(handshake(fields));
     if (!client.answer().starts_with("HTTP/1.1 101")) throw std::runtime_error("the WebSocket does not open");
     return client;
   }
@@ -89,6 +90,9 @@ class RunningServer {
             .closed = [this](serve::http::TabId) { ++closed; },
             .get = [](std::string_view name) -> std::optional<serve::http::Document> {
               if (name == "throw") throw std::runtime_error("a secret detail");
+              if (name == "large")
+                return serve::http::Document{"text/plain",
+                                             std::make_shared<const std::string>(std::size_t{32} << 20, 'x')};
               if (name != "made") return std::nullopt;
               return serve::http::Document{"application/json", std::make_shared<const std::string>("{}")};
             },
