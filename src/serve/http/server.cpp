@@ -198,6 +198,12 @@ struct Server::State final : SessionHost {
 Server::Server(Options options, Handlers handlers)
     : state_(std::make_unique<State>(std::move(options), std::move(handlers), true)) {}
 
+Server::Server(Options options, Handlers handlers, int connection)
+    : state_(std::make_unique<State>(std::move(options), std::move(handlers), false)) {
+  state_->adopt(connection);
+  state_->is_ending = true;
+}
+
 Server::~Server() = default;
 
 std::uint16_t Server::port() const {
@@ -227,13 +233,6 @@ void Server::stop() noexcept {
 void Server::send(TabId tab, Message message) {
   if (const auto found = state_->sessions.find(tab); found != state_->sessions.end())
     std::shared_ptr(found->second)->send(std::move(message));
-}
-
-void serve_connection(int descriptor, Options options, Handlers handlers) {
-  Server::State state(std::move(options), std::move(handlers), false);
-  state.adopt(descriptor);
-  state.is_ending = true;
-  state.run();
 }
 
 }  // namespace shelfbeam::serve::http

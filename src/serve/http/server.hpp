@@ -19,6 +19,9 @@ class Server {
   /// Listens from now on. Throws InputError for an address, port, token or name of a host that cannot be
   /// used.
   Server(Options options, Handlers handlers);
+  /// Serves one connected stream socket, which it closes, instead of listening; `run` returns when it has
+  /// ended. `options.port` is the port that the client believes to talk to.
+  Server(Options options, Handlers handlers, int connection);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -39,14 +42,8 @@ class Server {
   void send(TabId tab, Message message);
 
  private:
-  friend void serve_connection(int descriptor, Options options, Handlers handlers);
-
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// Serves one connected stream socket, which it closes, until it ends. `options.port` is the port that the
-/// client believes to talk to.
-void serve_connection(int descriptor, Options options, Handlers handlers);
 
 }  // namespace shelfbeam::serve::http
