@@ -1,6 +1,9 @@
 // What a stranger sends to the planner's server.
 
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "shelfbeam/base/error.hpp"
 
@@ -17,7 +20,7 @@ void fuzz_http_request(std::string_view bytes) {
   handlers.get = [](std::string_view name) -> std::optional<serve::http::Document> {
     for (const char c : name)
       if (c < ' ' || c > '~' || c == '\\' || c == '%') throw std::logic_error("a name has a wrong character");
-    if (name.find("..") == 0 || name.find("//") != std::string_view::npos)
+    if (name.starts_with("..") || name.find("//") != std::string_view::npos)
       throw std::logic_error("a wrong name");
     return std::nullopt;
   };
@@ -32,6 +35,9 @@ void fuzz_http_request(std::string_view bytes) {
 
 std::vector<std::string> http_request_seeds() {
   const std::string good = "GET /0123456789abcdef/page.txt HTTP/1.1\r\nHost: localhost:8080\r\n";
+  const std::string old_socket =
+      "GET /0123456789abcdef/socket HTTP/1.1\r\nHost: localhost:8080\r\nOrigin: http://localhost:8080\r\n"
+      "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 8\r\nSec-WebSocket-Key: x\r\n\r\n";
   return {
       good + "\r\n",
       good + "Accept-Encoding: gzip;q=0.5, br\r\n\r\n" + good + "Connection: close\r\n\r\n",
@@ -40,9 +46,7 @@ std::vector<std::string> http_request_seeds() {
       good + "Transfer-Encoding: chunked\r\n\r\n3\r\nabc\r\n0\r\n\r\n",
       good + "Host: attacker.example\r\n\r\n",
       "HEAD /0123456789abcdef/a%20b/../%2e HTTP/1.0\r\nhost: localhost:8080\r\n\r\n",
-      "GET /0123456789abcdef/socket HTTP/1.1\r\nHost: localhost:8080\r\nOrigin: http://localhost:8080\r\n"
-      "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 8\r\nSec-WebSocket-Key: "
-      "x\r\n\r\n"};
+      old_socket};
 }
 
 }  // namespace

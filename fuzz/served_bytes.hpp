@@ -1,9 +1,10 @@
 #pragma once
 
-#include <optional>
+#include <cerrno>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <sys/socket.h>
 #include <unistd.h>

@@ -1,6 +1,9 @@
 // What a page sends through its WebSocket to the planner's server.
 
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"

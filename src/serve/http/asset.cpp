@@ -1,6 +1,9 @@
 #include "serve/http/asset.hpp"
 
+#include <memory>
+#include <new>
 #include <stdexcept>
+#include <utility>
 
 #include <zlib.h>
 

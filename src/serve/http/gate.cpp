@@ -1,6 +1,8 @@
 #include "serve/http/gate.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 

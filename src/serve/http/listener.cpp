@@ -1,7 +1,6 @@
 #include "serve/http/listener.hpp"
 
 #include <cerrno>
-#include <string>
 
 #include <arpa/inet.h>
 #include <fmt/format.h>

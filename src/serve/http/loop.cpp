@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <list>
 #include <system_error>
+#include <utility>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>

@@ -15,23 +15,24 @@
 
 namespace shelfbeam::serve::http {
 
-/// What a client may use. Times are checked at a quarter of the shortest of them, at most once a second.
+/// What a client may use. The times are checked at intervals of a quarter of the
+/// shortest one, and of at most a second.
 struct Limits {
   using Time = std::chrono::milliseconds;
   std::size_t connections = 64;
   std::size_t head = 8 << 10;                 ///< bytes of the head of a request
   Time head_time = std::chrono::seconds(10);  ///< from its first to its last byte
   Time idle = std::chrono::seconds(30);       ///< between two requests
-  Time write = std::chrono::seconds(20);      ///< in which a client takes 256 KiB, or its last bytes
-  Time silence = std::chrono::seconds(60);    ///< in which a page answers a ping, sent after half of this
+  Time write = std::chrono::seconds(20);      ///< without progress; messages go in pieces of 256 KiB
+  Time silence = std::chrono::seconds(120);   ///< of a page, which is sent a ping after half of it
   Time farewell = std::chrono::seconds(2);    ///< in which a client takes the end of a connection
   std::size_t message = 1 << 20;              ///< bytes of a message of a page, in all fragments together
   std::size_t queue = 8 << 20;                ///< bytes that wait for a page (`Outbox`)
 };
 
 struct Options {
-  std::string address =
-      "127.0.0.1";         ///< IPv4 or IPv6; any other than this one is reachable from other computers
+  /// IPv4 or IPv6. All but 127.0.0.1 and ::1 can be reached from other computers.
+  std::string address = "127.0.0.1";
   std::uint16_t port = 0;  ///< 0: any free one
   std::string token = {};  ///< 16 or more letters, digits, "-" and "_"; empty: the server makes one
   std::vector<std::string> hosts = {};                    ///< further names of the server (`Gate`)
@@ -55,7 +56,7 @@ struct Document {
 /// Functions may be empty.
 struct Handlers {
   std::function<void(TabId)> opened = {};
-  std::function<void(TabId, std::string_view)> text = {};  ///< a message, in UTF-8
+  std::function<void(TabId, std::string_view)> text = {};  ///< a message in UTF-8, gone after the call
   std::function<void(TabId)> closed = {};                  ///< once for each opened one
   /// A GET or HEAD of a name below the token that is no asset; nothing: there is none.
   std::function<std::optional<Document>(std::string_view name)> get = {};

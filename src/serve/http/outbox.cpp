@@ -1,5 +1,7 @@
 #include "serve/http/outbox.hpp"
 
+#include <utility>
+
 namespace shelfbeam::serve::http {
 
 bool Outbox::push(Message message) {

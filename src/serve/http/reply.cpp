@@ -1,6 +1,7 @@
 #include "serve/http/reply.hpp"
 
 #include <array>
+#include <memory>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,11 @@
 #include "serve/http/session.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <boost/asio/basic_stream_socket.hpp>

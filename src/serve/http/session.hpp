@@ -9,6 +9,7 @@
 #include "serve/http/message.hpp"
 #include "serve/http/options.hpp"
 #include "serve/http/reply.hpp"
+#include "serve/http/request.hpp"
 
 namespace boost::asio {
 class io_context;

@@ -2,7 +2,9 @@
 
 #include <fstream>
 #include <string>
+#include <string_view>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/sanitizers.hpp"

@@ -1,6 +1,8 @@
 // Many connections.
 
+#include <algorithm>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>

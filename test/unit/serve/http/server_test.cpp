@@ -1,9 +1,11 @@
 #include "serve/http/server.hpp"
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <thread>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/expect_input_error.hpp"

@@ -1,7 +1,9 @@
 // Pages that misuse their WebSocket.
 
+#include <atomic>
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include <gmock/gmock.h>
