@@ -42,8 +42,6 @@ std::string overflow_message(const std::exception& error, std::string_view docum
   return fmt::format("{} at line {}", message, 1 + std::count(document.begin(), document.begin() + at, '\n'));
 }
 
-// Deeper than any valid file. The limit is needed because a level costs much more memory than its bracket.
-constexpr std::size_t max_levels = 100;
 // Objects are searched key by key, so the time grows with the square of their keys.
 constexpr std::size_t max_keys = 10'000;
 
@@ -111,8 +109,8 @@ class DocumentBuilder {
   };
 
   bool open(bool is_array) {
-    if (open_.size() >= max_levels)
-      throw InputError(name_, fmt::format("has more than {} nested brackets", max_levels),
+    if (open_.size() >= max_json_levels)
+      throw InputError(name_, fmt::format("has more than {} nested brackets", max_json_levels),
                        "check that it is the right file");
     open_.push_back({is_array});
     return true;

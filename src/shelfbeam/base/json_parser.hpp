@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,10 @@ namespace shelfbeam {
 
 /// The longest part of a key in messages, bytes.
 inline constexpr std::size_t longest_key = 60;
+
+/// The most brackets within one another. It is deeper than any valid file; the limit is needed because a
+/// level costs much more memory than its bracket.
+inline constexpr std::size_t max_json_levels = 100;
 
 /// Parses a JSON document in UTF-8, with or without a byte order mark. Comments and a comma behind the last
 /// element of a list or an object are allowed, as editors of JSON with comments allow them; duplicate keys
