@@ -28,6 +28,7 @@ class LayersOfATree : public testing::Test {
     tree.write("src/shelfbeam/math/vec3.hpp", "#include \"shelfbeam/base/error.hpp\"\n#include <cmath>\n");
     tree.write("src/shelfbeam/plan/plan.cpp", "#include \"shelfbeam/device/emission.hpp\"\n");
     tree.write("src/app/main.cpp", "#include \"shelfbeam/report/data/report.hpp\"\n");
+    tree.write("src/serve/project/a.cpp", "#include \"serve/text/edit.hpp\"\n");
     tree.write("test/unit/scene/a_test.cpp", "#include \"shelfbeam/scene/mesh/gltf_file.hpp\"\n");
     tree.write("test/physics/a_test.cpp", "#include \"shelfbeam/transport/reuse/reuse.hpp\"\n");
   }
@@ -62,6 +63,8 @@ TEST_F(LayersOfATree, WrongIncludeIsRefused) {
        ":1: 'shelfbeam/placement/tree/proof.hpp' is for 'placement' alone"},
       {"src/shelfbeam/math/random.hpp", "#include \"../scene/scene.hpp\"\n",
        ":1: includes \"../scene/scene.hpp\" by a relative path"},
+      {"src/serve/text/a.cpp", "#include \"serve/project/project.hpp\"\n",
+       ":1: 'serve/project/project.hpp' is not for 'serve/text'"},
       {"src/shelfbeam/misc/a.cpp", "#include <vector>\n", ": its folder is not in the table"},
       {"src/shelfbeam/milp/highs.hpp", "#include <Highs.h>\n", ":1: a header includes HiGHS"},
   };
