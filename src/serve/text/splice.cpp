@@ -1,6 +1,8 @@
 #include "serve/text/splice.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 namespace shelfbeam::serve {
 
@@ -18,6 +20,29 @@ Splice splice_between(std::string_view before, std::string_view after) {
 std::string spliced(std::string_view text, const Splice& splice) {
   std::string result(text);
   return result.replace(splice.at, splice.before.size(), splice.after);
+}
+
+std::string spliced(std::string_view text, const std::vector<Splice>& splices) {
+  std::string result;
+  std::size_t at = 0;
+  for (const Splice& splice : splices) {
+    if (splice.at < at || splice.at > text.size() || !text.substr(splice.at).starts_with(splice.before))
+      throw std::invalid_argument("a replacement is not for this text");
+    result.append(text, at, splice.at - at) += splice.after;
+    at = splice.at + splice.before.size();
+  }
+  return result.append(text, at);
+}
+
+std::vector<Splice> inverse(std::vector<Splice> splices) {
+  std::size_t added = 0, removed = 0;
+  for (Splice& splice : splices) {
+    splice.at = splice.at + added - removed;
+    added += splice.after.size();
+    removed += splice.before.size();
+    std::swap(splice.before, splice.after);
+  }
+  return splices;
 }
 
 }  // namespace shelfbeam::serve

@@ -1,5 +1,9 @@
 #include "serve/text/splice.hpp"
 
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace shelfbeam::serve {
@@ -16,6 +20,21 @@ TEST(Splice, IsTheShortestReplacement) {
 TEST(Splice, TurnsOneTextIntoTheOther) {
   for (const auto& [before, after] : {std::pair{"abcabc", "abc"}, {"abab", "ababab"}, {"x", "y"}, {"", ""}})
     EXPECT_EQ(spliced(before, splice_between(before, after)), after);
+}
+
+TEST(Splice, SeveralApplyAtOnceAndBack) {
+  const std::vector<Splice> splices{{0, "one", "1"}, {4, "", "and "}, {8, "three", "three hundred"}};
+  EXPECT_EQ(spliced("one two three", splices), "1 and two three hundred");
+  EXPECT_EQ(spliced("1 and two three hundred", inverse(splices)), "one two three");
+  EXPECT_EQ(inverse(inverse(splices)), splices);
+}
+
+TEST(Splice, RefusesAnotherText) {
+  const auto apply_to_one = [](const std::vector<Splice>& splices) { return spliced("one", splices); };
+  EXPECT_THROW(apply_to_one({{0, "two", ""}}), std::invalid_argument);
+  EXPECT_THROW(apply_to_one({{2, "ee", ""}}), std::invalid_argument);
+  EXPECT_THROW(apply_to_one({{4, "", "x"}}), std::invalid_argument);
+  EXPECT_THROW(apply_to_one({{1, "n", ""}, {0, "o", ""}}), std::invalid_argument);
 }
 
 }  // namespace
