@@ -303,7 +303,7 @@ void AtomicFolder::commit(const std::vector<std::string>& outdated) {
   ::fsync(descriptor);
 }
 
-OutputLock::OutputLock(const fs::path& output, const std::string& name)
+OutputLock::OutputLock(const fs::path& output, const std::string& name, const char* remedy)
     : path_(folder_of(output) / (temporary_prefix(output) + std::string(lock_part))) {
   for (;;) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
@@ -315,8 +315,7 @@ OutputLock::OutputLock(const fs::path& output, const std::string& name)
     if (descriptor_ >= 0 && !is_locked && (errno == EAGAIN || errno == EACCES)) {
       const std::string owner = owner_in(descriptor_);
       ::close(descriptor_);
-      throw InputError(name, fmt::format("is in use by another run of shelfbeam{}", owner),
-                       "wait until it ends, or choose another output");
+      throw InputError(name, fmt::format("is in use by another run of shelfbeam{}", owner), remedy);
     }
     if (is_foreign && descriptor_ >= 0) {
       ::close(descriptor_);

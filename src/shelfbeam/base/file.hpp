@@ -100,9 +100,10 @@ class AtomicFolder {
 /// locks, it does nothing.
 class OutputLock {
  public:
-  /// Errors name the output as `name`. Throws InputError with the other process if one uses the output, and
-  /// OutputError when the folder of the output cannot be written to.
-  OutputLock(const std::filesystem::path& output, const std::string& name);
+  /// Errors name the output as `name`. Throws InputError with the other process and `remedy` if one uses the
+  /// output, and OutputError when the folder of the output cannot be written to.
+  OutputLock(const std::filesystem::path& output, const std::string& name,
+             const char* remedy = "wait until it ends, or choose another output");
   ~OutputLock();
   OutputLock(const OutputLock&) = delete;
   OutputLock& operator=(const OutputLock&) = delete;
