@@ -1,0 +1,228 @@
+#include "serve/project/project.hpp"
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/base/text.hpp"
+
+#include "serve/text/edit.hpp"
+
+namespace shelfbeam::serve {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t longest_label = 200;
+constexpr std::chrono::milliseconds joining_time{800};
+
+bool is_settled(const std::optional<FileStamp>& stamp) {
+  // File systems count time in steps of up to two seconds. Within one, a change keeps the time.
+  constexpr std::chrono::nanoseconds longest_step = std::chrono::seconds(2);
+  if (!stamp) return true;
+  const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
+  return now - std::chrono::nanoseconds(stamp->modified_ns) > longest_step;
+}
+
+std::vector<std::string> paths_of(const std::vector<EditOp>& ops) {
+  std::vector<std::string> paths;
+  for (const EditOp& op : ops) paths.push_back(op.path);
+  return paths;
+}
+
+}  // namespace
+
+Project::Project(const fs::path& folder, ProjectOptions options)
+    : folder_(folder), options_(std::move(options)), file_(folder / "store.json", options_.check) {
+  // A folder without a store stays as it is.
+  if (!stamp_of(history_path())) read_valid();
+  make_own_folder();
+  own_.emplace(history_path(), folder_.string(), "use the page of the other, or end it");
+  // Only a file that was written before the last record can lack it. A younger one has an older text because
+  // somebody wanted it. Times that are equal, or not known, belong to a program that was killed.
+  const auto written = change_time(file_.path()), recorded = change_time(history_path());
+  history_.emplace(history_path(), options_.history);
+  start(history_->take_texts(), written <= recorded);
+}
+
+void Project::make_own_folder() const {
+  const fs::path own = history_path().parent_path();
+  // The history has texts that the permissions of store.json may hide.
+  if (::mkdir(own.c_str(), S_IRWXU) != 0 && errno != EEXIST) cannot_write(own, system_reason());
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(own, error)))
+    throw InputError(own.string(), "is not a folder", "move it elsewhere");
+}
+
+std::string Project::read_valid() const {
+  auto found = file_.read();
+  if (!found) throw InputError(file_.path().string(), "does not exist", "name a folder with a store.json");
+  file_.expect_valid(found->content);
+  return std::move(found->content);
+}
+
+void Project::start(std::optional<HistoryTexts> texts, bool may_be_one_behind) {
+  if (!texts) {
+    text_ = read_valid();
+    history_->begin(text_, utc_text(options_.now()));
+    texts.emplace().last = text_;
+  }
+  text_ = std::move(texts->last);
+  if (may_be_one_behind && has_text(texts->before)) Replacement(file_.path(), text_).commit();
+  look(true);
+}
+
+bool Project::has_text(const std::optional<std::string>& text) const {
+  try {
+    const auto found = file_.read();
+    return text && found && found->content == *text;
+  } catch (const InputError&) {  // `look` says what is wrong with the file
+    return false;
+  }
+}
+
+Outside Project::look(bool by_content) {
+  const auto stamp = stamp_of(file_.path());
+  if (!by_content && stamp == known_ && is_settled_) return Outside::none;
+  std::optional<FileContent> found;
+  try {
+    found = file_.read();
+    known_ = found ? std::optional(found->stamp) : std::nullopt;
+    is_settled_ = is_settled(known_);
+    if (!found) return lock(Outside::gone, file_.path().string() + ": was removed");
+    if (found->content != text_) file_.expect_valid(found->content);
+  } catch (const InputError& error) {
+    known_ = stamp;
+    is_settled_ = is_settled(known_);
+    return lock(Outside::invalid, error.what());
+  }
+  if (found->content != text_) return take_in(found->content);
+  return std::exchange(locked_, std::nullopt) ? Outside::changed : Outside::none;
+}
+
+Outside Project::lock(Outside state, std::string reason) {
+  if (locked_ == reason) return Outside::none;
+  locked_ = std::move(reason);
+  return state;
+}
+
+Outside Project::take_in(const std::string& text) {
+  Change change{utc_text(options_.now()), "Changed outside", {}, false, {splice_between(text_, text)},
+                content_hash(text_),      content_hash(text)};
+  try {
+    history_->write(change);
+  } catch (const OutputError&) {
+    known_.reset();  // the next look tries again
+    throw;
+  }
+  text_ = text;
+  ++revision_;
+  locked_.reset();
+  last_edit_.reset();
+  history_->accept(change, text_);
+  return Outside::changed;
+}
+
+void Project::expect_unlocked() const {
+  if (locked_)
+    throw InputError("the project", "is locked: " + *locked_,
+                     "correct the file, or restore the last valid one");
+}
+
+bool Project::write(const Record& record, const std::string& text) {
+  Replacement replacement(file_.path(), text);
+  history_->write(record);
+  try {
+    if (stamp_of(file_.path()) != known_) {
+      history_->take_back();
+      return false;
+    }
+    replacement.commit();
+  } catch (const OutputError&) {
+    history_->take_back();
+    throw;
+  }
+  known_ = replacement.stamp();
+  is_settled_ = false;
+  text_ = text;
+  ++revision_;
+  history_->accept(record, text_);
+  return true;
+}
+
+void Project::edit(const std::string& label, const std::vector<EditOp>& ops, bool join) {
+  constexpr int attempts = 3;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    look(true);
+    expect_unlocked();
+    const EditedText result = edited(text_, ops);
+    if (result.splices.empty()) return;
+    file_.expect_valid(result.text, result.value);
+    const Clock::time_point now = options_.now();
+    LastEdit edit{shortened(label, longest_label), paths_of(ops), now};
+    const bool joins = join && last_edit_ && last_edit_->label == edit.label &&
+                       last_edit_->paths == edit.paths && now >= last_edit_->time &&
+                       now - last_edit_->time <= joining_time;
+    if (write(Change{utc_text(now), edit.label, edit.paths, joins, result.splices, content_hash(text_),
+                     content_hash(result.text)},
+              result.text)) {
+      last_edit_ = std::move(edit);
+      return;
+    }
+  }
+  throw InputError(file_.path().string(), "is being changed by another program",
+                   "try again when it has ended");
+}
+
+void Project::undo() {
+  if (position() > 0) go(position() - 1);
+}
+
+void Project::redo() {
+  if (position() < history_->timeline().steps().size()) go(position() + 1);
+}
+
+void Project::go(std::size_t position) {
+  const Timeline& timeline = history_->timeline();
+  const Outside outside = look(true);
+  expect_unlocked();
+  const auto refuse = [&] {
+    throw InputError(file_.path().string(), "was changed outside at the same time",
+                     "look at the change first");
+  };
+  if (outside != Outside::none) refuse();
+  if (position > timeline.steps().size())
+    throw InputError("the history", fmt::format("has {}", counted(timeline.steps().size(), "step")));
+  if (position == timeline.position()) return;
+  const std::string text = timeline.text_at(position, text_);
+  last_edit_.reset();
+  if (!write(Move{utc_text(options_.now()), position, content_hash(text_), content_hash(text)}, text)) {
+    look(true);
+    refuse();
+  }
+}
+
+std::vector<Step> Project::steps() const {
+  std::vector<Step> steps;
+  for (const Timeline::Changes& changes : history_->timeline().steps())
+    steps.push_back({changes.back().label, changes.back().time, steps.size() >= position()});
+  return steps;
+}
+
+void Project::restore_mine() {
+  look(true);
+  if (!locked_) return;
+  if (known_) file_.set_aside();
+  Replacement replacement(file_.path(), text_);
+  replacement.commit();
+  known_ = replacement.stamp();
+  is_settled_ = false;
+  locked_.reset();
+}
+
+}  // namespace shelfbeam::serve

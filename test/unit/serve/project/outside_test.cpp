@@ -1,0 +1,294 @@
+// Changes by other programs while a project is open, and between two openings.
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "project_folder.hpp"
+#include "serve/project/project.hpp"
+#include "support/expect_input_error.hpp"
+#include "unit/serve/text/edit_ops.hpp"
+
+namespace shelfbeam::serve {
+namespace {
+
+namespace fs = std::filesystem;
+using test::expect_input_error;
+
+constexpr std::string_view other_text = "{ \"a\": 1, \"c\": true }\n";
+
+TEST(OutsideChange, IsAStep) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  EXPECT_EQ(project.check_outside(), Outside::none);
+  folder.write_store(other_text);
+  EXPECT_EQ(project.check_outside(), Outside::changed);
+  EXPECT_EQ(project.check_outside(), Outside::none);
+  EXPECT_EQ(project.text(), other_text);
+  EXPECT_EQ(project.revision(), 2u);
+  EXPECT_EQ(project.steps().at(0).label, "Changed outside");
+  project.undo();
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+  project.redo();
+  EXPECT_EQ(folder.store(), other_text);
+}
+
+TEST(OutsideChange, OfTheSameSizeAndTimeIsNoticed) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  const auto time = fs::last_write_time(folder / "store.json");
+  std::string text(ProjectFolder::first_text);
+  text[text.find("1,")] = '7';
+  folder.write_store(text);
+  fs::last_write_time(folder / "store.json", time);
+  EXPECT_EQ(project.check_outside(), Outside::changed);
+}
+
+TEST(OutsideChange, JustBeforeAnEditIsTakenInFirst) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  folder.write_store(other_text);
+  project.edit("Change a", {to_set("/a", 1, 2)});
+  EXPECT_EQ(folder.store(), "{ \"a\": 2, \"c\": true }\n");
+  EXPECT_EQ(project.steps().size(), 2u);
+  folder.write_store(other_text);
+  EXPECT_THROW(project.edit("Change a", {to_set("/a", 2, 3)}), EditConflict);
+  EXPECT_EQ(folder.store(), other_text);
+  EXPECT_EQ(project.steps().size(), 3u);
+  project.go(0);
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+}
+
+TEST(OutsideChange, JustBeforeUndoIsNotUndone) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  project.edit("Change a", {to_set("/a", 1, 2)});
+  folder.write_store(other_text);
+  expect_input_error([&] { project.undo(); }, "store.json: was changed outside at the same time");
+  EXPECT_EQ(folder.store(), other_text);
+  EXPECT_EQ(project.position(), 2u);
+}
+
+TEST(OutsideChange, WhileNothingRunsIsAStep) {
+  const ProjectFolder folder;
+  {
+    Project(folder.path()).edit("Change a", {to_set("/a", 1, 2)});
+  }
+  folder.write_store(other_text);
+  Project project(folder.path());
+  EXPECT_EQ(project.text(), other_text);
+  EXPECT_EQ(project.position(), 2u);
+  project.go(0);
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+}
+
+TEST(OutsideChange, ToAnEarlierTextIsAStep) {
+  const ProjectFolder folder;
+  {
+    Project(folder.path()).edit("Change a", {to_set("/a", 1, 2)});
+  }
+  // Longer than a step of the time of any file system that tests run on.
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  folder.write_store(ProjectFolder::first_text);
+  const Project project(folder.path());
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+  EXPECT_EQ(project.position(), 2u);
+}
+
+TEST(OutsideChange, ThatIsInvalidLocks) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  project.edit("Change a", {to_set("/a", 1, 2)});
+  const std::string mine = project.text();
+  folder.write_store("{\n  \"a\": }\n");
+  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  EXPECT_EQ(project.check_outside(), Outside::none) << "still invalid";
+  ASSERT_TRUE(project.locked());
+  EXPECT_NE(project.locked()->find("store.json: is not valid JSON (parse error at line 2, column 8"),
+            std::string::npos)
+      << *project.locked();
+  EXPECT_EQ(project.text(), mine);
+  for (const auto& change :
+       std::initializer_list<std::function<void()>>{[&] { project.edit("Change a", {to_set("/a", 2, 3)}); },
+                                                    [&] { project.undo(); }, [&] { project.go(0); }})
+    expect_input_error(change, "the project: is locked", "line 2, column 8", "restore");
+  EXPECT_EQ(folder.store(), "{\n  \"a\": }\n");
+  folder.write_store(mine);
+  EXPECT_EQ(project.check_outside(), Outside::changed) << "valid again";
+  EXPECT_FALSE(project.locked());
+  EXPECT_EQ(project.position(), 1u);
+  project.undo();
+}
+
+TEST(OutsideChange, FromInvalidToAnotherTextIsAStep) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  folder.write_store("{");
+  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  folder.write_store(other_text);
+  EXPECT_EQ(project.check_outside(), Outside::changed);
+  EXPECT_FALSE(project.locked());
+  EXPECT_EQ(project.position(), 1u);
+}
+
+TEST(OutsideChange, RestoringKeepsTheOtherFile) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  project.restore_mine();
+  EXPECT_FALSE(fs::exists(folder / "store.json.outside-1")) << "nothing to restore";
+  for (const std::string number : {"1", "2"}) {
+    folder.write_store("{ " + number);
+    EXPECT_EQ(project.check_outside(), Outside::invalid);
+    project.restore_mine();
+    EXPECT_FALSE(project.locked());
+    EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+    EXPECT_EQ(read_file(folder / ("store.json.outside-" + number)), "{ " + number);
+  }
+  EXPECT_EQ(project.check_outside(), Outside::none);
+  project.edit("Change a", {to_set("/a", 1, 2)});
+  EXPECT_EQ(read_file(folder / "store.json.outside-2"), "{ 2");
+}
+
+TEST(OutsideChange, ARemovedFileLocks) {
+  const ProjectFolder folder;
+  {
+    Project project(folder.path());
+    fs::remove(folder / "store.json");
+    EXPECT_EQ(project.check_outside(), Outside::gone);
+    EXPECT_EQ(project.check_outside(), Outside::none);
+    expect_input_error([&] { project.edit("Change a", {to_set("/a", 1, 2)}); }, "store.json: was removed");
+  }
+  Project project(folder.path());
+  EXPECT_TRUE(project.locked()) << "after a restart";
+  project.restore_mine();
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+  EXPECT_FALSE(project.locked());
+}
+
+TEST(OutsideChange, ToALargeFileLocks) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  folder.write_store("{}" + std::string(max_store_text, ' '));
+  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  EXPECT_NE(project.locked()->find("has 5,000,002 bytes; the maximum is 5,000,000"), std::string::npos);
+}
+
+TEST(OutsideChange, LinksAreNotFollowed) {
+  const ProjectFolder folder;
+  const test::TempFolder elsewhere;
+  const fs::path target = elsewhere.write("target", other_text);
+  {
+    Project project(folder.path());
+    fs::remove(folder / "store.json");
+    fs::create_symlink(target, folder / "store.json");
+    EXPECT_EQ(project.check_outside(), Outside::invalid);
+    EXPECT_NE(project.locked()->find("store.json: is a symbolic link"), std::string::npos);
+  }
+  Project project(folder.path());
+  EXPECT_TRUE(project.locked()) << "after a restart";
+  project.restore_mine();
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+  EXPECT_FALSE(fs::is_symlink(folder / "store.json"));
+  EXPECT_TRUE(fs::is_symlink(folder / "store.json.outside-1"));
+  EXPECT_EQ(read_file(target), other_text);
+}
+
+TEST(OutsideChange, AFolderInThePlaceOfTheFileIsMoved) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  fs::remove(folder / "store.json");
+  fs::create_directory(folder / "store.json");
+  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  project.restore_mine();
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+  EXPECT_TRUE(fs::is_directory(folder / "store.json.outside-1"));
+}
+
+TEST(ProjectFolderLinks, AreRefused) {
+  const test::TempFolder elsewhere;
+  const fs::path target = elsewhere.write("target", other_text);
+  {
+    const ProjectFolder folder;
+    fs::remove(folder / "store.json");
+    fs::create_symlink(target, folder / "store.json");
+    expect_input_error([&] { Project project(folder.path()); }, "store.json: is a symbolic link");
+  }
+  {
+    const ProjectFolder folder;
+    fs::create_directory_symlink(elsewhere.path(), folder / ".shelfbeam");
+    expect_input_error([&] { Project project(folder.path()); }, ".shelfbeam: is not a folder");
+  }
+  {
+    const ProjectFolder folder;
+    fs::create_directory(folder / ".shelfbeam");
+    fs::create_symlink(target, folder.history());
+    expect_input_error([&] { Project project(folder.path()); }, "history.jsonl: is a symbolic link");
+  }
+  EXPECT_EQ(elsewhere.count(), 1);
+}
+
+// Limits the size of files, as a full disk does.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  void (*old_handler_)(int);
+  rlimit old_{};
+};
+
+TEST(FullDisk, LeavesMemoryAndDiskAsTheyWere) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  project.edit("Change a", {to_set("/a", 1, 2)});
+  const std::string text = project.text(), history = read_file(folder.history());
+  // Nothing fits; the store fits, but only a part of the record; all but the last byte of the record fits.
+  for (const std::size_t bytes :
+       {std::size_t{0}, text.size() + 1, history.size() + 10, history.size() + 100}) {
+    {
+      const FullDisk full(bytes);
+      EXPECT_THROW(project.edit("Change a", {to_set("/a", 2, 3)}), OutputError);
+      EXPECT_THROW(project.undo(), OutputError);
+    }
+    EXPECT_EQ(project.text(), text);
+    EXPECT_EQ(project.position(), 1u);
+    EXPECT_EQ(project.revision(), 2u);
+    EXPECT_EQ(folder.store(), text);
+    EXPECT_EQ(read_file(folder.history()), history);
+  }
+  project.edit("Change a", {to_set("/a", 2, 3)});
+  project.undo();
+  project.undo();
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+}
+
+TEST(FullDisk, OutsideChangeWaits) {
+  const ProjectFolder folder;
+  Project project(folder.path());
+  folder.write_store(other_text);
+  {
+    const FullDisk full(0);
+    EXPECT_THROW(project.check_outside(), OutputError);
+    EXPECT_THROW(project.check_outside(), OutputError);
+  }
+  EXPECT_EQ(project.check_outside(), Outside::changed);
+}
+
+}  // namespace
+}  // namespace shelfbeam::serve
