@@ -7,6 +7,7 @@ endif()
 #
 #   shelfbeam_embed(<out.cpp> <symbol> <file> [<symbol> <file> ...])
 #   cmake -DOUT=<out.cpp> -DSYMBOL=<symbol> -DFILE=<file> -P embed.cmake     for a generated file
+#   cmake -DOUT=<out.cpp> -DSYMBOL=<symbol> -DFOLDER=<folder> -DFILES=<names> -P embed.cmake     for generated pages
 function(shelfbeam_embed out)
   set(text "#include <string_view>\nnamespace shelfbeam::embedded {\n")
   set(pairs ${ARGN})
@@ -42,6 +43,33 @@ namespace shelfbeam::embedded {\nstatic const @type@ rows[] = {@rows@};\n\
 extern const std::span<const @type@> @symbol@;\nconst std::span<const @type@> @symbol@(rows);\n}\n")
 endfunction()
 
-if(CMAKE_SCRIPT_MODE_FILE)
+# Turns files of a page, compressed by gzip as <folder>/<name>.gz, into a C++ source with the table <symbol> of their
+# names, media types, entity tags (with their quotes) and bytes.
+function(shelfbeam_embed_page out symbol folder)
+  set(types_html "text/html; charset=utf-8")
+  set(types_css "text/css; charset=utf-8")
+  set(types_js "text/javascript; charset=utf-8")
+  set(pairs)
+  set(rows)
+  foreach(name ${ARGN})
+    string(MAKE_C_IDENTIFIER ${name} id)
+    string(REGEX REPLACE ".*\\." "" suffix ${name})
+    file(SHA256 ${folder}/${name}.gz tag)
+    string(SUBSTRING ${tag} 0 32 tag)
+    list(APPEND pairs ${id} ${folder}/${name}.gz)
+    string(APPEND rows "{{\"${name}\", \"${types_${suffix}}\", \"\\\"${tag}\\\"\", ${id}}},")
+  endforeach()
+  list(LENGTH ARGN count)
+  shelfbeam_embed(${out}.part ${pairs})
+  set(type "std::array<std::string_view, 4>")
+  file(READ ${out}.part text)
+  file(CONFIGURE OUTPUT ${out} @ONLY CONTENT "#include <array>\n#include <span>\n@text@\
+namespace shelfbeam::embedded {\nstatic const std::array<@type@, @count@> rows{{@rows@}};\n\
+extern const std::span<const @type@> @symbol@;\nconst std::span<const @type@> @symbol@(rows);\n}\n")
+endfunction()
+
+if(CMAKE_SCRIPT_MODE_FILE AND DEFINED FOLDER)
+  shelfbeam_embed_page(${OUT} ${SYMBOL} ${FOLDER} ${FILES})
+elseif(CMAKE_SCRIPT_MODE_FILE)
   shelfbeam_embed(${OUT} ${SYMBOL} ${FILE})
 endif()

@@ -28,7 +28,7 @@ find_sources() {
     case $file in
       test/data/* | */package-lock.json) ;;
       src/*.[ch]pp | test/*.[ch]pp | bench/*.[ch]pp | fuzz/*.[ch]pp | scripts/*.[ch]pp) cpp+=("$file") ;;
-      src/viewer/*.json | scripts/style/*.json | *.py | *.ts | *.mjs | *.css) others+=("$file") ;;
+      src/page/*.json | scripts/style/*.json | *.py | *.ts | *.mjs | *.css) others+=("$file") ;;
       *.*) ;;
       scripts/* | test/*)
         IFS= read -r first <"$file" || true

@@ -75,8 +75,8 @@ class FirstChange(unittest.TestCase):
             "src/app/wrong.cpp": ("int  main() {}\n", "not formatted"),
             "study/wrong.py": ("import os\n", r"1: .*`os` imported but unused \[F401\]"),
             "scripts/wrong": ("#!/usr/bin/env python3\nx = 'a'\n", "not formatted"),
-            "src/viewer/wrong.ts": ("export function f() {\n  debugger;\n}\n", r"2: .*\[lint/suspicious/noDebugger\]"),
-            "src/viewer/wrong.css": ("a { color: red; color: blue; }\n", r"1: .*\[lint/suspicious/\w+\]"),
+            "src/page/wrong.ts": ("export function f() {\n  debugger;\n}\n", r"2: .*\[lint/suspicious/noDebugger\]"),
+            "src/page/wrong.css": ("a { color: red; color: blue; }\n", r"1: .*\[lint/suspicious/\w+\]"),
             "src/shelfbeam/math/wrong.hpp": ('#include "shelfbeam/plan/plan.hpp"\n', "1: .* is not for 'math'.*"),
         }
         for path, (text, _) in wrong.items():

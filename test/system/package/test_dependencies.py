@@ -16,7 +16,7 @@ def debian_packages():
 def npm_packages():
     packages = [
         json.loads((TOP / folder / "package.json").read_text(encoding="utf-8"))
-        for folder in ("src/viewer", "scripts/style")
+        for folder in ("src/page", "scripts/style")
     ]
     return {
         name for package in packages for key in ("dependencies", "devDependencies") for name in package.get(key, {})

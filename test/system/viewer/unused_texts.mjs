@@ -1,4 +1,4 @@
-// node unused_texts.mjs: src/viewer uses all its texts of english.json. The type check finds missing ones.
+// node unused_texts.mjs: src/page/report uses all its texts of english.json. The type check finds missing ones.
 
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -22,8 +22,8 @@ function unusedTexts(texts, code) {
 }
 
 const { viewer } = readJson(join(source, "shelfbeam/report/text/english.json"));
-const files = readdirSync(join(source, "viewer"), { recursive: true }).filter((name) => name.endsWith(".ts"));
-const codeOf = (names) => names.map((name) => readFileSync(join(source, "viewer", name), "utf8")).join("\n");
+const files = readdirSync(join(source, "page/report"), { recursive: true }).filter((name) => name.endsWith(".ts"));
+const codeOf = (names) => names.map((name) => readFileSync(join(source, "page/report", name), "utf8")).join("\n");
 
 const allUsed = (texts, code) => equal(unusedTexts(texts, code), [], "unused texts");
 allUsed(viewer, codeOf(files));

@@ -17,7 +17,7 @@ std::string mounting_section(const ReportData& data, const Maps& maps);
 std::string warning_section(const ReportData& data);
 /// Labels that no selection reaches, with requirement and maximum signal.
 std::string unreachable_section(const ReportData& data);
-/// The bundle of src/viewer; empty in a build without Node.js or its packages.
+/// The bundle of src/page/report; empty in a build without Node.js or its packages.
 std::string_view viewer_script();
 /// The 3-D view with its data and script; with an empty script, a note that the view is missing.
 std::string viewer_section(const ReportData& data, std::string_view script);

@@ -10,7 +10,7 @@
 
 namespace shelfbeam {
 
-// The bundle of src/viewer, made by cmake/viewer.cmake; empty in a build without Node.js or its packages.
+// The bundle of src/page/report, made by cmake/page.cmake; empty in a build without Node.js or its packages.
 namespace embedded {
 extern const std::string_view viewer_script;
 }  // namespace embedded

@@ -1,0 +1,46 @@
+// node bundle.mjs PACKAGES OUT: bundles both pages with the packages of a node_modules folder.
+//
+//   OUT/viewer.js       the script of the report's 3-D view
+//   OUT/planner/NAME    the files of the planner, and NAME.gz with the same bytes for the same input
+
+import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+
+const home = fileURLToPath(new URL(".", import.meta.url));
+const [packages, out] = process.argv.slice(2);
+const { build } = createRequire(`${packages}/`)("esbuild");
+
+const common = {
+  bundle: true,
+  minify: true,
+  target: "es2022",
+  charset: "utf8",
+  legalComments: "inline",
+  logLevel: "warning",
+  nodePaths: [packages],
+};
+
+await build({
+  ...common,
+  entryPoints: [join(home, "report/main.ts")],
+  format: "iife",
+  loader: { ".css": "text" },
+  outfile: join(out, "viewer.js"),
+});
+
+const folder = join(out, "planner");
+mkdirSync(folder, { recursive: true });
+await build({
+  ...common,
+  entryPoints: { planner: join(home, "planner/main.ts"), style: join(home, "planner/style/planner.css") },
+  format: "esm",
+  entryNames: "[name]",
+  loader: { ".svg": "text" },
+  outdir: folder,
+});
+copyFileSync(join(home, "planner/index.html"), join(folder, "index.html"));
+for (const name of ["index.html", "planner.js", "style.css"])
+  writeFileSync(join(folder, `${name}.gz`), gzipSync(readFileSync(join(folder, name)), { level: 9 }));
