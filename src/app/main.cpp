@@ -68,6 +68,7 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   add_compare(app, chosen);
   add_diff(app, chosen);
   add_export(app, chosen);
+  add_serve(app, chosen);
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
   add_job(app, chosen);
   app.get_subcommand("job")->group("");

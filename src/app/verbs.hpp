@@ -39,6 +39,7 @@ void add_report(CLI::App& app, ChosenVerb& chosen);
 void add_compare(CLI::App& app, ChosenVerb& chosen);
 void add_diff(CLI::App& app, ChosenVerb& chosen);
 void add_export(CLI::App& app, ChosenVerb& chosen);
+void add_serve(CLI::App& app, ChosenVerb& chosen);
 /// Hidden from the help; for other programs (docs/formats/job.md).
 void add_job(CLI::App& app, ChosenVerb& chosen);
 

@@ -14,8 +14,8 @@
 #include "shelfbeam/report/viewer/page_scene.hpp"
 #include "shelfbeam/scene/field_writer.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
-#include "shelfbeam/scene/store/completed_fixture.hpp"
 
+#include "serve/live/dissolve.hpp"
 #include "serve/live/place.hpp"
 
 namespace shelfbeam::serve {
@@ -96,15 +96,23 @@ std::string Shop::units(std::uint64_t revision) const {
   return devices_frame("units", revision, {}, units_).value_or("");
 }
 
-Json Shop::details(const std::string& pointer) const {
+CompletedFixture Shop::completed(const std::string& pointer) const {
   constexpr std::string_view list = "/fixtures/";
+  const std::string number = pointer.starts_with(list) ? pointer.substr(list.size()) : "";
   std::size_t index = 0;
-  const char *const begin = pointer.data() + std::min(pointer.size(), list.size()), *const end =
-                                                                                        pointer.data() +
-                                                                                        pointer.size();
-  if (!pointer.starts_with(list) || begin == end || std::from_chars(begin, end, index).ptr != end)
+  const char* const end = number.data() + number.size();
+  if (number.empty() || std::from_chars(number.data(), end, index).ptr != end)
     throw InputError(pointer, "is no fixture", "choose an element of 'fixtures'");
-  const auto completed = completed_fixture(text_, draft_.store.file, file_.parent_path(), index, limits());
+  return completed_fixture(text_, draft_.store.file, file_.parent_path(), index, limits());
+}
+
+std::vector<EditOp> Shop::dissolved(const std::string& pointer) const {
+  const Json whole = completed(pointer).json;
+  return serve::dissolved(pointer, json_.at(Json::json_pointer(pointer)), whole, draft_);
+}
+
+Json Shop::details(const std::string& pointer) const {
+  const auto completed = this->completed(pointer);
   Json details{{"effective", completed.json}, {"units", Json::object()}, {"resolved", nullptr}};
   for (const auto& [key, unit] : completed.units) details["units"][key] = to_text(unit);
   const StoreLists lists{draft_.store.materials, draft_.store.label_types, draft_.store.transceiver_types};

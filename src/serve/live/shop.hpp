@@ -11,10 +11,12 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/scene/build/draft.hpp"
-#include "shelfbeam/scene/read_cache.hpp"
+#include "shelfbeam/scene/store/completed_fixture.hpp"
+#include "shelfbeam/scene/store/read_cache.hpp"
 
 #include "serve/live/devices.hpp"
 #include "serve/live/parts.hpp"
+#include "serve/text/edit.hpp"
 
 namespace shelfbeam::serve {
 
@@ -43,6 +45,8 @@ class Shop {
 
   /// An entry of "fixtures" with the keys of its presets, and with all keys, in m.
   nlohmann::ordered_json details(const std::string& pointer) const;
+  /// The edit that makes fixtures with places of their own out of an entry (live/dissolve.hpp).
+  std::vector<EditOp> dissolved(const std::string& pointer) const;
   /// Precondition for both: the index is below the number of labels or units.
   nlohmann::ordered_json label(std::size_t index) const;
   nlohmann::ordered_json unit(std::size_t index) const;
@@ -55,6 +59,7 @@ class Shop {
 
  private:
   StoreLimits limits() const;
+  CompletedFixture completed(const std::string& pointer) const;
   const Transceiver& unit_at(std::size_t index) const;
 
   std::filesystem::path file_;

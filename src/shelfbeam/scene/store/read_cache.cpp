@@ -1,4 +1,4 @@
-#include "shelfbeam/scene/read_cache.hpp"
+#include "shelfbeam/scene/store/read_cache.hpp"
 
 #include <cstddef>
 #include <utility>

@@ -1,0 +1,310 @@
+#include "serve/planner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
+
+#include "serve/http/server.hpp"
+#include "serve/live/place.hpp"
+#include "serve/live/shop.hpp"
+#include "serve/live/warning_finder.hpp"
+#include "serve/project/project.hpp"
+#include "serve/text/edit.hpp"
+
+namespace shelfbeam::embedded {
+
+// The files of the page: name, media type, ETag, and the content in gzip format.
+extern const std::span<const std::array<std::string_view, 4>> planner_files;
+
+extern const std::string_view starter_store;
+
+}  // namespace shelfbeam::embedded
+
+namespace shelfbeam::serve {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using http::TabId;
+
+constexpr auto tick = std::chrono::milliseconds(100);
+constexpr auto look_interval = std::chrono::seconds(1);
+
+// A request of a page, and the answer.
+struct Request {
+  TabId tab;
+  Json json;
+
+  std::string text(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_string()) throw InputError(key, "is no text", "");
+    return found->get<std::string>();
+  }
+  std::size_t number(const char* key) const {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_number_unsigned()) throw InputError(key, "is no whole number", "");
+    return found->get<std::size_t>();
+  }
+};
+
+std::vector<EditOp> read_ops(const Request& request) {
+  const auto list = request.json.find("ops");
+  if (list == request.json.end() || !list->is_array()) throw InputError("ops", "is no list", "");
+  std::vector<EditOp> ops;
+  for (const Json& op : *list) {
+    const Request part{request.tab, op};
+    const auto value = [&](const char* key) {
+      const auto found = op.find(key);
+      return found == op.end() ? std::nullopt : std::optional(*found);
+    };
+    ops.push_back({part.text("path"), value("before"), value("after")});
+  }
+  return ops;
+}
+
+Json error_json(const InputError& error) {
+  Json json{{"message", error.what()}};
+  if (const auto* conflict = dynamic_cast<const EditConflict*>(&error)) json["path"] = conflict->path();
+  return json;
+}
+
+// The folder, with a shop.
+const fs::path& with_store(const fs::path& folder) {
+  make_output_folder(folder);
+  const auto is_own = [](const fs::directory_entry& entry) {
+    return entry.path().filename() == ".shelfbeam";
+  };
+  if (std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_own) &&
+      !fs::exists(folder / ".shelfbeam" / "history.jsonl"))
+    write_file(folder / "store.json", embedded::starter_store);
+  return folder;
+}
+
+ProjectOptions project_options() {
+  ProjectOptions options;
+  options.check = [](const Json& store) {
+    if (const auto format = store.find("format"); format != store.end() && format->is_number_integer())
+      expect_format_version("store.json: format", format->get<std::int64_t>(), store_format_version);
+  };
+  return options;
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+struct Planner::State {
+  State(const fs::path& folder, http::Options options)
+      : name(fs::weakly_canonical(folder).filename().string()),
+        project(with_store(folder), project_options()),
+        shop(folder / "store.json"),
+        warnings(folder / "store.json"),
+        server(with_page(std::move(options)), handlers()) {
+    resolve();
+  }
+
+  static http::Options with_page(http::Options options) {
+    for (const auto& [file, type, etag, content] : embedded::planner_files)
+      options.assets.emplace(file == "index.html" ? "" : file,
+                             http::Asset(std::string(type), std::string(content)));
+    options.tick = tick;
+    return options;
+  }
+
+  http::Handlers handlers() {
+    return {.opened = [this](TabId tab) { open(tab); },
+            .text = [this](TabId tab, std::string_view text) { answer(tab, text); },
+            .closed = [this](TabId tab) { tabs.erase(tab); },
+            .get = [this](std::string_view file) { return document(file); },
+            .tick = [this] { look(); }};
+  }
+
+  void open(TabId tab) {
+    tabs.insert(tab);
+    Json json{{"event", "project"},
+              {"tab", tab},
+              {"name", name},
+              {"file", "store.json"},
+              {"version", program_version()},
+              {"json", shop.json()},
+              {"unit", to_text(shop.draft().store.unit)},
+              {"parts", shop.parts()}};
+    add_state(json);
+    server.send(tab, http::Message::text(text_of(json)));
+    if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
+    if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
+    if (found) server.send(tab, http::Message::text(text_of(warnings_json())));
+  }
+
+  void add_state(Json& json) const {
+    Json steps = Json::array();
+    for (const Step& step : project.steps()) steps.push_back({{"label", step.label}, {"time", step.time}});
+    json["revision"] = project.revision();
+    json["problems"] = shop.problems();
+    json["history"] = {{"steps", std::move(steps)}, {"position", project.position()}};
+    json["locked"] = project.locked() ? Json{{"message", *project.locked()}} : Json();
+  }
+
+  Json warnings_json() const {
+    Json list = *found;
+    for (Json& one : list) one["pointer"] = pointer_of(one["path"].get<std::string>(), shop.json());
+    return {{"event", "warnings"}, {"revision", project.revision()}, {"warnings", std::move(list)}};
+  }
+
+  void send_to_all(const http::Message& message) {
+    for (const TabId tab : tabs) server.send(tab, message);
+  }
+
+  void answer(TabId tab, std::string_view text) {
+    Request request{tab, Json::parse(text, nullptr, false)};
+    if (!request.json.is_object() || !request.json.contains("id")) return;
+    Json reply{{"id", request.json["id"]}};
+    try {
+      reply.update(result_of(request));
+    } catch (const InputError& error) {
+      reply["error"] = error_json(error);
+    }
+    // A refused edit may have found an outside change.
+    tell_changes(request);
+    server.send(tab, http::Message::text(text_of(reply)));
+  }
+
+  Json result_of(const Request& request) {
+    const std::string verb = request.text("do");
+    if (verb == "details") return shop.details(request.text("path"));
+    if (verb == "find") return {{"hits", shop.find(request.text("text"))}};
+    if (verb == "device") return device(request);
+    ops.reset();
+    if (verb == "edit") {
+      ops = read_ops(request);
+      project.edit(request.text("label"), *ops, request.json.value("join", false));
+    } else if (verb == "dissolve") {
+      ops = shop.dissolved(request.text("path"));
+      project.edit(request.text("label"), *ops);
+    } else if (verb == "undo") {
+      project.undo();
+    } else if (verb == "redo") {
+      project.redo();
+    } else if (verb == "go") {
+      project.go(request.number("position"));
+    } else if (verb == "restore") {
+      project.restore_mine();
+    } else {
+      throw InputError("do", "is '" + verb + "', which this planner does not know", "reload the page");
+    }
+    return {{"revision", project.revision()}};
+  }
+
+  Json device(const Request& request) const {
+    const std::size_t index = request.number("index");
+    const bool is_label = request.text("kind") == "label";
+    if (index >= (is_label ? shop.label_count() : shop.unit_count()))
+      throw InputError("index", "is too large", "reload the page");
+    return {{"device", is_label ? shop.label(index) : shop.unit(index)}};
+  }
+
+  ShopChanges resolve() {
+    ShopChanges changes = shop.update(project.text(), project.revision());
+    revision = project.revision();
+    found.reset();
+    warnings.restart(WarningFinder::Clock::now());
+    return changes;
+  }
+
+  // Sends what has changed since the last message, which `request` caused if there is one.
+  void tell_changes(const std::optional<Request>& request) {
+    if (revision == project.revision() && locked == project.locked()) return;
+    // The operations describe the change only if nothing else has changed.
+    const bool is_edit = ops && request && project.revision() == revision + 1;
+    const ShopChanges changes = revision == project.revision() ? ShopChanges{} : resolve();
+    locked = project.locked();
+    Json json{{"event", "changed"}};
+    if (request) json.update({{"tab", request->tab}, {"request", request->json["id"]}});
+    if (is_edit)
+      for (const EditOp& op : *ops) {
+        Json one{{"path", op.path}};
+        if (op.before) one["before"] = *op.before;
+        if (op.after) one["after"] = *op.after;
+        json["ops"].push_back(std::move(one));
+      }
+    else
+      json["json"] = shop.json();
+    json["unit"] = to_text(shop.draft().store.unit);
+    json["parts"] =
+        changes.parts.is_null() ? Json{{"set", Json::array()}, {"remove", Json::array()}} : changes.parts;
+    add_state(json);
+    ops.reset();
+    send_to_all(http::Message::text(text_of(json)));
+    if (changes.labels) send_to_all(http::Message::binary(*changes.labels));
+    if (changes.units) send_to_all(http::Message::binary(*changes.units));
+  }
+
+  std::optional<http::Document> document(std::string_view file) {
+    if (file != "scene") return {};
+    return http::Document{"application/octet-stream",
+                          std::make_shared<const std::string>(shop.scene(project.revision()))};
+  }
+
+  void look() {
+    if (cancel != nullptr && cancel->requested()) return server.stop();
+    const auto now = WarningFinder::Clock::now();
+    if (now - last_look >= look_interval) {
+      last_look = now;
+      project.check_outside();
+      tell_changes({});
+    }
+    if (auto list = warnings.poll(now)) {
+      found = std::move(list);
+      send_to_all(http::Message::text(text_of(warnings_json())));
+    }
+  }
+
+  std::string name;
+  Project project;
+  Shop shop;
+  WarningFinder warnings;
+  std::set<TabId> tabs;
+  std::uint64_t revision = 0;              // of the shop
+  std::optional<std::string> locked;       // as the pages know it
+  std::optional<std::vector<EditOp>> ops;  // of the request that is being answered
+  std::optional<Json> found;               // warnings about the present text
+  WarningFinder::Clock::time_point last_look{};
+  const CancelToken* cancel = nullptr;
+  http::Server server;
+};
+
+bool has_page() {
+  return !embedded::planner_files.empty();
+}
+
+Planner::Planner(const fs::path& folder, http::Options options)
+    : state_(std::make_unique<State>(folder, std::move(options))) {}
+
+Planner::~Planner() = default;
+
+std::string Planner::address() const {
+  return state_->server.address();
+}
+
+void Planner::run(const CancelToken& cancel) {
+  state_->cancel = &cancel;
+  state_->server.run();
+}
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "shelfbeam/base/control.hpp"
+
+#include "serve/http/options.hpp"
+
+namespace shelfbeam::serve {
+
+/// Whether this build contains the page of the planner.
+bool has_page();
+
+/// The planner of one project folder in the browser: serves the page, and applies the edits of all pages to
+/// the folder's store.json (docs/formats/planner.md).
+class Planner {
+ public:
+  /// Creates a shop in an empty folder. Throws InputError, for example if another planner uses the folder,
+  /// and OutputError.
+  Planner(const std::filesystem::path& folder, http::Options options);
+  ~Planner();
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
+
+  /// The address of the page, which contains the token.
+  std::string address() const;
+  /// Serves until the token is cancelled.
+  void run(const CancelToken& cancel);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace shelfbeam::serve
