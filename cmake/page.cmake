@@ -51,8 +51,8 @@ function(shelfbeam_page viewer_cpp planner_cpp)
   shelfbeam_page_packages(${page})
   if(SHELFBEAM_VIEWER_PACKAGES)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${page}/*.ts ${page}/*.css ${page}/*.html ${page}/*.json)
-    list(APPEND sources ${page}/bundle.mjs ${root}/src/shelfbeam/report/text/english.json ${root}/data/store.schema.json
-      ${out}/installed.txt)
+    list(APPEND sources ${page}/bundle.mjs ${root}/src/shelfbeam/report/text/english.json ${root}/src/shelfbeam/report/page/colours.css
+      ${root}/data/store.schema.json ${out}/installed.txt)
     set(bundle ${SHELFBEAM_NODE} ${page}/bundle.mjs ${SHELFBEAM_VIEWER_PACKAGES} ${out})
     set(files index.html planner.js style.css)
   else()

@@ -9,9 +9,9 @@
 
 namespace shelfbeam {
 
-// page.css, made by cmake/embed.cmake.
+// colours.css and page.css, made by cmake/embed.cmake. The planner has the same colours.
 namespace embedded {
-extern const std::string_view page_css;
+extern const std::string_view page_colours, page_css;
 }  // namespace embedded
 
 namespace {
@@ -74,7 +74,8 @@ std::string paragraph(const std::string& text, const std::string& css_class) {
 
 std::string html_page(const std::string& title, const std::string& body, const std::string& light_colours,
                       const std::string& dark_colours) {
-  std::string css(embedded::page_css);
+  std::string css(embedded::page_colours);
+  css += embedded::page_css;
   const auto put = [&](std::string_view mark, const std::string& colours) {
     css.replace(css.find(mark), mark.size(), colours);
   };
