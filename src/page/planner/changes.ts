@@ -1,0 +1,41 @@
+// Tells the parts of the page what has changed, at most once per frame of the screen.
+
+export type Topic =
+  | "document"
+  | "devices"
+  | "warnings"
+  | "selection"
+  | "layers"
+  | "viewport"
+  | "preview"
+  | "tool"
+  | "status";
+
+interface Listener {
+  topics: readonly Topic[];
+  update: (changed: ReadonlySet<Topic>) => void;
+}
+
+export class Changes {
+  private changed = new Set<Topic>();
+  private readonly listeners: Listener[] = [];
+  private isScheduled = false;
+
+  listen(topics: readonly Topic[], update: Listener["update"]): void {
+    this.listeners.push({ topics, update });
+  }
+
+  note(...topics: Topic[]): void {
+    for (const topic of topics) this.changed.add(topic);
+    if (this.isScheduled) return;
+    this.isScheduled = true;
+    requestAnimationFrame(() => this.flush());
+  }
+
+  private flush(): void {
+    this.isScheduled = false;
+    const { changed } = this;
+    this.changed = new Set();
+    for (const { topics, update } of this.listeners) if (topics.some((topic) => changed.has(topic))) update(changed);
+  }
+}

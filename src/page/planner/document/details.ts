@@ -1,0 +1,48 @@
+// Elements with the keys of their presets and defaults, which only the server knows. Kept until the store changes.
+
+import type { Connection } from "./connection";
+import type { Details } from "./messages";
+
+export class DetailsCache {
+  private readonly known = new Map<string, Details>();
+  private readonly asked = new Map<string, Promise<Details | null>>();
+  private generation = 0;
+
+  constructor(
+    private readonly connection: Connection,
+    private readonly arrived: () => void,
+  ) {}
+
+  forget(): void {
+    ++this.generation;
+    this.asked.clear();
+  }
+
+  /** The details if they are known, perhaps those before the last change; they are asked for if necessary. */
+  now(path: string): Details | null {
+    if (!this.asked.has(path)) void this.of(path);
+    return this.known.get(path) ?? null;
+  }
+
+  /** Null if the server has none. */
+  of(path: string): Promise<Details | null> {
+    const asked = this.asked.get(path);
+    if (asked) return asked;
+    const { generation } = this;
+    const answer = this.connection.request<Details>("details", { path }).then(
+      (details) => {
+        if (generation === this.generation) {
+          this.known.set(path, details);
+          this.arrived();
+        }
+        return details;
+      },
+      () => {
+        this.known.delete(path);
+        return null;
+      },
+    );
+    this.asked.set(path, answer);
+    return answer;
+  }
+}

@@ -1,0 +1,95 @@
+// Labels and candidate units as the server resolved them, as arrays.
+
+import type { PageData } from "../../data/page_data";
+import type { DevicesAbout } from "./messages";
+
+export type DeviceKind = "label" | "unit";
+
+/** Where a device comes from; the numbers are those of the protocol. */
+const sources: Record<DeviceKind, (string | null)[]> = {
+  label: ["/labels", "/fixtures", null],
+  unit: [
+    "/transceivers/list",
+    "/transceivers/grids",
+    "/transceivers/areas",
+    "/transceivers/rails",
+    "/transceivers/on",
+    null,
+  ],
+};
+
+export const unitStates = ["candidate", "installed", "pinned", "excluded"] as const;
+
+type Numbers = Float32Array | Uint8Array | Uint32Array;
+
+/** Values [first, first + removed) replaced by others. */
+function spliced<Values extends Numbers>(values: Values, first: number, removed: number, added: Values): Values {
+  const result = new (values.constructor as new (length: number) => Values)(values.length - removed + added.length);
+  result.set(values.subarray(0, first));
+  result.set(added, first);
+  result.set(values.subarray(first + removed), first + added.length);
+  return result;
+}
+
+export class Devices {
+  /** Three numbers each, m. */
+  position = new Float32Array();
+  /** The direction that a label faces, or the axis of a unit. */
+  direction = new Float32Array();
+  /** Of a label: its shelf level, 0 for none. Of a unit: its state. */
+  state = new Uint8Array();
+  private sourceKind = new Uint8Array();
+  private source = new Uint32Array();
+
+  constructor(readonly kind: DeviceKind) {}
+
+  get count(): number {
+    return this.state.length;
+  }
+
+  clear(): void {
+    this.position = new Float32Array();
+    this.direction = new Float32Array();
+    this.state = new Uint8Array();
+    this.sourceKind = new Uint8Array();
+    this.source = new Uint32Array();
+  }
+
+  receive(frame: PageData<DevicesAbout>): void {
+    const { from, remove } = frame.about;
+    const [direction, state] = this.kind === "label" ? ["normal", "level"] : ["axis", "state"];
+    this.position = spliced(this.position, 3 * from, 3 * remove, frame.get("position", Float32Array));
+    this.direction = spliced(this.direction, 3 * from, 3 * remove, frame.get(direction, Float32Array));
+    this.state = spliced(this.state, from, remove, frame.get(state, Uint8Array));
+    this.sourceKind = spliced(this.sourceKind, from, remove, frame.get("source_kind", Uint8Array));
+    this.source = spliced(this.source, from, remove, frame.get("source", Uint32Array));
+  }
+
+  at(index: number): [number, number, number] {
+    return [this.position[3 * index], this.position[3 * index + 1], this.position[3 * index + 2]];
+  }
+
+  /** The element of the store that it belongs to, or is; null if it comes from another file. */
+  pathOf(index: number): string | null {
+    const list = sources[this.kind][this.sourceKind[index]] ?? null;
+    return list && `${list}/${this.source[index]}`;
+  }
+
+  /** Whether it is an element of the store itself. */
+  isListed(index: number): boolean {
+    return this.sourceKind[index] === 0;
+  }
+
+  /** The devices of elements, by the path of the element. */
+  ofElements(paths: ReadonlySet<string>): Map<string, number[]> {
+    const found = new Map<string, number[]>();
+    for (let index = 0; index < this.count; ++index) {
+      const path = this.pathOf(index);
+      if (path === null || !paths.has(path)) continue;
+      const list = found.get(path);
+      if (list) list.push(index);
+      else found.set(path, [index]);
+    }
+    return found;
+  }
+}

@@ -1,0 +1,304 @@
+// The store as the page shows it: what the server has confirmed, and the edits that it has not answered yet.
+
+import { readFrame } from "../../data/page_data";
+import type { Changes } from "../changes";
+import { unitNamed, type LengthUnit, metre } from "../geometry/units";
+import { Lost, Refused, type Connection } from "./connection";
+import { DetailsCache } from "./details";
+import { Devices } from "./devices";
+import type { Edit } from "./edit";
+import { applyOps, Conflict, equal, pointerAfterAll, valueAt, type EditOp, type Json } from "./json";
+import type {
+  ChangedEvent,
+  DevicesAbout,
+  History,
+  Locked,
+  Problem,
+  ProjectEvent,
+  Refusal,
+  ServerEvent,
+  SharedNames,
+} from "./messages";
+import { Parts } from "./parts";
+import { joinPreviews, noPreview, type Preview } from "./preview";
+
+interface Pending {
+  id: number;
+  edit: Edit;
+  preview: Preview;
+  done: (accepted: boolean) => void;
+}
+
+export type Saving =
+  | { state: "saved" }
+  | { state: "saving" }
+  | { state: "refused"; refusal: Refusal }
+  | { state: "lost"; edits: number };
+
+export class StoreDocument {
+  name = "";
+  file = "";
+  version = "";
+  json: Json = {};
+  unit: LengthUnit = metre;
+  readonly parts = new Parts();
+  readonly labels = new Devices("label");
+  readonly units = new Devices("unit");
+  readonly details: DetailsCache;
+  problems: Problem[] = [];
+  warnings: Problem[] = [];
+  history: History = { steps: [], position: 0 };
+  locked: Locked | null = null;
+  shared: SharedNames = {};
+  revision = -1;
+  isReady = false;
+
+  /** Places of values move, or an element is removed (`place` is null). */
+  onMoved: (place: (path: string) => string | null) => void = () => {};
+  /** The whole store is another one. */
+  onReplaced: (before: Json) => void = () => {};
+  onRefused: (label: string, refusal: Refusal) => void = () => {};
+
+  private confirmed: Json = {};
+  private tab: number | undefined;
+  private pending: Pending[] = [];
+  private gesture: Preview = noPreview;
+  private refusal: Refusal | null = null;
+
+  constructor(
+    private readonly connection: Connection,
+    private readonly changes: Changes,
+  ) {
+    this.details = new DetailsCache(connection, () => changes.note("document"));
+    connection.onEvent = (event) => this.receive(event);
+    connection.onFrame = (bytes) => this.receiveFrame(bytes);
+    connection.onState = () => {
+      changes.note("status");
+    };
+  }
+
+  get saving(): Saving {
+    if (this.isReady && !this.connection.isOpen) return { state: "lost", edits: this.pending.length };
+    if (this.pending.length > 0) return { state: "saving" };
+    return this.refusal ? { state: "refused", refusal: this.refusal } : { state: "saved" };
+  }
+
+  get canUndo(): boolean {
+    return this.locked === null && (this.history.position > 0 || this.pending.length > 0);
+  }
+
+  get canRedo(): boolean {
+    return this.locked === null && this.history.position < this.history.steps.length;
+  }
+
+  /** Shows the state of a gesture; null: none. */
+  show(preview: Preview | null): void {
+    this.gesture = preview ?? noPreview;
+    this.showParts();
+    this.changes.note("preview");
+  }
+
+  get preview(): Preview {
+    return joinPreviews([...this.pending.map(({ preview }) => preview), this.gesture]);
+  }
+
+  /** Sends an edit. It shows at once, and is taken back if the server refuses it (false). */
+  edit(edit: Edit, preview: Preview = noPreview): Promise<boolean> {
+    this.gesture = noPreview;
+    if (edit.ops.length === 0 || this.locked) {
+      this.show(null);
+      return Promise.resolve(false);
+    }
+    const before = this.json;
+    try {
+      this.json = applyOps(before, edit.ops);
+    } catch (error) {
+      if (!(error instanceof Conflict)) throw error;
+      this.show(null);
+      this.refused(edit.label, { path: error.message, message: "" });
+      return Promise.resolve(false);
+    }
+    this.refusal = null;
+    return new Promise((done) => {
+      const sent = { id: this.connection.nextId(), edit, preview, done };
+      this.pending.push(sent);
+      this.onMoved((path) => pointerAfterAll(path, edit.ops, before));
+      this.showParts();
+      this.changes.note("document", "preview", "status");
+      this.send(sent);
+    });
+  }
+
+  undo(): Promise<boolean> {
+    return this.ask("undo");
+  }
+
+  redo(): Promise<boolean> {
+    return this.ask("redo");
+  }
+
+  /** Undoes or redoes steps until `position` are applied. */
+  go(position: number): Promise<boolean> {
+    return this.ask("go", { position });
+  }
+
+  dissolve(path: string): Promise<boolean> {
+    return this.ask("dissolve", { path });
+  }
+
+  restore(): Promise<boolean> {
+    return this.ask("restore");
+  }
+
+  request<Answer>(what: string, members: object): Promise<Answer> {
+    return this.connection.request<Answer>(what, members);
+  }
+
+  private async ask(what: string, members: object = {}): Promise<boolean> {
+    try {
+      await this.connection.request(what, members);
+      return true;
+    } catch (error) {
+      if (error instanceof Refused) this.refused(what, error.refusal);
+      return false;
+    }
+  }
+
+  private send(sent: Pending): void {
+    const { id, edit } = sent;
+    this.connection.request<{ revision: number }>("edit", edit, id).then(
+      ({ revision }) => {
+        if (revision <= this.revision) this.settle(sent, true);
+      },
+      (error: unknown) => {
+        if (error instanceof Lost) this.changes.note("status");
+        else if (error instanceof Refused && this.settle(sent, false)) this.refused(edit.label, error.refusal);
+      },
+    );
+  }
+
+  private refused(label: string, refusal: Refusal): void {
+    this.refusal = refusal;
+    this.onRefused(label, refusal);
+    this.changes.note("status");
+  }
+
+  /** Ends the wait for an edit; false if it had ended. */
+  private settle(sent: Pending, accepted: boolean): boolean {
+    if (!this.pending.includes(sent)) return false;
+    this.pending = this.pending.filter((other) => other !== sent);
+    this.rebase();
+    sent.done(accepted);
+    return true;
+  }
+
+  /** The confirmed store with the edits that wait. Those that do not fit any more are refused by the server. */
+  private rebase(): void {
+    this.json = this.confirmed;
+    for (const { edit } of this.pending)
+      try {
+        this.json = applyOps(this.json, edit.ops);
+      } catch (error) {
+        if (!(error instanceof Conflict)) throw error;
+      }
+    this.unit = unitNamed(String(valueAt(this.json, "/units") ?? "m"));
+    this.details.forget();
+    this.showParts();
+    this.changes.note("document", "preview", "status");
+  }
+
+  private showParts(): void {
+    const ops = this.pending.flatMap(({ edit }) => edit.ops);
+    const moves = ops.some(({ before, after }) => before === undefined || after === undefined);
+    this.parts.show(this.preview, (path) => (moves ? this.placeAfter(path, ops) : path));
+  }
+
+  private placeAfter(path: string, ops: readonly EditOp[], root = this.confirmed): string | null {
+    try {
+      return pointerAfterAll(path, ops, root);
+    } catch (error) {
+      if (error instanceof Conflict) return path;
+      throw error;
+    }
+  }
+
+  private receive(event: ServerEvent): void {
+    if (event.event === "project") this.start(event);
+    else if (event.event === "changed") this.change(event);
+    else if (event.event === "warnings") {
+      this.warnings = event.warnings;
+      this.changes.note("warnings");
+    } else {
+      this.locked = event.locked !== undefined ? event.locked : event.message ? { message: event.message } : null;
+      this.changes.note("status");
+    }
+  }
+
+  private start(event: ProjectEvent): void {
+    const before = this.json;
+    const revisionBefore = this.revision;
+    Object.assign(this, { name: event.name, file: event.file, version: event.version, tab: event.tab });
+    this.revision = event.revision;
+    this.confirmed = event.json;
+    this.parts.replaceAll(event.parts);
+    this.labels.clear();
+    this.units.clear();
+    this.take(event);
+    const wasReady = this.isReady;
+    this.isReady = true;
+    if (wasReady) this.sendAgain(revisionBefore);
+    this.rebase();
+    if (wasReady) this.onReplaced(before);
+    this.changes.note("devices", "warnings");
+  }
+
+  /** After a lost connection: sends the edits that the server has not received. */
+  private sendAgain(revisionBefore: number): void {
+    const [lost, kept]: [Pending[], Pending[]] = [[], []];
+    for (const sent of this.pending) {
+      const isThere = this.revision !== revisionBefore && sent.edit.ops.every((op) => this.isApplied(op));
+      (isThere ? lost : kept).push(sent);
+    }
+    this.pending = kept;
+    for (const { done } of lost) done(true);
+    for (const sent of kept) this.send(sent);
+  }
+
+  private isApplied({ path, before, after }: EditOp): boolean {
+    const present = valueAt(this.confirmed, path);
+    return after === undefined ? !equal(present, before) : equal(present, after);
+  }
+
+  private change(event: ChangedEvent): void {
+    const [before, confirmedBefore] = [this.json, this.confirmed];
+    const own = this.pending.find(({ id }) => event.tab === this.tab && event.request === id);
+    try {
+      if (event.ops) this.confirmed = applyOps(this.confirmed, event.ops);
+      else if (event.json !== undefined) this.confirmed = event.json;
+    } catch (error) {
+      if (!(error instanceof Conflict)) throw error;
+      this.connection.close(); // an event was lost: begin again with the present store
+      return;
+    }
+    if (event.ops && !own) {
+      const { ops } = event;
+      this.onMoved((path) => this.placeAfter(path, ops, confirmedBefore));
+    }
+    this.revision = event.revision;
+    if (event.parts) this.parts.change(event.parts);
+    this.take(event);
+    if (own) this.settle(own, true);
+    else this.rebase();
+    if (!event.ops) this.onReplaced(before);
+  }
+
+  private take({ problems, history, locked, shared = this.shared }: ProjectEvent | ChangedEvent): void {
+    Object.assign(this, { problems, history, locked, shared });
+  }
+
+  private receiveFrame(bytes: ArrayBuffer): void {
+    const frame = readFrame<DevicesAbout>(bytes);
+    (frame.about.event === "labels" ? this.labels : this.units).receive(frame);
+    this.changes.note("devices");
+  }
+}

@@ -1,0 +1,136 @@
+// The messages between page and server. Lengths are in m, except in the JSON of the store.
+
+import type { EditOp, Json, JsonObject } from "./json";
+
+export type Point = [number, number];
+
+export type PartKind = "room" | "wall" | "zone" | "fixture" | "keep_out" | "area" | "rail" | "grid" | "faces";
+
+/** The resolved outline of an element, or of one copy of it. */
+export interface Part {
+  key: string;
+  /** The element's place in the store; null if it is not in store.json. */
+  path: string | null;
+  kind: PartKind;
+  type?: string;
+  id: string;
+  form?: string;
+  outline: Point[];
+  holes?: Point[][];
+  height?: number;
+  rotation?: number;
+  locked?: "repeat" | "file" | null;
+  /** Of a fixture with a rectangle: the corner that it turns about, and its sides. */
+  footing?: { at: Point; rotation: number; length: number; depth: number };
+  /** Of a fixture against a wall or another fixture: the direction in which `from` or `shift` grows. */
+  against?: { along: Point };
+}
+
+export interface Problem {
+  code: string;
+  /** In the words of the command line: fixtures[3].depth. */
+  path: string;
+  /** JSON pointer of the element, or empty. */
+  pointer: string;
+  sentence: string;
+}
+
+export interface Step {
+  label: string;
+  time?: string;
+}
+
+export interface History {
+  steps: Step[];
+  /** The number of applied steps. */
+  position: number;
+}
+
+export interface Locked {
+  message: string;
+}
+
+/** Names that the catalogues of the store define. */
+export type SharedNames = Partial<Record<"presets" | "materials" | "label_types" | "transceiver_types", string[]>>;
+
+export interface ProjectEvent {
+  event: "project";
+  name: string;
+  file: string;
+  version: string;
+  tab?: number;
+  revision: number;
+  json: Json;
+  unit: string;
+  parts: Part[];
+  problems: Problem[];
+  history: History;
+  locked: Locked | null;
+  shared?: SharedNames;
+}
+
+export interface ChangedEvent {
+  event: "changed";
+  revision: number;
+  tab?: number;
+  request?: number;
+  json?: Json;
+  ops?: EditOp[];
+  parts?: { set: Part[]; remove: string[] };
+  problems: Problem[];
+  history: History;
+  locked: Locked | null;
+  shared?: SharedNames;
+}
+
+export interface WarningsEvent {
+  event: "warnings";
+  revision: number;
+  warnings: Problem[];
+}
+
+export interface LockedEvent {
+  event: "locked";
+  locked?: Locked | null;
+  message?: string;
+}
+
+export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LockedEvent;
+
+/** The header of a binary frame: labels or units from..from+remove are replaced by those of the frame. */
+export interface DevicesAbout {
+  event: "labels" | "units";
+  revision: number;
+  from: number;
+  remove: number;
+}
+
+export interface Details {
+  /** The element with the keys of its presets. */
+  effective: JsonObject;
+  /** Where keys come from that are not its own. */
+  origins: Record<string, string>;
+  /** All keys with defaults, in m; null if the element has problems. */
+  resolved: JsonObject | null;
+}
+
+export interface DeviceAnswer {
+  id: string;
+  type: string;
+  position: number[];
+  path: string | null;
+  source: string;
+}
+
+export interface Hit {
+  kind: string;
+  id: string;
+  path?: string | null;
+  index?: number;
+  at: Point;
+}
+
+export interface Refusal {
+  path?: string;
+  message: string;
+}
