@@ -1,0 +1,52 @@
+// An element with all that is known about it: what a change of it needs.
+
+import type { StoreDocument } from "../document/document";
+import { isObject, type JsonObject } from "../document/json";
+import type { Part } from "../document/messages";
+import type { LengthUnit } from "../geometry/units";
+import { elementAt, type StoreElement } from "./kinds";
+
+export interface Context extends StoreElement {
+  /** The element with the keys of its presets. */
+  effective: JsonObject;
+  /** Its resolved outlines: one, or its copies. */
+  parts: readonly Part[];
+  unit: LengthUnit;
+}
+
+/** Null if there is no such element. Without the keys of presets that the page does not know yet. */
+export function contextOf(document: StoreDocument, path: string): Context | null {
+  const element = elementAt(document.json, path);
+  if (!element) return null;
+  const known = needsDetails(element) ? document.details.now(path)?.effective : undefined;
+  return {
+    ...element,
+    effective: { ...known, ...element.value, ...joinedObjects(known, element.value) },
+    parts: document.parts.of(path),
+    unit: document.unit,
+  };
+}
+
+/** Objects of a preset and of the element are joined key by key; the element's keys may be newer than the answer. */
+function joinedObjects(known: JsonObject | undefined, own: JsonObject): JsonObject {
+  const joined: JsonObject = {};
+  for (const [key, value] of Object.entries(own)) {
+    const base = known?.[key];
+    if (isObject(value) && isObject(base)) joined[key] = { ...base, ...value };
+  }
+  return joined;
+}
+
+/** Only elements with a preset have keys that are not in the store itself. */
+const needsDetails = ({ value }: StoreElement): boolean => value.preset !== undefined;
+
+/** The contexts of elements, with the keys of their presets. */
+export async function contextsOf(document: StoreDocument, paths: readonly string[]): Promise<Context[]> {
+  await Promise.all(
+    paths.map(async (path) => {
+      const element = elementAt(document.json, path);
+      if (element && needsDetails(element)) await document.details.of(path);
+    }),
+  );
+  return paths.flatMap((path) => contextOf(document, path) ?? []);
+}
