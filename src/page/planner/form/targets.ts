@@ -1,0 +1,77 @@
+// The elements that a form edits, and the values that they have in common.
+
+import { equal, isObject, valueAt, type Json, type JsonObject } from "../document/json";
+import type { Details } from "../document/messages";
+
+export interface Target {
+  path: string;
+  own: JsonObject;
+  /** With the keys of presets. */
+  effective: JsonObject;
+  /** The answer of the server; null if it is not known. */
+  details: Details | null;
+}
+
+/** A value as a form shows it. */
+export interface Shown {
+  /** Of the element itself; undefined if it has none or if the elements differ. */
+  own: Json | undefined;
+  /** What applies without an own value: that of a preset, or the default. */
+  base: Json | undefined;
+  /** Where `base` comes from; empty for a default. */
+  origin: string;
+  /** The elements differ. */
+  isMixed: boolean;
+  /** Some element has an own value. */
+  isOwn: boolean;
+}
+
+function commonOf(values: readonly (Json | undefined)[]): { value: Json | undefined; isMixed: boolean } {
+  const isMixed = values.some((value) => !equal(value, values[0]));
+  return { value: isMixed ? undefined : values[0], isMixed };
+}
+
+/** `fallback`: the default in the unit of the file. */
+function baseOf({ own, details }: Target, pointer: string, fallback: Json | undefined): Json | undefined {
+  const inherited = details ? valueAt(details.effective, pointer) : undefined;
+  return valueAt(own, pointer) === undefined && inherited !== undefined ? inherited : fallback;
+}
+
+export function shownAt(
+  targets: readonly Target[],
+  pointer: string,
+  fallback: (target: Target) => Json | undefined,
+): Shown {
+  const own = commonOf(targets.map((target) => valueAt(target.own, pointer)));
+  const present = commonOf(
+    targets.map((target) => valueAt(target.own, pointer) ?? baseOf(target, pointer, fallback(target))),
+  );
+  const base = commonOf(targets.map((target) => baseOf(target, pointer, fallback(target))));
+  const key = pointer.split("/")[1];
+  const [first] = targets;
+  return {
+    own: own.value,
+    base: base.value,
+    origin: first && valueAt(first.own, pointer) === undefined ? (first.details?.origins[key] ?? "") : "",
+    isMixed: present.isMixed,
+    isOwn: targets.some((target) => valueAt(target.own, pointer) !== undefined),
+  };
+}
+
+/** The value that applies, of the element itself or of its preset. */
+export const presentAt = ({ own, effective }: Target, pointer: string): Json | undefined =>
+  valueAt(own, pointer) ?? valueAt(effective, pointer);
+
+/** "fixtures[3].labels.spacing (preset 'run')" as a JSON pointer. */
+export function pointerOfPath(path: string): string {
+  const place = path.replace(/ \(.*$/, "");
+  return [...place.matchAll(/\[(\d+)\]|\["([^"]*)"\]|([^.[\]]+)/g)]
+    .map(([, index, quoted, key]) => `/${(index ?? quoted ?? key).replaceAll("~", "~0").replaceAll("/", "~1")}`)
+    .join("");
+}
+
+export const objectAt = (target: Target, pointer: string): JsonObject => {
+  const found = presentAt(target, pointer);
+  const inherited = valueAt(target.effective, pointer);
+  return { ...(isObject(inherited) ? inherited : {}), ...(isObject(found) ? found : {}) };
+};
