@@ -1,1 +1,32 @@
 // The entry point of the planner.
+
+import { Page } from "./frame/page";
+import { Planner } from "./planner";
+import { say, text } from "./text";
+
+declare global {
+  interface Window {
+    /** For tests: the planner and its page. */
+    shelfbeamPlanner?: { planner: Planner; page: Page };
+  }
+}
+
+const address = location.href.replace(/[?#].*$/, "");
+const root = document.createElement("div");
+root.className = "app";
+document.body.replaceChildren(root);
+try {
+  const planner = new Planner(address);
+  const page = new Page(root, planner, address);
+  planner.document.onRefused = (what, { message }) => {
+    const label = (text.requests as Record<string, string>)[what] ?? what;
+    planner.say(say(text.notices.refused, label, message || text.notices.changed_meanwhile), true);
+  };
+  window.shelfbeamPlanner = { planner, page };
+  planner.connection.open();
+} catch (error) {
+  const reason = document.createElement("p");
+  reason.className = "failure";
+  reason.textContent = say(text.access.failed, String(error));
+  root.replaceChildren(reason);
+}

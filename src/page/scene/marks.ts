@@ -173,6 +173,7 @@ export interface MarkStyle {
 export class Marks {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
   private readonly places: Float32Array;
+  private readonly facings: Float32Array;
   private readonly looks: Uint8Array;
   private readonly textures: { centres: DataTexture; facings: DataTexture; looks: DataTexture; idents: DataTexture };
 
@@ -190,10 +191,11 @@ export class Marks {
     const names = new Uint8Array(length);
     names.set(new Uint8Array(idents.buffer, idents.byteOffset, idents.byteLength));
     this.places = texels(centre, count, length, -1);
+    this.facings = texels(facing, count, length, 0);
     this.looks = new Uint8Array(length);
     this.textures = {
       centres: texture(this.places, RGBAFormat, FloatType),
-      facings: texture(texels(facing, count, length, 0), RGBAFormat, FloatType),
+      facings: texture(this.facings, RGBAFormat, FloatType),
       looks: texture(this.looks, RGBAIntegerFormat, UnsignedByteType),
       idents: texture(names, RGBAFormat, UnsignedByteType),
     };
@@ -245,6 +247,17 @@ export class Marks {
   /** A cell of the number texture; -1: a label, 0: no number. */
   setNumber(mark: number, cell: number): void {
     this.places[4 * mark + 3] = cell;
+  }
+
+  /** Moves a mark; `uploadPlaces` shows it. */
+  place(mark: number, centre: readonly number[], facing: readonly number[]): void {
+    this.places.set(centre, 4 * mark);
+    this.facings.set(facing, 4 * mark);
+  }
+
+  uploadPlaces(): void {
+    this.uploadNumbers();
+    this.textures.facings.needsUpdate = true;
   }
 
   /** For a picture without background (`overlay`) or an opaque one, where alpha only selects the covered samples. */

@@ -7,7 +7,7 @@ const letter = 6.4; // CSS pixels, width of a letter
 const line = 20; // CSS pixels, distance between ids above one another
 
 export class Names {
-  readonly root = element("div", { class: "v3-names", "aria-hidden": "true" });
+  readonly root = element("div", { class: "names", "aria-hidden": "true" });
   private names: { at: number[]; width: number; text: HTMLElement }[] = [];
 
   set(names: { id: string; at: number[] }[]): void {

@@ -2,11 +2,14 @@
 
 import {
   ColorManagement,
+  Group,
   LinearSRGBColorSpace,
   NearestFilter,
   OrthographicCamera,
   PerspectiveCamera,
+  Raycaster,
   Scene,
+  Vector2,
   Vector3,
   WebGLRenderer,
   WebGLRenderTarget,
@@ -48,6 +51,8 @@ export interface StageOptions {
 
 export class Stage {
   readonly links = new Links();
+  /** Objects of the caller. */
+  readonly extras = new Group();
   fixtures: Fixtures;
   drawCalls = 0;
   /** Median time of the last measured frames, ms; null before the first measurement. */
@@ -81,7 +86,7 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias, alpha, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.fixtures = new Fixtures(scenery);
-    this.scene.add(this.fixtures.group, this.links.mesh);
+    this.scene.add(this.fixtures.group, this.links.mesh, this.extras);
     this.perspective.up.set(0, 0, 1);
     this.above.up.set(0, 1, 0);
     this.orbit = new OrbitControls(this.perspective, canvas);
@@ -346,6 +351,14 @@ export class Stage {
     camera.updateMatrixWorld();
     const at = new Vector3(point[0], point[1], point[2]).project(camera);
     return { x: 0.5 * (at.x + 1) * this.width, y: 0.5 * (1 - at.y) * this.height, depth: at.z };
+  }
+
+  /** The line of sight through a point of the canvas (CSS pixels). */
+  rayAt(x: number, y: number): { from: number[]; way: number[] } {
+    const [camera] = this.current();
+    const caster = new Raycaster();
+    caster.setFromCamera(new Vector2((2 * x) / this.width - 1, 1 - (2 * y) / this.height), camera);
+    return { from: caster.ray.origin.toArray(), way: caster.ray.direction.toArray() };
   }
 
   private withoutColour(draw: () => void): void {

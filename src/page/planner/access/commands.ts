@@ -1,0 +1,61 @@
+// Everything that the planner does by a key, a menu or the list of commands.
+
+import type { text } from "../text";
+
+export type CommandId = keyof typeof text.commands;
+export type CommandGroup = keyof typeof text.groups;
+
+export interface Command {
+  id: CommandId;
+  group: CommandGroup;
+  keys: string[];
+  /**
+   * Where its keys work: in the plan, where no field has the focus, or everywhere. Keys of the plan have other meanings in
+   * lists.
+   */
+  where: "plan" | "page" | "everywhere";
+  run: () => void;
+  isEnabled?: () => boolean;
+  /** Of commands that switch something. */
+  isOn?: () => boolean;
+}
+
+export class Commands {
+  private readonly byId = new Map<CommandId, Command>();
+  private readonly byKey = new Map<string, Command[]>();
+
+  add(commands: readonly Command[]): void {
+    for (const command of commands) {
+      this.byId.set(command.id, command);
+      for (const key of command.keys) this.byKey.set(key, [...(this.byKey.get(key) ?? []), command]);
+    }
+  }
+
+  get all(): Command[] {
+    return [...this.byId.values()];
+  }
+
+  get(id: CommandId): Command {
+    const found = this.byId.get(id);
+    if (!found) throw new Error(id);
+    return found;
+  }
+
+  isEnabled(id: CommandId): boolean {
+    return this.get(id).isEnabled?.() ?? true;
+  }
+
+  run(id: CommandId): void {
+    if (this.isEnabled(id)) this.get(id).run();
+  }
+
+  /** Runs the command of a key; false if there is none here. */
+  press(chord: string, place: { inField: boolean; inPlan: boolean }): boolean {
+    const command = (this.byKey.get(chord) ?? []).find(
+      ({ where }) => where === "everywhere" || (!place.inField && (where === "page" || place.inPlan)),
+    );
+    if (!command) return false;
+    if (command.isEnabled?.() ?? true) command.run();
+    return true;
+  }
+}

@@ -1,0 +1,35 @@
+// Finds articles, fixtures, labels and units by their ids.
+
+import { showSelection } from "../actions/source";
+import type { Hit } from "../document/messages";
+import type { Planner } from "../planner";
+import { text } from "../text";
+import { deviceItem } from "../view/hit";
+import type { Item } from "../view/selection";
+import { openPicker, type Result } from "./picker";
+
+function itemOfHit(planner: Planner, { kind, path, index }: Hit): Item | null {
+  const { labels, units } = planner.document;
+  if (index !== undefined) return deviceItem(kind === "unit" ? units : labels, index);
+  return path ? { kind: "element", path } : null;
+}
+
+export function openFind(planner: Planner): void {
+  const search = async (typed: string): Promise<Result[]> => {
+    if (typed === "") return [];
+    const { hits } = await planner.document
+      .request<{ hits: Hit[] }>("find", { text: typed })
+      .catch(() => ({ hits: [] }));
+    return hits.map((hit) => ({
+      name: hit.id,
+      note: (text.kinds as Record<string, string>)[hit.kind] ?? hit.kind,
+      choose: () => {
+        const item = itemOfHit(planner, hit);
+        if (item) planner.selection.set([item]);
+        if (item && planner.boundsOfItem(item)) showSelection(planner);
+        else planner.viewport.fit({ lower: hit.at, upper: hit.at }, 120);
+      },
+    }));
+  };
+  openPicker(text.access.find, text.access.find_hint, search);
+}

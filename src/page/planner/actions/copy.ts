@@ -1,0 +1,126 @@
+// Copies, pastes, duplicates and deletes the selected elements.
+
+import { EditBuilder } from "../document/edit";
+import type { Part, Point } from "../document/messages";
+import { noPreview, type Preview } from "../document/preview";
+import { contextOf } from "../elements/context";
+import { addCopies, idsOf, type Copied } from "../elements/copies";
+import { elementAt, kindOf, type StoreElement } from "../elements/kinds";
+import { moveElement } from "../elements/motion";
+import { namesOf } from "../elements/names";
+import { boundsOf, middleOf } from "../geometry/bounds";
+import { movedPart, shiftBy } from "../geometry/rigid";
+import { stepped } from "../geometry/units";
+import { minus } from "../geometry/vector";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+
+function copiesOf(planner: Planner, elements: readonly StoreElement[]): Copied[] {
+  return elements
+    .filter(({ kind }) => kind !== "room")
+    .flatMap(({ path, kind, value }) => {
+      const context = contextOf(planner.document, path);
+      const bounds = planner.boundsOfItem({ kind: "element", path });
+      if (!context || !bounds) return [];
+      return [{ kind, value, effective: context.effective, part: context.parts[0] ?? null, middle: middleOf(bounds) }];
+    });
+}
+
+export function copySelection(planner: Planner): readonly Copied[] {
+  const copied = copiesOf(planner, planner.selected);
+  if (copied.length === 0) return [];
+  planner.copied = copied;
+  planner.say(say(text.notices.copied, namesOf(planner.selected)));
+  return copied;
+}
+
+/** A shift whose numbers have no more decimals than those of a drag. */
+export function wholeSteps(planner: Planner, [x, y]: Point): Point {
+  const { unit } = planner.document;
+  const round = (metres: number) => stepped(metres / unit.factor, unit) * unit.factor;
+  return [round(x), round(y)];
+}
+
+/** Outlines of the selection, shifted, under keys of their own. */
+export function ghostsOf(planner: Planner, elements: readonly StoreElement[], shift: Point): Part[] {
+  return elements
+    .flatMap(({ path }) => planner.document.parts.of(path))
+    .map((part) => ({ ...movedPart(part, shiftBy(shift)), key: `new ${part.key}`, path: null }));
+}
+
+/** Adds copies, shifted by a distance in m, and selects them. */
+export async function insertCopies(
+  planner: Planner,
+  copied: readonly Copied[],
+  shift: Point,
+  label: string,
+  preview: Preview = noPreview,
+): Promise<boolean> {
+  if (copied.length === 0) return false;
+  const { document } = planner;
+  const builder = new EditBuilder(document.json);
+  const taken = idsOf(
+    document.json,
+    document.parts.all.map(({ id }) => id),
+  );
+  const paths = addCopies(builder, copied, taken);
+  paths.forEach((path, index) => {
+    const element = elementAt(builder.json, path);
+    const { effective, part } = copied[index];
+    if (element)
+      moveElement(
+        builder,
+        { ...element, effective: { ...effective, ...element.value }, parts: part ? [part] : [], unit: document.unit },
+        shiftBy(shift),
+      );
+  });
+  const done = document.edit({ label, ops: builder.ops }, preview);
+  planner.selection.setPaths(paths);
+  return done;
+}
+
+/** Puts the middle of the copies at a place, or beside the original. */
+export function paste(planner: Planner, at: Point | null): Promise<boolean> {
+  const { copied } = planner;
+  const bounds = boundsOf(copied.map(({ middle }) => middle));
+  if (!bounds) return Promise.resolve(false);
+  const shift = at ? wholeSteps(planner, minus(at, middleOf(bounds))) : aside(planner);
+  const elements = copied.map(({ kind, value }, index) => ({ kind, value, index, path: "" }));
+  return insertCopies(planner, copied, shift, say(text.edits.paste, namesOf(elements)));
+}
+
+/** Beside the original, m. */
+function aside({ document: { unit } }: Planner): Point {
+  const way = 50 * unit.step * unit.factor;
+  return [way, -way];
+}
+
+export function duplicateSelection(planner: Planner): Promise<boolean> {
+  const elements = planner.selected;
+  const shift = aside(planner);
+  const label = say(text.edits.duplicate, namesOf(elements));
+  const preview = { ...noPreview, added: ghostsOf(planner, elements, shift) };
+  return insertCopies(planner, copiesOf(planner, elements), shift, label, preview);
+}
+
+/** Duplicates that a drag puts at another place. */
+export function dropCopies(planner: Planner, elements: readonly StoreElement[], shift: Point): Promise<boolean> {
+  const label = say(text.edits.copy, namesOf(elements));
+  const preview = { ...noPreview, added: ghostsOf(planner, elements, shift) };
+  return insertCopies(planner, copiesOf(planner, elements), shift, label, preview);
+}
+
+export function deleteSelection(planner: Planner): Promise<boolean> {
+  const { document } = planner;
+  const elements = planner.selected.filter(({ kind }) => kind !== "room");
+  if (elements.length === 0) return Promise.resolve(false);
+  const label = say(text.edits.delete, namesOf(elements));
+  const builder = new EditBuilder(document.json);
+  // From the last to the first, so that places stay right.
+  const paths = elements.map(({ path }) => path).sort((a, b) => indexOf(b) - indexOf(a));
+  for (const path of paths) if (kindOf(path)) builder.set(path, undefined);
+  const keys = paths.flatMap((path) => document.parts.of(path).map(({ key }) => key));
+  return document.edit({ label, ops: builder.ops }, { ...noPreview, hidden: new Set(keys) });
+}
+
+const indexOf = (path: string): number => Number(path.slice(path.lastIndexOf("/") + 1));

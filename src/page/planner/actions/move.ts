@@ -1,0 +1,108 @@
+// Moves, turns, mirrors, aligns and distributes the selected elements.
+
+import { EditBuilder } from "../document/edit";
+import type { Part } from "../document/messages";
+import type { Preview } from "../document/preview";
+import { noPreview } from "../document/preview";
+import { aligned, distributed, type Alignment } from "../elements/arrange";
+import { contextsOf } from "../elements/context";
+import { isImmovable, motionOf, moveElement, previewOf, type Immovable } from "../elements/motion";
+import type { StoreElement } from "../elements/kinds";
+import { namesOf } from "../elements/names";
+import { middleOf } from "../geometry/bounds";
+import { mirrorAt, shiftBy, turnAbout, type Motion } from "../geometry/rigid";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+
+type MotionFor = (element: StoreElement, index: number) => Motion;
+
+/** How the plan looks after movements of elements. */
+export function motionPreview(planner: Planner, elements: readonly StoreElement[], motionFor: MotionFor): Preview {
+  const parts = new Map<string, Part>();
+  const devices = new Map<string, Motion>();
+  elements.forEach((element, index) => {
+    const own = planner.document.parts.of(element.path);
+    const motion = motionOf(element, own[0], motionFor(element, index));
+    if (isImmovable(motion)) return;
+    for (const part of previewOf(own, motion)) parts.set(part.key, part);
+    devices.set(element.path, motion);
+  });
+  return { ...noPreview, parts, devices };
+}
+
+export interface Wanted {
+  label: string;
+  /** Whether it continues the step before it. */
+  join?: boolean;
+}
+
+/** Writes a movement of elements. Those that cannot move stay, and the page says why. */
+export async function moveElements(
+  planner: Planner,
+  elements: readonly StoreElement[],
+  motionFor: MotionFor,
+  { label, join }: Wanted,
+): Promise<boolean> {
+  const { document } = planner;
+  const preview = motionPreview(planner, elements, motionFor);
+  document.show(preview);
+  const contexts = await contextsOf(
+    document,
+    elements.map(({ path }) => path),
+  );
+  const builder = new EditBuilder(document.json);
+  const immovable = new Set<Immovable>();
+  contexts.forEach((context, index) => {
+    const why = moveElement(builder, context, motionFor(context, index));
+    if (why) immovable.add(why);
+  });
+  for (const why of immovable) planner.say(text.immovable[why], true);
+  return document.edit({ label, ops: builder.ops, join }, preview);
+}
+
+export function shiftSelection(planner: Planner, x: number, y: number, join = false): Promise<boolean> {
+  const elements = planner.selected;
+  const label = say(text.edits.move, namesOf(elements));
+  return moveElements(planner, elements, () => shiftBy([x, y]), { label, join });
+}
+
+/** About the middle of the selection. */
+export function turnSelection(planner: Planner, degrees: number): Promise<boolean> {
+  const bounds = planner.selectionBounds;
+  if (!bounds) return Promise.resolve(false);
+  const elements = planner.selected;
+  const label = say(text.edits.rotate, namesOf(elements));
+  return moveElements(planner, elements, () => turnAbout(degrees, middleOf(bounds)), { label });
+}
+
+export function mirrorSelection(planner: Planner, axis: 0 | 1): Promise<boolean> {
+  const bounds = planner.selectionBounds;
+  if (!bounds) return Promise.resolve(false);
+  const elements = planner.selected;
+  const label = say(text.edits.mirror, namesOf(elements));
+  return moveElements(planner, elements, () => mirrorAt(axis, middleOf(bounds)), { label });
+}
+
+function arrange(
+  planner: Planner,
+  label: string,
+  shiftsOf: (all: NonNullable<Planner["selectionBounds"]>[]) => [number, number][],
+) {
+  const placed = planner.selected.flatMap((element) => {
+    const bounds = planner.boundsOfItem({ kind: "element", path: element.path });
+    return bounds ? [{ element, bounds }] : [];
+  });
+  const shifts = shiftsOf(placed.map(({ bounds }) => bounds));
+  const elements = placed.map(({ element }) => element);
+  return moveElements(planner, elements, (_, index) => shiftBy(shifts[index]), {
+    label: say(label, namesOf(elements)),
+  });
+}
+
+export function alignSelection(planner: Planner, how: Alignment): Promise<boolean> {
+  return arrange(planner, text.edits.align, (all) => aligned(all, how));
+}
+
+export function distributeSelection(planner: Planner, axis: 0 | 1): Promise<boolean> {
+  return arrange(planner, text.edits.distribute, (all) => distributed(all, axis));
+}

@@ -1,0 +1,55 @@
+// From a copy, a label or a unit to the element that it comes from; and views of what is selected.
+
+import type { Planner } from "../planner";
+import { itemOf, deviceItem } from "../view/hit";
+import type { Item } from "../view/selection";
+
+/** Selects the element that a copy or a device belongs to: the whole row. */
+export function selectSource(planner: Planner): void {
+  const { selection } = planner;
+  const sources = selection.items.flatMap((item): Item[] =>
+    item.kind === "element" ? [item] : item.path === null ? [] : [{ kind: "element", path: item.path }],
+  );
+  if (sources.length > 0) selection.set(sources);
+}
+
+/** Turns a row into single elements. */
+export async function dissolve(planner: Planner): Promise<void> {
+  const [item] = planner.selection.items;
+  if (item?.path) await planner.document.dissolve(item.path);
+}
+
+export function selectAll(planner: Planner): void {
+  const { document, layers, selection } = planner;
+  const parts = document.parts.all.filter(({ kind }) => kind !== "room" && layers.isFree(kind)).map(itemOf);
+  const devices = [document.labels, document.units]
+    .filter(({ kind }) => layers.isFree(kind))
+    .flatMap((list) =>
+      Array.from({ length: list.count }, (_, index) => index)
+        .filter((index) => list.isListed(index))
+        .map((index) => deviceItem(list, index)),
+    );
+  // A row is selected as a whole, by its element.
+  const items = [...parts, ...devices].map(
+    (item): Item => (item.kind === "copy" && item.path !== null ? { kind: "element", path: item.path } : item),
+  );
+  selection.set(items);
+}
+
+export function showAll({ viewport, wholeBounds }: Planner): void {
+  viewport.fit(wholeBounds);
+}
+
+export function showSelection({ viewport, selectionBounds }: Planner): void {
+  viewport.fit(selectionBounds, 120);
+}
+
+/** Selects the next or previous outline in the order of the list. */
+export function nextItem(planner: Planner, step: 1 | -1): void {
+  const { document, layers, selection } = planner;
+  const items = document.parts.all.filter(({ kind }) => layers.isFree(kind)).map(itemOf);
+  if (items.length === 0) return;
+  const at = items.findIndex((item) => selection.has(item));
+  const next = items[(at < 0 ? (step > 0 ? 0 : items.length - 1) : at + step + items.length) % items.length];
+  selection.set([next]);
+}

@@ -1,0 +1,56 @@
+// The keyboard of the page: chords run commands, Space moves the plan, and the clipboard holds elements.
+
+import type { Commands } from "../access/commands";
+import { chordOf, isField } from "../access/keys";
+import { copySelection, deleteSelection, paste } from "../actions/copy";
+import { fromText, toText } from "../elements/copies";
+import type { Gestures } from "../gesture/gestures";
+import type { Planner } from "../planner";
+
+/** Chords that the browser answers with events of the clipboard. */
+const clipboardChords = new Set(["Ctrl+C", "Ctrl+X", "Ctrl+V"]);
+
+export function listenToKeys(
+  planner: Planner,
+  commands: Commands,
+  gestures: Gestures,
+  plans: readonly HTMLElement[],
+): void {
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.isComposing) return;
+    const inField = isField(event.target);
+    const inPlan = event.target === document.body || plans.includes(event.target as HTMLElement);
+    const chord = chordOf(event);
+    if (chord === "Space" && inPlan) {
+      event.preventDefault();
+      gestures.holdSpace(true);
+      return;
+    }
+    if (clipboardChords.has(chord)) return;
+    if (commands.press(chord, { inField, inPlan })) event.preventDefault();
+  });
+  document.addEventListener("keyup", (event) => {
+    if (event.key === " ") gestures.holdSpace(false);
+  });
+  addEventListener("blur", () => gestures.holdSpace(false));
+
+  const ours = (event: ClipboardEvent) => !isField(event.target) && document.querySelector("dialog[open]") === null;
+  const copy = (event: ClipboardEvent, isCut: boolean) => {
+    if (!ours(event) || String(getSelection()) !== "") return;
+    const copied = copySelection(planner);
+    if (copied.length === 0) return;
+    event.clipboardData?.setData("text/plain", toText(copied, planner.document.unit.name));
+    event.preventDefault();
+    if (isCut && planner.document.locked === null) void deleteSelection(planner);
+  };
+  document.addEventListener("copy", (event) => copy(event, false));
+  document.addEventListener("cut", (event) => copy(event, true));
+  document.addEventListener("paste", (event) => {
+    if (!ours(event)) return;
+    // Elements may come from another tab; without text of ours, the last copies of this tab are meant.
+    const copied = fromText(event.clipboardData?.getData("text/plain") ?? "", planner.document.unit.name);
+    if (copied.length > 0) planner.copied = copied;
+    event.preventDefault();
+    void paste(planner, planner.isPlan ? planner.pointer : null);
+  });
+}

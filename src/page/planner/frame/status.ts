@@ -1,0 +1,58 @@
+// The line below the plan: what the pointer is at, a hint, and the last notice, which screen readers speak.
+
+import { element } from "../../panel/dom";
+import { say, text } from "../text";
+import type { Gestures } from "../gesture/gestures";
+import { namesOf } from "../elements/names";
+import { lengthText } from "../geometry/units";
+import type { Planner } from "../planner";
+
+const noticeTime = 6000; // ms
+
+export class StatusLine {
+  private readonly place = element("span", { class: "place" });
+  private readonly hint = element("span", { class: "hint" });
+  private readonly notice = element("span", { class: "notice", role: "status" });
+  private readonly version = element("span", { class: "version" });
+  readonly root = element("footer", { class: "status" }, this.place, this.hint, this.notice, this.version);
+
+  private said: unknown = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly gestures: Gestures,
+  ) {}
+
+  update(): void {
+    const { planner } = this;
+    const { pointer, isPlan, document } = planner;
+    this.place.textContent =
+      pointer && isPlan
+        ? say(text.status.place, lengthText(pointer[0], document.unit), lengthText(pointer[1], document.unit))
+        : "";
+    this.hint.textContent = this.hintOf();
+    this.version.textContent = document.version ? say(text.status.version, document.version) : "";
+    if (planner.notice === this.said) return;
+    this.said = planner.notice;
+    this.notice.textContent = planner.notice?.text ?? "";
+    this.notice.classList.toggle("problem", planner.notice?.isProblem ?? false);
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.notice.textContent = "";
+    }, noticeTime);
+  }
+
+  private hintOf(): string {
+    const { planner, gestures } = this;
+    const { kind } = gestures.scope;
+    if (!planner.isPlan) return text.hints.space;
+    if (kind === "moving" || kind === "rotating" || kind === "resizing" || kind === "marquee") return text.hints[kind];
+    if (planner.tool === "measure") return text.hints.measure;
+    const { items } = planner.selection;
+    if (items.length === 0) return text.hints.nothing;
+    const elements = planner.selected;
+    if (elements.length === 0) return text.hints.locked;
+    return say(text.hints.selected, namesOf(elements));
+  }
+}

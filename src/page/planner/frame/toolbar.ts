@@ -1,0 +1,92 @@
+// The bar above the plan: project, tools, steps, view, and whether everything is saved.
+
+import { button, element } from "../../panel/dom";
+import { counted } from "../../data/format";
+import { icon, type IconName } from "../access/icons";
+import type { CommandId, Commands } from "../access/commands";
+import { chordText } from "../access/keys";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+
+const tools: [CommandId, IconName][] = [
+  ["select", "select"],
+  ["measure", "measure"],
+];
+const steps: [CommandId, IconName][] = [
+  ["undo", "undo"],
+  ["redo", "redo"],
+];
+const views: [CommandId, IconName][] = [
+  ["fit", "fit"],
+  ["find", "find"],
+  ["commands", "command"],
+  ["shortcuts", "help"],
+];
+
+export class Toolbar {
+  private readonly name = element("h1", {});
+  private readonly saving = element("p", { class: "saving", role: "status" });
+  private readonly buttons = new Map<CommandId, HTMLButtonElement>();
+  private readonly space = button("", () => this.commands.run("space"), { class: "wide" });
+  readonly root: HTMLElement;
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly commands: Commands,
+  ) {
+    const group = (entries: [CommandId, IconName][], name: string) =>
+      element(
+        "div",
+        { class: "group", role: "group", "aria-label": name },
+        ...entries.map(([id, image]) => this.button(id, image)),
+      );
+    this.root = element(
+      "header",
+      { class: "toolbar" },
+      this.name,
+      group(tools, text.groups.tools),
+      group(steps, text.groups.edit),
+      element("div", { class: "group", role: "group", "aria-label": text.groups.view }, this.space),
+      element("span", { class: "gap" }),
+      group(views, text.groups.help),
+      this.saving,
+    );
+  }
+
+  private button(id: CommandId, image: IconName): HTMLButtonElement {
+    const [key] = this.commands.get(id).keys;
+    const title = key ? say(text.access.with_key, text.commands[id], chordText(key)) : text.commands[id];
+    const made = button("", () => this.commands.run(id), { class: "tool", "aria-label": text.commands[id], title });
+    made.append(icon(image));
+    this.buttons.set(id, made);
+    return made;
+  }
+
+  update(): void {
+    const { document, isPlan } = this.planner;
+    this.name.textContent = document.name || document.file;
+    for (const [id, made] of this.buttons) {
+      made.disabled = !this.commands.isEnabled(id);
+      const isOn = this.commands.get(id).isOn?.();
+      if (isOn !== undefined) made.setAttribute("aria-pressed", String(isOn));
+    }
+    this.space.replaceChildren(icon(isPlan ? "cube" : "plan"), isPlan ? text.view.space : text.view.plan);
+    this.space.title = say(text.access.with_key, text.commands.space, "D");
+    this.showSaving();
+  }
+
+  private showSaving(): void {
+    const { saving, locked, isReady } = this.planner.document;
+    const words = !isReady
+      ? text.saving.loading
+      : locked
+        ? text.saving.locked
+        : saving.state === "lost"
+          ? saving.edits > 0
+            ? counted(text.saving.lost_edits, saving.edits)
+            : text.saving.lost
+          : text.saving[saving.state];
+    if (this.saving.textContent !== words) this.saving.textContent = words;
+    this.saving.dataset.state = locked ? "locked" : saving.state;
+  }
+}

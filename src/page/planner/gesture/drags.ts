@@ -1,0 +1,142 @@
+// The drags that change elements: how the plan follows the pointer, and what is written at the end.
+
+import { dropCopies, ghostsOf, wholeSteps } from "../actions/copy";
+import { motionPreview, moveElements } from "../actions/move";
+import { EditBuilder } from "../document/edit";
+import type { Point } from "../document/messages";
+import { noPreview, type Preview } from "../document/preview";
+import { contextOf, type Context } from "../elements/context";
+import { cornerLists } from "../elements/handles";
+import { nameOf, namesOf } from "../elements/names";
+import { resize, resizedParts } from "../elements/resize";
+import { valueAt } from "../document/json";
+import { shiftBy, turnAbout } from "../geometry/rigid";
+import { lengthText } from "../geometry/units";
+import { directionOf, distance, minus, plus, times, wholeTurn } from "../geometry/vector";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import type { Scope } from "./scope";
+
+type Moving = Extract<Scope, { kind: "moving" }>;
+type Rotating = Extract<Scope, { kind: "rotating" }>;
+type Resizing = Extract<Scope, { kind: "resizing" }>;
+
+export interface Keys {
+  shift: boolean;
+  alt: boolean;
+}
+
+/** Shift keeps the direction of the longer side. */
+export function dragMove(planner: Planner, scope: Moving, to: Point, keys: Keys): Moving {
+  let [x, y] = minus(to, scope.from);
+  if (keys.shift) [x, y] = Math.abs(x) > Math.abs(y) ? [x, 0] : [0, y];
+  const next = { ...scope, shift: wholeSteps(planner, [x, y]), isCopying: keys.alt };
+  const { elements, shift, isCopying } = next;
+  planner.document.show(
+    isCopying
+      ? { ...noPreview, added: ghostsOf(planner, elements, shift) }
+      : motionPreview(planner, elements, () => shiftBy(shift)),
+  );
+  return next;
+}
+
+export function dropMove(planner: Planner, { elements, shift, isCopying }: Moving): Promise<boolean> {
+  if (shift[0] === 0 && shift[1] === 0) {
+    planner.document.show(null);
+    return Promise.resolve(false);
+  }
+  if (isCopying) return dropCopies(planner, elements, shift);
+  return moveElements(planner, elements, () => shiftBy(shift), { label: say(text.edits.move, namesOf(elements)) });
+}
+
+export function moveReadout(planner: Planner, { shift: [x, y] }: Moving): string {
+  const { unit } = planner.document;
+  return say(text.readout.move, lengthText(x, unit), lengthText(y, unit));
+}
+
+const turnStep = 15; // degrees
+
+/** Alt turns by whole degrees instead of steps. */
+export function dragTurn(planner: Planner, scope: Rotating, to: Point, keys: Keys): Rotating {
+  const step = keys.alt ? 1 : turnStep;
+  const raw = wholeTurn(directionOf(minus(to, scope.middle)) - scope.from);
+  const turn = wholeTurn(Math.round(raw / step) * step);
+  planner.document.show(motionPreview(planner, scope.elements, () => turnAbout(turn, scope.middle)));
+  return { ...scope, turn };
+}
+
+export function dropTurn(planner: Planner, { elements, middle, turn }: Rotating): Promise<boolean> {
+  if (turn === 0) {
+    planner.document.show(null);
+    return Promise.resolve(false);
+  }
+  const label = say(text.edits.rotate, namesOf(elements));
+  return moveElements(planner, elements, () => turnAbout(turn, middle), { label });
+}
+
+export const turnReadout = ({ turn }: Rotating): string => say(text.readout.turn, turn > 180 ? turn - 360 : turn);
+
+/** How the plan looks after a change of an element's size. */
+function resizePreview(context: Context, builder: EditBuilder, handle: string, to: Point): Preview {
+  const resized = resize(builder, context, handle, to);
+  const { parts, path, unit } = context;
+  if (resized) return { ...noPreview, parts: new Map(resizedParts(parts, resized).map((part) => [part.key, part])) };
+  const [part] = parts;
+  if (!part) return noPreview;
+  const points = (pointer: string): Point[] =>
+    ((valueAt(builder.json, path + pointer) ?? []) as number[][]).map(([x, y]) => times([x, y], unit.factor));
+  const [first, ...others] = cornerLists(context.effective);
+  if (first?.pointer === "/corners") {
+    const [a, b, c] = points(first.pointer);
+    return { ...noPreview, parts: new Map([[part.key, { ...part, outline: [a, b, c, plus(a, minus(c, b))] }]]) };
+  }
+  if (first)
+    return {
+      ...noPreview,
+      parts: new Map([
+        [part.key, { ...part, outline: points(first.pointer), holes: others.map(({ pointer }) => points(pointer)) }],
+      ]),
+    };
+  const [from, until] = ["/from", "/to"].map((key) => valueAt(builder.json, path + key) as number[]);
+  const thickness = Number(context.effective.thickness ?? 0.1 / unit.factor);
+  const outline = stripe(
+    times([from[0], from[1]], unit.factor),
+    times([until[0], until[1]], unit.factor),
+    thickness * unit.factor,
+  );
+  return { ...noPreview, parts: new Map([[part.key, { ...part, outline }]]) };
+}
+
+/** A wall between two points. */
+function stripe(a: Point, b: Point, thickness: number): Point[] {
+  const way = minus(b, a);
+  const [x, y] = times(way, (0.5 * thickness) / (Math.hypot(...way) || 1));
+  return [
+    [a[0] + y, a[1] - x],
+    [b[0] + y, b[1] - x],
+    [b[0] - y, b[1] + x],
+    [a[0] - y, a[1] + x],
+  ];
+}
+
+export function dragSize(planner: Planner, scope: Resizing, to: Point): Resizing {
+  const builder = new EditBuilder(planner.document.json);
+  const preview = resizePreview(scope.context, builder, scope.handle, to);
+  planner.document.show(preview);
+  return { ...scope, ops: builder.ops, preview };
+}
+
+export function dropSize(planner: Planner, { context, ops, preview }: Resizing): Promise<boolean> {
+  if (ops.length > 0) return planner.document.edit({ label: say(text.edits.resize, nameOf(context)), ops }, preview);
+  planner.document.show(null);
+  return Promise.resolve(false);
+}
+
+/** The sizes of the element's first outline as the plan shows it. */
+export function sizeReadout(planner: Planner, { context }: Resizing): string {
+  const { document } = planner;
+  const outline = contextOf(document, context.path)?.parts[0]?.outline ?? [];
+  const size = (a: number, b: number) =>
+    outline[a] && outline[b] ? lengthText(distance(outline[a], outline[b]), document.unit) : "";
+  return outline.length === 4 ? say(text.readout.size, size(0, 1), size(1, 2)) : "";
+}

@@ -1,0 +1,303 @@
+// Turns the events of the pointer into gestures.
+
+import type { Point } from "../document/messages";
+import { noPreview } from "../document/preview";
+import { contextOf } from "../elements/context";
+import { attach } from "../geometry/attach";
+import { middleOf, type Bounds } from "../geometry/bounds";
+import { directionOf, distance, minus } from "../geometry/vector";
+import type { Planner } from "../planner";
+import { text } from "../text";
+import { itemAt, itemOf, itemsWithin, partAt } from "../view/hit";
+import type { Item } from "../view/selection";
+import { dragMove, dragSize, dragTurn, dropMove, dropSize, dropTurn, type Keys } from "./drags";
+import { gripAt, gripsOf } from "./grips";
+import { idle, type Scope } from "./scope";
+import { Touches } from "./touches";
+
+const slack = 4; // pixels between a click and a drag
+const reach = 9; // pixels
+const buttons = { left: 0, middle: 1, right: 2, none: -1 };
+
+export const marqueeOf = ({ from, to }: { from: Point; to: Point }): Bounds => ({
+  lower: [Math.min(from[0], to[0]), Math.min(from[1], to[1])],
+  upper: [Math.max(from[0], to[0]), Math.max(from[1], to[1])],
+});
+
+export class Gestures {
+  scope: Scope = idle;
+  /** Finished measurements; they stay until the tool is left. */
+  measured: [Point, Point][] = [];
+  /** The item under the pointer. */
+  hovered: Item | null = null;
+  onMenu: (screen: Point) => void = () => {};
+  onOpen: () => void = () => {};
+
+  private isSpaceHeld = false;
+  private last: Point = [0, 0];
+  private readonly touches: Touches;
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly surface: HTMLElement,
+  ) {
+    this.touches = new Touches(planner.viewport);
+    surface.addEventListener("pointerdown", (event) => this.down(event));
+    surface.addEventListener("pointermove", (event) => this.move(event));
+    surface.addEventListener("pointerup", (event) => this.up(event));
+    surface.addEventListener("pointercancel", (event) => {
+      this.touches.release(event);
+      this.cancel();
+    });
+    surface.addEventListener("pointerleave", () => {
+      planner.pointer = null;
+      this.hover(null);
+    });
+    surface.addEventListener("dblclick", () => this.onOpen());
+    surface.addEventListener("contextmenu", (event) => event.preventDefault());
+    surface.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+  }
+
+  /** Ends the gesture without an effect; false if there was none. */
+  cancel(): boolean {
+    const { kind } = this.scope;
+    const isGesture = kind !== "idle" && !(kind === "measuring" && this.scope.from === null);
+    if (kind === "marquee") this.planner.selection.set(this.scope.before);
+    this.planner.document.show(null);
+    this.enter(
+      this.planner.tool === "measure" ? { kind: "measuring", from: null, to: { at: [0, 0], to: null } } : idle,
+    );
+    return isGesture;
+  }
+
+  /** Begins or ends the use of a tool. */
+  useTool(): void {
+    this.measured = [];
+    this.cancel();
+  }
+
+  /** Space moves the plan with the pointer, also without a button. */
+  holdSpace(held: boolean): void {
+    if (this.isSpaceHeld === held) return;
+    this.isSpaceHeld = held;
+    if (this.scope.kind === "panning" && this.scope.button === buttons.none && !held) this.enter(idle);
+    this.surface.classList.toggle("grab", held);
+  }
+
+  private enter(scope: Scope): void {
+    this.scope = scope;
+    this.surface.dataset.scope = scope.kind;
+    this.planner.changes.note("preview");
+  }
+
+  private placeOf(event: MouseEvent): { screen: Point; world: Point } {
+    const box = this.surface.getBoundingClientRect();
+    const screen: Point = [event.clientX - box.left, event.clientY - box.top];
+    return { screen, world: this.planner.viewport.toWorld(screen) };
+  }
+
+  private get reach(): number {
+    return reach / this.planner.viewport.scale;
+  }
+
+  private down(event: PointerEvent): void {
+    const { screen, world } = this.placeOf(event);
+    this.last = screen;
+    this.surface.setPointerCapture(event.pointerId);
+    if (event.pointerType === "touch" && this.touches.press(event, screen)) {
+      this.planner.document.show(null);
+      this.enter({ kind: "pinching" });
+      return;
+    }
+    if (this.scope.kind !== "idle" && this.scope.kind !== "measuring") return;
+    if (event.button !== buttons.left || this.isSpaceHeld) {
+      event.preventDefault();
+      this.enter({ kind: "panning", screen, button: event.button, hasMoved: false });
+    } else if (this.planner.tool === "measure") this.measureTo(world);
+    else this.press(event, screen, world);
+  }
+
+  private press(event: PointerEvent, screen: Point, world: Point): void {
+    const { planner } = this;
+    const isTouch = event.pointerType === "touch";
+    const grip = isTouch ? null : gripAt(gripsOf(planner), screen);
+    const bounds = planner.selectionBounds;
+    if (grip?.handle === "turn" && bounds) {
+      const middle = middleOf(bounds);
+      const from = directionOf(minus(world, middle));
+      this.enter({ kind: "rotating", elements: planner.selected, middle, from, turn: 0 });
+    } else if (grip && grip.handle !== "turn") {
+      const [path] = planner.selection.paths;
+      const context = contextOf(planner.document, path);
+      if (context) this.enter({ kind: "resizing", context, handle: grip.handle.id, ops: [], preview: noPreview });
+    } else {
+      const item = itemAt(planner.document, planner.layers, world, this.reach);
+      this.enter({ kind: "pressed", screen, world, item, isTouch });
+    }
+  }
+
+  private move(event: PointerEvent): void {
+    const { screen, world } = this.placeOf(event);
+    const [x, y] = minus(screen, this.last);
+    this.last = screen;
+    const { planner, scope } = this;
+    planner.pointer = world;
+    if (scope.kind === "pinching") {
+      this.touches.move(event, screen);
+      return;
+    }
+    const keys: Keys = { shift: event.shiftKey, alt: event.altKey };
+    if (this.isSpaceHeld && scope.kind !== "panning") {
+      planner.viewport.pan(x, y);
+      return;
+    }
+    switch (scope.kind) {
+      case "panning":
+        this.pan(scope, screen, [x, y]);
+        break;
+      case "pressed":
+        if (distance(screen, scope.screen) > slack) this.beginDrag(scope, screen, world, keys);
+        break;
+      case "marquee":
+        this.stretch(scope, world);
+        break;
+      case "moving":
+        this.enter(dragMove(planner, scope, world, keys));
+        break;
+      case "rotating":
+        this.enter(dragTurn(planner, scope, world, keys));
+        break;
+      case "resizing":
+        this.enter(dragSize(planner, scope, world));
+        break;
+      case "measuring":
+        this.enter({ ...scope, to: attach(planner.document.parts.all, world, scope.from, this.reach) });
+        break;
+      case "idle":
+        this.hover(event.pointerType === "mouse" ? itemAt(planner.document, planner.layers, world, this.reach) : null);
+        planner.changes.note("preview");
+        break;
+    }
+  }
+
+  private pan(scope: Extract<Scope, { kind: "panning" }>, screen: Point, [x, y]: Point): void {
+    const hasMoved = scope.hasMoved || distance(screen, scope.screen) > slack;
+    if (!hasMoved) return;
+    // The first movement makes up for the way of the slack.
+    const [dx, dy] = scope.hasMoved ? [x, y] : minus(screen, scope.screen);
+    this.planner.viewport.pan(dx, dy);
+    this.enter({ ...scope, hasMoved });
+  }
+
+  private beginDrag(scope: Extract<Scope, { kind: "pressed" }>, screen: Point, world: Point, keys: Keys): void {
+    const { planner } = this;
+    const { selection, document, layers } = planner;
+    if (scope.isTouch) {
+      this.enter({ kind: "panning", screen: scope.screen, button: buttons.left, hasMoved: true });
+      planner.viewport.pan(...minus(screen, scope.screen));
+      return;
+    }
+    let { item } = scope;
+    // A label or candidate of an element moves with it.
+    if (item?.kind === "device") {
+      const part = partAt(document.parts.all, scope.world, 0.6 * this.reach, layers);
+      item = part && itemOf(part);
+    }
+    if (!item) {
+      const before = keys.shift ? [...selection.items] : [];
+      this.enter({ kind: "marquee", from: scope.world, to: world, isAdding: keys.shift, before });
+      return;
+    }
+    if (!selection.has(item)) {
+      if (keys.shift) selection.add([item]);
+      else selection.set([item]);
+    }
+    if (item.kind === "copy" || document.locked) {
+      planner.say(item.kind === "copy" ? text.notices.locked_copy : text.notices.locked, true);
+      this.enter(idle);
+      return;
+    }
+    const moving: Scope = {
+      kind: "moving",
+      elements: planner.selected,
+      from: scope.world,
+      shift: [0, 0],
+      isCopying: keys.alt,
+    };
+    this.enter(dragMove(planner, moving, world, { ...keys, shift: false }));
+  }
+
+  /** From left to right, the marquee selects what lies inside; from right to left, also what it touches. */
+  private stretch(scope: Extract<Scope, { kind: "marquee" }>, to: Point): void {
+    const { document, layers, selection } = this.planner;
+    const next = { ...scope, to };
+    const found = itemsWithin(document, layers, marqueeOf(next), to[0] < scope.from[0]);
+    selection.set([...scope.before, ...found]);
+    this.enter(next);
+  }
+
+  private measureTo(world: Point): void {
+    if (this.scope.kind !== "measuring") return;
+    const { from } = this.scope;
+    const to = attach(this.planner.document.parts.all, world, from, this.reach);
+    if (from) this.measured.push([from, to.at]);
+    this.enter({ kind: "measuring", from: from ? null : to.at, to });
+  }
+
+  /** Moves the end of a measurement by keys. */
+  moveCross(x: number, y: number): void {
+    const { planner } = this;
+    if (this.scope.kind !== "measuring") return;
+    const { viewport } = planner;
+    const screen = viewport.toScreen(planner.pointer ?? viewport.centre);
+    planner.pointer = viewport.toWorld([screen[0] + x, screen[1] + y]);
+    this.enter({ ...this.scope, to: attach(planner.document.parts.all, planner.pointer, this.scope.from, 0) });
+  }
+
+  measureAtCross(): void {
+    this.measureTo(this.planner.pointer ?? this.planner.viewport.centre);
+  }
+
+  private up(event: PointerEvent): void {
+    const { planner, scope } = this;
+    this.touches.release(event);
+    if (scope.kind === "idle" || scope.kind === "measuring") return;
+    this.enter(idle);
+    if (planner.tool === "measure") this.cancel();
+    if (scope.kind === "pressed") this.click(scope.item, event.shiftKey);
+    else if (scope.kind === "panning" && scope.button === buttons.right && !scope.hasMoved) this.openMenu(event);
+    else if (scope.kind === "moving") void dropMove(planner, scope);
+    else if (scope.kind === "rotating") void dropTurn(planner, scope);
+    else if (scope.kind === "resizing") void dropSize(planner, scope);
+  }
+
+  private click(item: Item | null, isAdding: boolean): void {
+    const { selection } = this.planner;
+    if (item && isAdding) selection.toggle(item);
+    else if (item) selection.set([item]);
+    else if (!isAdding) selection.clear();
+  }
+
+  private openMenu(event: PointerEvent): void {
+    const { screen, world } = this.placeOf(event);
+    const { planner } = this;
+    const item = itemAt(planner.document, planner.layers, world, this.reach);
+    if (item && !planner.selection.has(item)) planner.selection.set([item]);
+    else if (!item) planner.selection.clear();
+    this.onMenu(screen);
+  }
+
+  private hover(item: Item | null): void {
+    this.hovered = item;
+    this.surface.classList.toggle("over", item !== null);
+  }
+
+  private wheel(event: WheelEvent): void {
+    event.preventDefault();
+    const { viewport, wheelPans } = this.planner;
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 24 : 1;
+    // A pinch on a trackpad arrives as a wheel with Ctrl.
+    if (wheelPans && !event.ctrlKey) viewport.pan(-event.deltaX * unit, -event.deltaY * unit);
+    else viewport.zoom(Math.exp(-event.deltaY * unit * (event.ctrlKey ? 0.01 : 0.0018)), this.placeOf(event).screen);
+  }
+}

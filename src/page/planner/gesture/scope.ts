@@ -1,0 +1,24 @@
+// What the pointer is doing. One value at a time, so that gestures cannot mix.
+
+import type { EditOp } from "../document/json";
+import type { Point } from "../document/messages";
+import type { Preview } from "../document/preview";
+import type { Context } from "../elements/context";
+import type { StoreElement } from "../elements/kinds";
+import type { Item } from "../view/selection";
+import type { Attached } from "../geometry/attach";
+
+/** Places on the screen are pixels, others m. */
+export type Scope =
+  | { kind: "idle" }
+  /** Pressed, and not yet moved far enough for a drag. */
+  | { kind: "pressed"; screen: Point; world: Point; item: Item | null; isTouch: boolean }
+  | { kind: "panning"; screen: Point; button: number; hasMoved: boolean }
+  | { kind: "pinching" }
+  | { kind: "marquee"; from: Point; to: Point; isAdding: boolean; before: readonly Item[] }
+  | { kind: "moving"; elements: readonly StoreElement[]; from: Point; shift: Point; isCopying: boolean }
+  | { kind: "rotating"; elements: readonly StoreElement[]; middle: Point; from: number; turn: number }
+  | { kind: "resizing"; context: Context; handle: string; ops: readonly EditOp[]; preview: Preview }
+  | { kind: "measuring"; from: Point | null; to: Attached };
+
+export const idle: Scope = { kind: "idle" };

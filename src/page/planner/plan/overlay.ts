@@ -1,0 +1,193 @@
+// What lies above the plan, in pixels: the selection, its handles, the marquee, measurements and readings.
+
+import type { Part, Point } from "../document/messages";
+import { moveReadout, sizeReadout, turnReadout } from "../gesture/drags";
+import { marqueeOf, type Gestures } from "../gesture/gestures";
+import { gripsOf } from "../gesture/grips";
+import { rectangle } from "../geometry/bounds";
+import { lengthText } from "../geometry/units";
+import { between, distance, directionOf, minus, unitAt } from "../geometry/vector";
+import type { Planner } from "../planner";
+import { isOpenLine } from "../view/hit";
+import type { Item } from "../view/selection";
+import { pathOf, svg } from "./svg";
+
+const gripSize = 8; // pixels
+
+export class Overlay {
+  readonly root = svg("svg", { class: "overlay", "aria-hidden": "true" });
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly gestures: Gestures,
+  ) {}
+
+  update(): void {
+    this.root.replaceChildren(...(this.planner.isPlan ? this.drawn() : []));
+  }
+
+  private drawn(): Node[] {
+    const { scope } = this.gestures;
+    const isBusy = scope.kind === "moving" || scope.kind === "rotating";
+    return [
+      ...this.hovered(),
+      ...this.selected(),
+      ...(isBusy || scope.kind === "marquee" ? [] : this.grips()),
+      ...this.marquee(),
+      ...this.measures(),
+      ...this.reading(),
+    ];
+  }
+
+  private screen(points: readonly Point[]): Point[] {
+    return points.map((point) => this.planner.viewport.toScreen(point));
+  }
+
+  private outline(part: Part, className: string): SVGPathElement {
+    return svg("path", { class: className, d: pathOf(this.screen(part.outline), isOpenLine(part)) });
+  }
+
+  private hovered(): Node[] {
+    const { hovered, scope } = this.gestures;
+    if (!hovered || scope.kind !== "idle" || this.planner.tool !== "select") return [];
+    return [
+      ...this.planner.partsOf(hovered).map((part) => this.outline(part, "hover")),
+      ...this.dots(hovered, "hover"),
+    ];
+  }
+
+  private dots(item: Item, className: string): Node[] {
+    return this.screen(this.planner.pointsOf(item)).map(([cx, cy]) =>
+      svg("circle", { class: className, cx, cy, r: 9 }),
+    );
+  }
+
+  private selected(): Node[] {
+    const { planner } = this;
+    const { items } = planner.selection;
+    const drawn = items.flatMap((item) => [
+      ...planner
+        .partsOf(item)
+        .map((part) => this.outline(part, part.locked && item.kind === "copy" ? "chosen locked" : "chosen")),
+      ...this.dots(item, "chosen"),
+    ]);
+    const bounds = items.length > 1 ? planner.selectionBounds : null;
+    if (bounds) drawn.push(svg("path", { class: "around", d: pathOf(this.screen(rectangle(bounds))) }));
+    return [...drawn, ...this.front()];
+  }
+
+  /** An arrow in the direction that a selected fixture faces. */
+  private front(): Node[] {
+    const { planner } = this;
+    const [item] = planner.selection.items;
+    if (planner.selection.items.length !== 1 || !item) return [];
+    return planner.partsOf(item).flatMap((part) => {
+      if (!part.footing || part.kind !== "fixture") return [];
+      const { at, rotation, length, depth } = part.footing;
+      const [u, v] = [unitAt(rotation), unitAt(rotation + 90)];
+      const tip: Point = [at[0] + 0.5 * length * u[0], at[1] + 0.5 * length * u[1]];
+      const size = Math.min(0.35 * depth, 0.25 * length);
+      const point = (x: number, y: number): Point => [tip[0] + x * u[0] + y * v[0], tip[1] + x * u[1] + y * v[1]];
+      const arrow = [point(-size, 1.5 * size), point(0, 0.5 * size), point(size, 1.5 * size)];
+      return size * planner.viewport.scale > 3
+        ? [svg("path", { class: "front", d: pathOf(this.screen(arrow), true) })]
+        : [];
+    });
+  }
+
+  private grips(): Node[] {
+    return gripsOf(this.planner).flatMap(({ handle, screen: [x, y] }) => {
+      if (handle === "turn")
+        return [
+          svg("path", {
+            class: "stem",
+            d: pathOf(
+              [
+                [x, y],
+                [x, y + 20],
+              ],
+              true,
+            ),
+          }),
+          svg("circle", { class: "grip turn", cx: x, cy: y, r: 5.5, "data-grip": "turn" }),
+        ];
+      const half = 0.5 * (handle.isCorner ? gripSize : gripSize - 1);
+      return [
+        svg("rect", {
+          class: handle.id.startsWith("edge") ? "grip edge" : "grip",
+          x: x - half,
+          y: y - half,
+          width: 2 * half,
+          height: 2 * half,
+          rx: 1.5,
+          transform: handle.way === null ? undefined : `rotate(${-handle.way} ${x} ${y})`,
+          "data-grip": handle.id,
+        }),
+      ];
+    });
+  }
+
+  private marquee(): Node[] {
+    const { scope } = this.gestures;
+    if (scope.kind !== "marquee") return [];
+    const d = pathOf(this.screen(rectangle(marqueeOf(scope))));
+    return [svg("path", { class: scope.to[0] < scope.from[0] ? "marquee touching" : "marquee", d })];
+  }
+
+  private measures(): Node[] {
+    const { scope, measured } = this.gestures;
+    const lines = [...measured];
+    const nodes: Node[] = [];
+    if (scope.kind === "measuring") {
+      if (scope.from) lines.push([scope.from, scope.to.at]);
+      const [x, y] = this.planner.viewport.toScreen(scope.to.at);
+      if (this.planner.pointer) nodes.push(svg("path", { class: `cross ${scope.to.to ?? "free"}`, d: crossAt(x, y) }));
+    }
+    return [...lines.flatMap(([a, b]) => this.measure(a, b)), ...nodes];
+  }
+
+  private measure(a: Point, b: Point): Node[] {
+    const [p, q] = this.screen([a, b]);
+    const way = directionOf(minus(q, p));
+    const [nx, ny] = unitAt(way + 90).map((value) => 6 * value);
+    const ends: [Point, Point][] = [p, q].map(([x, y]) => [
+      [x - nx, y - ny],
+      [x + nx, y + ny],
+    ]);
+    const d = [[p, q], ...ends].map((line) => pathOf(line, true)).join("");
+    return [
+      svg("path", { class: "measure", d }),
+      this.label(between(p, q), lengthText(distance(a, b), this.planner.document.unit)),
+    ];
+  }
+
+  private label([x, y]: Point, words: string): SVGGElement {
+    const width = 7.2 * words.length + 14;
+    const text = svg("text", { x, y: y + 4.5 });
+    text.textContent = words;
+    return svg(
+      "g",
+      { class: "reading" },
+      svg("rect", { x: x - 0.5 * width, y: y - 11, width, height: 22, rx: 5 }),
+      text,
+    );
+  }
+
+  private reading(): Node[] {
+    const { scope } = this.gestures;
+    const { planner } = this;
+    const words =
+      scope.kind === "moving"
+        ? moveReadout(planner, scope)
+        : scope.kind === "rotating"
+          ? turnReadout(scope)
+          : scope.kind === "resizing"
+            ? sizeReadout(planner, scope)
+            : "";
+    if (words === "" || !planner.pointer) return [];
+    const [x, y] = planner.viewport.toScreen(planner.pointer);
+    return [this.label([x, y + 34], words)];
+  }
+}
+
+const crossAt = (x: number, y: number): string => `M${x - 8} ${y}H${x + 8}M${x} ${y - 8}V${y + 8}`;

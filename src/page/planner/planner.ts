@@ -1,0 +1,131 @@
+// The state of the planner that its parts share.
+
+import { Changes } from "./changes";
+import { Connection } from "./document/connection";
+import { StoreDocument } from "./document/document";
+import type { Part, Point } from "./document/messages";
+import type { Copied } from "./elements/copies";
+import { elementAt, type StoreElement } from "./elements/kinds";
+import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
+import { Layers } from "./view/layers";
+import { Selection, type Item } from "./view/selection";
+import { Viewport } from "./view/viewport";
+
+export type Tool = "select" | "measure";
+
+export interface Notice {
+  text: string;
+  isProblem: boolean;
+}
+
+function rememberedWheel(): boolean {
+  try {
+    return localStorage.getItem("shelfbeam.wheel") === "pan";
+  } catch {
+    return false;
+  }
+}
+
+export class Planner {
+  readonly changes = new Changes();
+  readonly connection: Connection;
+  readonly document: StoreDocument;
+  readonly selection = new Selection(this.changes);
+  readonly layers = new Layers(this.changes);
+  readonly viewport = new Viewport(this.changes);
+  tool: Tool = "select";
+  /** Whether the plan or the 3-D picture is shown. */
+  isPlan = true;
+  /** Whether turning the wheel moves the plan, as trackpads do, instead of changing its scale. */
+  wheelPans = rememberedWheel();
+  /** The pointer's place in the plan, m; null outside of it. */
+  pointer: Point | null = null;
+  copied: readonly Copied[] = [];
+  /** The type that the panel edits if nothing is selected: a pointer. */
+  typePath: string | null = null;
+  notice: Notice | null = null;
+
+  constructor(address: string) {
+    this.connection = new Connection(address);
+    this.document = new StoreDocument(this.connection, this.changes);
+    this.document.onMoved = (place) => this.selection.follow(place);
+    this.document.onReplaced = (before) => this.selection.findAgain(before, this.document.json);
+    this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
+  }
+
+  setTool(tool: Tool): void {
+    this.tool = tool;
+    this.changes.note("tool");
+  }
+
+  setPlan(isPlan: boolean): void {
+    this.isPlan = isPlan;
+    this.changes.note("tool");
+  }
+
+  setWheelPans(wheelPans: boolean): void {
+    this.wheelPans = wheelPans;
+    try {
+      localStorage.setItem("shelfbeam.wheel", wheelPans ? "pan" : "zoom");
+    } catch {
+      // Private windows may refuse to remember.
+    }
+  }
+
+  /** Tells the person something, also by a screen reader. */
+  say(text: string, isProblem = false): void {
+    this.notice = { text, isProblem };
+    this.changes.note("status");
+  }
+
+  /** Shows a type of fixtures, materials, labels or units in the panel. */
+  openType(path: string | null): void {
+    this.selection.clear();
+    this.typePath = path;
+    this.changes.note("selection");
+  }
+
+  private exists(item: Item): boolean {
+    const { document } = this;
+    if (item.kind === "element") return elementAt(document.json, item.path) !== null;
+    if (item.kind === "copy") return document.parts.withKey(item.key) !== undefined;
+    return item.index < (item.device === "label" ? document.labels : document.units).count;
+  }
+
+  /** The selected elements, which can be changed. */
+  get selected(): StoreElement[] {
+    return this.selection.paths.flatMap((path) => elementAt(this.document.json, path) ?? []);
+  }
+
+  partsOf(item: Item): readonly Part[] {
+    if (item.kind === "device") return [];
+    if (item.kind === "element") return this.document.parts.of(item.path);
+    const part = this.document.parts.withKey(item.key);
+    return part ? [part] : [];
+  }
+
+  /** The labels or units of an element that have no outline. */
+  pointsOf(item: Item): Point[] {
+    const { labels, units } = this.document;
+    const flat = ([x, y]: number[]): Point => [x, y];
+    if (item.kind === "device") return [flat((item.device === "label" ? labels : units).at(item.index))];
+    if (item.kind === "copy") return [];
+    return [labels, units].flatMap((devices) =>
+      (devices.ofElements(new Set([item.path])).get(item.path) ?? [])
+        .filter((index) => devices.isListed(index))
+        .map((index) => flat(devices.at(index))),
+    );
+  }
+
+  boundsOfItem(item: Item): Bounds | null {
+    return boundsOfParts(this.partsOf(item)) ?? boundsOf(this.pointsOf(item));
+  }
+
+  get selectionBounds(): Bounds | null {
+    return joined(this.selection.items.map((item) => this.boundsOfItem(item)));
+  }
+
+  get wholeBounds(): Bounds | null {
+    return boundsOfParts(this.document.parts.all);
+  }
+}

@@ -1,0 +1,104 @@
+// The layers: kinds of elements and shelf levels, shown or hidden, free or locked.
+
+import { button, element, replaceChildren } from "../../panel/dom";
+import { grouped } from "../../data/format";
+import { icon } from "../access/icons";
+import { elementsOf } from "../elements/kinds";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import { layers, type Layer } from "../view/layers";
+
+export class LayerList {
+  private readonly kinds = element("ul", { class: "layers" });
+  private readonly levels = element("ul", { class: "layers" });
+  private readonly levelTitle = element("h3", { text: text.layers.levels });
+  readonly root = element(
+    "div",
+    { class: "scroll" },
+    element("h3", { text: text.layers.kinds }),
+    this.kinds,
+    this.levelTitle,
+    this.levels,
+  );
+
+  constructor(private readonly planner: Planner) {}
+
+  update(): void {
+    const { document } = this.planner;
+    const counts = new Map<Layer, number>([
+      ["label", document.labels.count],
+      ["unit", document.units.count],
+    ]);
+    for (const { kind } of elementsOf(document.json))
+      if (kind !== "label" && kind !== "unit") counts.set(kind, (counts.get(kind) ?? 0) + 1);
+    replaceChildren(
+      this.kinds,
+      layers
+        .filter((layer) => layer === "names" || counts.get(layer))
+        .map((layer) => this.layer(layer, counts.get(layer))),
+    );
+    const byLevel = new Map<number, number>();
+    for (const level of document.labels.state) byLevel.set(level, (byLevel.get(level) ?? 0) + 1);
+    // From the top level down.
+    const levels = [...byLevel].sort(([a], [b]) => b - a);
+    this.levelTitle.hidden = levels.length < 2;
+    replaceChildren(this.levels, levels.length < 2 ? [] : levels.map(([level, count]) => this.level(level, count)));
+  }
+
+  private switchOf(
+    name: string,
+    key: string,
+    isOn: boolean,
+    icons: ["shown", "hidden"] | ["locked", "free"],
+    set: (on: boolean) => void,
+  ) {
+    const made = button("", () => set(!isOn), {
+      class: isOn ? "switch on" : "switch",
+      "aria-pressed": String(isOn),
+      "aria-label": name,
+      title: name,
+      "data-key": key,
+    });
+    made.append(icon(isOn ? icons[0] : icons[1]));
+    return made;
+  }
+
+  private layer(layer: Layer, count: number | undefined): HTMLElement {
+    const { layers: state } = this.planner;
+    const name = text.layers.names[layer];
+    const isShown = state.isShown(layer);
+    return element(
+      "li",
+      { class: isShown ? "" : "off" },
+      this.switchOf(say(text.layers.show, name), `show-${layer}`, isShown, ["shown", "hidden"], (shown) =>
+        state.show(layer, shown),
+      ),
+      element("span", { class: "name", text: name }),
+      element("small", { text: count === undefined ? "" : grouped(count) }),
+      layer === "names"
+        ? null
+        : this.switchOf(
+            say(text.layers.lock, name),
+            `lock-${layer}`,
+            state.isLocked(layer),
+            ["locked", "free"],
+            (locked) => state.lock(layer, locked),
+          ),
+    );
+  }
+
+  private level(level: number, count: number): HTMLElement {
+    const { layers: state } = this.planner;
+    const name = level === 0 ? text.layers.no_level : say(text.layers.level, level);
+    const isShown = state.isLevelShown(level);
+    return element(
+      "li",
+      { class: isShown ? "" : "off" },
+      this.switchOf(say(text.layers.show, name), `level-${level}`, isShown, ["shown", "hidden"], (shown) =>
+        state.showLevel(level, shown),
+      ),
+      element("span", { class: "name", text: name }),
+      element("small", { text: grouped(count) }),
+    );
+  }
+}

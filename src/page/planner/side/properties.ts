@@ -1,0 +1,360 @@
+// The panel of what is selected: elements, a copy, a label or unit, a type of the project, or the store itself.
+
+import { button, element } from "../../panel/dom";
+import { counted } from "../../data/format";
+import { icon, type IconName } from "../access/icons";
+import type { CommandId, Commands } from "../access/commands";
+import { chordText } from "../access/keys";
+import { turnSelection } from "../actions/move";
+import { EditBuilder } from "../document/edit";
+import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
+import type { DeviceAnswer } from "../document/messages";
+import { contextOf } from "../elements/context";
+import { kinds, type StoreElement } from "../elements/kinds";
+import { nameOf, namesOf } from "../elements/names";
+import type { Group } from "../form/field";
+import { Form, type FormContext } from "../form/form";
+import { groupOfElement, groupOfStore, groupOfType, type TypeList } from "../form/schema";
+import { pointerOfPath, type Target } from "../form/targets";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import type { Item } from "../view/selection";
+import { placeRows } from "./place";
+import { deleteType, duplicateType } from "./type_list";
+
+/** More elements are shown without the values of their presets. */
+const mostDetails = 60;
+
+export class Properties {
+  readonly root = element("aside", { class: "properties", "aria-label": text.properties.title, tabindex: -1 });
+  private readonly unfolded = new Set<string>(["/labels", "/repeat"]);
+  private isStale = false;
+  private device: { item: string; answer: DeviceAnswer } | null = null;
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly commands: Commands,
+  ) {
+    this.root.addEventListener("focusout", () => {
+      if (this.isStale) setTimeout(() => this.update());
+    });
+  }
+
+  /** Builds the panel again; a field that is being typed in stays until it is left. */
+  update(): void {
+    const focused = document.activeElement;
+    const isInside = focused instanceof HTMLElement && this.root.contains(focused);
+    this.isStale = isInside && isTyping(focused);
+    if (this.isStale) return;
+    const key = isInside ? focused.dataset.key : undefined;
+    const { scrollTop } = this.root;
+    this.root.replaceChildren(...this.content());
+    this.root.scrollTop = scrollTop;
+    if (key === undefined) return;
+    const again = this.root.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`);
+    (again ?? this.root).focus({ preventScroll: true });
+    if (again instanceof HTMLInputElement && again.type === "text") again.select();
+  }
+
+  private content(): Node[] {
+    const { selection, typePath, document } = this.planner;
+    if (!document.isReady) return [];
+    const elements = this.planner.selected;
+    if (elements.length > 0) return this.elements(elements);
+    const [item] = selection.items;
+    if (item?.kind === "copy") return this.copy(item);
+    if (item?.kind === "device") return this.labelOrUnit(item);
+    const value = typePath === null ? undefined : valueAt(document.json, typePath);
+    if (typePath !== null && isObject(value)) return this.type(typePath, value);
+    return this.store();
+  }
+
+  private header(title: string, subtitle: string, ...more: (Node | null)[]): HTMLElement {
+    return element(
+      "header",
+      {},
+      element("h2", { text: title }),
+      element("p", { class: "subtitle", text: subtitle }),
+      ...more,
+    );
+  }
+
+  private tools(...ids: [CommandId, IconName][]): HTMLElement {
+    const buttons = ids
+      .filter(([id]) => this.commands.isEnabled(id))
+      .map(([id, name]) => {
+        const keys = this.commands.get(id).keys[0];
+        const title = keys ? say(text.access.with_key, text.commands[id], chordText(keys)) : text.commands[id];
+        const made = button("", () => this.commands.run(id), {
+          class: "tool",
+          title,
+          "aria-label": text.commands[id],
+          "data-key": `tool-${id}`,
+        });
+        made.append(icon(name));
+        return made;
+      });
+    return element("div", { class: "tools" }, ...buttons);
+  }
+
+  private form(
+    targets: Target[],
+    groups: readonly Group[],
+    name: string,
+    more: Partial<FormContext> & { part?: FormContext["around"]["part"] } = {},
+  ): HTMLElement {
+    const { document } = this.planner;
+    const context: FormContext = {
+      targets,
+      around: { json: document.json, shared: document.shared, unit: document.unit, part: more.part ?? null },
+      isDisabled: document.locked !== null,
+      problems: this.problemsOf(targets),
+      unfolded: this.unfolded,
+      write: (what, write) => {
+        const builder = new EditBuilder(document.json);
+        for (const target of targets) write(builder, target);
+        void document.edit({ label: say(text.edits.change, what, name), ops: builder.ops });
+        this.update();
+      },
+      override: more.override,
+    };
+    return element("section", { class: "form" }, ...new Form(context).elementRows(groups));
+  }
+
+  /** By the pointer relative to the element; "" for those of the element as a whole. */
+  private problemsOf(targets: readonly Target[]): Map<string, string> {
+    const found = new Map<string, string>();
+    const { problems, warnings } = this.planner.document;
+    for (const { pointer, path, sentence } of [...warnings, ...problems])
+      for (const target of targets) {
+        const full = pointerOfPath(path);
+        if (full.startsWith(`${target.path}/`)) found.set(full.slice(target.path.length), sentence);
+        else if (full === target.path || (pointer === target.path && target.path !== "")) found.set("", sentence);
+      }
+    return found;
+  }
+
+  private elements(elements: readonly StoreElement[]): Node[] {
+    const { document } = this.planner;
+    const contexts = elements.flatMap(({ path }) => contextOf(document, path) ?? []);
+    const targets = contexts.map(
+      ({ path, value, effective }): Target => ({
+        path,
+        own: value,
+        effective,
+        details: contexts.length <= mostDetails ? document.details.now(path) : null,
+      }),
+    );
+    const groups = contexts.flatMap(
+      ({ kind, effective, parts }) => groupOfElement(kind, String(effective.type ?? parts[0]?.type ?? "")) ?? [],
+    );
+    const [first] = contexts;
+    const single = contexts.length === 1 ? first : null;
+    const type = single ? (single.effective.type ?? single.parts[0]?.type) : undefined;
+    const subtitle = single
+      ? single.kind === "fixture"
+        ? optionText(type)
+        : text.kinds[single.kind]
+      : text.properties.several;
+    const whole = this.problemsOf(targets).get("");
+    const name = namesOf(elements);
+    const hasPlace = single ? single.effective.at === undefined && single.effective.position === undefined : true;
+    const isDisabled = document.locked !== null;
+    return [
+      this.header(
+        single ? nameOf(single) : name,
+        subtitle,
+        this.kindChips(),
+        this.tools(
+          ["rotate", "turn"],
+          ["mirror_x", "mirror_x"],
+          ["mirror_y", "mirror_y"],
+          ["duplicate", "duplicate"],
+          ["fit_selection", "show"],
+          ["delete", "delete"],
+        ),
+        contexts.length > 1
+          ? this.tools(
+              ["align_left", "align_left"],
+              ["align_centre", "align_centre"],
+              ["align_right", "align_right"],
+              ["align_top", "align_top"],
+              ["align_middle", "align_middle"],
+              ["align_bottom", "align_bottom"],
+              ["distribute_x", "distribute_x"],
+              ["distribute_y", "distribute_y"],
+            )
+          : null,
+      ),
+      ...(whole === undefined ? [] : [element("p", { class: "problem", text: whole })]),
+      ...(hasPlace ? [placeRows(this.planner, isDisabled)] : []).filter((row): row is HTMLElement => row !== null),
+      ...(groups.length === contexts.length
+        ? [
+            this.form(targets, groups, name, {
+              part: first.parts[0] ?? null,
+              // A fixture turns about its middle.
+              override: (pointer, value) => {
+                if (pointer !== "/rotation_deg" || !single || single.kind !== "fixture") return false;
+                void turnSelection(this.planner, Number(value ?? 0) - Number(single.effective.rotation_deg ?? 0));
+                return true;
+              },
+            }),
+          ]
+        : []),
+    ];
+  }
+
+  /** For a selection of several kinds: a click keeps one of them. */
+  private kindChips(): HTMLElement | null {
+    const { selected, selection } = this.planner;
+    const found = kinds.flatMap((kind) => {
+      const paths = selected.filter((one) => one.kind === kind).map(({ path }) => path);
+      return paths.length > 0 ? [{ kind, paths }] : [];
+    });
+    if (found.length < 2) return null;
+    return element(
+      "div",
+      { class: "chips" },
+      ...found.map(({ kind, paths }) =>
+        button(counted(text.counted[kind], paths.length), () => selection.setPaths(paths), {
+          class: "chip",
+          title: text.properties.keep_kind,
+          "data-key": `chip-${kind}`,
+        }),
+      ),
+    );
+  }
+
+  private copy(item: Extract<Item, { kind: "copy" }>): Node[] {
+    const [part] = this.planner.partsOf(item);
+    if (!part) return [];
+    const why = part.locked === "repeat" ? text.properties.of_row : text.properties.of_file;
+    return [
+      this.header(part.id || text.kinds[part.kind], optionText(part.type), this.tools(["fit_selection", "show"])),
+      element("p", { class: "locked", text: why }),
+      this.sourceButtons(),
+    ];
+  }
+
+  private sourceButtons(): HTMLElement {
+    const made = (id: CommandId) =>
+      this.commands.isEnabled(id) ? button(text.commands[id], () => this.commands.run(id), { "data-key": id }) : null;
+    return element("div", { class: "buttons" }, made("edit_source"), made("dissolve"));
+  }
+
+  private labelOrUnit(item: Extract<Item, { kind: "device" }>): Node[] {
+    const { document } = this.planner;
+    const name = `${item.device}${item.index}/${document.revision}`;
+    if (this.device?.item !== name) {
+      void document.request<DeviceAnswer>("device", { kind: item.device, index: item.index }).then(
+        (answer) => {
+          this.device = { item: name, answer };
+          this.planner.changes.note("selection");
+        },
+        () => {},
+      );
+    }
+    const answer = this.device?.item === name ? this.device.answer : null;
+    const facts: [string, string][] = answer
+      ? [
+          [text.fields.type, answer.type],
+          [text.fields.position, answer.position.map((value) => value.toFixed(2)).join(", ") + "\u00a0m"],
+          [text.properties.source, answer.source],
+        ]
+      : [];
+    return [
+      this.header(answer?.id ?? "…", text.kinds[item.device]),
+      element(
+        "dl",
+        {},
+        ...facts.flatMap(([term, fact]) => [element("dt", { text: term }), element("dd", { text: fact })]),
+      ),
+      element("p", {
+        class: "locked",
+        text: item.path === null ? text.properties.of_file : text.properties.of_element,
+      }),
+      this.sourceButtons(),
+    ];
+  }
+
+  private type(path: string, value: JsonObject): Node[] {
+    const [list, name] = splitPointer(path);
+    const kind = list.slice(1) as TypeList;
+    const group = groupOfType(kind, fixtureTypeOf(this.planner.document.json, value));
+    const actions = element(
+      "div",
+      { class: "buttons" },
+      button(text.types.duplicate, () => duplicateType(this.planner, path), { "data-key": "duplicate-type" }),
+      button(text.types.delete, () => deleteType(this.planner, path), { "data-key": "delete-type" }),
+      button(text.types.close, () => this.planner.openType(null), { "data-key": "close-type" }),
+    );
+    const target: Target = { path, own: value, effective: value, details: null };
+    const whole = this.problemsOf([target]).get("");
+    return [
+      this.header(name, text.types.singular[kind], actions),
+      ...(whole === undefined ? [] : [element("p", { class: "problem", text: whole })]),
+      ...(group ? [this.form([target], [asOptional(group, kind)], name)] : []),
+    ];
+  }
+
+  private store(): Node[] {
+    const { document, selection } = this.planner;
+    const json = isObject(document.json) ? document.json : {};
+    const target: Target = { path: "", own: json, effective: json, details: null };
+    const facts: [string, string][] = [
+      [text.properties.file, document.file],
+      [text.properties.unit, document.unit.name],
+      [text.layers.names.label, String(document.labels.count)],
+      [text.layers.names.unit, String(document.units.count)],
+    ];
+    return [
+      this.header(document.name, text.properties.store),
+      this.form([target], [groupOfStore()], document.name),
+      element(
+        "dl",
+        {},
+        ...facts.flatMap(([term, fact]) => [element("dt", { text: term }), element("dd", { text: fact })]),
+      ),
+      json.room === undefined
+        ? element("p", { class: "note", text: text.properties.no_room })
+        : element(
+            "div",
+            { class: "buttons" },
+            button(text.properties.room, () => selection.setPaths(["/room"]), { "data-key": "room" }),
+          ),
+      element("p", { class: "note", text: text.properties.hint }),
+    ];
+  }
+}
+
+const isTyping = (field: HTMLElement): boolean =>
+  (field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement) &&
+  field.dataset.shown !== undefined &&
+  field.value.trim() !== field.dataset.shown;
+
+function optionText(type: Json | undefined): string {
+  return (text.options as Record<string, string>)[String(type)] ?? String(type ?? text.kinds.fixture);
+}
+
+/** The type of a preset, perhaps that of the preset that it begins with. */
+function fixtureTypeOf(json: Json, value: JsonObject): string {
+  let found: Json | undefined = value;
+  for (let depth = 0; isObject(found) && depth < 20; ++depth) {
+    if (typeof found.type === "string") return found.type;
+    found = typeof found.preset === "string" ? valueAt(json, pointerTo("/presets", found.preset)) : undefined;
+  }
+  return "gondola";
+}
+
+/** A preset may leave out any key. */
+function asOptional(group: Group, kind: TypeList): Group {
+  if (kind !== "presets") return group;
+  return {
+    ...group,
+    variants: group.variants.map((variant) => ({
+      ...variant,
+      fields: variant.fields.filter(({ key }) => key !== "id").map((field) => ({ ...field, isRequired: false })),
+      alternatives: [],
+    })),
+  };
+}

@@ -1,0 +1,81 @@
+// The types of the project: presets of fixtures, materials, label types and transceiver types.
+
+import { button, element, replaceChildren } from "../../panel/dom";
+import { EditBuilder } from "../document/edit";
+import { pointerTo, splitPointer, valueAt, type Json } from "../document/json";
+import { typesOfSelection } from "../actions/assign";
+import { nextId } from "../elements/copies";
+import { namesIn } from "../form/initial";
+import type { TypeList } from "../form/schema";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+
+const lists: TypeList[] = ["presets", "label_types", "transceiver_types", "materials"];
+
+export class TypeLists {
+  private readonly sections = element("div", {});
+  readonly root = element(
+    "div",
+    { class: "scroll types" },
+    element("p", { class: "note", text: text.types.lead }),
+    this.sections,
+  );
+
+  constructor(private readonly planner: Planner) {}
+
+  update(): void {
+    const { json } = this.planner.document;
+    const assigned = typesOfSelection(this.planner.selected)?.[0];
+    replaceChildren(
+      this.sections,
+      lists.flatMap((list) => {
+        const names = namesIn(json, list);
+        if (names.length === 0) return [];
+        return [
+          element("h3", { text: text.types.names[list] }),
+          element(
+            "ul",
+            { class: "type-list" },
+            ...names.map((name, k) => this.row(list, name, list === assigned && k < 9 ? k + 1 : null)),
+          ),
+        ];
+      }),
+    );
+  }
+
+  /** `digit`: the key that gives the type to the selection. */
+  private row(list: TypeList, name: string, digit: number | null): HTMLElement {
+    const path = pointerTo("", list, name);
+    const isOpen = this.planner.typePath === path && this.planner.selection.items.length === 0;
+    return element(
+      "li",
+      {},
+      button(name, () => this.planner.openType(path), {
+        class: "plain",
+        "aria-pressed": String(isOpen),
+        "data-key": path,
+      }),
+      digit === null ? null : element("kbd", { text: String(digit), title: text.types.assign }),
+    );
+  }
+}
+
+/** A copy of a type under the next free name. */
+export function duplicateType(planner: Planner, path: string): void {
+  const [list, name] = splitPointer(path);
+  const { document } = planner;
+  const next = nextId(name, new Set(namesIn(document.json, list.slice(1) as TypeList)));
+  const builder = new EditBuilder(document.json);
+  builder.set(pointerTo(list, next), valueAt(document.json, path) as Json);
+  void document.edit({ label: say(text.edits.duplicate, name), ops: builder.ops });
+  planner.openType(pointerTo(list, next));
+}
+
+export function deleteType(planner: Planner, path: string): void {
+  const { document } = planner;
+  const [, name] = splitPointer(path);
+  const builder = new EditBuilder(document.json);
+  builder.set(path, undefined);
+  void document.edit({ label: say(text.edits.delete, name), ops: builder.ops });
+  planner.openType(null);
+}

@@ -1,0 +1,106 @@
+// What is at a point of the plan, and what a rectangle contains. Hidden and locked kinds are never found.
+
+import type { StoreDocument } from "../document/document";
+import type { Devices } from "../document/devices";
+import type { Part, Point } from "../document/messages";
+import type { Bounds } from "../geometry/bounds";
+import { isWithin } from "../geometry/bounds";
+import { area, contains, distanceTo, isInside, touches } from "../geometry/polygon";
+import type { Layers } from "./layers";
+import type { Item } from "./selection";
+
+/** Kinds that are found at their lines only, because other elements lie inside them. */
+const lineKinds = new Set<Part["kind"]>(["room", "zone", "area", "rail", "grid", "faces"]);
+
+export const isOpenLine = ({ kind }: Part): boolean => kind === "rail";
+
+export function itemOf(part: Part): Item {
+  return part.locked || part.path === null
+    ? { kind: "copy", key: part.key, path: part.path }
+    : { kind: "element", path: part.path };
+}
+
+export function deviceItem(devices: Devices, index: number): Item {
+  const path = devices.pathOf(index);
+  return path !== null && devices.isListed(index)
+    ? { kind: "element", path }
+    : { kind: "device", device: devices.kind, index, path };
+}
+
+const isDeviceShown = (devices: Devices, index: number, layers: Layers): boolean =>
+  devices.kind !== "label" || layers.isLevelShown(devices.state[index]);
+
+/** Marks that other elements make lie close together, and often above fixtures: they are found only from near. */
+const derivedShare = 0.5;
+
+function nearestDevice(devices: Devices, point: Point, reach: number, layers: Layers): [number, number] | null {
+  let found: [number, number] | null = null;
+  const { position, count } = devices;
+  for (let index = 0; index < count; ++index) {
+    const [x, y] = [position[3 * index] - point[0], position[3 * index + 1] - point[1]];
+    if (Math.abs(x) > reach || Math.abs(y) > reach) continue;
+    const away = Math.hypot(x, y) / (devices.isListed(index) ? 1 : derivedShare);
+    if (away <= (found?.[1] ?? reach) && isDeviceShown(devices, index, layers)) found = [index, away];
+  }
+  return found;
+}
+
+/** The label or unit at a point. */
+export function deviceAt(document: StoreDocument, layers: Layers, point: Point, reach: number): Item | null {
+  const near = [document.units, document.labels]
+    .filter(({ kind }) => layers.isFree(kind))
+    .flatMap((devices) => {
+      const found = nearestDevice(devices, point, reach, layers);
+      return found ? [{ devices, index: found[0], away: found[1] }] : [];
+    })
+    .sort((a, b) => a.away - b.away);
+  return near.length > 0 ? deviceItem(near[0].devices, near[0].index) : null;
+}
+
+/** The outline at a point: of those with the point inside, the smallest. */
+export function partAt(parts: readonly Part[], point: Point, reach: number, layers: Layers): Part | null {
+  let [found, rank] = [null as Part | null, Infinity];
+  for (const part of parts) {
+    if (!layers.isFree(part.kind) || part.outline.length === 0) continue;
+    const isLine = lineKinds.has(part.kind);
+    const outlines = [part.outline, ...(part.holes ?? [])];
+    const isOn = outlines.some((outline) => distanceTo(outline, point, isOpenLine(part)) <= reach);
+    if (!isOn && (isLine || !contains(part.outline, point))) continue;
+    // Lines come after surfaces, unless the point is on the line alone.
+    const own = isLine ? 1e9 + area(part.outline) : area(part.outline);
+    if (own < rank) [found, rank] = [part, own];
+  }
+  return found;
+}
+
+/** `reach`: m. Labels and units lie above everything else. */
+export function itemAt(document: StoreDocument, layers: Layers, point: Point, reach: number): Item | null {
+  const device = deviceAt(document, layers, point, reach);
+  if (device) return device;
+  const part = partAt(document.parts.all, point, 0.6 * reach, layers);
+  return part && itemOf(part);
+}
+
+/** The elements in a rectangle: those that lie inside, or also those that it touches. */
+export function itemsWithin(document: StoreDocument, layers: Layers, bounds: Bounds, isTouching: boolean): Item[] {
+  const parts = document.parts.all.filter(
+    (part) =>
+      layers.isFree(part.kind) &&
+      part.kind !== "room" &&
+      (isTouching && !lineKinds.has(part.kind)
+        ? touches(part.outline, bounds, isOpenLine(part))
+        : isInside(part.outline, bounds)),
+  );
+  const devices = [document.units, document.labels]
+    .filter(({ kind }) => layers.isFree(kind))
+    .flatMap((list) => {
+      const found: Item[] = [];
+      for (let index = 0; index < list.count; ++index) {
+        const [x, y] = list.at(index);
+        if (list.isListed(index) && isWithin([x, y], bounds) && isDeviceShown(list, index, layers))
+          found.push(deviceItem(list, index));
+      }
+      return found;
+    });
+  return [...parts.map(itemOf), ...devices];
+}

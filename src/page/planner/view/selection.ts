@@ -1,0 +1,86 @@
+// What is selected: elements, single copies of a row, and labels or units that belong to an element.
+
+import type { Changes } from "../changes";
+import { valueAt, type Json } from "../document/json";
+import type { DeviceKind } from "../document/devices";
+import { elementAt, listOf } from "../elements/kinds";
+
+export type Item =
+  | { kind: "element"; path: string }
+  /** One outline that cannot be changed alone. `path`: of the element that it is a copy of. */
+  | { kind: "copy"; key: string; path: string | null }
+  | { kind: "device"; device: DeviceKind; index: number; path: string | null };
+
+const nameOf = (item: Item): string =>
+  item.kind === "element" ? item.path : item.kind === "copy" ? `#${item.key}` : `#${item.device}${item.index}`;
+
+export class Selection {
+  private list: Item[] = [];
+
+  constructor(private readonly changes: Changes) {}
+
+  get items(): readonly Item[] {
+    return this.list;
+  }
+
+  /** The selected elements, which can be changed. */
+  get paths(): string[] {
+    return this.list.flatMap((item) => (item.kind === "element" ? [item.path] : []));
+  }
+
+  has(item: Item): boolean {
+    return this.list.some((other) => nameOf(other) === nameOf(item));
+  }
+
+  set(items: readonly Item[]): void {
+    const known = new Map(items.map((item) => [nameOf(item), item]));
+    if (known.size === this.list.length && items.every((item) => this.has(item))) return;
+    this.list = [...known.values()];
+    this.changes.note("selection");
+  }
+
+  setPaths(paths: readonly string[]): void {
+    this.set(paths.map((path) => ({ kind: "element", path })));
+  }
+
+  add(items: readonly Item[]): void {
+    this.set([...this.list, ...items]);
+  }
+
+  toggle(item: Item): void {
+    if (this.has(item)) this.set(this.list.filter((other) => nameOf(other) !== nameOf(item)));
+    else this.add([item]);
+  }
+
+  clear(): void {
+    this.set([]);
+  }
+
+  /** Follows elements to their places after a change. */
+  follow(place: (path: string) => string | null): void {
+    this.list = this.list.flatMap((item): Item[] => {
+      if (item.path === null) return [item];
+      const path = place(item.path);
+      return path === null ? [] : [{ ...item, path } as Item];
+    });
+    this.changes.note("selection");
+  }
+
+  /** Finds the same elements in another store, by their ids. */
+  findAgain(before: Json, after: Json): void {
+    this.follow((path) => {
+      const old = elementAt(before, path);
+      if (!old) return valueAt(after, path) === undefined ? null : path;
+      const { id } = old.value;
+      if (elementAt(after, path)?.value.id === id) return path;
+      const list = valueAt(after, listOf(old.kind));
+      const index = Array.isArray(list) ? list.findIndex((_, k) => valueAt(list, `/${k}/id`) === id) : -1;
+      return id === undefined || index < 0 ? null : `${listOf(old.kind)}/${index}`;
+    });
+  }
+
+  /** Drops items that no longer exist. */
+  keep(exists: (item: Item) => boolean): void {
+    this.set(this.list.filter(exists));
+  }
+}
