@@ -113,8 +113,8 @@ struct Planner::State {
   State(const fs::path& folder, http::Options options)
       : name(fs::weakly_canonical(folder).filename().string()),
         project(with_store(folder), project_options()),
-        shop(folder / "store.json"),
-        warnings(folder / "store.json"),
+        shop((folder / "store.json").lexically_normal()),
+        warnings((folder / "store.json").lexically_normal()),
         server(with_page(std::move(options)), handlers()) {
     resolve();
   }
@@ -157,6 +157,7 @@ struct Planner::State {
     for (const Step& step : project.steps()) steps.push_back({{"label", step.label}, {"time", step.time}});
     json["revision"] = project.revision();
     json["problems"] = shop.problems();
+    json["shared"] = shop.names();
     json["history"] = {{"steps", std::move(steps)}, {"position", project.position()}};
     json["locked"] = project.locked() ? Json{{"message", *project.locked()}} : Json();
   }

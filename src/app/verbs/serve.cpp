@@ -70,7 +70,10 @@ int run_serve(const ServeArguments& options) {
   http.address = options.address;
   http.port = options.port;
   http.hosts = options.hosts;
-  serve::Planner planner(folder.path(), std::move(http));
+  // Names of files in messages are then relative to the folder, which other programs may rename.
+  make_output_folder(folder.path());
+  fs::current_path(folder.path());
+  serve::Planner planner(".", std::move(http));
   if (options.address != "127.0.0.1")
     print_message(
         "Other computers can reach this planner at {}. Whoever knows the address below can read and change "
@@ -80,10 +83,10 @@ int run_serve(const ServeArguments& options) {
   if (options.common.json)
     print_json({{"address", planner.address()}});
   else if (!options.common.quiet)
-    fmt::print("Planner of {}: {}\nCtrl-C ends it; everything is saved.\n", folder.path().string(),
+    fmt::print("Planner of {}: {}\nCtrl-C ends it; everything is saved.\n", fs::current_path().string(),
                planner.address());
   std::fflush(stdout);
-  if (!options.no_browser) open_browser(planner.address(), folder.path() / ".shelfbeam");
+  if (!options.no_browser) open_browser(planner.address(), ".shelfbeam");
   planner.run(cancel_on_signal());
   return done;
 }

@@ -107,11 +107,12 @@ std::optional<std::string> devices_frame(const std::string& event, std::uint64_t
     ++back;
   const std::size_t end = after.size() - back;
   if (front == end && front == before.size() - back) return {};
+  const bool are_labels = event == "labels";
   PageData page;
   page.add("position", part_of(after.position, front, end, 3));
-  page.add("direction", part_of(after.direction, front, end, 3));
-  page.add("mark", part_of(after.mark, front, end, 1));
-  page.add("kind", part_of(after.kind, front, end, 1));
+  page.add(are_labels ? "normal" : "axis", part_of(after.direction, front, end, 3));
+  page.add(are_labels ? "level" : "state", part_of(after.mark, front, end, 1));
+  page.add("source_kind", part_of(after.kind, front, end, 1));
   page.add("source", part_of(after.source, front, end, 1));
   return page.binary(nlohmann::ordered_json{
       {"event", event}, {"revision", revision}, {"from", front}, {"remove", before.size() - back - front}}

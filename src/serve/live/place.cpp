@@ -72,7 +72,7 @@ Place place_of(const std::string& where, const std::string& file) {
   path.remove_prefix(file.size() + 2);
   Place place;
   if (const std::size_t note = path.find(" ("); note != std::string_view::npos) {
-    place.is_copy = path.substr(note).starts_with(" (copy");
+    place.is_copy = path.find(" (copy ", note) != std::string_view::npos;
     path = path.substr(0, note);
   }
   place.pointer = "/";

@@ -88,6 +88,19 @@ Json Shop::problems() const {
   return findings_json(draft_.problems, json_);
 }
 
+Json Shop::names() const {
+  const auto names = [](const auto& list) {
+    Json all = Json::array();
+    for (const auto& one : list) all.push_back(one.name);
+    return all;
+  };
+  const Store& store = draft_.store;
+  return {{"presets", store.presets},
+          {"materials", names(store.materials)},
+          {"label_types", names(store.label_types)},
+          {"transceiver_types", names(store.transceiver_types)}};
+}
+
 std::string Shop::labels(std::uint64_t revision) const {
   return devices_frame("labels", revision, {}, labels_).value_or("");
 }

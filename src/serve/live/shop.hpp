@@ -40,6 +40,8 @@ class Shop {
   const Draft& draft() const { return draft_; }
   nlohmann::ordered_json parts() const;
   nlohmann::ordered_json problems() const;
+  /// The names of presets, materials and types, also from catalogues.
+  nlohmann::ordered_json names() const;
   std::string labels(std::uint64_t revision) const;
   std::string units(std::uint64_t revision) const;
 

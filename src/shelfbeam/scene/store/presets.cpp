@@ -89,6 +89,12 @@ void Presets::add(const JsonCursor& section, Problems& problems) {
       problems.mark("preset " + name);
 }
 
+std::vector<std::string> Presets::names() const {
+  std::vector<std::string> all;
+  for (const auto& [name, preset] : presets_) all.push_back(name);
+  return all;
+}
+
 void Presets::check(Problems& problems) {
   problems_ = &problems;
   for (const auto& [name, preset] : presets_)

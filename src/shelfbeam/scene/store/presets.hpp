@@ -18,6 +18,8 @@ class Presets {
   /// keys that no fixture has, which it then drops.
   void add(const JsonCursor& section, Problems& problems);
 
+  std::vector<std::string> names() const;
+
   /// Collects problems of presets that refer to an unknown preset or to themselves. Requires all presets.
   void check(Problems& problems);
 

@@ -51,6 +51,7 @@ struct Store {
   std::vector<NamedMaterial> materials;
   std::vector<LabelType> label_types;
   std::vector<TransceiverType> transceiver_types;
+  std::vector<std::string> presets;  ///< names
   std::vector<Listed<Fixture>> fixtures;
   std::vector<Listed<Fixture>> unfinished;  ///< fixtures with problems whose size is known
   std::vector<Listed<Label>> labels;

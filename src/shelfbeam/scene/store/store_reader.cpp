@@ -161,6 +161,7 @@ class StoreReader {
       if (!section(file, "presets", [&](const JsonCursor& json) { presets_.add(json, problems_); }))
         problems_.mark("preset");
     presets_.check(problems_);
+    store_.presets = presets_.names();
     each_section(files, "materials", "material",
                  [&](const JsonCursor& json) { read_materials(json, folder_.cache(), store_, problems_); });
     each_section(files, "transceiver_types", "transceiver type",

@@ -29,6 +29,7 @@ TEST(Place, OfResolvedElements) {
   EXPECT_EQ(copy.pointer, "/fixtures/3/labels/1");
   EXPECT_TRUE(copy.is_copy);
   EXPECT_FALSE(place_of("my.shop.json: fixtures[3] (preset 'run')", "my.shop.json").is_copy);
+  EXPECT_TRUE(place_of("my.shop.json: fixtures[3] (preset 'run') (copy 'A1')", "my.shop.json").is_copy);
 }
 
 }  // namespace
