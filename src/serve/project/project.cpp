@@ -31,6 +31,7 @@ bool is_settled(const std::optional<FileStamp>& stamp) {
 
 std::vector<std::string> paths_of(const std::vector<EditOp>& ops) {
   std::vector<std::string> paths;
+  paths.reserve(ops.size());
   for (const EditOp& op : ops) paths.push_back(op.path);
   return paths;
 }

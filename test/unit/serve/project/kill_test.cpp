@@ -101,6 +101,7 @@ void expect_nothing_lost(int kills, unsigned seed, std::size_t steps = 1'000'000
     ASSERT_FALSE(project.locked());
     ASSERT_GE(count, acknowledged - (heard.may_be_undone ? 1 : 0)) << "after kill " << k;
     ASSERT_LE(count, acknowledged + 1);
+    for (const Step& step : project.steps()) ASSERT_EQ(step.label, "Count");
     const auto edits = static_cast<std::size_t>(count);
     if (edits <= steps)
       ASSERT_EQ(project.position(), edits) << "a step for each edit, and no others";

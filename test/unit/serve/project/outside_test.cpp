@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -73,6 +74,34 @@ TEST(OutsideChange, JustBeforeUndoIsNotUndone) {
   expect_input_error([&] { project.undo(); }, "store.json: was changed outside at the same time");
   EXPECT_EQ(folder.store(), other_text);
   EXPECT_EQ(project.position(), 2u);
+}
+
+// The project asks for the time between its look at the file and its own change.
+TEST(OutsideChange, DuringAnEditIsTakenInFirst) {
+  const ProjectFolder folder;
+  int interruptions = 0;
+  const auto interrupt = [&] {
+    if (interruptions > 0) folder.write_store(fmt::format("{{ \"a\": 1, \"c\": {} }}", --interruptions));
+    return std::chrono::system_clock::now();
+  };
+  {
+    Project project(folder.path(), {.now = interrupt});
+    interruptions = 1;
+    project.edit("Change a", {to_set("/a", 1, 2)});
+    EXPECT_EQ(folder.store(), "{ \"a\": 2, \"c\": 0 }");
+    EXPECT_EQ(project.steps().size(), 2u);
+    interruptions = 1;
+    expect_input_error([&] { project.go(0); }, "store.json: was changed outside at the same time");
+    EXPECT_EQ(project.text(), "{ \"a\": 1, \"c\": 0 }");
+    interruptions = 10;
+    expect_input_error([&] { project.edit("Change a", {to_set("/a", 1, 2)}); },
+                       "store.json: is being changed by another program");
+    interruptions = 0;
+  }
+  Project project(folder.path());
+  EXPECT_EQ(project.text(), folder.store());
+  project.go(0);
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
 }
 
 TEST(OutsideChange, WhileNothingRunsIsAStep) {
