@@ -15,6 +15,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/json_parser.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
 #include "serve/http/server.hpp"
@@ -110,12 +111,12 @@ std::string text_of(const Json& json) {
 }  // namespace
 
 struct Planner::State {
-  State(const fs::path& folder, http::Options options)
+  State(const fs::path& folder, http::Options options, std::function<void(std::string_view)> log)
       : name(fs::weakly_canonical(folder).filename().string()),
         project(with_store(folder), project_options()),
         shop((folder / "store.json").lexically_normal()),
         warnings((folder / "store.json").lexically_normal()),
-        server(with_page(std::move(options)), handlers()) {
+        server(with_page(std::move(options)), handlers(std::move(log))) {
     resolve();
   }
 
@@ -127,12 +128,13 @@ struct Planner::State {
     return options;
   }
 
-  http::Handlers handlers() {
+  http::Handlers handlers(std::function<void(std::string_view)> log) {
     return {.opened = [this](TabId tab) { open(tab); },
             .text = [this](TabId tab, std::string_view text) { answer(tab, text); },
             .closed = [this](TabId tab) { tabs.erase(tab); },
             .get = [this](std::string_view file) { return document(file); },
-            .tick = [this] { look(); }};
+            .tick = [this] { look(); },
+            .failed = std::move(log)};
   }
 
   void open(TabId tab) {
@@ -173,8 +175,8 @@ struct Planner::State {
   }
 
   void answer(TabId tab, std::string_view text) {
-    Request request{tab, Json::parse(text, nullptr, false)};
-    if (!request.json.is_object() || !request.json.contains("id")) return;
+    Request request{tab, parse_json(text, "request")};
+    if (!request.json.is_object() || !request.json.contains("id")) throw InputError("request", "has no id");
     Json reply{{"id", request.json["id"]}};
     try {
       reply.update(result_of(request));
@@ -294,8 +296,8 @@ bool has_page() {
   return !embedded::planner_files.empty();
 }
 
-Planner::Planner(const fs::path& folder, http::Options options)
-    : state_(std::make_unique<State>(folder, std::move(options))) {}
+Planner::Planner(const fs::path& folder, http::Options options, std::function<void(std::string_view)> log)
+    : state_(std::make_unique<State>(folder, std::move(options), std::move(log))) {}
 
 Planner::~Planner() = default;
 

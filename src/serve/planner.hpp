@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "shelfbeam/base/control.hpp"
 
@@ -18,9 +19,10 @@ bool has_page();
 /// the folder's store.json (docs/formats/planner.md).
 class Planner {
  public:
-  /// Creates a shop in an empty folder. Throws InputError, for example if another planner uses the folder,
-  /// and OutputError.
-  Planner(const std::filesystem::path& folder, http::Options options);
+  /// Creates a shop in an empty folder. `log` is told of errors of the program while it serves. Throws
+  /// InputError, for example if another planner uses the folder, and OutputError.
+  Planner(const std::filesystem::path& folder, http::Options options,
+          std::function<void(std::string_view)> log = {});
   ~Planner();
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -73,7 +74,9 @@ int run_serve(const ServeArguments& options) {
   // Names of files in messages are then relative to the folder, which other programs may rename.
   make_output_folder(folder.path());
   fs::current_path(folder.path());
-  serve::Planner planner(".", std::move(http));
+  serve::Planner planner(".", std::move(http), [](std::string_view what) {
+    print_message("internal error: {}\n", one_line(what));
+  });
   if (options.address != "127.0.0.1")
     print_message(
         "Other computers can reach this planner at {}. Whoever knows the address below can read and change "
