@@ -45,9 +45,20 @@ TEST_F(RequestAttack, WithALargeBodyIsNotRead) {
   EXPECT_LT(sent, 50);
 }
 
+TEST_F(RequestAttack, WithABodyIsAnsweredAfterTheBody) {
+  Client client(server.port());
+  client.send(server.request("page.txt", "Content-Length: 100000\r\n"));
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(client.send(std::string(10'000, 'x'))) << i;
+    std::this_thread::sleep_for(milliseconds(2));
+  }
+  EXPECT_THAT(client.rest(), testing::StartsWith("HTTP/1.1 413 "));
+}
+
 TEST_F(RequestAttack, WithALargeHeadIsRefused) {
   const auto field = [](std::size_t size) { return "X: " + std::string(size, 'x') + "\r\n"; };
   expect_let_in(server.request("page.txt", field(7000)));
+  expect_refused(server.request("page.txt", field(8'200)), "431");
   expect_refused(server.request("page.txt", field(16'000)), "431");
   std::string many;
   for (int i = 0; i < 4000; ++i) many += "X: y\r\n";
