@@ -60,6 +60,7 @@ TEST_F(Crowd, OfStrangersLeavesIdleConnectionsOfTheOwner) {
   idle.send(server.request("page.txt"));
   EXPECT_THAT(idle.answer(), testing::EndsWith("the page"));
   std::vector<Client> strangers;
+  strangers.reserve(100);
   for (int i = 0; i < 100; ++i) strangers.emplace_back(server.port());
   EXPECT_TRUE(server.answers(page));
   idle.send(server.request("page.txt"));
