@@ -94,7 +94,8 @@ TEST(Mistakes, ChecksCanBeCancelled) {
   const Scene scene = make_scene(store);
   const DeviceSources sources{std::vector<std::string>(scene.fixtures.size()),
                               std::vector<std::string>(scene.labels.size()),
-                              std::vector<std::string>(scene.transceivers.size())};
+                              std::vector<std::string>(scene.transceivers.size()),
+                              {}};
   const Inspected inspected(store, scene, sources);
   token.request();
   WarningList warnings(store.file, store.ignored);
