@@ -313,7 +313,7 @@ class SceneMaker {
 
   void add_transceivers() {
     for (std::size_t g = 0; g < store_.grids.size(); ++g) {
-      const auto& [grid, where] = store_.grids[g];
+      const TransceiverGrid& grid = store_.grids[g].value;
       const auto steps = [&](std::size_t axis) {
         const double extent = grid.max[axis] - grid.min[axis];
         return extent > 0 ? std::max(1L, std::lround(extent / grid.spacing)) : 0L;
@@ -332,7 +332,7 @@ class SceneMaker {
           unit.axis = grid.axis;
           unit.roll_deg = grid.roll_deg;
           unit.type = grid.type;
-          add_transceiver(unit, where);
+          add_transceiver(unit, store_.grids[g].where);
         }
     }
     const std::vector<EmptyMount> empty = generate_candidates(
