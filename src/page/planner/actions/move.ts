@@ -20,6 +20,7 @@ type MotionFor = (element: StoreElement, index: number) => Motion;
 export function motionPreview(planner: Planner, elements: readonly StoreElement[], motionFor: MotionFor): Preview {
   const parts = new Map<string, Part>();
   const devices = new Map<string, Motion>();
+  planner.document.show(null); // movements count from the places before the gesture
   elements.forEach((element, index) => {
     const own = planner.document.parts.of(element.path);
     const motion = motionOf(element, own[0], motionFor(element, index));

@@ -32,6 +32,7 @@ export function dragMove(planner: Planner, scope: Moving, to: Point, keys: Keys)
   if (keys.shift) [x, y] = Math.abs(x) > Math.abs(y) ? [x, 0] : [0, y];
   const next = { ...scope, shift: wholeSteps(planner, [x, y]), isCopying: keys.alt };
   const { elements, shift, isCopying } = next;
+  planner.document.show(null); // the copies begin at the places before the gesture
   planner.document.show(
     isCopying
       ? { ...noPreview, added: ghostsOf(planner, elements, shift) }
