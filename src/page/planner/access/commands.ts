@@ -51,11 +51,10 @@ export class Commands {
 
   /** Runs the command of a key; false if there is none here. */
   press(chord: string, place: { inField: boolean; inPlan: boolean }): boolean {
-    const command = (this.byKey.get(chord) ?? []).find(
+    const commands = (this.byKey.get(chord) ?? []).filter(
       ({ where }) => where === "everywhere" || (!place.inField && (where === "page" || place.inPlan)),
     );
-    if (!command) return false;
-    if (command.isEnabled?.() ?? true) command.run();
-    return true;
+    commands.find(({ isEnabled }) => isEnabled?.() ?? true)?.run();
+    return commands.length > 0;
   }
 }
