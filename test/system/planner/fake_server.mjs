@@ -266,10 +266,10 @@ export class FakeServer {
       const device = this.resolved[members.kind === "label" ? "labels" : "units"][members.index];
       const list = members.kind === "label" ? ["/labels", "/fixtures"] : ["/transceivers/list", "/transceivers/grids"];
       const path = `${list[device.kind]}/${device.source}`;
-      return { id: device.id, type: device.type, position: device.at, path, source: path.slice(1) };
+      return { device: { id: device.id, type: device.type, position: device.at, path, source: path.slice(1) } };
     }
     if (what === "find") return { hits: this.find(members.text.toLowerCase()) };
-    if (what === "dissolve") return this.dissolve(members.path, cause);
+    if (what === "dissolve") return this.dissolve(members, cause);
     if (what === "restore") {
       this.locked = null;
       this.change(this.json, { ...cause, json: this.json });
@@ -282,11 +282,9 @@ export class FakeServer {
     const element = tokensOf(path).reduce((value, token) => value?.[token], this.json);
     if (!element) throw new Error("there is no such element");
     const value = effective(this.json, element);
-    const origins = {};
-    for (const key of Object.keys(value)) if (element[key] === undefined) origins[key] = `preset '${element.preset}'`;
     return {
       effective: value,
-      origins,
+      units: {},
       resolved: { ...value, stocking: value.stocking ?? 0.8, goods: value.goods ?? value.material },
     };
   }
@@ -302,7 +300,7 @@ export class FakeServer {
     return [...hits, ...devices("label", labels), ...devices("unit", units)].slice(0, 50);
   }
 
-  dissolve(path, cause) {
+  dissolve({ path, label }, cause) {
     const index = Number(path.split("/").pop());
     const { repeat: _repeat, ...value } = effective(this.json, this.json.fixtures[index]);
     const copies = this.resolved.parts.filter((part) => part.path === path);
@@ -312,7 +310,7 @@ export class FakeServer {
       ...fixtures.map((after, k) => ({ path: `/fixtures/${index + k}`, after })),
     ];
     this.steps.length = this.position;
-    this.steps.push({ label: "Dissolve", ops, at: 0, time: new Date().toISOString() });
+    this.steps.push({ label, ops, at: 0, time: new Date().toISOString() });
     this.position = this.steps.length;
     this.change(applied(this.json, ops), { ...cause, ops });
     return { revision: this.revision };

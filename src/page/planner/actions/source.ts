@@ -1,6 +1,7 @@
 // From a copy, a label or a unit to the element that it comes from; and views of what is selected.
 
 import type { Planner } from "../planner";
+import { text } from "../text";
 import { itemOf, deviceItem } from "../view/hit";
 import type { Item } from "../view/selection";
 
@@ -16,7 +17,7 @@ export function selectSource(planner: Planner): void {
 /** Turns a row into single elements. */
 export async function dissolve(planner: Planner): Promise<void> {
   const [item] = planner.selection.items;
-  if (item?.path) await planner.document.dissolve(item.path);
+  if (item?.path) await planner.document.dissolve(item.path, text.commands.dissolve);
 }
 
 export function selectAll(planner: Planner): void {

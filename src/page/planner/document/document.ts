@@ -142,8 +142,8 @@ export class StoreDocument {
     return this.ask("go", { position });
   }
 
-  dissolve(path: string): Promise<boolean> {
-    return this.ask("dissolve", { path });
+  dissolve(path: string, label: string): Promise<boolean> {
+    return this.ask("dissolve", { path, label });
   }
 
   restore(): Promise<boolean> {

@@ -108,8 +108,8 @@ export interface DevicesAbout {
 export interface Details {
   /** The element with the keys of its presets. */
   effective: JsonObject;
-  /** Where keys come from that are not its own. */
-  origins: Record<string, string>;
+  /** Where keys come from that are not its own; not of every server. */
+  origins?: Record<string, string>;
   /** All keys with defaults, in m; null if the element has problems. */
   resolved: JsonObject | null;
 }

@@ -52,7 +52,7 @@ export function shownAt(
   return {
     own: own.value,
     base: base.value,
-    origin: first && valueAt(first.own, pointer) === undefined ? (first.details?.origins[key] ?? "") : "",
+    origin: first && valueAt(first.own, pointer) === undefined ? (first.details?.origins?.[key] ?? "") : "",
     isMixed: present.isMixed,
     isOwn: targets.some((target) => valueAt(target.own, pointer) !== undefined),
   };

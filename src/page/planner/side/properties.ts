@@ -246,9 +246,9 @@ export class Properties {
     const { document } = this.planner;
     const name = `${item.device}${item.index}/${document.revision}`;
     if (this.device?.item !== name) {
-      void document.request<DeviceAnswer>("device", { kind: item.device, index: item.index }).then(
-        (answer) => {
-          this.device = { item: name, answer };
+      void document.request<{ device: DeviceAnswer }>("device", { kind: item.device, index: item.index }).then(
+        ({ device }) => {
+          this.device = { item: name, answer: device };
           this.planner.changes.note("selection");
         },
         () => {},
