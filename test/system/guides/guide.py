@@ -4,6 +4,7 @@ Every fenced block of the page has one of these kinds:
   sh, python, octave   runs in the order of the page, in one folder; `sh needs=PROGRAM` runs only if PROGRAM is
                        installed, octave only if octave is. A block whose last line ends with `# exit code N` must
                        exit with N, any other block with 0
+  sh serves            a server: it is interrupted (Ctrl-C) once the page at the address that it prints has arrived
   text                 whole lines that the output of the block before it contains, in this order; `...` matches any
                        text within a line, and is ignored on a separate line
 """
@@ -12,11 +13,14 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
+import urllib.request
 
 DOCS = pathlib.Path(__file__).resolve().parents[3] / "docs"
 
 FENCE = re.compile(r"^```(?P<kind>[^\n]*)\n(?P<body>.*?)^```$", re.DOTALL | re.MULTILINE)
+ADDRESS = re.compile(r"http://\S+")
 EXIT_CODE = re.compile(r"# exit code (\d+)\s*$")
 INTERPRETERS = {
     "sh": ["bash", "-euo", "pipefail", "-c"],
@@ -32,10 +36,11 @@ class Wrong(Exception):
 def blocks(page):
     """(line number, kind, needed program or None, body) of every block."""
     for match in FENCE.finditer(page):
-        words = match["kind"].split()
-        kind = words[0] if words else ""
+        kind, *words = match["kind"].split() or [""]
         needs = "octave-cli" if kind == "octave" else None
-        for word in words[1:]:
+        if kind == "sh" and words == ["serves"]:
+            kind, words = "sh serves", []
+        for word in words:
             if not word.startswith("needs="):
                 raise Wrong(f"'{match['kind']}' is no kind of block")
             needs = word.removeprefix("needs=")
@@ -75,6 +80,48 @@ def named_options(page):
             yield from re.findall(r"(?<!\S)--[a-z-]+", code)
 
 
+def run(kind, body, folder, environment):
+    """The exit code of a block, and its output."""
+    done = subprocess.run(
+        [*INTERPRETERS[kind], body],
+        cwd=folder,
+        env=environment,
+        text=True,
+        check=False,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
+    return done.returncode, done.stdout
+
+
+def serve(body, folder, environment):
+    """The exit code of a server, and its output. It opens no browser, because there is no desktop."""
+    without_desktop = {key: environment[key] for key in environment if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    output, is_page = "", False
+    with subprocess.Popen(
+        [*INTERPRETERS["sh"], body],
+        cwd=folder,
+        env=without_desktop,
+        text=True,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        start_new_session=True,
+    ) as server:
+        for line in server.stdout:
+            output += line
+            if address := ADDRESS.search(line):
+                try:
+                    with urllib.request.urlopen(address[0], timeout=60) as page:
+                        is_page = page.read().startswith(b"<!doctype html>")
+                finally:
+                    os.killpg(server.pid, signal.SIGINT)
+    if not is_page:
+        raise Wrong(f"no page was served:\n{body}\n{output}")
+    return server.returncode, output
+
+
 def run_page(path, folder, environment):
     """Runs the page in `folder`; returns the number of blocks that ran and the missing programs."""
     ran, missing, output = 0, set(), None
@@ -84,26 +131,17 @@ def run_page(path, folder, environment):
             if output is not None and (lacking := holds(output, body)) is not None:
                 raise Wrong(f"{place}: the output has no line '{lacking}':\n{output}")
             continue
-        if kind not in INTERPRETERS:
+        if kind not in (*INTERPRETERS, "sh serves"):
             raise Wrong(f"{place}: '{kind}' is no kind of block that is run")
         output = None
         if needs and not shutil.which(needs, path=environment["PATH"]):
             missing.add(needs)
             continue
-        done = subprocess.run(
-            [*INTERPRETERS[kind], body],
-            cwd=folder,
-            env=environment,
-            text=True,
-            check=False,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-        )
-        ran, output = ran + 1, done.stdout
+        code, output = serve(body, folder, environment) if kind == "sh serves" else run(kind, body, folder, environment)
+        ran += 1
         asked = EXIT_CODE.search(body)
-        if done.returncode != (int(asked[1]) if asked else 0):
-            raise Wrong(f"{place}: exit code {done.returncode}:\n{body}\n{output}")
+        if code != (int(asked[1]) if asked else 0):
+            raise Wrong(f"{place}: exit code {code}:\n{body}\n{output}")
     return ran, missing
 
 

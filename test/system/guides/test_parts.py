@@ -51,6 +51,34 @@ class RunPage(unittest.TestCase):
         self.expect_wrong("```bash\ntrue\n```\n", "'bash'")
         self.expect_wrong("```sh sudo\ntrue\n```\n", "'sh sudo'")
 
+    SERVER = """```python
+open("server.py", "w").write('''
+from http.server import HTTPServer, SimpleHTTPRequestHandler
+server = HTTPServer(("127.0.0.1", 0), SimpleHTTPRequestHandler)
+print(f"http://127.0.0.1:{server.server_port}/", flush=True)
+try:
+    server.serve_forever()
+except KeyboardInterrupt:
+    print("ended")
+''')
+open("index.html", "w").write("<!doctype html>")
+```
+```sh serves
+python3 server.py
+```
+```text
+http://...
+ended
+```
+"""
+
+    def test_a_server_is_interrupted_once_its_page_has_arrived(self):
+        self.assertEqual(self.run_page(self.SERVER), (2, set()))
+        self.expect_wrong(self.SERVER.replace("<!doctype html>", "words"), "no page was served")
+        self.expect_wrong(self.SERVER.replace("ended\n```", "more\n```"), "'more'")
+        self.expect_wrong("```sh serves\necho nothing\n```\n", "no page was served")
+        self.expect_wrong("```python serves\n1\n```\n", "'python serves'")
+
     def test_what_is_missing_is_told(self):
         page = "```sh needs=no-such-solver\nno-such-solver\n```\n```text\noptimal\n```\n"
         self.assertEqual(self.run_page(page), (0, {"no-such-solver"}))
