@@ -1,5 +1,5 @@
-"""Runs the commands of README.md and of the page on the command line, and compares the pictures of README.md with new
-ones."""
+"""Runs the commands of README.md and of the page on the command line, and compares the pictures of the documentation
+with new ones."""
 
 import importlib.machinery
 import importlib.util
@@ -61,8 +61,8 @@ class Readme(unittest.TestCase):
         return make_pictures.pixels(png)
 
     def setUp(self):
-        if "CI" not in os.environ and not (shutil.which("chromium") and shutil.which("pdftoppm")):
-            self.skipTest("chromium or pdftoppm is missing")
+        if "CI" not in os.environ and not all(map(shutil.which, ("chromium", "node", "pdftoppm"))):
+            self.skipTest("chromium, node or pdftoppm is missing")
 
     def test_pictures_are_those_of_the_program(self):
         for name, picture in make_pictures.PICTURES.items():
