@@ -35,6 +35,10 @@ class Pages(unittest.TestCase):
                     self.assertGreaterEqual(ran, 1)
                     self.assertEqual(missing, set())
 
+    def test_planner(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(run_page(guide.DOCS / "planner.md", folder), (3, set()))
+
     def test_research(self):
         with tempfile.TemporaryDirectory() as folder:
             ran, missing = run_page(guide.DOCS / "research.md", folder)

@@ -89,7 +89,7 @@ ended
 
         verbs = re.findall(r"^  ([a-z]+) ", helped().split("Verbs:")[1], re.MULTILINE)
         known = set(re.findall(r"--[a-z-]+", "".join(map(helped, verbs))))
-        names = ("../README.md", "command_line.md", "tutorial.md", "research.md", "cluster.md")
+        names = ("../README.md", "command_line.md", "tutorial.md", "planner.md", "research.md", "cluster.md")
         guides = [guide.DOCS / name for name in names]
         for page in [*guides, *guide.DOCS.glob("howto/*.md"), *guide.DOCS.glob("formats/**/*.md")]:
             for option in guide.named_options(page.read_text(encoding="utf-8")):
@@ -138,6 +138,21 @@ ended
         self.assertEqual(parts - {target for target, _ in guide.links(index)}, set())
         for page in parts:
             self.assertIn((index, ""), guide.links(page), page.name)
+
+
+class Keys(unittest.TestCase):
+    def test_of_the_planner_are_all_in_its_page(self):
+        actions = guide.DOCS.parent / "src/page/planner/actions/command_list.ts"
+        lists = re.findall(r"keys: \[(.*?)\]", actions.read_text(encoding="utf-8"))
+        known = {key for keys in lists for key in re.findall(r'"([^"]+)"', keys)}
+        self.assertGreaterEqual(len(known), 30)
+        self.assertIn("String(k + 1)", lists)
+        self.assertIn("`Shift+${key}`", lists)
+        known |= {shift + arrow for arrow in "←→↑↓" for shift in ("", "Shift+")} | {"1", "9"}
+        section = (guide.DOCS / "planner.md").read_text(encoding="utf-8").split("\n## Keys\n")[1].split("\n## ")[0]
+        rows = re.findall(r"^\| (`.*?) \| (.*) \|$", section, re.MULTILINE)
+        named = [key for row in rows for column in row for key in re.findall(r"`([^`]+)`", column)]
+        self.assertEqual(set(named), known)
 
 
 def floors(page):
