@@ -38,9 +38,8 @@ await build({
   entryPoints: { planner: join(home, "planner/main.ts"), style: join(home, "planner/style/planner.css") },
   format: "esm",
   entryNames: "[name]",
-  loader: { ".svg": "text" },
   outdir: folder,
 });
-copyFileSync(join(home, "planner/index.html"), join(folder, "index.html"));
-for (const name of ["index.html", "planner.js", "style.css"])
+for (const name of ["index.html", "icon.svg"]) copyFileSync(join(home, "planner", name), join(folder, name));
+for (const name of ["index.html", "icon.svg", "planner.js", "style.css"])
   writeFileSync(join(folder, `${name}.gz`), gzipSync(readFileSync(join(folder, name)), { level: 9 }));

@@ -5,6 +5,7 @@ import { Connection } from "./document/connection";
 import { StoreDocument } from "./document/document";
 import type { Part, Point } from "./document/messages";
 import type { Copied } from "./elements/copies";
+import { inUnit } from "./form/convert";
 import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
 import { Layers } from "./view/layers";
@@ -44,10 +45,12 @@ export class Planner {
   /** The type that the panel edits if nothing is selected: a pointer. */
   typePath: string | null = null;
   notice: Notice | null = null;
+  /** At once, because the next event of the pointer belongs to the tool. */
+  onTool: () => void = () => {};
 
   constructor(address: string) {
     this.connection = new Connection(address);
-    this.document = new StoreDocument(this.connection, this.changes);
+    this.document = new StoreDocument(this.connection, this.changes, inUnit);
     this.document.onMoved = (place) => this.selection.follow(place);
     this.document.onReplaced = (before) => this.selection.findAgain(before, this.document.json);
     this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
@@ -55,12 +58,13 @@ export class Planner {
 
   setTool(tool: Tool): void {
     this.tool = tool;
+    this.onTool();
     this.changes.note("tool");
   }
 
   setPlan(isPlan: boolean): void {
     this.isPlan = isPlan;
-    this.changes.note("tool");
+    this.setTool("select");
   }
 
   setWheelPans(wheelPans: boolean): void {

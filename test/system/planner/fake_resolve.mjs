@@ -134,7 +134,7 @@ function labelsOf({ part: { footing }, value }, index, f, labels) {
           type: value.labels.type,
           at: [u, v, z * f],
           normal: [...normal, 0],
-          level: level + 1,
+          level,
           kind: 1,
           source: index,
         });

@@ -1,5 +1,3 @@
-// node fake_server.mjs PACKAGES PAGE STORE [PORT]
-//
 // A server for the page without the program: it applies edits to the JSON of a store in memory. Deleted when the program
 // serves the page.
 
@@ -7,9 +5,9 @@ import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
-import { pathToFileURL } from "node:url";
 
 import { effective, resolve } from "./fake_resolve.mjs";
+import { parse } from "./jsonc.mjs";
 
 const policy =
   "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; " +
@@ -18,15 +16,8 @@ const types = {
   html: "text/html; charset=utf-8",
   css: "text/css; charset=utf-8",
   js: "text/javascript; charset=utf-8",
+  svg: "image/svg+xml",
 };
-
-/** JSON with comments and trailing commas. */
-export function parse(text) {
-  const plain = text.replace(/"(?:[^"\\]|\\.)*"|\/\/[^\n]*|\/\*[\s\S]*?\*\//g, (found) =>
-    found[0] === '"' ? found : " ",
-  );
-  return JSON.parse(plain.replace(/,(\s*[}\]])/g, "$1"));
-}
 
 const tokensOf = (pointer) =>
   pointer
@@ -37,7 +28,7 @@ const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
 export function applied(json, ops) {
   const root = structuredClone(json);
-  for (const { path, before, after } of ops) {
+  for (const { path, before, after } of structuredClone(ops)) {
     const tokens = tokensOf(path);
     const key = tokens.pop();
     let parent = root;
@@ -67,12 +58,11 @@ function frame(about, arrays) {
 }
 
 function deviceFrame(event, devices, revision, remove) {
-  const [direction, state] = event === "labels" ? ["normal", "level"] : ["axis", "state"];
   return frame({ event, revision, from: 0, remove }, [
     { name: "position", type: "f32", values: Float32Array.from(devices.flatMap(({ at }) => at)) },
-    { name: direction, type: "f32", values: Float32Array.from(devices.flatMap(({ normal }) => normal)) },
-    { name: state, type: "u8", values: Uint8Array.from(devices, ({ level }) => level) },
-    { name: "source_kind", type: "u8", values: Uint8Array.from(devices, ({ kind }) => kind) },
+    { name: "direction", type: "f32", values: Float32Array.from(devices.flatMap(({ normal }) => normal)) },
+    { name: "mark", type: "u8", values: Uint8Array.from(devices, ({ level }) => level) },
+    { name: "kind", type: "u8", values: Uint8Array.from(devices, ({ kind }) => kind) },
     { name: "source", type: "u32", values: Uint32Array.from(devices, ({ source }) => source) },
   ]);
 }
@@ -136,7 +126,7 @@ export class FakeServer {
       response.end(sceneFrame(this.resolved, this.revision));
       return;
     }
-    if (!/^[a-z]+\.(html|js|css)$/.test(name)) {
+    if (!/^[a-z]+\.(html|js|css|svg)$/.test(name)) {
       response.statusCode = 404;
       response.end();
       return;
@@ -315,9 +305,4 @@ export class FakeServer {
     this.change(applied(this.json, ops), { ...cause, ops });
     return { revision: this.revision };
   }
-}
-
-if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
-  const [packages, page, store, port] = process.argv.slice(2);
-  console.log(await new FakeServer(store, page, packages).listen(Number(port ?? 0)));
 }

@@ -8,6 +8,8 @@ export type CommandGroup = keyof typeof text.groups;
 export interface Command {
   id: CommandId;
   group: CommandGroup;
+  /** Commands that differ by their key alone. */
+  family?: keyof typeof text.families;
   keys: string[];
   /**
    * Where its keys work: in the plan, where no field has the focus, or everywhere. Keys of the plan have other meanings in
@@ -51,10 +53,10 @@ export class Commands {
 
   /** Runs the command of a key; false if there is none here. */
   press(chord: string, place: { inField: boolean; inPlan: boolean }): boolean {
-    const commands = (this.byKey.get(chord) ?? []).filter(
+    const here = (this.byKey.get(chord) ?? []).filter(
       ({ where }) => where === "everywhere" || (!place.inField && (where === "page" || place.inPlan)),
     );
-    commands.find(({ isEnabled }) => isEnabled?.() ?? true)?.run();
-    return commands.length > 0;
+    here.find(({ isEnabled }) => isEnabled?.() ?? true)?.run();
+    return here.length > 0;
   }
 }

@@ -60,7 +60,7 @@ export function openMenu(commands: Commands, groups: readonly CommandId[][], x: 
     event.preventDefault();
   });
   menu.addEventListener("contextmenu", (event) => event.preventDefault());
-  document.body.append(menu);
+  (document.querySelector("main") ?? document.body).append(menu);
   menu.style.left = `${Math.max(Math.min(x, innerWidth - menu.offsetWidth - 8), 4)}px`;
   menu.style.top = `${Math.max(Math.min(y, innerHeight - menu.offsetHeight - 8), 4)}px`;
   document.addEventListener("pointerdown", outside, true);

@@ -23,7 +23,7 @@ export function openPicker(
   const list = element("ul", { class: "results", role: "listbox", id: "results", "aria-label": title });
   const note = element("p", { class: "note", role: "status" });
   const input = element("input", {
-    type: "search",
+    type: "text",
     role: "combobox",
     placeholder,
     "aria-label": placeholder,

@@ -29,6 +29,7 @@ export interface Surroundings {
 function editCommands({ planner, gestures }: Surroundings): Command[] {
   const { document } = planner;
   const some = () => planner.selected.length > 0 && document.locked === null;
+  const copyable = () => some() && planner.selected.some(({ kind }) => kind !== "room");
   const several = () => planner.selected.length > 1 && document.locked === null;
   const many = () => planner.selected.length > 2 && document.locked === null;
   const isCopy = () => planner.selection.items.some(({ kind, path }) => kind !== "element" && path !== null);
@@ -70,7 +71,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       keys: ["Ctrl+X"],
       where: "page",
       run: () => copySelection(planner).length > 0 && void deleteSelection(planner),
-      isEnabled: some,
+      isEnabled: copyable,
     },
     {
       id: "copy",
@@ -78,7 +79,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       keys: ["Ctrl+C"],
       where: "page",
       run: () => void copySelection(planner),
-      isEnabled: () => planner.selected.length > 0,
+      isEnabled: () => planner.selected.some(({ kind }) => kind !== "room"),
     },
     {
       id: "paste",
@@ -94,7 +95,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       keys: ["Ctrl+D"],
       where: "page",
       run: () => void duplicateSelection(planner),
-      isEnabled: some,
+      isEnabled: copyable,
     },
     {
       id: "delete",
@@ -102,7 +103,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       keys: ["Delete", "Backspace"],
       where: "page",
       run: () => void deleteSelection(planner),
-      isEnabled: some,
+      isEnabled: copyable,
     },
     {
       id: "edit_source",
@@ -209,6 +210,7 @@ function moveCommands(around: Surroundings): Command[] {
       (key): Command => ({
         id: `nudge_${key.slice(5).toLowerCase()}` as Command["id"],
         group: "arrange",
+        family: "nudge",
         keys: [key],
         where: "plan",
         run: () => run(false)(key),
@@ -218,6 +220,7 @@ function moveCommands(around: Surroundings): Command[] {
       (key): Command => ({
         id: `move_${key.slice(5).toLowerCase()}` as Command["id"],
         group: "arrange",
+        family: "move",
         keys: [`Shift+${key}`],
         where: "plan",
         run: () => run(true)(key),
@@ -273,6 +276,7 @@ function selectCommands({ planner, gestures }: Surroundings): Command[] {
       (_, k): Command => ({
         id: `type_${k + 1}` as Command["id"],
         group: "types",
+        family: "type",
         keys: [String(k + 1)],
         where: "plan",
         run: () => assignType(planner, k),

@@ -1,11 +1,12 @@
 // Copies, pastes, duplicates and deletes the selected elements.
 
 import { EditBuilder } from "../document/edit";
+import type { Json } from "../document/json";
 import type { Part, Point } from "../document/messages";
 import { noPreview, type Preview } from "../document/preview";
 import { contextOf } from "../elements/context";
 import { addCopies, idsOf, type Copied } from "../elements/copies";
-import { elementAt, kindOf, type StoreElement } from "../elements/kinds";
+import { elementAt, kindOf, listOf, type StoreElement } from "../elements/kinds";
 import { moveElement } from "../elements/motion";
 import { namesOf } from "../elements/names";
 import { boundsOf, middleOf } from "../geometry/bounds";
@@ -43,6 +44,7 @@ export function wholeSteps(planner: Planner, [x, y]: Point): Point {
 
 /** Outlines of the selection, shifted, under keys of their own. */
 export function ghostsOf(planner: Planner, elements: readonly StoreElement[], shift: Point): Part[] {
+  planner.document.show(null);
   return elements
     .flatMap(({ path }) => planner.document.parts.of(path))
     .map((part) => ({ ...movedPart(part, shiftBy(shift)), key: `new ${part.key}`, path: null }));
@@ -58,21 +60,25 @@ export async function insertCopies(
 ): Promise<boolean> {
   if (copied.length === 0) return false;
   const { document } = planner;
-  const builder = new EditBuilder(document.json);
+  const scratch = new EditBuilder(document.json);
   const taken = idsOf(
     document.json,
     document.parts.all.map(({ id }) => id),
   );
-  const paths = addCopies(builder, copied, taken);
+  const paths = addCopies(scratch, copied, taken);
   paths.forEach((path, index) => {
-    const element = elementAt(builder.json, path);
+    const element = elementAt(scratch.json, path);
     const { effective, part } = copied[index];
     if (element)
       moveElement(
-        builder,
+        scratch,
         { ...element, effective: { ...effective, ...element.value }, parts: part ? [part] : [], unit: document.unit },
         shiftBy(shift),
       );
+  });
+  const builder = new EditBuilder(document.json);
+  paths.forEach((path, index) => {
+    builder.append(listOf(copied[index].kind), scratch.get(path) as Json);
   });
   const done = document.edit({ label, ops: builder.ops }, preview);
   planner.selection.setPaths(paths);

@@ -5,7 +5,7 @@ import type { Part } from "../document/messages";
 import type { Preview } from "../document/preview";
 import { noPreview } from "../document/preview";
 import { aligned, distributed, type Alignment } from "../elements/arrange";
-import { contextsOf } from "../elements/context";
+import { contextOf, knowDetails } from "../elements/context";
 import { isImmovable, motionOf, moveElement, previewOf, type Immovable } from "../elements/motion";
 import type { StoreElement } from "../elements/kinds";
 import { namesOf } from "../elements/names";
@@ -16,8 +16,9 @@ import { say, text } from "../text";
 
 type MotionFor = (element: StoreElement, index: number) => Motion;
 
-/** How the plan looks after movements of elements. */
+/** How the plan looks after movements of elements, from where they were before the gesture. */
 export function motionPreview(planner: Planner, elements: readonly StoreElement[], motionFor: MotionFor): Preview {
+  planner.document.show(null);
   const parts = new Map<string, Part>();
   const devices = new Map<string, Motion>();
   planner.document.show(null); // movements count from the places before the gesture
@@ -47,14 +48,13 @@ export async function moveElements(
   const { document } = planner;
   const preview = motionPreview(planner, elements, motionFor);
   document.show(preview);
-  const contexts = await contextsOf(
-    document,
-    elements.map(({ path }) => path),
-  );
+  const paths = elements.map(({ path }) => path);
+  await knowDetails(document, paths);
   const builder = new EditBuilder(document.json);
   const immovable = new Set<Immovable>();
-  contexts.forEach((context, index) => {
-    const why = moveElement(builder, context, motionFor(context, index));
+  paths.forEach((path, index) => {
+    const context = contextOf(document, path);
+    const why = context && moveElement(builder, context, motionFor(context, index));
     if (why) immovable.add(why);
   });
   for (const why of immovable) planner.say(text.immovable[why], true);

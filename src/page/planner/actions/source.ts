@@ -1,7 +1,9 @@
 // From a copy, a label or a unit to the element that it comes from; and views of what is selected.
 
 import type { Planner } from "../planner";
-import { text } from "../text";
+import { elementAt } from "../elements/kinds";
+import { nameOf } from "../elements/names";
+import { say, text } from "../text";
 import { itemOf, deviceItem } from "../view/hit";
 import type { Item } from "../view/selection";
 
@@ -17,7 +19,12 @@ export function selectSource(planner: Planner): void {
 /** Turns a row into single elements. */
 export async function dissolve(planner: Planner): Promise<void> {
   const [item] = planner.selection.items;
-  if (item?.path) await planner.document.dissolve(item.path, text.commands.dissolve);
+  if (item?.path) await planner.document.dissolve(item.path, say(text.edits.dissolve, nameOfPath(planner, item.path)));
+}
+
+function nameOfPath({ document }: Planner, path: string): string {
+  const element = elementAt(document.json, path);
+  return element ? nameOf(element) : path;
 }
 
 export function selectAll(planner: Planner): void {

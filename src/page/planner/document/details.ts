@@ -1,6 +1,7 @@
 // Elements with the keys of their presets and defaults, which only the server knows. Kept until the store changes.
 
 import type { Connection } from "./connection";
+import type { JsonObject } from "./json";
 import type { Details } from "./messages";
 
 export class DetailsCache {
@@ -10,12 +11,24 @@ export class DetailsCache {
 
   constructor(
     private readonly connection: Connection,
+    /** Converts lengths to the unit of the store. */
+    private readonly convert: (effective: JsonObject, units: Record<string, string>) => JsonObject,
     private readonly arrived: () => void,
   ) {}
 
   forget(): void {
     ++this.generation;
     this.asked.clear();
+  }
+
+  has(path: string): boolean {
+    return this.known.has(path);
+  }
+
+  /** After a change of the places of elements. */
+  clear(): void {
+    this.forget();
+    this.known.clear();
   }
 
   /** The details if they are known, perhaps those before the last change; they are asked for if necessary. */
@@ -30,7 +43,8 @@ export class DetailsCache {
     if (asked) return asked;
     const { generation } = this;
     const answer = this.connection.request<Details>("details", { path }).then(
-      (details) => {
+      (answer) => {
+        const details = { ...answer, effective: this.convert(answer.effective, answer.units ?? {}) };
         if (generation === this.generation) {
           this.known.set(path, details);
           this.arrived();

@@ -36,7 +36,7 @@ export class Devices {
   position = new Float32Array();
   /** The direction that a label faces, or the axis of a unit. */
   direction = new Float32Array();
-  /** Of a label: its shelf level, 0 for none. Of a unit: its state. */
+  /** Of a label: its shelf level, from 0 for the lowest. Of a unit: its state. */
   state = new Uint8Array();
   private sourceKind = new Uint8Array();
   private source = new Uint32Array();
@@ -57,11 +57,10 @@ export class Devices {
 
   receive(frame: PageData<DevicesAbout>): void {
     const { from, remove } = frame.about;
-    const [direction, state] = this.kind === "label" ? ["normal", "level"] : ["axis", "state"];
     this.position = spliced(this.position, 3 * from, 3 * remove, frame.get("position", Float32Array));
-    this.direction = spliced(this.direction, 3 * from, 3 * remove, frame.get(direction, Float32Array));
-    this.state = spliced(this.state, from, remove, frame.get(state, Uint8Array));
-    this.sourceKind = spliced(this.sourceKind, from, remove, frame.get("source_kind", Uint8Array));
+    this.direction = spliced(this.direction, 3 * from, 3 * remove, frame.get("direction", Float32Array));
+    this.state = spliced(this.state, from, remove, frame.get("mark", Uint8Array));
+    this.sourceKind = spliced(this.sourceKind, from, remove, frame.get("kind", Uint8Array));
     this.source = spliced(this.source, from, remove, frame.get("source", Uint32Array));
   }
 

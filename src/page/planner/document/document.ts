@@ -7,7 +7,16 @@ import { Lost, Refused, type Connection } from "./connection";
 import { DetailsCache } from "./details";
 import { Devices } from "./devices";
 import type { Edit } from "./edit";
-import { applyOps, Conflict, equal, pointerAfterAll, valueAt, type EditOp, type Json } from "./json";
+import {
+  applyOps,
+  Conflict,
+  inverseOf,
+  pointerAfterAll,
+  valueAt,
+  type EditOp,
+  type Json,
+  type JsonObject,
+} from "./json";
 import type {
   ChangedEvent,
   DevicesAbout,
@@ -34,6 +43,9 @@ export type Saving =
   | { state: "saving" }
   | { state: "refused"; refusal: Refusal }
   | { state: "lost"; edits: number };
+
+/** Whether values after it in a list move. */
+const isMoving = ({ before, after }: EditOp): boolean => before === undefined || after === undefined;
 
 export class StoreDocument {
   name = "";
@@ -64,12 +76,21 @@ export class StoreDocument {
   private pending: Pending[] = [];
   private gesture: Preview = noPreview;
   private refusal: Refusal | null = null;
+  /** Steps that the server was asked to undo and has not answered; negative: to redo. */
+  private undoing = 0;
 
   constructor(
     private readonly connection: Connection,
     private readonly changes: Changes,
+    /** Converts lengths of presets in other units to that of the store. */
+    inUnit: (effective: JsonObject, units: Record<string, string>, unit: LengthUnit) => JsonObject = (effective) =>
+      effective,
   ) {
-    this.details = new DetailsCache(connection, () => changes.note("document"));
+    this.details = new DetailsCache(
+      connection,
+      (effective, units) => inUnit(effective, units, this.unit),
+      () => changes.note("document"),
+    );
     connection.onEvent = (event) => this.receive(event);
     connection.onFrame = (bytes) => this.receiveFrame(bytes);
     connection.onState = () => {
@@ -84,11 +105,11 @@ export class StoreDocument {
   }
 
   get canUndo(): boolean {
-    return this.locked === null && (this.history.position > 0 || this.pending.length > 0);
+    return this.locked === null && this.history.position + this.pending.length > this.undoing;
   }
 
   get canRedo(): boolean {
-    return this.locked === null && this.history.position < this.history.steps.length;
+    return this.locked === null && this.history.position - this.undoing < this.history.steps.length;
   }
 
   /** Shows the state of a gesture; null: none. */
@@ -122,6 +143,7 @@ export class StoreDocument {
     return new Promise((done) => {
       const sent = { id: this.connection.nextId(), edit, preview, done };
       this.pending.push(sent);
+      if (edit.ops.some(isMoving)) this.details.clear();
       this.onMoved((path) => pointerAfterAll(path, edit.ops, before));
       this.showParts();
       this.changes.note("document", "preview", "status");
@@ -130,11 +152,21 @@ export class StoreDocument {
   }
 
   undo(): Promise<boolean> {
-    return this.ask("undo");
+    return this.step("undo", 1);
   }
 
   redo(): Promise<boolean> {
-    return this.ask("redo");
+    return this.step("redo", -1);
+  }
+
+  private async step(what: "undo" | "redo", steps: number): Promise<boolean> {
+    this.undoing += steps;
+    try {
+      return await this.ask(what);
+    } finally {
+      this.undoing -= steps;
+      this.changes.note("status");
+    }
   }
 
   /** Undoes or redoes steps until `position` are applied. */
@@ -157,6 +189,7 @@ export class StoreDocument {
   private async ask(what: string, members: object = {}): Promise<boolean> {
     try {
       await this.connection.request(what, members);
+      this.refusal = null;
       return true;
     } catch (error) {
       if (error instanceof Refused) this.refused(what, error.refusal);
@@ -209,7 +242,7 @@ export class StoreDocument {
 
   private showParts(): void {
     const ops = this.pending.flatMap(({ edit }) => edit.ops);
-    const moves = ops.some(({ before, after }) => before === undefined || after === undefined);
+    const moves = ops.some(isMoving);
     this.parts.show(this.preview, (path) => (moves ? this.placeAfter(path, ops) : path));
   }
 
@@ -256,7 +289,7 @@ export class StoreDocument {
   private sendAgain(revisionBefore: number): void {
     const [lost, kept]: [Pending[], Pending[]] = [[], []];
     for (const sent of this.pending) {
-      const isThere = this.revision !== revisionBefore && sent.edit.ops.every((op) => this.isApplied(op));
+      const isThere = this.revision !== revisionBefore && this.isApplied(sent.edit.ops);
       (isThere ? lost : kept).push(sent);
     }
     this.pending = kept;
@@ -264,9 +297,15 @@ export class StoreDocument {
     for (const sent of kept) this.send(sent);
   }
 
-  private isApplied({ path, before, after }: EditOp): boolean {
-    const present = valueAt(this.confirmed, path);
-    return after === undefined ? !equal(present, before) : equal(present, after);
+  /** Changes that can be taken back are there. */
+  private isApplied(ops: readonly EditOp[]): boolean {
+    try {
+      applyOps(this.confirmed, inverseOf(ops));
+      return true;
+    } catch (error) {
+      if (error instanceof Conflict) return false;
+      throw error;
+    }
   }
 
   private change(event: ChangedEvent): void {
@@ -284,6 +323,7 @@ export class StoreDocument {
       const { ops } = event;
       this.onMoved((path) => this.placeAfter(path, ops, confirmedBefore));
     }
+    if (!event.ops || (!own && event.ops.some(isMoving))) this.details.clear();
     this.revision = event.revision;
     if (event.parts) this.parts.change(event.parts);
     this.take(event);

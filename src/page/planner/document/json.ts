@@ -98,6 +98,10 @@ export function applyOps(root: Json, ops: readonly EditOp[]): Json {
   return ops.reduce((value, op) => applyAt(value, tokensOf(op.path), op), root);
 }
 
+/** The changes that take others back. */
+export const inverseOf = (ops: readonly EditOp[]): EditOp[] =>
+  [...ops].reverse().map(({ path, before, after }) => ({ path, before: after, after: before }));
+
 /** The place of a value after a change of a list before it; null if the change removes it. `root`: before the change. */
 export function pointerAfter(pointer: string, op: EditOp, root: Json): string | null {
   if (op.before !== undefined && op.after !== undefined) return pointer;

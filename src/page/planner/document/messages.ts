@@ -20,6 +20,8 @@ export interface Part {
   height?: number;
   rotation?: number;
   locked?: "repeat" | "file" | null;
+  /** Whether it has problems, and only its place and size are known. */
+  unfinished?: boolean;
   /** Of a fixture with a rectangle: the corner that it turns about, and its sides. */
   footing?: { at: Point; rotation: number; length: number; depth: number };
   /** Of a fixture against a wall or another fixture: the direction in which `from` or `shift` grows. */
@@ -108,8 +110,8 @@ export interface DevicesAbout {
 export interface Details {
   /** The element with the keys of its presets. */
   effective: JsonObject;
-  /** Where keys come from that are not its own; not of every server. */
-  origins?: Record<string, string>;
+  /** The units of lengths of presets from a catalogue in another unit than that of the store, by key. */
+  units?: Record<string, string>;
   /** All keys with defaults, in m; null if the element has problems. */
   resolved: JsonObject | null;
 }

@@ -40,13 +40,14 @@ function joinedObjects(known: JsonObject | undefined, own: JsonObject): JsonObje
 /** Only elements with a preset have keys that are not in the store itself. */
 const needsDetails = ({ value }: StoreElement): boolean => value.preset !== undefined;
 
-/** The contexts of elements, with the keys of their presets. */
-export async function contextsOf(document: StoreDocument, paths: readonly string[]): Promise<Context[]> {
-  await Promise.all(
-    paths.map(async (path) => {
-      const element = elementAt(document.json, path);
-      if (element && needsDetails(element)) await document.details.of(path);
-    }),
-  );
-  return paths.flatMap((path) => contextOf(document, path) ?? []);
+/**
+ * Waits until the keys of presets are known. Contexts are taken afterwards, in one go with the edit, because the store may
+ * change during the wait.
+ */
+export async function knowDetails(document: StoreDocument, paths: readonly string[]): Promise<void> {
+  const unknown = paths.filter((path) => {
+    const element = elementAt(document.json, path);
+    return element && needsDetails(element) && !document.details.has(path);
+  });
+  await Promise.all(unknown.map((path) => document.details.of(path)));
 }

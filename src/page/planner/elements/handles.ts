@@ -15,6 +15,8 @@ export interface Handle {
   /** The direction in which it moves, degrees; null: any. */
   way: number | null;
   isCorner: boolean;
+  /** The angle at which it is drawn, degrees. */
+  turn: number;
 }
 
 /** The rectangle of an element, in m; null if its size is not that of a rectangle. */
@@ -92,10 +94,18 @@ function frameHandles(frame: Frame): Handle[] {
   ];
   const can = (side: string) => frame.sides.includes(side);
   return [
-    ...edges.filter(([side]) => can(side)).map(([id, at, way]) => ({ id, at, way, isCorner: false })),
+    ...edges
+      .filter(([side]) => can(side))
+      .map(([id, at, way]) => ({ id, at, way, isCorner: false, turn: frame.rotation })),
     ...pairs
       .filter(([x, y]) => can(x) && can(y))
-      .map(([x, y, at, way]) => ({ id: `${x} ${y}`, at, way: frame.rotation + way, isCorner: true })),
+      .map(([x, y, at, way]) => ({
+        id: `${x} ${y}`,
+        at,
+        way: frame.rotation + way,
+        isCorner: true,
+        turn: frame.rotation,
+      })),
   ];
 }
 
@@ -106,6 +116,7 @@ function cornerHandles(value: JsonObject, { factor }: LengthUnit): Handle[] {
     at: point(pointer),
     way: null,
     isCorner: true,
+    turn: 45,
   });
   const ends = ["from", "to"].filter((key) => Array.isArray(value[key])).map((key) => vertex(pointerTo("", key)));
   return [
@@ -116,7 +127,8 @@ function cornerHandles(value: JsonObject, { factor }: LengthUnit): Handle[] {
         ? []
         : corners.map((corner, k): Handle => {
             const [a, b] = [point(corner), point(corners[(k + 1) % count])];
-            return { id: `edge:${corner}`, at: between(a, b), way: directionOf(minus(b, a)) + 90, isCorner: false };
+            const turn = directionOf(minus(b, a));
+            return { id: `edge:${corner}`, at: between(a, b), way: turn + 90, isCorner: false, turn };
           });
       return [...corners.map(vertex), ...edges];
     }),

@@ -6,9 +6,9 @@ import { isObject, pointerTo, valueAt, type Json, type JsonObject } from "../doc
 import { say, text } from "../text";
 import type { Field, FieldType, Group, Variant } from "./field";
 import { initialObject, initialValue, type Surroundings } from "./initial";
-import { leafInput, optionName, optionOf, typeChoice, type Place } from "./inputs";
+import { leafInput, optionName, typeChoice, type Place } from "./inputs";
 import { objectAt, presentAt, shownAt, type Shown, type Target } from "./targets";
-import { alternativeOf, commonFields, fieldsOf, variantOf } from "./variants";
+import { alternativeOf, commonFields, fieldsOf, optionOf, variantOf } from "./variants";
 
 /** Changes one element; `path` is that of the element. */
 type Write = (builder: EditBuilder, target: Target) => void;
@@ -46,7 +46,10 @@ export class Form {
       ({ key }) => key !== "id" || targets.length === 1,
     );
     const isSame = variants.every((variant) => variant === variants[0]);
-    const rows = fields.map((field) => this.row(field, pointer));
+    const optional = variants.flatMap(({ alternatives }) => alternatives.flat());
+    const rows = fields.map((field) =>
+      this.row(optional.includes(field.key) ? { ...field, isRequired: true } : field, pointer),
+    );
     if (isSame && group.variants.length > 1 && group.variants.every(({ name }) => name !== "parts"))
       rows.unshift(this.variantRow(group, variants[0], pointer));
     if (isSame && variants[0].alternatives.length > 1)
@@ -102,7 +105,8 @@ export class Form {
 
   private leafRow(place: Place, field: Field, shown: Shown, controls: (HTMLElement | null)[]): HTMLElement {
     const pointer = place.id.slice("field".length);
-    const canReset = shown.isOwn && !field.isRequired && !place.isDisabled;
+    const isChosen = controls.some((control) => control instanceof HTMLSelectElement && control.id === place.id);
+    const canReset = shown.isOwn && !field.isRequired && !place.isDisabled && !isChosen;
     const reset = button("↺", () => this.set(place.label, pointer, () => undefined), {
       class: "reset",
       title: text.form.reset,
@@ -113,8 +117,15 @@ export class Form {
       "div",
       { class: "row", "data-field": pointer },
       element("label", { for: place.id, text: place.label, title: field.description }),
-      element("div", { class: "control" }, ...controls, canReset ? reset : null),
-      shown.origin && !shown.isOwn ? element("small", { class: "origin", text: shown.origin }) : null,
+      element(
+        "div",
+        {
+          class: "control",
+          title: shown.isOwn || !shown.origin ? undefined : say(text.properties.of_preset, shown.origin),
+        },
+        ...controls,
+        canReset ? reset : null,
+      ),
       this.problem(place, pointer),
     );
   }

@@ -79,7 +79,7 @@ export function initialValue(type: FieldType, key: string, around: Surroundings)
   switch (type.kind) {
     case "number":
       if (type.measure === "length") return fromZero.has(key) ? 0 : metre;
-      return Math.min(Math.max(type.isInteger ? 1 : 0, type.least), type.most);
+      return Math.min(Math.max(0, type.least), type.most);
     case "flag":
       return false;
     case "text":

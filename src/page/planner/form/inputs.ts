@@ -1,7 +1,7 @@
 // The controls of single values. Values of presets and defaults are grey; a change is one step of the history.
 
 import { element } from "../../panel/dom";
-import { isObject, type Json } from "../document/json";
+import type { Json } from "../document/json";
 import { say, text } from "../text";
 import type { FieldType, Measure, NameList } from "./field";
 import { initialValue, namesIn, type Surroundings } from "./initial";
@@ -17,6 +17,7 @@ import {
   unitText,
 } from "./parse";
 import type { Shown } from "./targets";
+import { fits, optionOf } from "./variants";
 
 /** Computes the new value of each element from its present one; undefined removes it. */
 export type Commit = (next: (present: Json | undefined) => Json | undefined) => void;
@@ -63,9 +64,12 @@ export function entry(place: Place, { shown, placeholder, unit, label, id, read,
       : element("textarea", { rows: Math.min(Math.max(lines, 2), 8), ...attributes });
   input.value = shown;
   input.dataset.shown = shown;
+  // Enter is followed by a change event with the same text.
+  let last = shown;
   const changed = () => {
     const typed = input.value.trim();
-    if (typed === shown) return;
+    if (typed === last) return;
+    last = typed;
     why.hidden = true;
     input.removeAttribute("aria-invalid");
     try {
@@ -251,33 +255,6 @@ export const optionName = (value: string): string => (text.options as Record<str
 function constantText(value: Json): HTMLElement {
   return element("span", { class: "constant", text: optionName(String(value)) });
 }
-
-const fits = (type: FieldType, value: Json | undefined): boolean => {
-  switch (type.kind) {
-    case "number":
-      return typeof value === "number";
-    case "constant":
-      return value === type.value;
-    case "choice":
-    case "name":
-    case "text":
-      return typeof value === "string";
-    case "vector":
-    case "numbers":
-      return Array.isArray(value) && value.every((inner) => typeof inner === "number");
-    case "points":
-      return Array.isArray(value) && Array.isArray(value[0]);
-    case "map":
-    case "group":
-      return isObject(value);
-    default:
-      return value !== undefined;
-  }
-};
-
-/** The option of several types that a value has. */
-export const optionOf = (options: FieldType[], value: Json | undefined): FieldType =>
-  options.find((type) => fits(type, value)) ?? options[0];
 
 /** Chooses one of several types of a value. */
 export function typeChoice(place: Place, options: FieldType[], shown: Shown, commit: Commit): HTMLSelectElement {

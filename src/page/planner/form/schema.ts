@@ -42,7 +42,7 @@ export function measureOf(key: string): Measure {
 
 /** Definitions with a meaning that their structure does not show. */
 const known: Record<string, FieldType> = {
-  length: { kind: "number", measure: "length", isInteger: false, least: 0, most: Infinity },
+  length: { kind: "number", measure: "length", isInteger: false, least: -Infinity, most: Infinity },
   coordinate: { kind: "number", measure: "length", isInteger: false, least: -Infinity, most: Infinity },
   plan_point: { kind: "vector", size: 2, measure: "length" },
   point: { kind: "vector", size: 3, measure: "length" },

@@ -18,7 +18,7 @@ export interface Shown {
   own: Json | undefined;
   /** What applies without an own value: that of a preset, or the default. */
   base: Json | undefined;
-  /** Where `base` comes from; empty for a default. */
+  /** The preset that `base` comes from; empty for a default. */
   origin: string;
   /** The elements differ. */
   isMixed: boolean;
@@ -47,12 +47,12 @@ export function shownAt(
     targets.map((target) => valueAt(target.own, pointer) ?? baseOf(target, pointer, fallback(target))),
   );
   const base = commonOf(targets.map((target) => baseOf(target, pointer, fallback(target))));
-  const key = pointer.split("/")[1];
   const [first] = targets;
+  const isInherited = first !== undefined && baseOf(first, pointer, undefined) !== undefined;
   return {
     own: own.value,
     base: base.value,
-    origin: first && valueAt(first.own, pointer) === undefined ? (first.details?.origins?.[key] ?? "") : "",
+    origin: isInherited && typeof first.own.preset === "string" ? first.own.preset : "",
     isMixed: present.isMixed,
     isOwn: targets.some((target) => valueAt(target.own, pointer) !== undefined),
   };

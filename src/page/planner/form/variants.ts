@@ -1,7 +1,7 @@
 // Which form of an object an element has, and the fields that several elements have in common.
 
-import type { JsonObject } from "../document/json";
-import type { Field, Group, Variant } from "./field";
+import { isObject, type Json, type JsonObject } from "../document/json";
+import type { Field, FieldType, Group, Variant } from "./field";
 
 /** The variant of an object: by its type, or the one with the most keys in common. */
 export function variantOf({ variants, isTyped }: Group, value: JsonObject): Variant {
@@ -34,3 +34,31 @@ export function commonFields(all: readonly Field[][]): Field[] {
     ),
   );
 }
+
+/** Whether a value has a type. */
+export const fits = (type: FieldType, value: Json | undefined): boolean => {
+  switch (type.kind) {
+    case "number":
+      return typeof value === "number";
+    case "constant":
+      return value === type.value;
+    case "choice":
+    case "name":
+    case "text":
+      return typeof value === "string";
+    case "vector":
+    case "numbers":
+      return Array.isArray(value) && value.every((inner) => typeof inner === "number");
+    case "points":
+      return Array.isArray(value) && Array.isArray(value[0]);
+    case "map":
+    case "group":
+      return isObject(value);
+    default:
+      return value !== undefined;
+  }
+};
+
+/** The option of several types that a value has. */
+export const optionOf = (options: FieldType[], value: Json | undefined): FieldType =>
+  options.find((type) => fits(type, value)) ?? options[0];

@@ -135,6 +135,7 @@ export class Page {
     this.marks = new DeviceMarks(planner, this.stage);
     this.space = new Space(planner, this.stage, this.marks, address);
     this.stage.onDrawn = () => this.names.update(this.stage, []);
+    planner.onTool = () => this.gestures.useTool();
     this.gestures.onMenu = ([x, y]) => this.openMenuAt(x, y);
     this.gestures.onOpen = () => this.commands.run("edit_source");
     listenToKeys(planner, this.commands, this.gestures, [this.surface, this.canvas]);
@@ -198,7 +199,6 @@ export class Page {
     surface.hidden = !planner.isPlan;
     const hadFocus = document.activeElement === surface || document.activeElement === canvas;
     stage.setPlan(planner.isPlan);
-    this.gestures.useTool();
     this.follow();
     if (hadFocus) (planner.isPlan ? surface : canvas).focus({ preventScroll: true });
   }
@@ -221,6 +221,7 @@ export class Page {
         return bounds ? [{ id, at: [...middleOf(bounds), height] }] : [];
       }),
     );
+    this.names.update(this.stage, []);
     this.stage.draw();
   }
 

@@ -120,7 +120,7 @@ export class Overlay {
           width: 2 * half,
           height: 2 * half,
           rx: 1.5,
-          transform: handle.way === null ? undefined : `rotate(${-handle.way} ${x} ${y})`,
+          transform: `rotate(${-handle.turn} ${x} ${y})`,
           "data-grip": handle.id,
         }),
       ];

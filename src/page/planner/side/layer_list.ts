@@ -89,7 +89,7 @@ export class LayerList {
 
   private level(level: number, count: number): HTMLElement {
     const { layers: state } = this.planner;
-    const name = level === 0 ? text.layers.no_level : say(text.layers.level, level);
+    const name = say(text.layers.level, level + 1);
     const isShown = state.isLevelShown(level);
     return element(
       "li",

@@ -151,15 +151,12 @@ export class Properties {
     const [first] = contexts;
     const single = contexts.length === 1 ? first : null;
     const type = single ? (single.effective.type ?? single.parts[0]?.type) : undefined;
-    const subtitle = single
-      ? single.kind === "fixture"
-        ? optionText(type)
-        : text.kinds[single.kind]
-      : text.properties.several;
+    const subtitle = single ? subtitleOf(single, type) : text.properties.several;
     const whole = this.problemsOf(targets).get("");
     const name = namesOf(elements);
     const hasPlace = single ? single.effective.at === undefined && single.effective.position === undefined : true;
     const isDisabled = document.locked !== null;
+    const hasPreset = targets.some(({ own }) => own.preset !== undefined);
     return [
       this.header(
         single ? nameOf(single) : name,
@@ -201,6 +198,7 @@ export class Properties {
             }),
           ]
         : []),
+      ...(hasPreset ? [element("p", { class: "note", text: text.properties.grey })] : []),
     ];
   }
 
@@ -334,6 +332,11 @@ const isTyping = (field: HTMLElement): boolean =>
 
 function optionText(type: Json | undefined): string {
   return (text.options as Record<string, string>)[String(type)] ?? String(type ?? text.kinds.fixture);
+}
+
+function subtitleOf({ kind }: StoreElement, type: Json | undefined): string {
+  if (kind === "fixture") return optionText(type);
+  return kind === "room" ? "" : text.kinds[kind];
 }
 
 /** The type of a preset, perhaps that of the preset that it begins with. */

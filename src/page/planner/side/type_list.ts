@@ -24,12 +24,12 @@ export class TypeLists {
   constructor(private readonly planner: Planner) {}
 
   update(): void {
-    const { json } = this.planner.document;
+    const { json, shared } = this.planner.document;
     const assigned = typesOfSelection(this.planner.selected)?.[0];
     replaceChildren(
       this.sections,
       lists.flatMap((list) => {
-        const names = namesIn(json, list);
+        const names = namesIn(json, list, shared);
         if (names.length === 0) return [];
         return [
           element("h3", { text: text.types.names[list] }),
@@ -46,12 +46,15 @@ export class TypeLists {
   /** `digit`: the key that gives the type to the selection. */
   private row(list: TypeList, name: string, digit: number | null): HTMLElement {
     const path = pointerTo("", list, name);
+    const isOwn = valueAt(this.planner.document.json, path) !== undefined;
     const isOpen = this.planner.typePath === path && this.planner.selection.items.length === 0;
     return element(
       "li",
       {},
       button(name, () => this.planner.openType(path), {
         class: "plain",
+        disabled: !isOwn,
+        title: isOwn ? undefined : text.types.of_catalogue,
         "aria-pressed": String(isOpen),
         "data-key": path,
       }),

@@ -1,0 +1,161 @@
+// Tests the keyboard, menus, dialogs, and accessibility.
+
+import { check, equal, says } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+testPlanner("the menu opens by right click and by Shift+F10", {}, async (tab) => {
+  await tab.click(10, 9.85, { button: "right" });
+  equal(await tab.selected(), ["/fixtures/2"]);
+  const items = () =>
+    tab.page.evaluate(() =>
+      [...document.querySelectorAll(".menu [role=menuitem] span")].map(({ textContent }) => textContent),
+    );
+  check((await items()).includes("Rotate by 90°"), `${await items()}`);
+  await tab.press("ArrowDown", "ArrowDown", "ArrowUp", "Escape");
+  equal(await tab.page.$(".menu"), null);
+  equal(await tab.selected(), ["/fixtures/2"], "Esc closes only the menu");
+  await tab.press("Shift+F10");
+  await tab.page.click('.menu [data-command="duplicate"]');
+  await tab.steps(1);
+  equal(tab.json.fixtures.length, 14);
+  await tab.click(17.2, 5, { button: "right" });
+  check((await items()).includes("Dissolve the row"), `${await items()}`);
+  await tab.press("Escape");
+});
+
+testPlanner("the list of commands finds and runs", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("Control+k");
+  await tab.page.keyboard.type("mirror left");
+  await tab.until(() => document.querySelectorAll(".results li").length === 1);
+  await tab.press("Enter");
+  await tab.steps(1);
+  equal(tab.labels, ["Mirror A3"]);
+  await tab.press("/");
+  await tab.until(() => document.querySelector("dialog[open]"));
+  await tab.press("Escape");
+  await tab.press("?");
+  says(await tab.text("dialog[open]"), "Ctrl+Shift+Z", "Assign a type", "Middle or right drag");
+  await tab.press("Escape");
+  equal(await tab.page.$("dialog[open]"), null);
+});
+
+testPlanner("Ctrl+F finds fixtures, labels and units", {}, async (tab) => {
+  const find = async (typed) => {
+    await tab.press("Control+f");
+    await tab.page.keyboard.type(typed);
+    await tab.until(() => document.querySelectorAll(".results li").length > 0);
+    await tab.press("Enter");
+  };
+  await find("F2");
+  equal(await tab.selected(), ["/fixtures/9"]);
+  await find("A2-front-3-4");
+  says(await tab.text(".properties h2"), "A2-front-3-4");
+  await find("G1-3-2");
+  equal(await tab.selected(), ["/transceivers/grids/0"]);
+});
+
+testPlanner("keys are off in fields, and chords are no tools", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.fill("field/id", "mvdr", "Tab");
+  await tab.steps(1);
+  equal(await tab.page.evaluate(() => document.querySelector(".plan").dataset.tool), "select");
+  await tab.click(10, 9.85);
+  await tab.press("Control+m", "Alt+m");
+  equal(await tab.page.evaluate(() => document.querySelector(".plan").dataset.tool), "select");
+  await tab.press("m");
+  equal(await tab.page.evaluate(() => document.querySelector(".plan").dataset.tool), "measure");
+});
+
+testPlanner("everything can be done by keyboard", {}, async (tab) => {
+  const focused = () => tab.page.evaluate(() => document.activeElement.className || document.activeElement.tagName);
+  for (let k = 0; k < 40 && !(await focused()).includes("object-list"); ++k) await tab.press("Tab");
+  check((await focused()).includes("object-list"), "Tab reaches the list of objects");
+  await tab.press("Home", "ArrowDown", "ArrowDown");
+  equal(await tab.selected(), ["/fixtures/1"]);
+  await tab.press("Shift+ArrowDown");
+  equal(await tab.selected(), ["/fixtures/1", "/fixtures/2"]);
+  await tab.press("F6");
+  check((await focused()).includes("surface"), `F6 goes to the plan, not ${await focused()}`);
+  await tab.press("Shift+ArrowRight");
+  await tab.steps(1);
+  equal(
+    tab.json.fixtures.slice(1, 3).map(({ at }) => at[0]),
+    [5.1, 5.1],
+  );
+  await tab.press("PageDown");
+  equal((await tab.selected()).length, 1);
+  await tab.press("F6");
+  check((await focused()).includes("properties"), "F6 goes to the panel");
+  for (let k = 0; k < 60; ++k) {
+    if (await tab.page.evaluate(() => document.activeElement.dataset.key === "field/height")) break;
+    await tab.press("Tab");
+  }
+  await tab.page.keyboard.type("1.9");
+  await tab.press("Enter");
+  await tab.steps(2);
+  await tab.press("F6", "F6", "m", "Enter", "Shift+ArrowRight", "Enter");
+  equal(
+    await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length > 0),
+    true,
+    "a measurement by keys",
+  );
+});
+
+testPlanner("the page speaks what happens", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("Delete");
+  await tab.steps(1);
+  await tab.press("Control+z");
+  await tab.steps(0);
+  await tab.until(() => document.querySelector('.notice[role="status"]').textContent === "Undone: Delete A3");
+});
+
+/** The findings of axe-core. The test injects it through the driver, past the content security policy. */
+async function findings(tab, axe) {
+  await tab.page.evaluate(axe);
+  return tab.page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.map(
+      ({ id, nodes }) =>
+        `${id}: ${nodes.map(({ target, failureSummary }) => `${target} ${failureSummary}`).join("; ")}`,
+    );
+  });
+}
+
+for (const dark of [false, true])
+  testPlanner(`axe has no findings, ${dark ? "dark" : "light"}`, { dark }, async (tab, { axe }) => {
+    const clean = async (what) => equal(await findings(tab, axe), [], what);
+    await clean("at first");
+    for (const name of ["layers", "types", "problems", "history", "objects"]) {
+      await tab.push(`#tab-${name}`);
+      await clean(name);
+    }
+    await tab.click(11, 14.4);
+    await tab.fill("field/length", "2000");
+    await tab.steps(1);
+    await clean("a fixture with a problem");
+    await tab.push("#tab-problems");
+    await clean("problems");
+    await tab.press("Control+a");
+    await clean("everything selected");
+    await tab.press("Shift+F10");
+    await tab.press("ContextMenu");
+    await clean("menu");
+    await tab.press("Escape");
+    for (const key of ["Control+k", "?", "Control+f"]) {
+      await tab.press(key);
+      await clean(key);
+      await tab.press("Escape");
+    }
+    await tab.press("Escape");
+    await tab.click(17.2, 5);
+    await clean("a locked copy");
+    await tab.press("m");
+    await tab.click(10, 5.55);
+    await clean("measurement");
+    await tab.press("Escape", "Escape", "d");
+    await clean("3-D");
+    await tab.press("d");
+    await tab.picture(`grocery-problem-${dark ? "dark" : "light"}`);
+  });

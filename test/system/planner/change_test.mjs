@@ -1,0 +1,169 @@
+// Tests gestures that change the store: one gesture is one step, with Esc and Ctrl+Z in the middle of it.
+
+import { check, equal } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+testPlanner("a drag moves, whole centimetres, one step", {}, async (tab) => {
+  await tab.drag([10, 9.85], [11, 10.35]);
+  await tab.steps(1);
+  equal([tab.json.fixtures[2].at, tab.labels], [[6, 9.9], ["Move A3"]]);
+  await tab.click(10, 7.45);
+  await tab.page.keyboard.down("Shift");
+  await tab.click(10, 5.05);
+  await tab.page.keyboard.up("Shift");
+  await tab.drag([10, 7.45], [10, 8]);
+  await tab.steps(2);
+  equal([tab.json.fixtures[0].at, tab.json.fixtures[1].at, tab.labels[1]], [[5, 5.15], [5, 7.55], "Move 2 fixtures"]);
+});
+
+for (const key of ["Escape", "Control+z"])
+  testPlanner(`${key} in the middle of a gesture cancels it`, {}, async (tab) => {
+    const outline = () => tab.page.evaluate(() => document.querySelector('[data-key="fixtures/8"]').getAttribute("d"));
+    const before = await outline();
+    const during = async () => {
+      check((await outline()) !== before, "the outline follows the pointer");
+      await tab.press(key);
+      equal(await outline(), before);
+    };
+    await tab.drag([11, 14.4], [12, 13], { during });
+    equal(await tab.selected(), ["/fixtures/8"], "selection");
+    await tab.dragPixels(await tab.grip("x1"), await tab.at(18, 15), { during });
+    const turn = await tab.grip("turn");
+    await tab.dragPixels(turn, [turn[0] + 80, turn[1] + 20], { during });
+    await tab.drag([11, 14.4], [12, 13], { keys: ["Alt"], during: () => tab.press(key) });
+    equal(tab.server.steps.length, 0, "steps");
+  });
+
+testPlanner("arrows move by 1 cm, with Shift by 10, and nudges join", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("ArrowRight", "ArrowRight", "ArrowRight");
+  await tab.steps(1);
+  equal(tab.json.fixtures[2].at, [5.03, 9.4]);
+  await tab.press("Shift+ArrowUp");
+  await tab.steps(2);
+  equal(tab.json.fixtures[2].at, [5.03, 9.5]);
+});
+
+testPlanner("R turns about the middle, the handle by 15 degrees, Alt by one", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  await tab.press("r");
+  await tab.steps(1);
+  equal([tab.json.fixtures[8].at, tab.json.fixtures[8].rotation_deg], [[11.4, 9.6], 90]);
+  await tab.press("Control+z");
+  await tab.steps(0);
+  const turn = await tab.grip("turn");
+  const middle = await tab.at(11, 14.6);
+  const radius = middle[1] - turn[1];
+  const to = (degrees) => {
+    const angle = (degrees * Math.PI) / 180;
+    return [middle[0] - radius * Math.sin(angle), middle[1] - radius * Math.cos(angle)];
+  };
+  await tab.dragPixels(turn, to(50));
+  await tab.steps(1);
+  equal(tab.json.fixtures[8].rotation_deg, 45);
+  await tab.press("Control+z");
+  await tab.steps(0);
+  await tab.dragPixels(await tab.grip("turn"), to(50), { keys: ["Alt"] });
+  await tab.steps(1);
+  check(Math.abs(tab.json.fixtures[8].rotation_deg - 50) <= 2, String(tab.json.fixtures[8].rotation_deg));
+});
+
+testPlanner("a group turns about its middle", {}, async (tab) => {
+  await tab.drag([5.6, 16.2], [16.6, 13.9]);
+  equal(await tab.selected(), ["/fixtures/8", "/fixtures/9"]);
+  await tab.press("r");
+  await tab.steps(1);
+  equal(
+    tab.json.fixtures.slice(8, 10).map(({ at, rotation_deg }) => [at, rotation_deg]),
+    [
+      [[11.8, 10], 90],
+      [[11, 10], 90],
+    ],
+  );
+});
+
+testPlanner("a handle moves one side, the opposite one stays, also when turned", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  await tab.dragPixels(await tab.grip("x1"), await tab.at(17, 14.6));
+  await tab.steps(1);
+  equal([tab.json.fixtures[8].length, tab.json.fixtures[8].at], [11, [6, 14.2]]);
+  await tab.press("r");
+  await tab.steps(2);
+  // The fixture now stands upright around (11.5, 14.6); its lower side is x0.
+  const { at, length } = tab.json.fixtures[8];
+  await tab.dragPixels(await tab.grip("x0"), await tab.at(11.5, at[1] + 2));
+  await tab.steps(3);
+  const after = tab.json.fixtures[8];
+  check(Math.abs(after.at[1] + after.length - (at[1] + length)) < 1e-6, "the upper side stays");
+  check(Math.abs(after.length - (length - 2)) < 0.1, `length ${after.length}`);
+});
+
+testPlanner("copies: Ctrl+C and V at the pointer, Ctrl+D, Alt and drag", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("Control+c");
+  await tab.point(12, 2);
+  await tab.press("Control+v");
+  await tab.steps(1);
+  const pasted = tab.json.fixtures[13];
+  equal([pasted.id, pasted.preset], ["A5", "row"]);
+  check(Math.abs(pasted.at[0] + 6 - 12) < 0.05 && Math.abs(pasted.at[1] + 0.45 - 2) < 0.05, `${pasted.at}`);
+  equal(await tab.selected(), ["/fixtures/13"]);
+  await tab.press("Control+d");
+  await tab.steps(2);
+  equal(tab.json.fixtures[14].id, "A6");
+  await tab.drag([11, 14.4], [11, 16.4], { keys: ["Alt"] });
+  await tab.steps(3);
+  equal([tab.json.fixtures[15].id, tab.json.fixtures[15].at, tab.json.fixtures[8].at], ["F3", [6, 16.2], [6, 14.2]]);
+  await tab.press("Control+x");
+  await tab.steps(4);
+  equal(tab.json.fixtures.length, 15);
+  await tab.press("Control+v");
+  await tab.steps(5);
+});
+
+testPlanner("deleted elements leave the selection, and the others keep their places", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("Delete");
+  await tab.steps(1);
+  equal([await tab.selected(), tab.json.fixtures.length, tab.labels], [[], 12, ["Delete A3"]]);
+  await tab.click(11, 14.4);
+  equal(await tab.selected(), ["/fixtures/7"]);
+  await tab.press("Control+z");
+  await tab.steps(0);
+  equal(await tab.selected(), ["/fixtures/8"], "the same fixture after undo");
+});
+
+testPlanner("align, distribute and mirror", {}, async (tab) => {
+  await tab.drag([10, 9.85], [10.7, 9.85]);
+  await tab.steps(1);
+  await tab.drag([4.8, 12.9], [18.4, 4.2], {});
+  await tab.page.evaluate(() => document.querySelector("[data-key='chip-fixture']")?.click());
+  const fixtures = await tab.selected();
+  check(fixtures.length >= 4, `${fixtures}`);
+  await tab.press("Escape");
+  for (const y of [5.05, 7.45, 9.85, 12.25]) {
+    await tab.page.keyboard.down("Shift");
+    await tab.click(10, y);
+    await tab.page.keyboard.up("Shift");
+  }
+  await tab.push('[data-key="tool-align_left"]');
+  await tab.steps(2);
+  equal(
+    tab.json.fixtures.slice(0, 4).map(({ at }) => at[0]),
+    [5, 5, 5, 5],
+  );
+  equal(tab.labels[1], "Align 4 fixtures");
+  await tab.drag([10, 9.85], [10, 9.85]);
+  await tab.click(11, 14.4);
+  await tab.press("Shift+V");
+  await tab.steps(3);
+  equal([tab.json.fixtures[8].at, tab.json.fixtures[8].rotation_deg], [[16, 15], 180]);
+  equal(tab.labels[2], "Mirror F1");
+});
+
+testPlanner("Shift keeps a drag on one axis", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.drag([10, 9.85], [11, 10.1], { keys: ["Shift"] });
+  await tab.steps(1);
+  equal(tab.json.fixtures[2].at, [6, 9.4]);
+});

@@ -1,0 +1,158 @@
+// Tests the panel of properties, types, and the lists.
+
+import { check, equal, says } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+testPlanner("fields show presets in grey, accept expressions, and are one step each", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  const placeholder = (key) => tab.until((of) => document.querySelector(`[data-key="${of}"]`)?.placeholder, key);
+  equal(await placeholder("field/length"), "12");
+  await tab.fill("field/length", "3*1.33");
+  await tab.steps(1);
+  equal([tab.json.fixtures[2].length, tab.labels], [3.99, ["Length of A3"]]);
+  await tab.fill("field/length", "6ft", "Tab");
+  await tab.steps(2);
+  equal(tab.json.fixtures[2].length, 1.8288);
+  await tab.push('[data-key="field/length/reset"]');
+  await tab.steps(3);
+  equal(tab.json.fixtures[2].length, undefined);
+  await tab.fill("field/length", "abc");
+  says(await tab.text(".why:not([hidden])"), "Not a length");
+  await tab.press("Escape");
+  equal(tab.server.steps.length, 3);
+  await tab.fill("field/labels/spacing", "1.2");
+  await tab.steps(4);
+  equal(tab.json.fixtures[2].labels, { spacing: 1.2 });
+});
+
+testPlanner("a typed angle turns a fixture about its middle", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  await tab.fill("field/rotation_deg", "180");
+  await tab.steps(1);
+  equal([tab.json.fixtures[8].at, tab.json.fixtures[8].rotation_deg], [[16, 15], 180]);
+});
+
+testPlanner("alternatives replace each other", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  await tab.choose("field/labels/alternative", "Count");
+  await tab.steps(1);
+  equal([tab.json.fixtures[8].labels.count, tab.json.fixtures[8].labels.spacing], [1, undefined]);
+  await tab.choose("field/alternative", "Against");
+  await tab.steps(2);
+  equal([tab.json.fixtures[8].against, tab.json.fixtures[8].at], [{ wall: 0, from: 0 }, undefined]);
+  await tab.choose("field/alternative", "Position");
+  await tab.steps(3);
+  check(Array.isArray(tab.json.fixtures[8].at) && tab.json.fixtures[8].against === undefined, "back at a place");
+});
+
+testPlanner("several elements: common fields, mixed values, one step", {}, async (tab) => {
+  await tab.drag([5.6, 16.2], [16.6, 13.9]);
+  equal(await tab.text(".properties h2"), "2 fixtures");
+  const field = (key) => tab.until((of) => document.querySelector(`[data-key="${of}"]`)?.outerHTML, key);
+  check(!(await tab.page.$('[data-key="field/id"]')), "no id");
+  says(await field("field/at/1"), "mixed");
+  await tab.fill("field/height", "1.1");
+  await tab.steps(1);
+  equal([tab.json.fixtures[8].height, tab.json.fixtures[9].height, tab.labels], [1.1, 1.1, ["Height of 2 fixtures"]]);
+  await tab.fill("field/at/0", "7");
+  await tab.steps(2);
+  equal(
+    tab.json.fixtures.slice(8, 10).map(({ at }) => at),
+    [
+      [7, 14.2],
+      [7, 15],
+    ],
+  );
+  await tab.fill("place/1", "14");
+  await tab.steps(3);
+  equal(
+    tab.json.fixtures.slice(8, 10).map(({ at }) => at),
+    [
+      [7, 14],
+      [7, 14.8],
+    ],
+  );
+});
+
+testPlanner("a problem stands beside its field, on its shape and in the list", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  await tab.fill("field/length", "2000");
+  await tab.steps(1);
+  says(await tab.text('[data-field="/length"] .problem'), "must be at most 1000");
+  equal(
+    await tab.page.evaluate(() => document.querySelector('[data-key="fixtures/8"]').classList.contains("wrong")),
+    true,
+  );
+  await tab.press("Escape");
+  await tab.push("#tab-problems");
+  says(await tab.text(".problem-list"), "fixtures[8].length");
+  equal(await tab.text(".rail .badge"), "1");
+  await tab.push('[data-key="wrong0"]');
+  equal(await tab.selected(), ["/fixtures/8"]);
+});
+
+testPlanner("types: edited, duplicated, assigned by number keys", {}, async (tab) => {
+  await tab.push("#tab-types");
+  await tab.push('[data-key="/label_types/standard"]');
+  equal(await tab.text(".properties .subtitle"), "Label type");
+  await tab.fill("field/safety_factor", "1.4");
+  await tab.steps(1);
+  equal(tab.json.label_types.standard.safety_factor, 1.4);
+  await tab.push('[data-key="duplicate-type"]');
+  await tab.steps(2);
+  equal(tab.json.label_types["standard 2"].safety_factor, 1.4);
+  await tab.click(10, 9.85);
+  equal(await tab.text(".types kbd"), "1");
+  await tab.press("3");
+  await tab.steps(3);
+  equal([tab.json.fixtures[2].preset, tab.labels[2]], ["wall", "wall for A3"]);
+  await tab.push('[data-key="/presets/wall"]');
+  await tab.fill("field/depth", "0.6");
+  await tab.steps(4);
+  equal(tab.json.presets.wall.depth, 0.6);
+  await tab.push('[data-key="/materials/steel"]');
+  await tab.choose("field/variant", "metal");
+  await tab.steps(5);
+  equal(Object.keys(tab.json.materials.steel).sort(), ["eta", "k", "type"]);
+});
+
+testPlanner("the history goes to any of its named steps", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("Shift+ArrowUp");
+  await tab.steps(1);
+  await tab.press("r");
+  await tab.steps(2);
+  await tab.press("Delete");
+  await tab.steps(3);
+  await tab.push("#tab-history");
+  const names = () =>
+    tab.page.evaluate(() => [...document.querySelectorAll(".history button")].map(({ textContent }) => textContent));
+  equal(await names(), ["Delete A3", "Rotate A3", "Move A3", "Store as first opened"]);
+  await tab.push('[data-key="step1"]');
+  await tab.steps(1);
+  equal(await tab.text(".history [aria-current]"), "Move A3");
+  await tab.push('[data-key="step3"]');
+  await tab.steps(3);
+  await tab.push('[data-key="step0"]');
+  await tab.steps(0);
+  equal(tab.json, tab.server.first);
+});
+
+testPlanner("lists and maps: openings of a wall, materials of a mesh", { store: "market-hall" }, async (tab) => {
+  await tab.click(6, 11);
+  equal(await tab.selected(), ["/room/inner_walls/0"]);
+  await tab.push('[data-key="field/openings/fold"]');
+  await tab.push('[data-key="field/openings/more"]');
+  await tab.steps(1);
+  equal(tab.json.room.inner_walls[0].openings[1], { at: 0, width: 1, top: 1 });
+  await tab.fill("field/openings/1/width", "90cm");
+  await tab.steps(2);
+  equal(tab.json.room.inner_walls[0].openings[1].width, 0.9);
+  await tab.push('[data-key="field/openings/1/remove"]');
+  await tab.steps(3);
+  await tab.click(5, 0);
+  await tab.push('[data-key="field/wall_materials/fold"]');
+  await tab.fill("field/wall_materials/new", "2");
+  await tab.steps(4);
+  check(Object.keys(tab.json.room.wall_materials).includes("2"), JSON.stringify(tab.json.room.wall_materials));
+});

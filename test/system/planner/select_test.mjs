@@ -1,0 +1,112 @@
+// Tests selection by clicks, frames and keys.
+
+import { check, equal } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+testPlanner("a click selects, Shift adds and removes, the floor clears", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  equal(await tab.selected(), ["/fixtures/2"]);
+  equal(await tab.text(".properties h2"), "A3");
+  await tab.click(10, 7.45, { modifiers: [] });
+  equal(await tab.selected(), ["/fixtures/1"]);
+  await tab.page.keyboard.down("Shift");
+  await tab.click(10, 9.85);
+  equal(await tab.selected(), ["/fixtures/1", "/fixtures/2"]);
+  await tab.click(10, 7.45);
+  equal(await tab.selected(), ["/fixtures/2"]);
+  await tab.page.keyboard.up("Shift");
+  await tab.click(2.5, 10);
+  equal(await tab.selected(), []);
+});
+
+testPlanner("a frame to the right selects what lies inside, to the left what it touches", {}, async (tab) => {
+  await tab.drag([18.6, 11.6], [24.6, 5.4]);
+  equal(await tab.selected(), ["fixtures/10#1", "fixtures/10#2"], "rows of tables inside");
+  await tab.drag([20.6, 8], [18.7, 5.7]);
+  equal(await tab.selected(), ["fixtures/10#1"], "touched");
+  await tab.drag([18.5, 9], [20.6, 5.4]);
+  equal(await tab.selected(), [], "not wholly inside");
+});
+
+testPlanner("Esc in a frame restores the selection", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.drag([18.6, 11.6], [24.6, 5.4], {
+    during: async () => {
+      equal((await tab.selected()).length, 2);
+      await tab.press("Escape");
+      equal(await tab.selected(), ["/fixtures/2"]);
+    },
+  });
+  equal(await tab.selected(), ["/fixtures/2"]);
+});
+
+testPlanner("Ctrl+A takes everything but hidden and locked kinds", {}, async (tab) => {
+  await tab.press("Control+a");
+  const all = await tab.selected();
+  check(all.length > 10 && all.includes("/transceivers/grids/0") && !all.includes("/room"), `${all}`);
+  equal(new Set(all).size, all.length, "rows count once");
+  await tab.push("#tab-layers");
+  await tab.push('[data-key="lock-fixture"]');
+  await tab.push('[data-key="show-grid"]');
+  await tab.press("Escape", "Control+a");
+  equal(await tab.selected(), ["/transceivers/keep_out/0"]);
+  await tab.press("Escape");
+  await tab.click(10, 9.85);
+  equal(await tab.selected(), [], "a locked fixture");
+  await tab.push('[data-key="lock-fixture"]');
+  await tab.click(10, 9.85);
+  equal(await tab.selected(), ["/fixtures/2"]);
+});
+
+testPlanner("one copy of a row is locked; Enter or a double click edits the row", {}, async (tab) => {
+  await tab.click(17.2, 5);
+  equal(await tab.selected(), ["fixtures/5#1"]);
+  check((await tab.text(".properties")).includes("One copy of a row"), "the panel says so");
+  await tab.drag([17.2, 5], [18.2, 6]);
+  await tab.press("ArrowRight", "Delete");
+  equal(tab.server.steps.length, 0, "steps");
+  await tab.press("Enter");
+  equal(await tab.selected(), ["/fixtures/5"]);
+  await tab.page.mouse.dblclick(...(await tab.at(17.2, 7.3)));
+  await tab.settle();
+  equal(await tab.selected(), ["/fixtures/5"]);
+  await tab.press("ArrowRight");
+  await tab.steps(1);
+  equal(tab.json.fixtures[5].at, [17.46, 4.6]);
+});
+
+testPlanner("a row is dissolved into single fixtures", {}, async (tab) => {
+  await tab.click(17.2, 5);
+  await tab.push('[data-key="dissolve"]');
+  await tab.steps(1);
+  equal(
+    tab.json.fixtures.slice(5, 9).map(({ id }) => id),
+    ["A1-east", "A2-east", "A3-east", "A4-east"],
+  );
+  await tab.click(17.2, 5);
+  equal(await tab.selected(), ["/fixtures/5"]);
+});
+
+testPlanner("labels and candidates of an element lead to it", {}, async (tab) => {
+  await tab.point(11, 9.4);
+  for (let k = 0; k < 6; ++k) await tab.page.mouse.wheel(0, -200);
+  await tab.settle();
+  await tab.click(11, 9.38);
+  equal(await tab.selected(), ["/fixtures/2"], "source of the label");
+  check((await tab.text(".properties")).includes("A3-front-"), "id of the label");
+  await tab.press("Enter");
+  equal(await tab.text(".properties h2"), "A3");
+});
+
+testPlanner("a listed label and a listed unit are elements", { store: "chiller" }, async (tab) => {
+  await tab.click(0.9, 8.27);
+  equal(await tab.selected(), ["/labels/0"]);
+  await tab.drag([0.9, 8.27], [1.1, 8.07]);
+  await tab.steps(1);
+  equal(tab.json.labels[0].position, [1.1, 8.08, 0.9]);
+  await tab.click(10.6, 2.6);
+  equal(await tab.selected(), ["/transceivers/list/6"]);
+  await tab.press("Shift+ArrowLeft");
+  await tab.steps(2);
+  equal(tab.json.transceivers.list[6].position, [10.5, 2.6, 3.15]);
+});

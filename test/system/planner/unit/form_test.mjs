@@ -1,0 +1,222 @@
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+
+import { elementsOf } from "../../../../src/page/planner/elements/kinds";
+import { inUnit } from "../../../../src/page/planner/form/convert";
+import { initialObject, initialValue } from "../../../../src/page/planner/form/initial";
+import { groupOfElement, groupOfStore, groupOfType, measureOf } from "../../../../src/page/planner/form/schema";
+import { pointerOfPath, presentAt, shownAt } from "../../../../src/page/planner/form/targets";
+import { alternativeOf, commonFields, fieldsOf, variantOf } from "../../../../src/page/planner/form/variants";
+import { unitNamed } from "../../../../src/page/planner/geometry/units";
+import { text } from "../../../../src/page/planner/text";
+import { effective } from "../fake_resolve.mjs";
+import { parse } from "../jsonc.mjs";
+
+const fixtureTypes = ["gondola", "freezer", "box", "prism", "cylinder", "panel", "mesh"];
+const kinds = ["room", "zone", "wall", "label", "unit", "grid", "area", "rail", "faces", "keep_out"];
+const groups = [
+  ...fixtureTypes.map((type) => groupOfElement("fixture", type)),
+  ...kinds.map((kind) => groupOfElement(kind, "")),
+  ...["materials", "label_types", "transceiver_types"].map((list) => groupOfType(list, "")),
+  groupOfStore(),
+];
+
+/** All fields, also those within others. */
+function fieldsIn(type) {
+  if (type.kind === "group")
+    return type.group.variants.flatMap(({ fields }) => fields.flatMap((field) => [field, ...fieldsIn(field.type)]));
+  if (type.kind === "list") return fieldsIn({ kind: "group", group: type.item });
+  if (type.kind === "either") return type.options.flatMap(fieldsIn);
+  return type.kind === "map" ? fieldsIn(type.value) : [];
+}
+const allFields = groups.flatMap((group) => fieldsIn({ kind: "group", group }));
+
+test("every key of the schema has a name", () => {
+  assert.ok(allFields.length > 200);
+  const missing = new Set(allFields.map(({ key }) => key).filter((key) => !Object.hasOwn(text.fields, key)));
+  assert.deepEqual([...missing], []);
+  const used = new Set(allFields.map(({ key }) => key));
+  assert.deepEqual(
+    Object.keys(text.fields).filter((key) => !used.has(key)),
+    [],
+  );
+});
+
+test("numbers have the right unit of measure", () => {
+  const lengths = [
+    "length",
+    "at",
+    "spacing",
+    "positions",
+    "shelves",
+    "from",
+    "offset",
+    "below_ceiling",
+    "thickness",
+    "radius",
+    "z",
+    "shift",
+  ];
+  const measures = (key) =>
+    new Set(
+      allFields
+        .filter((field) => field.key === key)
+        .flatMap(({ type }) => (type.kind === "either" ? type.options : [type]))
+        .flatMap(({ measure }) => measure ?? []),
+    );
+  for (const key of lengths) assert.deepEqual([...measures(key)], ["length"], key);
+  for (const key of ["rotation_deg", "tilt_deg", "roll_deg"]) assert.deepEqual([...measures(key)], ["degrees"], key);
+  for (const key of ["stocking", "order", "peak", "eta", "count", "normal", "axes", "scale"])
+    assert.deepEqual([...measures(key)], ["none"], key);
+  assert.deepEqual(["at_m", "wavelength_nm", "absorption_per_m", "unit_power_db"].map(measureOf), [
+    "m",
+    "nm",
+    "1/m",
+    "dB",
+  ]);
+});
+
+test("only values that nobody types are shown as JSON", () => {
+  assert.deepEqual(
+    [...new Set(allFields.filter(({ type }) => type.kind === "json").map(({ key }) => key))],
+    ["holes", "intensity"],
+  );
+});
+
+const examples = process.env.EXAMPLES;
+const folder = readdirSync(examples, { withFileTypes: true }).filter((entry) => entry.isDirectory());
+
+test("forms show every key of the examples", () => {
+  const omitted = ["type", "variation", "zones", "inner_walls"];
+  let count = 0;
+  for (const { name } of folder) {
+    const json = parse(readFileSync(join(examples, name, "store.json"), "utf8"));
+    for (const { kind, value } of elementsOf(json)) {
+      const whole = effective(json, value);
+      const group = groupOfElement(kind, String(whole.type ?? ""));
+      if (!group) continue; // the preset is in a catalogue
+      const fields = fieldsOf(variantOf(group, whole), whole).map(({ key }) => key);
+      const hidden = Object.keys(value).filter((key) => !fields.includes(key) && !omitted.includes(key));
+      assert.deepEqual(hidden, [], `${name}: ${JSON.stringify(value)}`);
+      count += fields.length;
+    }
+  }
+  assert.ok(count > 1000);
+});
+
+test("alternatives: a fixture stands at a place or against something", () => {
+  const [variant] = groupOfElement("fixture", "gondola").variants;
+  const keys = (value) => fieldsOf(variant, value).map(({ key }) => key);
+  assert.deepEqual(alternativeOf(variant, { against: {} }), ["against"]);
+  assert.ok(keys({ at: [0, 0] }).includes("at") && !keys({ at: [0, 0] }).includes("against"));
+  assert.ok(keys({ against: {} }).includes("against") && !keys({ against: {} }).includes("at"));
+});
+
+test("variants: by type, or by their keys", () => {
+  const box = groupOfElement("fixture", "box");
+  assert.equal(variantOf(box, { min: [0, 0, 0], max: [1, 1, 1] }).name, "min");
+  assert.equal(variantOf(box, { at: [0, 0, 0], size: [1, 1, 1] }).name, "size");
+  assert.equal(variantOf(groupOfElement("room", ""), { outline: [] }).name, "outline");
+  assert.equal(variantOf(groupOfType("materials", ""), { type: "plastic" }).name, "plastic");
+  const emission = groupOfType("transceiver_types", "").variants[0].fields.find(({ key }) => key === "emission").type
+    .group;
+  assert.deepEqual(
+    emission.variants.map(({ name }) => name),
+    ["sin2theta", "isotropic", "lambertian", "table", "ies", "eulumdat"],
+  );
+});
+
+test("several elements have their common fields", () => {
+  const fields = ["gondola", "freezer", "box"].map((type) => groupOfElement("fixture", type).variants[0].fields);
+  const common = commonFields(fields.slice(0, 2)).map(({ key }) => key);
+  assert.ok(common.includes("height") && common.includes("goods") && !common.includes("shelves"));
+  assert.ok(!commonFields(fields).some(({ key }) => key === "at"));
+});
+
+test("values: own, of a preset, default, mixed", () => {
+  const details = {
+    effective: { depth: 0.9, labels: { type: "large" } },
+    resolved: null,
+  };
+  const target = (own) => ({
+    path: "/fixtures/0",
+    own: { preset: "row", ...own },
+    effective: { ...details.effective, ...own },
+    details,
+  });
+  const shown = (targets, pointer, fallback) => shownAt(targets, pointer, () => fallback);
+  assert.deepEqual(shown([target({})], "/depth", 1), {
+    own: undefined,
+    base: 0.9,
+    origin: "row",
+    isMixed: false,
+    isOwn: false,
+  });
+  assert.equal(shown([target({})], "/height", 2).base, 2);
+  assert.equal(shown([target({ depth: 3 })], "/depth", 1).own, 3);
+  assert.equal(shown([target({ depth: 3 }), target({})], "/depth", 1).isMixed, true);
+  assert.equal(shown([target({ depth: 0.9 }), target({})], "/depth", 1).isMixed, false);
+  assert.equal(presentAt(target({}), "/labels/type"), "large");
+});
+
+test("first values are complete", () => {
+  const around = {
+    json: { materials: { steel: {} }, label_types: { small: {} } },
+    shared: {},
+    unit: unitNamed("mm"),
+    part: null,
+  };
+  const labels = groupOfElement("fixture", "gondola").variants[0].fields.find(({ key }) => key === "labels").type;
+  assert.deepEqual(initialValue(labels, "labels", around), { type: "small", spacing: 1000 });
+  const against = groupOfElement("fixture", "gondola").variants[0].fields.find(({ key }) => key === "against").type;
+  assert.deepEqual(initialObject(against.group, 0, around), { wall: 0, from: 0 });
+  const footing = { at: [1, 2], rotation: 90, length: 3, depth: 1 };
+  const part = {
+    kind: "fixture",
+    type: "box",
+    outline: [
+      [0, 2],
+      [1, 5],
+    ],
+    footing,
+    height: 2,
+  };
+  const box = groupOfElement("fixture", "box").variants;
+  const value = (variant, key) =>
+    initialValue(box[variant].fields.find((field) => field.key === key).type, key, { ...around, part });
+  assert.deepEqual(
+    [value(0, "at"), value(0, "size"), value(1, "max")],
+    [
+      [1000, 2000, 0],
+      [3000, 1000, 2000],
+      [1000, 5000, 2000],
+    ],
+  );
+});
+
+test("lengths of presets of a catalogue are in the unit of the store", () => {
+  const fixture = {
+    type: "gondola",
+    length: 1330,
+    shelves: [350, 800],
+    labels: { type: "small", spacing: 300, tilt_deg: 20 },
+    repeat: { count: 3, step: [0, 2.4] },
+  };
+  const units = { length: "mm", shelves: "mm", labels: "mm" };
+  assert.deepEqual(inUnit(fixture, units, unitNamed("m")), {
+    type: "gondola",
+    length: 1.33,
+    shelves: [0.35, 0.8],
+    labels: { type: "small", spacing: 0.3, tilt_deg: 20 },
+    repeat: { count: 3, step: [0, 2.4] },
+  });
+});
+
+test("paths of problems lead to their fields", () => {
+  assert.equal(pointerOfPath("fixtures[3].labels.spacing"), "/fixtures/3/labels/spacing");
+  assert.equal(pointerOfPath("fixtures[0].depth (preset 'run 1.33')"), "/fixtures/0/depth");
+  assert.equal(pointerOfPath("room"), "/room");
+  assert.equal(pointerOfPath("transceivers.grids[0].min[1]"), "/transceivers/grids/0/min/1");
+});

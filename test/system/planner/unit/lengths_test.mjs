@@ -1,0 +1,85 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import fc from "fast-check";
+
+import { parseLength, parseNumber } from "../../../../src/page/planner/geometry/lengths";
+
+const inMetres = (typed) => parseLength(typed, 1);
+
+test("lengths as people type them", () => {
+  const lengths = {
+    1.33: 1.33,
+    "1,33": 1.33,
+    ".5": 0.5,
+    "3*1.33": 3.99,
+    "3 x 1.33": 3.99,
+    "1.33*3": 3.99,
+    "180cm": 1.8,
+    "180 cm": 1.8,
+    "45mm": 0.045,
+    "6ft": 1.8288,
+    "5'11\"": 1.8034,
+    "5′ 11″": 1.8034,
+    "2m + 40cm": 2.4,
+    "2 m 40 cm": 2.4,
+    "12/5": 2.4,
+    "3m/2": 1.5,
+    "(1+2)*2": 6,
+    "-1.5": -1.5,
+    "−1.5": -1.5,
+    "4 - 40cm": 3.6,
+    "1e3": 1000,
+  };
+  for (const [typed, metres] of Object.entries(lengths))
+    assert.ok(Math.abs(inMetres(typed) - metres) < 1e-9, `${typed}: ${inMetres(typed)}`);
+});
+
+test("numbers without a unit are in the unit of the file", () => {
+  assert.equal(parseLength("1800", 0.001), 1800);
+  assert.ok(Math.abs(parseLength("1.8m", 0.001) - 1800) < 1e-9);
+  assert.ok(Math.abs(parseLength("1m + 200", 0.001) - 1200) < 1e-9);
+  assert.ok(Math.abs(parseLength("6", 0.3048) - 6) < 1e-9);
+});
+
+test("other texts are no lengths", () => {
+  for (const typed of [
+    "",
+    "abc",
+    "1..2",
+    "3**2",
+    "2m*2m",
+    "1/0",
+    "1/2m",
+    "(1",
+    "1)",
+    "5 6",
+    "6ft 3",
+    "1;2",
+    "m",
+    "--",
+    "1e999",
+  ])
+    assert.equal(inMetres(typed), null, typed);
+});
+
+test("a number has no unit of length", () => {
+  assert.equal(parseNumber("45°"), 45);
+  assert.equal(parseNumber("90 / 2"), 45);
+  assert.equal(parseNumber("2m"), null);
+});
+
+test("any number is read as it is written, and no text throws", () => {
+  fc.assert(
+    fc.property(fc.double({ min: -1e6, max: 1e6, noNaN: true }), (value) => {
+      const rounded = Number(value.toFixed(4)) + 0;
+      assert.ok(Math.abs(inMetres(rounded.toFixed(4)) - rounded) < 1e-9);
+    }),
+  );
+  fc.assert(
+    fc.property(fc.stringMatching(/^[0-9.,'"x*+/() mcftin-]{0,24}$/), (typed) => {
+      const found = inMetres(typed);
+      assert.ok(found === null || Number.isFinite(found));
+    }),
+  );
+});

@@ -1,0 +1,168 @@
+// Tests what is shown: zoom, pan, fit, layers, measurement, 3-D, and pictures of all examples.
+
+import { check, equal, near, says } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+testPlanner("the wheel zooms at the pointer, within limits", {}, async (tab) => {
+  const at = await tab.at(20, 5);
+  await tab.page.mouse.move(...at);
+  const before = await tab.view();
+  await tab.page.mouse.wheel(0, -300);
+  await tab.settle();
+  const after = await tab.view();
+  check(after.scale > 1.5 * before.scale, "larger");
+  const now = await tab.at(20, 5);
+  check(Math.hypot(now[0] - at[0], now[1] - at[1]) <= 1, "the place under the pointer stays");
+  for (let k = 0; k < 40; ++k) await tab.page.mouse.wheel(0, -1000);
+  await tab.settle();
+  equal((await tab.view()).scale, 6000, "1 cm is 60 pixels at most");
+  await tab.press("0");
+  near((await tab.view()).scale, before.scale, 1e-9, "scale after 0");
+  await tab.click(10, 9.85);
+  await tab.press("Shift+2");
+  const { centre } = await tab.view();
+  equal(
+    centre.map((value) => Number(value.toFixed(3))),
+    [11, 9.85],
+    "middle of the selection",
+  );
+});
+
+testPlanner("middle and right drags move the plan, Space also without a button", {}, async (tab) => {
+  for (const button of ["middle", "right"]) {
+    const before = (await tab.view()).centre;
+    await tab.drag([10, 2], [12, 3], { button });
+    const after = (await tab.view()).centre;
+    check(
+      Math.abs(before[0] - 2 - after[0]) < 0.06 && Math.abs(before[1] - 1 - after[1]) < 0.06,
+      `${button}: ${before} ${after}`,
+    );
+    equal(await tab.page.$(".menu"), null, "menu");
+  }
+  await tab.point(10, 2);
+  const before = (await tab.view()).centre;
+  await tab.page.keyboard.down("Space");
+  await tab.page.mouse.move(...(await tab.at(12, 3)), { steps: 4 });
+  await tab.page.keyboard.up("Space");
+  await tab.settle();
+  const after = (await tab.view()).centre;
+  check(Math.abs(before[0] - 2 - after[0]) < 0.06, `${before} ${after}`);
+  equal(tab.server.steps.length, 0);
+});
+
+testPlanner("Space moves the plan in the middle of a drag", {}, async (tab) => {
+  const before = (await tab.view()).centre;
+  await tab.drag([10, 9.85], [11, 9.85], {
+    during: async () => {
+      const [x, y] = await tab.at(11, 9.85);
+      await tab.page.keyboard.down("Space");
+      await tab.page.mouse.move(x + 60, y, { steps: 3 });
+      await tab.page.keyboard.up("Space");
+      await tab.page.mouse.move(x + 61, y);
+      await tab.settle();
+    },
+  });
+  await tab.steps(1);
+  check((await tab.view()).centre[0] < before[0] - 1, "the plan has moved");
+  check(
+    Math.abs(tab.json.fixtures[2].at[0] - 6) < 0.1,
+    `the fixture stays under the pointer: ${tab.json.fixtures[2].at}`,
+  );
+});
+
+testPlanner("layers hide kinds and levels", {}, async (tab) => {
+  await tab.push("#tab-layers");
+  const shows = (kind) =>
+    tab.page.evaluate((of) => getComputedStyle(document.querySelector(`.kind-${of}`)).display !== "none", kind);
+  check(await shows("fixture"), "shown");
+  await tab.push('[data-key="show-fixture"]');
+  check(!(await shows("fixture")), "hidden");
+  const levels = () =>
+    tab.page.evaluate(() => document.querySelectorAll("[data-key^='level-'][aria-pressed='true']").length);
+  const before = await levels();
+  await tab.push('[data-key="level-4"]');
+  equal(await levels(), before - 1);
+  await tab.page.reload();
+  await tab.until(() => window.shelfbeamPlanner?.planner.document.isReady);
+  await tab.settle();
+  check(!(await shows("fixture")), "hidden after a reload");
+});
+
+testPlanner("measurements hold on to edges, and stay until Esc", {}, async (tab) => {
+  await tab.press("m");
+  // The aisle between A1 and A2: from the back of one to the front of the other.
+  await tab.click(10, 5.55);
+  await tab.click(10, 6.95);
+  says(await tab.text(".overlay .reading"), "1.50 m");
+  await tab.click(2.5, 2);
+  await tab.point(5, 2.1);
+  equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 2);
+  await tab.press("Escape");
+  equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 1, "the gesture first");
+  await tab.press("Escape");
+  equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 0, "then the tool");
+  equal(await tab.page.evaluate(() => document.querySelector(".plan").dataset.tool), "select");
+});
+
+testPlanner("D shows the same selection in 3-D, where clicks select, too", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("d");
+  await tab.until(() => document.querySelector(".plan").classList.contains("space"));
+  equal(await tab.selected(), ["/fixtures/2"]);
+  const place = () =>
+    tab.page.evaluate(() => {
+      const { stage } = window.shelfbeamPlanner.page;
+      const box = stage.canvas.getBoundingClientRect();
+      const { x, y } = stage.project([11, 5.05, 2]);
+      return [box.left + x, box.top + y];
+    });
+  await tab.until(() => window.shelfbeamPlanner.page.stage.drawCalls > 4);
+  await tab.settle();
+  await tab.page.mouse.click(...(await place()));
+  await tab.settle();
+  equal(await tab.selected(), ["/fixtures/0"]);
+  await tab.press("Shift+ArrowUp");
+  await tab.steps(1);
+  await tab.picture("grocery-space");
+  await tab.press("d");
+  equal(await tab.selected(), ["/fixtures/0"]);
+});
+
+testPlanner("fingers move the plan, and never change the store", { hasTouch: true }, async (tab) => {
+  const session = await tab.page.context().newCDPSession(tab.page);
+  const touch = (type, ...points) =>
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const [x, y] = await tab.at(10, 9.85);
+  const before = await tab.view();
+  await touch("touchStart", [x, y]);
+  for (const way of [10, 20, 40, 60]) await touch("touchMove", [x + way, y]);
+  await touch("touchEnd");
+  await tab.settle();
+  const panned = await tab.view();
+  check(panned.centre[0] < before.centre[0] - 1, "panned");
+  await touch("touchStart", [600, 300], [660, 300]);
+  for (const way of [10, 30, 60]) await touch("touchMove", [600 - way, 300], [660 + way, 300]);
+  await touch("touchEnd");
+  await tab.settle();
+  check((await tab.view()).scale > 2 * panned.scale, "pinched");
+  await tab.press("0");
+  await tab.page.touchscreen.tap(...(await tab.at(10, 9.85)));
+  await tab.settle();
+  equal(await tab.selected(), ["/fixtures/2"], "tapped");
+  equal(tab.server.steps.length, 0);
+});
+
+for (const store of ["thesis", "grocery", "chiller", "market-hall", "supermarket", "hypermarket"])
+  for (const [width, height, dark] of [
+    [1280, 720, false],
+    [1920, 1080, true],
+  ])
+    testPlanner(`a picture of ${store} at ${width} x ${height}`, { store, width, height, dark }, async (tab) => {
+      const fits = await tab.page.evaluate(() => {
+        const { viewport, wholeBounds } = window.shelfbeamPlanner.planner;
+        const corners = [wholeBounds.lower, wholeBounds.upper].map((corner) => viewport.toScreen(corner));
+        return corners.every(([x, y]) => x > 0 && y > 0 && x < viewport.width && y < viewport.height);
+      });
+      check(fits, "everything is shown at first");
+      await tab.picture(`${store}-${width}`);
+    });
