@@ -112,7 +112,10 @@ export class Planner {
   pointsOf(item: Item): Point[] {
     const { labels, units } = this.document;
     const flat = ([x, y]: number[]): Point => [x, y];
-    if (item.kind === "device") return [flat((item.device === "label" ? labels : units).at(item.index))];
+    if (item.kind === "device") {
+      const devices = item.device === "label" ? labels : units;
+      return item.index < devices.count ? [flat(devices.at(item.index))] : [];
+    }
     if (item.kind === "copy") return [];
     return [labels, units].flatMap((devices) =>
       (devices.ofElements(new Set([item.path])).get(item.path) ?? [])

@@ -1,7 +1,9 @@
 // A test of the planner with one of the example stores. No test may leave an error in the console, or a store that
 // undoing does not bring back.
 
-import { equal, test } from "../viewer/check.mjs";
+import { isDeepStrictEqual } from "node:util";
+
+import { check, equal, test } from "../viewer/check.mjs";
 
 /** `run` gets the tab, and what makes more tabs and servers. */
 export const testPlanner = (what, { store = "grocery", keeps = false, ...options }, run) =>
@@ -17,5 +19,14 @@ export const testPlanner = (what, { store = "grocery", keeps = false, ...options
       await tab.press("Escape", "Escape", "Control+z");
       await tab.steps(position - 1);
     }
-    equal(server.json, server.first, "store after undoing everything");
+    check(isDeepStrictEqual(server.json, server.first), "undoing everything does not bring the store back");
   });
+
+/** Places that a drag by whole pixels can reach: within 5 cm, in whole centimetres. */
+export function placed(found, expected, what = "place") {
+  const isNear = (a, b) =>
+    Array.isArray(b)
+      ? Array.isArray(a) && a.length === b.length && b.every((value, k) => isNear(a[k], value))
+      : Math.abs(a - b) <= 0.05 && Math.abs(100 * a - Math.round(100 * a)) < 1e-6;
+  check(isNear(found, expected), `${what}: found ${JSON.stringify(found)}, expected about ${JSON.stringify(expected)}`);
+}

@@ -31,7 +31,11 @@ export function openPicker(
     "aria-expanded": "true",
     "aria-autocomplete": "list",
     autocomplete: "off",
-    on: { input: () => void update() },
+    on: {
+      input: () => {
+        latest = update();
+      },
+    },
   });
   const dialog = openDialog(title, "picker", input, list, note);
 
@@ -71,6 +75,7 @@ export function openPicker(
     active = 0;
     show();
   };
+  let latest: Promise<void> = Promise.resolve();
   input.addEventListener("keydown", (event) => {
     const { key } = event as KeyboardEvent;
     if (key === "ArrowDown" || key === "ArrowUp") {
@@ -79,9 +84,10 @@ export function openPicker(
       show();
     } else if (key === "Enter") {
       event.preventDefault();
-      choose(active);
+      // The results may be those of the text before.
+      void latest.then(() => choose(active));
     }
   });
-  void update();
+  latest = update();
   input.focus();
 }

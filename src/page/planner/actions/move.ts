@@ -32,6 +32,8 @@ export function motionPreview(planner: Planner, elements: readonly StoreElement[
   return { ...noPreview, parts, devices };
 }
 
+const isPureShift = ({ turn, mirrors }: Motion): boolean => turn === 0 && !mirrors;
+
 export interface Wanted {
   label: string;
   /** Whether it continues the step before it. */
@@ -49,7 +51,8 @@ export async function moveElements(
   const preview = motionPreview(planner, elements, motionFor);
   document.show(preview);
   const paths = elements.map(({ path }) => path);
-  await knowDetails(document, paths);
+  const isShift = elements.every((element, index) => isPureShift(motionFor(element, index)));
+  await knowDetails(document, paths, isShift);
   const builder = new EditBuilder(document.json);
   const immovable = new Set<Immovable>();
   paths.forEach((path, index) => {

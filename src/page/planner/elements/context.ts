@@ -44,10 +44,11 @@ const needsDetails = ({ value }: StoreElement): boolean => value.preset !== unde
  * Waits until the keys of presets are known. Contexts are taken afterwards, in one go with the edit, because the store may
  * change during the wait.
  */
-export async function knowDetails(document: StoreDocument, paths: readonly string[]): Promise<void> {
+export async function knowDetails(document: StoreDocument, paths: readonly string[], isShift: boolean): Promise<void> {
   const unknown = paths.filter((path) => {
     const element = elementAt(document.json, path);
-    return element && needsDetails(element) && !document.details.has(path);
+    // A shift changes the place alone, which is hardly ever that of a preset.
+    return element && needsDetails(element) && !document.details.has(path) && !(isShift && element.value.at);
   });
   await Promise.all(unknown.map((path) => document.details.of(path)));
 }

@@ -91,7 +91,11 @@ export class Form {
   }
 
   private row(field: Field, parent: string): HTMLElement {
-    const { key, type, isRequired } = field;
+    const { key, type } = field;
+    // A preset may have what the element leaves out.
+    const inherits =
+      key !== "id" && field.isRequired && this.context.targets.every(({ own }) => own.preset !== undefined);
+    const isRequired = field.isRequired && !inherits;
     const pointer = pointerTo(parent, key);
     const shown = this.shown(pointer, field);
     const place = this.place(pointer, key, isRequired);
@@ -99,8 +103,9 @@ export class Form {
     const commit = (next: (present: Json | undefined) => Json | undefined) => this.set(place.label, pointer, next);
     const choice = type.kind === "either" ? typeChoice(place, type.options, shown, commit) : null;
     const control = leafInput(place, active, shown, commit);
-    if (control) return this.leafRow(place, field, shown, [choice, control]);
-    return this.nestedRow(place, field, active, pointer, choice);
+    const known = { ...field, isRequired };
+    if (control) return this.leafRow(place, known, shown, [choice, control]);
+    return this.nestedRow(place, known, active, pointer, choice);
   }
 
   private leafRow(place: Place, field: Field, shown: Shown, controls: (HTMLElement | null)[]): HTMLElement {

@@ -70,6 +70,7 @@ export function entry(place: Place, { shown, placeholder, unit, label, id, read,
     const typed = input.value.trim();
     if (typed === last) return;
     last = typed;
+    input.dataset.shown = typed;
     why.hidden = true;
     input.removeAttribute("aria-invalid");
     try {

@@ -18,6 +18,12 @@ export function listenToKeys(
 ): void {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.isComposing) return;
+    // Also with the keys held that change the gesture.
+    const cancels = event.key === "Escape" || ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z");
+    if (cancels && gestures.cancel()) {
+      event.preventDefault();
+      return;
+    }
     const inField = isField(event.target);
     const inPlan = event.target === document.body || plans.includes(event.target as HTMLElement);
     const chord = chordOf(event);

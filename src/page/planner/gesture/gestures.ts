@@ -204,8 +204,8 @@ export class Gestures {
       item = part && itemOf(part);
     }
     if (!item) {
-      const before = keys.shift ? [...selection.items] : [];
-      this.enter({ kind: "marquee", from: scope.world, to: world, isAdding: keys.shift, before });
+      const before = [...selection.items];
+      this.enter({ kind: "marquee", from: scope.world, to: world, kept: keys.shift ? before : [], before });
       return;
     }
     if (!selection.has(item)) {
@@ -232,7 +232,7 @@ export class Gestures {
     const { document, layers, selection } = this.planner;
     const next = { ...scope, to };
     const found = itemsWithin(document, layers, marqueeOf(next), to[0] < scope.from[0]);
-    selection.set([...scope.before, ...found]);
+    selection.set([...scope.kept, ...found]);
     this.enter(next);
   }
 

@@ -2,7 +2,7 @@
 
 import type { Point } from "../document/messages";
 import { contextOf } from "../elements/context";
-import { handlesOf, type Handle } from "../elements/handles";
+import { frameOf, handlesOf, type Handle } from "../elements/handles";
 import { isImmovable, motionOf } from "../elements/motion";
 import { turnAbout } from "../geometry/rigid";
 import { distance } from "../geometry/vector";
@@ -17,6 +17,7 @@ const mostGrips = 120;
 const turnDistance = 28; // pixels above the selection
 const reach = 9; // pixels
 const leastSide = 22; // pixels between neighbouring grips
+const leastFrame = 40; // pixels of the shorter side of a rectangle with grips at its corners
 
 function sizeGrips(planner: Planner): Grip[] {
   const { document, selection, viewport } = planner;
@@ -24,12 +25,16 @@ function sizeGrips(planner: Planner): Grip[] {
   if (selection.items.length !== 1 || item.kind !== "element") return [];
   const context = contextOf(document, item.path);
   if (!context) return [];
-  const handles = handlesOf({ ...context, value: context.effective }, context.parts[0], document.unit);
+  const element = { ...context, value: context.effective };
+  const frame = frameOf(element, context.parts[0], document.unit);
+  const handles = handlesOf(element, context.parts[0], document.unit);
+  // Corners of a narrow rectangle would hide its sides; sides of an outline with short edges would hide its corners.
+  const isNarrow = frame !== null && Math.min(frame.length, frame.depth) * viewport.scale < leastFrame;
   const corners = handles.filter(({ isCorner }) => isCorner);
   const isNearCorner = (handle: Handle) =>
     corners.some(({ at }) => distance(at, handle.at) * viewport.scale < leastSide);
   return handles
-    .filter((handle) => handle.isCorner || !isNearCorner(handle))
+    .filter((handle) => (frame ? !(isNarrow && handle.isCorner) : handle.isCorner || !isNearCorner(handle)))
     .slice(0, mostGrips)
     .map((handle) => ({ handle, screen: viewport.toScreen(handle.at) }));
 }

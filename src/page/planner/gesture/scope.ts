@@ -15,7 +15,7 @@ export type Scope =
   | { kind: "pressed"; screen: Point; world: Point; item: Item | null; isTouch: boolean }
   | { kind: "panning"; screen: Point; button: number; hasMoved: boolean }
   | { kind: "pinching" }
-  | { kind: "marquee"; from: Point; to: Point; isAdding: boolean; before: readonly Item[] }
+  | { kind: "marquee"; from: Point; to: Point; kept: readonly Item[]; before: readonly Item[] }
   | { kind: "moving"; elements: readonly StoreElement[]; from: Point; shift: Point; isCopying: boolean }
   | { kind: "rotating"; elements: readonly StoreElement[]; middle: Point; from: number; turn: number }
   | { kind: "resizing"; context: Context; handle: string; ops: readonly EditOp[]; preview: Preview }

@@ -9,6 +9,9 @@ import { pathOf, svg } from "./svg";
 /** From the lowest to the uppermost. */
 const order: Part["kind"][] = ["room", "zone", "area", "keep_out", "fixture", "wall", "grid", "rail", "faces"];
 
+/** Pixels per m. Dashes of long lines take seconds to draw if almost all of the line is outside of the picture. */
+const closeScale = 300;
+
 interface Drawn {
   part: Part;
   path: SVGPathElement;
@@ -54,6 +57,7 @@ export class Shapes {
   place(): void {
     const { scale, width, height, centre } = this.planner.viewport;
     const [x, y] = [0.5 * width - centre[0] * scale, 0.5 * height + centre[1] * scale];
+    this.root.classList.toggle("close", scale > closeScale);
     this.world.setAttribute("transform", `matrix(${scale} 0 0 ${-scale} ${x} ${y})`);
   }
 
