@@ -3,11 +3,13 @@
 import { Changes } from "./changes";
 import { Connection } from "./document/connection";
 import { StoreDocument } from "./document/document";
+import { isObject } from "./document/json";
 import type { Part, Point } from "./document/messages";
 import type { Copied } from "./elements/copies";
 import { inUnit } from "./form/convert";
 import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
+import { Fan } from "./view/fan";
 import { Layers } from "./view/layers";
 import { Selection, type Item } from "./view/selection";
 import { Viewport } from "./view/viewport";
@@ -34,6 +36,7 @@ export class Planner {
   readonly selection = new Selection(this.changes);
   readonly layers = new Layers(this.changes);
   readonly viewport = new Viewport(this.changes);
+  readonly fan: Fan;
   tool: Tool = "select";
   /** Whether the plan or the 3-D picture is shown. */
   isPlan = true;
@@ -51,6 +54,7 @@ export class Planner {
   constructor(address: string) {
     this.connection = new Connection(address);
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
+    this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.document.onMoved = (place) => this.selection.follow(place);
     this.document.onReplaced = (before) => this.selection.findAgain(before, this.document.json);
     this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
@@ -111,17 +115,15 @@ export class Planner {
   /** The labels or units of an element that have no outline. */
   pointsOf(item: Item): Point[] {
     const { labels, units } = this.document;
-    const flat = ([x, y]: number[]): Point => [x, y];
     if (item.kind === "device") {
       const devices = item.device === "label" ? labels : units;
-      return item.index < devices.count ? [flat(devices.at(item.index))] : [];
+      return item.index < devices.count ? [this.fan.place(devices, item.index)] : [];
     }
     if (item.kind === "copy") return [];
-    return [labels, units].flatMap((devices) =>
-      (devices.ofElements(new Set([item.path])).get(item.path) ?? [])
-        .filter((index) => devices.isListed(index))
-        .map((index) => flat(devices.at(index))),
-    );
+    return [labels, units].flatMap((devices) => {
+      const index = devices.withPath(item.path);
+      return index === undefined ? [] : [this.fan.place(devices, index)];
+    });
   }
 
   boundsOfItem(item: Item): Bounds | null {
@@ -130,6 +132,13 @@ export class Planner {
 
   get selectionBounds(): Bounds | null {
     return joined(this.selection.items.map((item) => this.boundsOfItem(item)));
+  }
+
+  /** The name of the store, or of its folder. */
+  get title(): string {
+    const { json, name, file } = this.document;
+    const own = isObject(json) ? json.name : "";
+    return typeof own === "string" && own !== "" ? own : name || file;
   }
 
   get wholeBounds(): Bounds | null {

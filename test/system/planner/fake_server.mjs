@@ -58,11 +58,12 @@ function frame(about, arrays) {
 }
 
 function deviceFrame(event, devices, revision, remove) {
+  const [direction, state] = event === "labels" ? ["normal", "level"] : ["axis", "state"];
   return frame({ event, revision, from: 0, remove }, [
     { name: "position", type: "f32", values: Float32Array.from(devices.flatMap(({ at }) => at)) },
-    { name: "direction", type: "f32", values: Float32Array.from(devices.flatMap(({ normal }) => normal)) },
-    { name: "mark", type: "u8", values: Uint8Array.from(devices, ({ level }) => level) },
-    { name: "kind", type: "u8", values: Uint8Array.from(devices, ({ kind }) => kind) },
+    { name: direction, type: "f32", values: Float32Array.from(devices.flatMap(({ normal }) => normal)) },
+    { name: state, type: "u8", values: Uint8Array.from(devices, ({ level }) => level) },
+    { name: "source_kind", type: "u8", values: Uint8Array.from(devices, ({ kind }) => kind) },
     { name: "source", type: "u32", values: Uint32Array.from(devices, ({ source }) => source) },
   ]);
 }
@@ -83,17 +84,32 @@ function sceneFrame({ parts }, revision) {
   ]);
 }
 
+/** A file of the page as the program sends it. */
+export const asset = (folder, name) => ({
+  headers: {
+    "Content-Security-Policy": policy,
+    "Content-Type": types[name.split(".")[1]],
+    "Content-Encoding": "gzip",
+  },
+  bytes: readFileSync(join(folder, `${name}.gz`)),
+});
+
 export class FakeServer {
-  /** For tests: the wait before answers, refusals, and the answer to edits. */
-  delay = 0;
-  refuse = null;
+  /** What a wire does between page and program. */
+  wire = {
+    delay: 0,
+    refuse: null,
+    cut: () => {
+      for (const { socket } of this.tabs) socket.terminate();
+    },
+  };
   tabs = new Set();
 
   constructor(store, page, packages) {
     this.page = page;
     this.file = store;
     this.json = parse(readFileSync(store, "utf8"));
-    this.first = structuredClone(this.json);
+    this.first = this.text;
     this.steps = [];
     this.position = 0;
     this.revision = 1;
@@ -104,6 +120,34 @@ export class FakeServer {
     this.http = createServer((request, response) => this.serve(request, response));
     this.sockets = new WebSocketServer({ server: this.http });
     this.sockets.on("connection", (socket) => this.connect(socket));
+  }
+
+  /** Without the order of keys, which the program keeps. */
+  get text() {
+    const sorted = (value) =>
+      Array.isArray(value)
+        ? value.map(sorted)
+        : typeof value === "object" && value !== null
+          ? Object.fromEntries(
+              Object.keys(value)
+                .sort()
+                .map((key) => [key, sorted(value[key])]),
+            )
+          : value;
+    return JSON.stringify(sorted(this.json));
+  }
+
+  spoil() {
+    this.locked = { message: "store.json:12: room.size[0]: is no number" };
+    for (const tab of this.tabs)
+      this.send(tab, {
+        event: "changed",
+        revision: this.revision,
+        json: this.json,
+        problems: [],
+        history: this.history,
+        locked: this.locked,
+      });
   }
 
   async listen(port = 0) {
@@ -120,7 +164,6 @@ export class FakeServer {
 
   serve(request, response) {
     const name = request.url.replace("/token/", "") || "index.html";
-    response.setHeader("Content-Security-Policy", policy);
     if (name === "scene") {
       response.setHeader("Content-Type", "application/octet-stream");
       response.end(sceneFrame(this.resolved, this.revision));
@@ -131,16 +174,16 @@ export class FakeServer {
       response.end();
       return;
     }
-    response.setHeader("Content-Type", types[name.split(".")[1]]);
-    response.setHeader("Content-Encoding", "gzip");
-    response.end(readFileSync(join(this.page, `${name}.gz`)));
+    const { headers, bytes } = asset(this.page, name);
+    response.writeHead(200, headers);
+    response.end(bytes);
   }
 
   connect(socket) {
     const tab = { socket, number: ++this.lastTab };
     this.tabs.add(tab);
     socket.on("close", () => this.tabs.delete(tab));
-    socket.on("message", (data) => setTimeout(() => this.receive(tab, JSON.parse(data)), this.delay));
+    socket.on("message", (data) => setTimeout(() => this.receive(tab, JSON.parse(data)), this.wire.delay));
     const { json, resolved, revision, locked } = this;
     this.send(tab, {
       event: "project",
@@ -222,7 +265,7 @@ export class FakeServer {
   answer(tab, id, what, members) {
     const cause = { tab: tab.number, request: id };
     if (what === "edit") {
-      if (this.refuse) throw new Error(this.refuse);
+      if (this.wire.refuse) throw new Error(this.wire.refuse);
       const json = applied(this.json, members.ops);
       this.steps.length = this.position;
       const last = this.steps.at(-1);

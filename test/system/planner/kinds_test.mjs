@@ -76,7 +76,7 @@ testPlanner("a room by its size stays at the origin", {}, async (tab) => {
   equal(await tab.selected(), ["/room"]);
   await tab.press("ArrowRight");
   await tab.until(() => document.querySelector(".notice").textContent.includes("begins at the origin"));
-  equal(tab.server.steps.length, 0);
+  check(await tab.isUntouched(), "the store is untouched");
   await tab.dragPixels(await tab.grip("x1"), await tab.at(26, 9));
   await tab.steps(1);
   placed(tab.json.room.size, [26, 18, 3.6]);
@@ -105,5 +105,5 @@ testPlanner("what follows something else says so", { store: "market-hall" }, asy
   await find(tab, "Area 1");
   await tab.press("ArrowRight");
   await tab.until(() => document.querySelector(".notice").textContent.includes("no place of its own"));
-  equal(tab.server.steps.length, 0);
+  check(await tab.isUntouched(), "the store is untouched");
 });

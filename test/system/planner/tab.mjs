@@ -45,22 +45,34 @@ export class Tab {
     }
   }
 
-  /** Until the server has taken a number of steps, and the page knows it. */
+  /** Until a number of steps are applied, and the page knows that they are saved. */
   async steps(count) {
+    const state = () => {
+      const { history, saving } = window.shelfbeamPlanner.planner.document;
+      return { position: history.position, saving: saving.state };
+    };
     const end = Date.now() + patience;
-    while (this.server.position !== count) {
-      if (Date.now() > end) throw new Error(`${this.server.position} steps, not ${count}: ${this.labels}`);
-      await new Promise((done) => setTimeout(done, 10));
+    for (;;) {
+      const { position, saving } = await this.page.evaluate(state);
+      if (position === count && saving === "saved") break;
+      if (Date.now() > end) throw new Error(`${position} steps and ${saving}, not ${count}: ${await this.labels()}`);
+      await new Promise((done) => setTimeout(done, 15));
     }
-    await this.until((position) => {
-      const { document: store } = window.shelfbeamPlanner.planner;
-      return store.history.position === position && store.saving.state !== "saving";
-    }, count);
     await this.settle();
   }
 
-  get labels() {
-    return this.server.steps.slice(0, this.server.position).map(({ label }) => label);
+  /** The names of the applied steps. */
+  labels() {
+    return this.page.evaluate(() => {
+      const { steps, position } = window.shelfbeamPlanner.planner.document.history;
+      return steps.slice(0, position).map(({ label }) => label);
+    });
+  }
+
+  /** Nothing has changed the store. */
+  async isUntouched() {
+    await this.settle();
+    return this.server.text === this.server.first;
   }
 
   get json() {

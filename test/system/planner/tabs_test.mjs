@@ -22,7 +22,7 @@ testPlanner("two tabs show the same store", {}, async (tab, given) => {
 });
 
 testPlanner("a refused edit goes back, says why, and is never called saved", {}, async (tab) => {
-  tab.server.refuse = "there is no space left on the disk";
+  tab.server.wire.refuse = "there is no space left on the disk";
   await tab.drag([10, 9.85], [11, 10.35]);
   await tab.until(() => document.querySelector(".saving").dataset.state === "refused");
   says(await tab.text(".notice"), "Not done: Move A3. there is no space left on the disk");
@@ -31,14 +31,14 @@ testPlanner("a refused edit goes back, says why, and is never called saved", {},
     await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.parts.of("/fixtures/2")[0].footing.at),
     [5, 9.4],
   );
-  tab.server.refuse = null;
+  tab.server.wire.refuse = null;
   await tab.drag([10, 9.85], [11, 10.35]);
   await tab.steps(1);
   equal(await tab.text(".saving"), "Saved");
 });
 
 testPlanner("an edit shows before the answer", {}, async (tab) => {
-  tab.server.delay = 600;
+  tab.server.wire.delay = 600;
   await tab.drag([10, 9.85], [11, 9.85]);
   equal(await tab.text(".saving"), "Saving …");
   const shown = () =>
@@ -49,12 +49,12 @@ testPlanner("an edit shows before the answer", {}, async (tab) => {
   await tab.click(11, 14.4);
   await tab.press("ArrowRight");
   await tab.steps(3);
-  tab.server.delay = 0;
+  tab.server.wire.delay = 0;
   equal([tab.json.fixtures.length, tab.json.fixtures[7].id, tab.json.fixtures[7].at], [12, "F1", [6.01, 14.2]]);
 });
 
 testPlanner("a lost connection is shown, edits wait for the next one", {}, async (tab) => {
-  for (const { socket } of tab.server.tabs) socket.terminate();
+  tab.server.wire.cut();
   await tab.until(() => document.querySelector(".saving").dataset.state === "lost");
   says(await tab.text(".banner"), "connection to shelfbeam is lost");
   await tab.click(10, 9.85);
@@ -65,15 +65,15 @@ testPlanner("a lost connection is shown, edits wait for the next one", {}, async
 });
 
 testPlanner("an invalid file locks drawing until it is restored", {}, async (tab) => {
-  const message = "store.json:12: room.size[0] must be a number";
-  tab.server.locked = { message };
-  for (const { socket } of tab.server.tabs) socket.send(JSON.stringify({ event: "locked", locked: { message } }));
+  await tab.click(10, 9.85);
+  tab.server.spoil();
   await tab.until(() => !document.querySelector(".banner").hidden);
-  says(await tab.text(".banner"), "store.json was changed by another program and is invalid", message);
+  says(await tab.text(".banner"), "store.json was changed by another program and is invalid", "store.json");
+  const spoilt = tab.server.text;
   await tab.drag([10, 9.85], [11, 10.35]);
   await tab.press("ArrowRight", "Delete", "Control+z");
   equal(await tab.page.evaluate(() => document.querySelector('[data-key="field/length"]').disabled), true);
-  equal(tab.server.steps.length, 0);
+  check(tab.server.text === spoilt, "the invalid file is untouched");
   await tab.push(".banner button");
   await tab.until(() => document.querySelector(".banner").hidden);
   await tab.drag([10, 9.85], [11, 10.35]);

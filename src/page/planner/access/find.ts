@@ -1,15 +1,17 @@
 // Finds articles, fixtures, labels and units by their ids.
 
 import { showSelection } from "../actions/source";
-import type { Hit } from "../document/messages";
+import type { Hit, Point } from "../document/messages";
 import type { Planner } from "../planner";
 import { text } from "../text";
-import { deviceItem } from "../view/hit";
+import { deviceItem, itemOf } from "../view/hit";
 import type { Item } from "../view/selection";
 import { openPicker, type Result } from "./picker";
 
-function itemOfHit(planner: Planner, { kind, path, index }: Hit): Item | null {
-  const { labels, units } = planner.document;
+function itemOfHit(planner: Planner, { kind, path, key, index }: Hit): Item | null {
+  const { labels, units, parts } = planner.document;
+  const part = key === undefined ? undefined : parts.withKey(key);
+  if (part) return itemOf(part);
   if (index !== undefined) return deviceItem(kind === "unit" ? units : labels, index);
   return path ? { kind: "element", path } : null;
 }
@@ -25,9 +27,10 @@ export function openFind(planner: Planner): void {
       note: (text.kinds as Record<string, string>)[hit.kind] ?? hit.kind,
       choose: () => {
         const item = itemOfHit(planner, hit);
+        const place: Point = [hit.at[0], hit.at[1]];
         if (item) planner.selection.set([item]);
         if (item && planner.boundsOfItem(item)) showSelection(planner);
-        else planner.viewport.fit({ lower: hit.at, upper: hit.at }, 120);
+        else planner.viewport.fit({ lower: place, upper: place }, 120);
       },
     }));
   };

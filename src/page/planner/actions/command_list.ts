@@ -10,7 +10,7 @@ import { say } from "../../data/text";
 import { assignType } from "./assign";
 import { copySelection, deleteSelection, duplicateSelection, paste } from "./copy";
 import { alignSelection, distributeSelection, mirrorSelection, shiftSelection, turnSelection } from "./move";
-import { dissolve, nextItem, selectAll, selectSource, showAll, showSelection } from "./source";
+import { canDissolve, dissolve, nextItem, selectAll, selectSource, showAll, showSelection } from "./source";
 
 /** What other parts of the page do for commands. */
 export interface Surroundings {
@@ -119,7 +119,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       keys: [],
       where: "page",
       run: () => void dissolve(planner),
-      isEnabled: () => isCopy() && planner.partsOf(planner.selection.items[0])[0]?.locked === "repeat",
+      isEnabled: () => document.locked === null && canDissolve(planner),
     },
     {
       id: "rotate",

@@ -16,7 +16,16 @@ export function selectSource(planner: Planner): void {
   if (sources.length > 0) selection.set(sources);
 }
 
-/** Turns a row into single elements. */
+/** A row, a copy of it, or a fixture that stands against something. */
+export function canDissolve(planner: Planner): boolean {
+  const [item, ...others] = planner.selection.items;
+  if (!item || item.path === null || others.length > 0) return false;
+  return planner.document.parts
+    .of(item.path)
+    .some(({ locked, against }) => locked === "repeat" || against !== undefined);
+}
+
+/** Turns a row, or a fixture against something, into fixtures with places of their own. */
 export async function dissolve(planner: Planner): Promise<void> {
   const [item] = planner.selection.items;
   if (item?.path) await planner.document.dissolve(item.path, say(text.edits.dissolve, nameOfPath(planner, item.path)));

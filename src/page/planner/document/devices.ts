@@ -40,6 +40,9 @@ export class Devices {
   state = new Uint8Array();
   private sourceKind = new Uint8Array();
   private source = new Uint32Array();
+  private listed = new Map<string, number>();
+  /** The array from which `listed` was made. */
+  private listedOf: Uint32Array | null = null;
 
   constructor(readonly kind: DeviceKind) {}
 
@@ -57,10 +60,11 @@ export class Devices {
 
   receive(frame: PageData<DevicesAbout>): void {
     const { from, remove } = frame.about;
+    const [direction, state] = this.kind === "label" ? ["normal", "level"] : ["axis", "state"];
     this.position = spliced(this.position, 3 * from, 3 * remove, frame.get("position", Float32Array));
-    this.direction = spliced(this.direction, 3 * from, 3 * remove, frame.get("direction", Float32Array));
-    this.state = spliced(this.state, from, remove, frame.get("mark", Uint8Array));
-    this.sourceKind = spliced(this.sourceKind, from, remove, frame.get("kind", Uint8Array));
+    this.direction = spliced(this.direction, 3 * from, 3 * remove, frame.get(direction, Float32Array));
+    this.state = spliced(this.state, from, remove, frame.get(state, Uint8Array));
+    this.sourceKind = spliced(this.sourceKind, from, remove, frame.get("source_kind", Uint8Array));
     this.source = spliced(this.source, from, remove, frame.get("source", Uint32Array));
   }
 
@@ -77,6 +81,17 @@ export class Devices {
   /** Whether it is an element of the store itself. */
   isListed(index: number): boolean {
     return this.sourceKind[index] === 0;
+  }
+
+  /** The device that is the element with this path; undefined if there is none. */
+  withPath(path: string): number | undefined {
+    if (this.listedOf !== this.source) {
+      this.listedOf = this.source;
+      this.listed = new Map();
+      for (let index = 0; index < this.count; ++index)
+        if (this.isListed(index)) this.listed.set(this.pathOf(index) as string, index);
+    }
+    return this.listed.get(path);
   }
 
   /** The devices of elements, by the path of the element. */

@@ -11,7 +11,8 @@ import {
   applyOps,
   Conflict,
   inverseOf,
-  pointerAfterAll,
+  isMoving,
+  placesAfter,
   valueAt,
   type EditOp,
   type Json,
@@ -43,9 +44,6 @@ export type Saving =
   | { state: "saving" }
   | { state: "refused"; refusal: Refusal }
   | { state: "lost"; edits: number };
-
-/** Whether values after it in a list move. */
-const isMoving = ({ before, after }: EditOp): boolean => before === undefined || after === undefined;
 
 export class StoreDocument {
   name = "";
@@ -144,7 +142,7 @@ export class StoreDocument {
       const sent = { id: this.connection.nextId(), edit, preview, done };
       this.pending.push(sent);
       if (edit.ops.some(isMoving)) this.details.clear();
-      this.onMoved((path) => pointerAfterAll(path, edit.ops, before));
+      this.onMoved(placesAfter(edit.ops, before));
       this.showParts();
       this.changes.note("document", "preview", "status");
       this.send(sent);
@@ -242,15 +240,15 @@ export class StoreDocument {
 
   private showParts(): void {
     const ops = this.pending.flatMap(({ edit }) => edit.ops);
-    const moves = ops.some(isMoving);
-    this.parts.show(this.preview, (path) => (moves ? this.placeAfter(path, ops) : path));
+    this.parts.show(this.preview, this.placesAfter(ops, this.confirmed));
   }
 
-  private placeAfter(path: string, ops: readonly EditOp[], root = this.confirmed): string | null {
+  private placesAfter(ops: readonly EditOp[], root: Json): (path: string) => string | null {
     try {
-      return pointerAfterAll(path, ops, root);
+      return placesAfter(ops, root);
     } catch (error) {
-      if (error instanceof Conflict) return path;
+      // An edit that does not fit any more will be refused.
+      if (error instanceof Conflict) return (path) => path;
       throw error;
     }
   }
@@ -320,8 +318,7 @@ export class StoreDocument {
       return;
     }
     if (event.ops && !own) {
-      const { ops } = event;
-      this.onMoved((path) => this.placeAfter(path, ops, confirmedBefore));
+      this.onMoved(this.placesAfter(event.ops, confirmedBefore));
     }
     if (!event.ops || (!own && event.ops.some(isMoving))) this.details.clear();
     this.revision = event.revision;

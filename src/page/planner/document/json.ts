@@ -102,24 +102,32 @@ export function applyOps(root: Json, ops: readonly EditOp[]): Json {
 export const inverseOf = (ops: readonly EditOp[]): EditOp[] =>
   [...ops].reverse().map(({ path, before, after }) => ({ path, before: after, after: before }));
 
-/** The place of a value after a change of a list before it; null if the change removes it. `root`: before the change. */
-export function pointerAfter(pointer: string, op: EditOp, root: Json): string | null {
-  if (op.before !== undefined && op.after !== undefined) return pointer;
-  const [list, token] = splitPointer(op.path);
-  if (op.after === undefined && (pointer === op.path || pointer.startsWith(`${op.path}/`))) return null;
-  if (!pointer.startsWith(`${list}/`) || !Array.isArray(valueAt(root, list))) return pointer;
-  const [own, ...rest] = pointer.slice(list.length + 1).split("/");
-  const shift = Number(own) >= Number(token) ? (op.after === undefined ? -1 : 1) : 0;
-  return [list, String(Number(own) + shift), ...rest].join("/");
+/** Whether a change makes or removes a value, so that values after it in a list move. */
+export const isMoving = ({ before, after }: EditOp): boolean => before === undefined || after === undefined;
+
+/** The place of a value after the change of a list; null if the value is removed. */
+type Move = (pointer: string) => string | null;
+
+function moveOf({ path, after }: EditOp, root: Json): Move {
+  const isRemoval = after === undefined;
+  const [list, token] = splitPointer(path);
+  const isList = Array.isArray(valueAt(root, list));
+  return (pointer) => {
+    if (isRemoval && (pointer === path || pointer.startsWith(`${path}/`))) return null;
+    if (!isList || !pointer.startsWith(`${list}/`)) return pointer;
+    const [own, ...rest] = pointer.slice(list.length + 1).split("/");
+    if (Number(own) < Number(token)) return pointer;
+    return [list, String(Number(own) + (isRemoval ? -1 : 1)), ...rest].join("/");
+  };
 }
 
-/** `pointerAfter` for several changes. */
-export function pointerAfterAll(pointer: string, ops: readonly EditOp[], root: Json): string | null {
-  let [at, value]: [string | null, Json] = [pointer, root];
-  for (const op of ops) {
-    if (at === null) return null;
-    at = pointerAfter(at, op, value);
+/** The places of values after changes. `root`: before them. Throws Conflict. */
+export function placesAfter(ops: readonly EditOp[], root: Json): Move {
+  const moves: Move[] = [];
+  let value = root;
+  for (const op of ops.some(isMoving) ? ops : []) {
+    if (isMoving(op)) moves.push(moveOf(op, value));
     value = applyOps(value, [op]);
   }
-  return at;
+  return (pointer) => moves.reduce<string | null>((at, move) => (at === null ? null : move(at)), pointer);
 }

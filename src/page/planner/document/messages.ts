@@ -37,6 +37,12 @@ export interface Problem {
   sentence: string;
 }
 
+/** The sentence without the place, which the page shows in another way. */
+export function withoutPlace({ path, sentence }: Problem): string {
+  const at = sentence.indexOf(`${path}: `);
+  return at < 0 ? sentence : sentence.slice(at + path.length + 2);
+}
+
 export interface Step {
   label: string;
   time?: string;
@@ -128,8 +134,12 @@ export interface Hit {
   kind: string;
   id: string;
   path?: string | null;
+  /** Of a part. */
+  key?: string;
+  /** Of a label or unit. */
   index?: number;
-  at: Point;
+  /** m; perhaps with a height. */
+  at: number[];
 }
 
 export interface Refusal {

@@ -178,7 +178,7 @@ export class Page {
     const { planner } = this;
     if (this.isFitted || !planner.document.isReady) return;
     this.isFitted = true;
-    document.title = say(text.access.page_title, planner.document.name || planner.document.file);
+    document.title = say(text.access.page_title, planner.title);
     planner.layers.open(`${planner.document.name}/${planner.document.file}`);
     const bounds = planner.wholeBounds;
     if (bounds) this.stage.replace(emptyScenery(bounds.lower, bounds.upper));

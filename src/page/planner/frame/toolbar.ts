@@ -63,8 +63,8 @@ export class Toolbar {
   }
 
   update(): void {
-    const { document, isPlan } = this.planner;
-    this.name.textContent = document.name || document.file;
+    const { isPlan, title } = this.planner;
+    this.name.textContent = title;
     for (const [id, made] of this.buttons) {
       made.disabled = !this.commands.isEnabled(id);
       const isOn = this.commands.get(id).isOn?.();

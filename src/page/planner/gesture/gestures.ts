@@ -131,7 +131,7 @@ export class Gestures {
       const context = contextOf(planner.document, path);
       if (context) this.enter({ kind: "resizing", context, handle: grip.handle.id, ops: [], preview: noPreview });
     } else {
-      const item = itemAt(planner.document, planner.layers, world, this.reach);
+      const item = itemAt(planner, world, this.reach);
       this.enter({ kind: "pressed", screen, world, item, isTouch });
     }
   }
@@ -174,7 +174,7 @@ export class Gestures {
         this.enter({ ...scope, to: attach(planner.document.parts.all, world, scope.from, this.reach) });
         break;
       case "idle":
-        this.hover(event.pointerType === "mouse" ? itemAt(planner.document, planner.layers, world, this.reach) : null);
+        this.hover(event.pointerType === "mouse" ? itemAt(planner, world, this.reach) : null);
         planner.changes.note("preview");
         break;
     }
@@ -268,7 +268,11 @@ export class Gestures {
     else if (scope.kind === "panning" && scope.button === buttons.right && !scope.hasMoved) this.openMenu(event);
     else if (scope.kind === "moving") void dropMove(planner, scope);
     else if (scope.kind === "rotating") void dropTurn(planner, scope);
-    else if (scope.kind === "resizing") void dropSize(planner, scope);
+    else if (scope.kind === "resizing" && scope.ops.length > 0) void dropSize(planner, scope);
+    else if (scope.kind === "resizing") {
+      const { world } = this.placeOf(event);
+      this.click(itemAt(planner, world, this.reach), event.shiftKey);
+    }
   }
 
   private click(item: Item | null, isAdding: boolean): void {
@@ -281,7 +285,7 @@ export class Gestures {
   private openMenu(event: PointerEvent): void {
     const { screen, world } = this.placeOf(event);
     const { planner } = this;
-    const item = itemAt(planner.document, planner.layers, world, this.reach);
+    const item = itemAt(planner, world, this.reach);
     if (item && !planner.selection.has(item)) planner.selection.set([item]);
     else if (!item) planner.selection.clear();
     this.onMenu(screen);

@@ -2,7 +2,7 @@
 
 import type { Point } from "../document/messages";
 import { contextOf } from "../elements/context";
-import { frameOf, handlesOf, type Handle } from "../elements/handles";
+import { frameOf, handlesOf, type Frame, type Handle } from "../elements/handles";
 import { isImmovable, motionOf } from "../elements/motion";
 import { turnAbout } from "../geometry/rigid";
 import { distance } from "../geometry/vector";
@@ -17,7 +17,16 @@ const mostGrips = 120;
 const turnDistance = 28; // pixels above the selection
 const reach = 9; // pixels
 const leastSide = 22; // pixels between neighbouring grips
-const leastFrame = 40; // pixels of the shorter side of a rectangle with grips at its corners
+// Pixels of a rectangle with grips at its corners, at its ends, and at its long sides.
+const leastFrame = 40;
+const leastLength = 30;
+const leastDepth = 15;
+
+/** Grips must not cover what they belong to: its sides need room between them, its corners more. */
+function hasRoom({ id, isCorner }: Handle, { length, depth }: Frame, scale: number): boolean {
+  if (isCorner) return Math.min(length, depth) * scale >= leastFrame;
+  return id.startsWith("x") ? length * scale >= leastLength : depth * scale >= leastDepth;
+}
 
 function sizeGrips(planner: Planner): Grip[] {
   const { document, selection, viewport } = planner;
@@ -28,13 +37,11 @@ function sizeGrips(planner: Planner): Grip[] {
   const element = { ...context, value: context.effective };
   const frame = frameOf(element, context.parts[0], document.unit);
   const handles = handlesOf(element, context.parts[0], document.unit);
-  // Corners of a narrow rectangle would hide its sides; sides of an outline with short edges would hide its corners.
-  const isNarrow = frame !== null && Math.min(frame.length, frame.depth) * viewport.scale < leastFrame;
   const corners = handles.filter(({ isCorner }) => isCorner);
   const isNearCorner = (handle: Handle) =>
     corners.some(({ at }) => distance(at, handle.at) * viewport.scale < leastSide);
   return handles
-    .filter((handle) => (frame ? !(isNarrow && handle.isCorner) : handle.isCorner || !isNearCorner(handle)))
+    .filter((handle) => (frame ? hasRoom(handle, frame, viewport.scale) : handle.isCorner || !isNearCorner(handle)))
     .slice(0, mostGrips)
     .map((handle) => ({ handle, screen: viewport.toScreen(handle.at) }));
 }

@@ -7,6 +7,7 @@ import { unitStates, type Devices } from "../document/devices";
 import type { Point } from "../document/messages";
 import { moved, movedVector, type Motion } from "../geometry/rigid";
 import type { Planner } from "../planner";
+import { lift } from "../view/fan";
 
 /** The labels of one shelf level, or the units. */
 interface Layer {
@@ -18,9 +19,6 @@ interface Layer {
 
 const colours = ["--label", "--unit", "--cand", "--accent"];
 const [labelColour, installedColour, candidateColour, pinnedColour] = [0, 1, 2, 3];
-
-/** Labels of several levels lie side by side if the plan is at least this large, pixels per m. */
-const spreadScale = 45;
 
 export class DeviceMarks {
   private layers: Layer[] = [];
@@ -63,7 +61,7 @@ export class DeviceMarks {
       pick(devices.position),
       isUnit ? new Float32Array(3 * indices.length) : pick(devices.direction),
       idents,
-      isUnit ? { worldRadius: 0.16, pixels: [4, 11], lift: 0 } : { worldRadius: 0.05, pixels: [least, 9], lift: 0.03 },
+      isUnit ? { worldRadius: 0.16, pixels: [4, 11], lift: 0 } : { worldRadius: 0.05, pixels: [least, 9], lift },
     );
     if (isUnit) {
       marks.mesh.renderOrder = 3;
@@ -98,16 +96,15 @@ export class DeviceMarks {
   update(): void {
     const { planner } = this;
     const chosen = { label: this.chosen("label"), unit: this.chosen("unit") };
-    const levels = Math.max(this.layers.length - 1, 1);
-    const isSpread = planner.isPlan && planner.viewport.scale >= spreadScale;
+    const { spread } = planner.fan;
     for (const { devices, level, indices, marks } of this.layers) {
       const isUnit = devices.kind === "unit";
       marks.mesh.visible = planner.layers.isShown(devices.kind) && (isUnit || planner.layers.isLevelShown(level));
-      marks.uniform("spread").value = isSpread && !isUnit ? Math.min(0.12, 0.6 / levels) : 0;
+      marks.uniform("spread").value = isUnit ? 0 : spread;
       indices.forEach((index, mark) => {
         const isChosen = chosen[devices.kind].has(index);
         if (isUnit) this.lookOfUnit(marks, mark, unitStates[devices.state[index]] ?? "candidate", isChosen);
-        else marks.setLook(mark, labelColour, shapes.disc, isChosen ? 2 : 1, level);
+        else marks.setLook(mark, labelColour, shapes.disc, isChosen ? 2 : 1, planner.fan.rank(index));
       });
       marks.upload();
     }
@@ -126,8 +123,7 @@ export class DeviceMarks {
     const { document, selection } = this.planner;
     const devices = kind === "label" ? document.labels : document.units;
     const own = selection.items.flatMap((item) => (item.kind === "device" && item.device === kind ? [item.index] : []));
-    const paths = selection.paths.filter((path) => path.startsWith(kind === "label" ? "/labels/" : "/transceivers/"));
-    const listed = paths.length > 0 ? [...devices.ofElements(new Set(paths)).values()].flat() : [];
+    const listed = selection.paths.flatMap((path) => devices.withPath(path) ?? []);
     return new Set([...own, ...listed]);
   }
 

@@ -1,5 +1,6 @@
 // The outlines of the store as SVG, in metres; only those that change are written again.
 
+import { valueAt } from "../document/json";
 import type { Part } from "../document/messages";
 import { elementAround } from "../elements/kinds";
 import type { Planner } from "../planner";
@@ -108,6 +109,8 @@ export class Shapes {
       isSelected ? "selected" : "",
       problems.has(path) ? "wrong" : warnings.has(path) ? "doubtful" : "",
       part.key.startsWith("new ") ? "new" : "",
+      part.unfinished ? "unfinished" : "",
+      part.kind === "area" && !Array.isArray(valueAt(this.planner.document.json, `${path}/area`)) ? "follows" : "",
     ]
       .filter((name) => name !== "")
       .join(" ");

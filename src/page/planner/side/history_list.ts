@@ -42,5 +42,7 @@ export class HistoryList {
 
 function timeText(time: string | undefined): string {
   const at = time === undefined ? Number.NaN : Date.parse(time);
-  return Number.isNaN(at) ? "" : new Date(at).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
+  return Number.isNaN(at)
+    ? ""
+    : new Date(at).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit", hourCycle: "h23" });
 }

@@ -1,7 +1,7 @@
 // Problems and warnings of the store, each with the way to its element.
 
 import { button, element, replaceChildren } from "../../panel/dom";
-import type { Problem } from "../document/messages";
+import { withoutPlace, type Problem } from "../document/messages";
 import { elementAround } from "../elements/kinds";
 import { showSelection } from "../actions/source";
 import { pointerOfPath } from "../form/targets";
@@ -32,7 +32,7 @@ export class ProblemList {
 
   private row(kind: "wrong" | "doubtful", problem: Problem, index: number): HTMLElement {
     const place = button("", () => goTo(this.planner, problem), { class: "plain", "data-key": `${kind}${index}` });
-    place.append(element("code", { text: problem.path }), element("span", { text: problem.sentence }));
+    place.append(element("code", { text: problem.path }), element("span", { text: withoutPlace(problem) }));
     return element("li", { class: kind }, place);
   }
 }

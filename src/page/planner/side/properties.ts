@@ -8,7 +8,7 @@ import { chordText } from "../access/keys";
 import { turnSelection } from "../actions/move";
 import { EditBuilder } from "../document/edit";
 import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
-import type { DeviceAnswer } from "../document/messages";
+import { withoutPlace, type DeviceAnswer } from "../document/messages";
 import { contextOf } from "../elements/context";
 import { kinds, type StoreElement } from "../elements/kinds";
 import { nameOf, namesOf } from "../elements/names";
@@ -125,11 +125,13 @@ export class Properties {
   private problemsOf(targets: readonly Target[]): Map<string, string> {
     const found = new Map<string, string>();
     const { problems, warnings } = this.planner.document;
-    for (const { pointer, path, sentence } of [...warnings, ...problems])
+    for (const problem of [...warnings, ...problems])
       for (const target of targets) {
-        const full = pointerOfPath(path);
+        const full = pointerOfPath(problem.path);
+        const sentence = withoutPlace(problem);
         if (full.startsWith(`${target.path}/`)) found.set(full.slice(target.path.length), sentence);
-        else if (full === target.path || (pointer === target.path && target.path !== "")) found.set("", sentence);
+        else if (full === target.path || (problem.pointer === target.path && target.path !== ""))
+          found.set("", sentence);
       }
     return found;
   }
@@ -138,11 +140,11 @@ export class Properties {
     const { document } = this.planner;
     const contexts = elements.flatMap(({ path }) => contextOf(document, path) ?? []);
     const targets = contexts.map(
-      ({ path, value, effective }): Target => ({
+      ({ path, kind, value, effective }): Target => ({
         path,
         own: value,
         effective,
-        details: contexts.length <= mostDetails ? document.details.now(path) : null,
+        details: kind === "fixture" && contexts.length <= mostDetails ? document.details.now(path) : null,
       }),
     );
     const groups = contexts.flatMap(
@@ -300,14 +302,15 @@ export class Properties {
     const json = isObject(document.json) ? document.json : {};
     const target: Target = { path: "", own: json, effective: json, details: null };
     const facts: [string, string][] = [
+      [text.properties.folder, document.name],
       [text.properties.file, document.file],
       [text.properties.unit, document.unit.name],
       [text.layers.names.label, String(document.labels.count)],
       [text.layers.names.unit, String(document.units.count)],
     ];
     return [
-      this.header(document.name, text.properties.store),
-      this.form([target], [groupOfStore()], document.name),
+      this.header(this.planner.title, text.properties.store),
+      this.form([target], [groupOfStore()], text.properties.store),
       element(
         "dl",
         {},

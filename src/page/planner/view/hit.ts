@@ -6,6 +6,8 @@ import type { Part, Point } from "../document/messages";
 import type { Bounds } from "../geometry/bounds";
 import { isWithin } from "../geometry/bounds";
 import { area, contains, distanceTo, isInside, touches } from "../geometry/polygon";
+import { distance } from "../geometry/vector";
+import type { Fan } from "./fan";
 import type { Layers } from "./layers";
 import type { Item } from "./selection";
 
@@ -33,24 +35,33 @@ const isDeviceShown = (devices: Devices, index: number, layers: Layers): boolean
 /** Marks that other elements make lie close together, and often above fixtures: they are found only from near. */
 const derivedShare = 0.5;
 
-function nearestDevice(devices: Devices, point: Point, reach: number, layers: Layers): [number, number] | null {
+/** What can be seen of the store. */
+export interface Sight {
+  document: StoreDocument;
+  layers: Layers;
+  fan: Fan;
+}
+
+function nearestDevice(devices: Devices, point: Point, reach: number, { layers, fan }: Sight): [number, number] | null {
   let found: [number, number] | null = null;
   const { position, count } = devices;
+  const farthest = reach + fan.reach;
   for (let index = 0; index < count; ++index) {
-    const [x, y] = [position[3 * index] - point[0], position[3 * index + 1] - point[1]];
-    if (Math.abs(x) > reach || Math.abs(y) > reach) continue;
-    const away = Math.hypot(x, y) / (devices.isListed(index) ? 1 : derivedShare);
+    if (Math.abs(position[3 * index] - point[0]) > farthest) continue;
+    if (Math.abs(position[3 * index + 1] - point[1]) > farthest) continue;
+    const away = distance(fan.place(devices, index), point) / (devices.isListed(index) ? 1 : derivedShare);
     if (away <= (found?.[1] ?? reach) && isDeviceShown(devices, index, layers)) found = [index, away];
   }
   return found;
 }
 
 /** The label or unit at a point. */
-export function deviceAt(document: StoreDocument, layers: Layers, point: Point, reach: number): Item | null {
+function deviceAt(sight: Sight, point: Point, reach: number): Item | null {
+  const { document, layers } = sight;
   const near = [document.units, document.labels]
     .filter(({ kind }) => layers.isFree(kind))
     .flatMap((devices) => {
-      const found = nearestDevice(devices, point, reach, layers);
+      const found = nearestDevice(devices, point, reach, sight);
       return found ? [{ devices, index: found[0], away: found[1] }] : [];
     })
     .sort((a, b) => a.away - b.away);
@@ -74,10 +85,10 @@ export function partAt(parts: readonly Part[], point: Point, reach: number, laye
 }
 
 /** `reach`: m. Labels and units lie above everything else. */
-export function itemAt(document: StoreDocument, layers: Layers, point: Point, reach: number): Item | null {
-  const device = deviceAt(document, layers, point, reach);
+export function itemAt(sight: Sight, point: Point, reach: number): Item | null {
+  const device = deviceAt(sight, point, reach);
   if (device) return device;
-  const part = partAt(document.parts.all, point, 0.6 * reach, layers);
+  const part = partAt(sight.document.parts.all, point, 0.6 * reach, sight.layers);
   return part && itemOf(part);
 }
 

@@ -58,11 +58,13 @@ export class Selection {
 
   /** Follows elements to their places after a change. */
   follow(place: (path: string) => string | null): void {
-    this.list = this.list.flatMap((item): Item[] => {
+    const moved = this.list.flatMap((item): Item[] => {
       if (item.path === null) return [item];
       const path = place(item.path);
-      return path === null ? [] : [{ ...item, path } as Item];
+      return path === null ? [] : [path === item.path ? item : ({ ...item, path } as Item)];
     });
+    if (moved.length === this.list.length && moved.every((item, k) => item === this.list[k])) return;
+    this.list = moved;
     this.changes.note("selection");
   }
 

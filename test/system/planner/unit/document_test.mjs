@@ -224,9 +224,9 @@ test("labels are replaced in the middle", () => {
     const flat = (of) => Float32Array.from(heights.flatMap(of));
     const arrays = {
       position: flat((z) => [0, 0, z]),
-      direction: flat(() => [1, 0, 0]),
-      mark: Uint8Array.from(heights),
-      kind: Uint8Array.from(heights, () => 1),
+      normal: flat(() => [1, 0, 0]),
+      level: Uint8Array.from(heights),
+      source_kind: Uint8Array.from(heights, () => 1),
       source: Uint32Array.from(heights),
     };
     return { about: { event: "labels", revision: 1, from, remove }, get: (name) => arrays[name] };

@@ -9,7 +9,7 @@ import {
   Conflict,
   equal,
   inverseOf,
-  pointerAfterAll,
+  placesAfter,
   pointerTo,
   tokensOf,
   valueAt,
@@ -47,11 +47,11 @@ test("a change must find what it expects", () => {
 
 test("places follow insertions and removals before them", () => {
   const ops = [{ path: "/fixtures/0", before: store.fixtures[0] }];
-  assert.equal(pointerAfterAll("/fixtures/1/at", ops, store), "/fixtures/0/at");
-  assert.equal(pointerAfterAll("/fixtures/0", ops, store), null);
-  assert.equal(pointerAfterAll("/name", ops, store), "/name");
-  assert.equal(pointerAfterAll("/fixtures/1", [{ path: "/fixtures/1", after: {} }], store), "/fixtures/2");
-  assert.equal(pointerAfterAll("/fixtures/0", [{ path: "/fixtures/1", after: {} }], store), "/fixtures/0");
+  assert.equal(placesAfter(ops, store)("/fixtures/1/at"), "/fixtures/0/at");
+  assert.equal(placesAfter(ops, store)("/fixtures/0"), null);
+  assert.equal(placesAfter(ops, store)("/name"), "/name");
+  assert.equal(placesAfter([{ path: "/fixtures/1", after: {} }], store)("/fixtures/1"), "/fixtures/2");
+  assert.equal(placesAfter([{ path: "/fixtures/1", after: {} }], store)("/fixtures/0"), "/fixtures/0");
 });
 
 test("a builder writes only what differs", () => {

@@ -1,0 +1,56 @@
+// A project folder with a copy of an example, and `shelfbeam serve` for it behind a wire.
+
+import { spawn } from "node:child_process";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+
+import { parse } from "./jsonc.mjs";
+import { Wire } from "./wire.mjs";
+
+export class Served {
+  constructor(program, example, work) {
+    this.program = program;
+    this.folder = mkdtempSync(join(work, `${basename(example)}-`));
+    cpSync(example, this.folder, { recursive: true });
+    this.first = this.text;
+  }
+
+  get text() {
+    return readFileSync(join(this.folder, "store.json"), "utf8");
+  }
+
+  get json() {
+    return parse(this.text);
+  }
+
+  async start(packages, files) {
+    this.child = spawn(this.program, ["serve", this.folder, "--no-browser"], { stdio: ["ignore", "pipe", "pipe"] });
+    const address = await new Promise((found, failed) => {
+      let said = "";
+      const read = (data) => {
+        said += data;
+        const match = /http:\/\/127\S+/.exec(said);
+        if (match) found(match[0]);
+      };
+      this.child.stdout.on("data", read);
+      this.child.stderr.on("data", read);
+      this.child.on("exit", () => failed(new Error(said)));
+    });
+    this.wire = new Wire(address.endsWith("/") ? address : `${address}/`, packages, files);
+    this.url = await this.wire.listen();
+  }
+
+  /** Another program writes an invalid file. */
+  spoil() {
+    writeFileSync(join(this.folder, "store.json"), this.text.slice(0, -20));
+  }
+
+  async close() {
+    await this.wire.close();
+    this.child.removeAllListeners("exit");
+    const ended = new Promise((done) => this.child.once("exit", done));
+    this.child.kill();
+    await ended;
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+}

@@ -1,0 +1,109 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import fc from "fast-check";
+
+import { attach } from "../../../../src/page/planner/geometry/attach";
+import { area, contains, distanceTo, touches } from "../../../../src/page/planner/geometry/polygon";
+import { roundLength } from "../../../../src/page/planner/plan/scale_bar";
+import { distanceTo as distanceAlong } from "../../../../src/page/planner/space/prisms";
+import { ranksOf } from "../../../../src/page/planner/view/fan";
+import { itemAt } from "../../../../src/page/planner/view/hit";
+import { Viewport } from "../../../../src/page/planner/view/viewport";
+
+const changes = { note: () => {} };
+const square = (x, y, size) => [
+  [x, y],
+  [x + size, y],
+  [x + size, y + size],
+  [x, y + size],
+];
+const part = (key, kind, outline) => ({ key, path: `/${key}`, kind, id: key, outline });
+
+test("zooming keeps the place under the pointer, and stays within limits", () => {
+  const number = fc.double({ min: 0, max: 700, noNaN: true });
+  fc.assert(
+    fc.property(number, number, fc.double({ min: 0.01, max: 100, noNaN: true }), (x, y, factor) => {
+      const viewport = new Viewport(changes);
+      viewport.resize(700, 500);
+      const before = viewport.toWorld([x, y]);
+      viewport.zoom(factor, [x, y]);
+      const after = viewport.toWorld([x, y]);
+      assert.ok(Math.hypot(after[0] - before[0], after[1] - before[1]) < 1e-9);
+      assert.ok(viewport.scale >= 0.5 && viewport.scale <= 6000);
+      assert.ok(viewport.toScreen(after).every((value, k) => Math.abs(value - [x, y][k]) < 1e-6));
+    }),
+  );
+});
+
+test("everything fits", () => {
+  const viewport = new Viewport(changes);
+  viewport.resize(700, 500);
+  viewport.fit({ lower: [10, 10], upper: [30, 14] });
+  const [[left, bottom], [right, top]] = [viewport.toScreen([10, 10]), viewport.toScreen([30, 14])];
+  assert.ok(left >= 40 && right <= 660 && top >= 40 && bottom <= 460 && right - left > 500);
+});
+
+test("outlines", () => {
+  assert.ok(contains(square(0, 0, 2), [1, 1]) && !contains(square(0, 0, 2), [3, 1]));
+  assert.equal(area(square(0, 0, 2)), 4);
+  assert.equal(distanceTo(square(0, 0, 2), [3, 1]), 1);
+  assert.ok(touches(square(0, 0, 10), { lower: [4, 4], upper: [5, 5] }), "a frame inside of an outline touches it");
+  assert.ok(touches(square(0, 0, 2), { lower: [1, -5], upper: [1.5, 5] }), "a frame across an outline touches it");
+  assert.ok(!touches(square(0, 0, 2), { lower: [3, 3], upper: [5, 5] }));
+});
+
+test("the smallest outline at a point is found, and lines only at their lines", () => {
+  const all = [
+    part("room", "room", square(0, 0, 20)),
+    part("zone", "zone", square(2, 2, 8)),
+    part("large", "fixture", square(3, 3, 6)),
+    part("small", "fixture", square(4, 4, 1)),
+  ];
+  const none = { kind: "label", count: 0, position: [] };
+  const sight = (hidden = []) => ({
+    document: { parts: { all }, labels: none, units: { ...none, kind: "unit" } },
+    layers: { isFree: (kind) => !hidden.includes(kind), isLevelShown: () => true },
+    fan: { reach: 0 },
+  });
+  const at = (point, hidden) => itemAt(sight(hidden), point, 0.1)?.path ?? null;
+  assert.equal(at([4.5, 4.5]), "/small");
+  assert.equal(at([6, 6]), "/large");
+  assert.equal(at([2.5, 2.5]), null, "in a zone");
+  assert.equal(at([2, 5]), "/zone", "on the border of a zone");
+  assert.equal(at([15, 15]), null, "on the floor");
+  assert.equal(at([20, 15]), "/room");
+  assert.equal(at([4.5, 4.5], ["fixture"]), null);
+});
+
+test("a measurement holds on to corners, perpendiculars and edges", () => {
+  const all = [part("a", "fixture", square(0, 0, 2)), part("b", "fixture", square(0, 5, 2))];
+  assert.deepEqual(attach(all, [2.05, 2.05], null, 0.1), { at: [2, 2], to: "corner" });
+  assert.deepEqual(attach(all, [1.3, 2.04], null, 0.1), { at: [1.3, 2], to: "edge" });
+  assert.deepEqual(attach(all, [1.35, 5.04], [1.3, 2], 0.1), { at: [1.3, 5], to: "perpendicular" });
+  assert.deepEqual(attach(all, [3, 3], [1.3, 2], 0.1), { at: [3, 3], to: null });
+});
+
+test("the scale bar has a round length that fits", () => {
+  fc.assert(
+    fc.property(fc.double({ min: 0.5, max: 6000, noNaN: true }), fc.constantFrom(1, 0.3048), (scale, unit) => {
+      const length = roundLength(scale, unit);
+      const pixels = length * unit * scale;
+      assert.ok(pixels <= 130.0001 && pixels > 130 / 2.51, `${pixels}`);
+      assert.ok(["1", "2", "5"].includes(length.toExponential(6)[0]));
+    }),
+  );
+});
+
+test("labels at one point are ranked by their heights", () => {
+  const position = Float32Array.from([1, 1, 0.8, 1, 1, 0.3, 2, 1, 0.3, 1, 1, 1.7]);
+  assert.deepEqual([...ranksOf({ count: 4, position })], [1, 0, 0, 2]);
+});
+
+test("a ray hits the top or a side of a fixture", () => {
+  const fixture = { ...part("a", "fixture", square(0, 0, 2)), height: 1.5 };
+  assert.equal(distanceAlong(fixture, { from: [1, 1, 5], way: [0, 0, -1] }), 3.5);
+  assert.equal(distanceAlong(fixture, { from: [-4, 1, 1], way: [1, 0, 0] }), 4);
+  assert.equal(distanceAlong(fixture, { from: [-4, 1, 2], way: [1, 0, 0] }), Infinity);
+  assert.equal(distanceAlong(fixture, { from: [5, 1, 1], way: [1, 0, 0] }), Infinity);
+});

@@ -1,0 +1,79 @@
+// A wire between page and server that can be slow, cut, and refuse edits.
+
+import { createServer, request as ask } from "node:http";
+import { createRequire } from "node:module";
+
+export class Wire {
+  /** ms before requests go on. */
+  delay = 0;
+  /** The reason for which edits are refused; null: they are not. */
+  refuse = null;
+  #pairs = new Set();
+
+  /** `files`: reads the files of a page that is newer than the server's; null for others. */
+  constructor(server, packages, files = () => null) {
+    this.server = new URL(server);
+    this.files = files;
+    const { WebSocket, WebSocketServer } = createRequire(`${packages}/`)("ws");
+    this.http = createServer((request, response) => this.#serve(request, response));
+    new WebSocketServer({ server: this.http }).on("connection", (socket, request) => {
+      const { host, origin } = this.server;
+      this.#join(socket, new WebSocket(`ws://${host}${request.url}`, { origin }));
+    });
+  }
+
+  async listen() {
+    await new Promise((done) => this.http.listen(0, "127.0.0.1", done));
+    return `http://127.0.0.1:${this.http.address().port}${this.server.pathname}`;
+  }
+
+  /** Cuts all connections; the page connects again. */
+  cut() {
+    for (const { socket } of this.#pairs) socket.terminate();
+  }
+
+  close() {
+    this.cut();
+    this.http.closeAllConnections?.();
+    return new Promise((done) => this.http.close(done));
+  }
+
+  #serve(request, response) {
+    const own = this.files(request.url.slice(this.server.pathname.length));
+    if (own) {
+      response.writeHead(200, own.headers);
+      response.end(own.bytes);
+      return;
+    }
+    const { hostname, port, host } = this.server;
+    const headers = { ...request.headers, host };
+    ask({ hostname, port, path: request.url, headers }, (answer) => {
+      response.writeHead(answer.statusCode, answer.headers);
+      answer.pipe(response);
+    })
+      .on("error", () => response.destroy())
+      .end();
+  }
+
+  #join(socket, server) {
+    const pair = { socket, server };
+    this.#pairs.add(pair);
+    let last = new Promise((opened) => server.on("open", opened));
+    socket.on("message", (data) => {
+      const { id, do: what } = JSON.parse(data);
+      if (this.refuse !== null && what === "edit") {
+        socket.send(JSON.stringify({ id, error: { message: this.refuse } }));
+        return;
+      }
+      const { delay } = this;
+      last = last.then(() => new Promise((done) => setTimeout(done, delay))).then(() => server.send(String(data)));
+    });
+    server.on("message", (data, isBinary) => socket.send(data, { binary: isBinary }));
+    socket.on("close", () => {
+      this.#pairs.delete(pair);
+      server.terminate();
+    });
+    for (const end of [server, socket]) end.on("error", () => socket.terminate());
+    server.on("close", () => socket.close());
+  }
+}
