@@ -77,10 +77,31 @@ std::vector<EditOp> read_ops(const Request& request) {
   return ops;
 }
 
+Json json_of(const std::vector<EditOp>& ops) {
+  Json list = Json::array();
+  for (const EditOp& op : ops) {
+    Json one{{"path", op.path}};
+    if (op.before) one["before"] = *op.before;
+    if (op.after) one["after"] = *op.after;
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
 Json error_json(const InputError& error) {
   Json json{{"message", error.what()}};
   if (const auto* conflict = dynamic_cast<const EditConflict*>(&error)) json["path"] = conflict->path();
   return json;
+}
+
+// Null if it is not JSON, or has so many levels that it is not from our page: to copy a value takes stack for
+// each level.
+Json message_of(std::string_view text) {
+  try {
+    return parse_json(text, "the message", max_document);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 // The folder, with a shop.
@@ -144,14 +165,20 @@ struct Planner::State {
               {"name", name},
               {"file", "store.json"},
               {"version", program_version()},
-              {"json", shop.json()},
               {"unit", to_text(shop.draft().store.unit)},
               {"parts", shop.parts()}};
     add_state(json);
-    server.send(tab, http::Message::text(text_of(json)));
+    server.send(tab, http::Message::text(with_document(json)));
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
     if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
     if (found) server.send(tab, http::Message::text(text_of(warnings_json())));
+  }
+
+  // The store is not copied into the message, because it may be large.
+  std::string with_document(const Json& json) const {
+    std::string text = text_of(json);
+    text.pop_back();
+    return text + R"(,"json":)" + text_of(shop.json()) + "}";
   }
 
   void add_state(Json& json) const {
@@ -175,13 +202,17 @@ struct Planner::State {
   }
 
   void answer(TabId tab, std::string_view text) {
-    Request request{tab, parse_json(text, "request")};
-    if (!request.json.is_object() || !request.json.contains("id")) throw InputError("request", "has no id");
+    Request request{tab, message_of(text)};
+    if (!request.json.is_object() || !request.json.contains("id")) return;
     Json reply{{"id", request.json["id"]}};
     try {
       reply.update(result_of(request));
     } catch (const InputError& error) {
       reply["error"] = error_json(error);
+      ops.reset();
+    } catch (const Json::exception&) {  // a value of another kind
+      reply["error"] = {{"message", "this planner does not know the request; reload the page"}};
+      ops.reset();
     }
     // A refused edit may have found an outside change.
     tell_changes(request);
@@ -195,11 +226,9 @@ struct Planner::State {
     if (verb == "device") return device(request);
     ops.reset();
     if (verb == "edit") {
-      ops = read_ops(request);
-      project.edit(request.text("label"), *ops, request.json.value("join", false));
+      edit(request, read_ops(request));
     } else if (verb == "dissolve") {
-      ops = shop.dissolved(request.text("path"));
-      project.edit(request.text("label"), *ops);
+      edit(request, shop.dissolved(request.text("path")));
     } else if (verb == "undo") {
       project.undo();
     } else if (verb == "redo") {
@@ -212,6 +241,10 @@ struct Planner::State {
       throw InputError("do", "is '" + verb + "', which this planner does not know", "reload the page");
     }
     return {{"revision", project.revision()}};
+  }
+
+  void edit(const Request& request, std::vector<EditOp> list) {
+    if (project.edit(request.text("label"), list, request.json.value("join", false))) ops = std::move(list);
   }
 
   Json device(const Request& request) const {
@@ -239,21 +272,13 @@ struct Planner::State {
     locked = project.locked();
     Json json{{"event", "changed"}};
     if (request) json.update({{"tab", request->tab}, {"request", request->json["id"]}});
-    if (is_edit)
-      for (const EditOp& op : *ops) {
-        Json one{{"path", op.path}};
-        if (op.before) one["before"] = *op.before;
-        if (op.after) one["after"] = *op.after;
-        json["ops"].push_back(std::move(one));
-      }
-    else
-      json["json"] = shop.json();
+    if (is_edit) json["ops"] = json_of(*ops);
     json["unit"] = to_text(shop.draft().store.unit);
     json["parts"] =
         changes.parts.is_null() ? Json{{"set", Json::array()}, {"remove", Json::array()}} : changes.parts;
     add_state(json);
     ops.reset();
-    send_to_all(http::Message::text(text_of(json)));
+    send_to_all(http::Message::text(is_edit ? text_of(json) : with_document(json)));
     if (changes.labels) send_to_all(http::Message::binary(*changes.labels));
     if (changes.units) send_to_all(http::Message::binary(*changes.units));
   }
@@ -285,7 +310,7 @@ struct Planner::State {
   std::set<TabId> tabs;
   std::uint64_t revision = 0;              // of the shop
   std::optional<std::string> locked;       // as the pages know it
-  std::optional<std::vector<EditOp>> ops;  // of the request that is being answered
+  std::optional<std::vector<EditOp>> ops;  // of the edit that is being answered
   std::optional<Json> found;               // warnings about the present text
   WarningFinder::Clock::time_point last_look{};
   const CancelToken* cancel = nullptr;

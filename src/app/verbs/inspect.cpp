@@ -37,7 +37,7 @@ struct InspectArguments {
   CommonOptions common;
   std::filesystem::path store, drawing;
   std::optional<std::uint64_t> state;
-  bool allow_outside = false, strict = false;
+  bool allow_outside = false, no_links = false, strict = false;
 };
 
 /// A kind of drawing, its name in the output, and the function that makes the file.
@@ -76,8 +76,10 @@ int run_inspect(const InspectArguments& options) {
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
   Problems problems(options.store.string());
-  Store store =
-      read_store(options.store, {.allow_outside = options.allow_outside, .output = drawing}, &problems);
+  Store store = read_store(
+      options.store,
+      {.allow_outside = options.allow_outside, .output = drawing, .allow_links = !options.no_links},
+      &problems);
   if (problems.all().size() > 1 || (options.common.json && !problems.all().empty()))
     return print_problems(problems, options.common.json);
   problems.throw_first();
@@ -111,6 +113,8 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   first.add("--state", options->state, whole_number("K", 0),
             "Inspect the shop in state K, counted from 0, of its 'variation' and --seed");
   add_store_options(*verb, options->allow_outside);
+  // For the planner, which follows no links either.
+  verb->add_flag("--no-links", options->no_links)->group("")->excludes("--allow-outside");
   add_strict_option(*verb, options->strict);
   finish_verb(*verb, chosen, options, run_inspect,
               "Examples:\n"

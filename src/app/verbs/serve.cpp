@@ -66,6 +66,7 @@ int run_serve(const ServeArguments& options) {
     throw InputError("serve",
                      "this build of shelfbeam has no page, because Node.js or its packages were missing",
                      "install nodejs and npm, and build again");
+  const CancelToken& cancel = cancel_on_signal();  // before anybody knows the address
   const ProjectFolder folder(options);
   serve::http::Options http;
   http.address = options.address;
@@ -90,7 +91,7 @@ int run_serve(const ServeArguments& options) {
                planner.address());
   std::fflush(stdout);
   if (!options.no_browser) open_browser(planner.address(), ".shelfbeam");
-  planner.run(cancel_on_signal());
+  planner.run(cancel);
   return done;
 }
 

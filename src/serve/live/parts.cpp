@@ -56,6 +56,8 @@ class PartList {
 
   std::vector<Part> parts() {
     if (draft_.scene.room) add_room(*draft_.scene.room);
+    for (const auto* list : {&draft_.store.fixtures, &draft_.store.unfinished})
+      for (const auto& listed : *list) entries_.push_back(&listed);
     for (std::size_t f = 0; f < draft_.scene.fixtures.size(); ++f) add_fixture(f);
     add_mounts();
     return std::move(parts_);
@@ -101,11 +103,11 @@ class PartList {
       json["locked"] = "repeat";
     }
     if (fixture.is_wall()) return add("wall", place.pointer, std::move(json));
-    const auto finished = draft_.store.fixtures.size();
-    if (f >= finished) json["unfinished"] = true;
-    const Fixture& one =
-        f < finished ? draft_.store.fixtures[f].value : draft_.store.unfinished[f - finished].value;
-    if (const auto footing = footing_of(one)) {
+    // The scene has the fixtures of the store in their order, but not those that could not be built.
+    while (entry_ < entries_.size() && entries_[entry_]->where != draft_.sources.fixtures[f]) ++entry_;
+    if (entry_ == entries_.size()) return;
+    if (entry_ >= draft_.store.fixtures.size()) json["unfinished"] = true;
+    if (const auto footing = footing_of(entries_[entry_++]->value)) {
       json["footing"] = {{"at", {footing->at[0], footing->at[1]}},
                          {"rotation", footing->rotation_deg},
                          {"length", footing->length},
@@ -122,9 +124,12 @@ class PartList {
     const auto found = entry.find("against");
     if (found == entry.end() || !found->is_object()) return {};
     const Vec2 right = turned({1, 0}, footing.rotation_deg);
-    if (!found->contains("wall")) return right;
-    const auto number = found->at("wall").get<std::size_t>();
-    const auto [from, to, inward] = draft_.scene.room->wall(number);
+    const auto wall = found->find("wall");
+    if (wall == found->end()) return right;
+    // It may be wrong: unfinished fixtures have outlines, too.
+    const auto& room = draft_.scene.room;
+    if (!room || !wall->is_number_unsigned() || wall->get<std::size_t>() >= room->outline.size()) return {};
+    const auto [from, to, inward] = room->wall(wall->get<std::size_t>());
     const bool is_right = (to[0] - from[0]) * right[0] + (to[1] - from[1]) * right[1] > 0;
     return is_right ? right : Vec2{-right[0], -right[1]};
   }
@@ -155,6 +160,8 @@ class PartList {
   const Json& store_;
   std::vector<Part> parts_;
   std::unordered_map<std::string, std::size_t> copies_;
+  std::vector<const Listed<Fixture>*> entries_;  // of the store
+  std::size_t entry_ = 0;                        // behind that of the last fixture
 };
 
 }  // namespace

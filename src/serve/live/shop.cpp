@@ -1,14 +1,16 @@
 #include "serve/live/shop.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <exception>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/json_parser.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
 #include "shelfbeam/report/viewer/page_scene.hpp"
@@ -25,12 +27,45 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The server's own limits: other work has a process of its own.
-constexpr std::size_t max_memory = std::size_t{1} << 30;
+constexpr std::size_t max_memory = std::size_t{1} << 28;
 constexpr std::uint64_t max_file = 100'000'000;
+constexpr std::size_t max_fixtures = 15'000, max_parts = 20'000;
 
-template <class Device>
-Json device_json(const Device& device, const std::string& type, const std::string& where,
+struct Resolved {
+  Draft draft;
+  std::vector<Part> parts;
+};
+
+Resolved unresolved(const std::string& name, const std::string& sentence) {
+  Resolved shop;
+  shop.draft.store.file = name;
+  shop.draft.problems = {{FindingCode::invalid, "", {}, sentence}};
+  return shop;
+}
+
+// No exception leaves the pages with another text than the project.
+Resolved resolve(const JsonCursor& document, const std::filesystem::path& folder, const StoreLimits& limits) {
+  const std::string& name = document.file();
+  try {
+    Resolved shop{read_draft(document, folder, SceneDetail::outlines, limits), {}};
+    shop.parts = parts_of(shop.draft, document.value());
+    if (shop.parts.size() <= max_parts) return shop;
+    return unresolved(name, fmt::format("{}: has {} parts with outlines; the planner shows at most {}", name,
+                                        grouped(shop.parts.size()), grouped(max_parts)));
+  } catch (const InputError& error) {
+    return unresolved(name, error.what());
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    return unresolved(name, fmt::format("{}: cannot be shown ({})", name, printable(error.what())));
+  }
+}
+
+// The types of a draft may be missing.
+template <class Device, class Type>
+Json device_json(const Device& device, const std::vector<Type>& types, const std::string& where,
                  const std::string& file) {
+  const std::string type = device.type.value < types.size() ? types[device.type.value].name : "";
   const Place place = place_of(where, file);
   const Vec3& p = device.position;
   return {{"id", device.id},
@@ -42,17 +77,22 @@ Json device_json(const Device& device, const std::string& type, const std::strin
 
 }  // namespace
 
-Shop::Shop(std::filesystem::path file) : file_(std::move(file)), cache_(std::make_unique<ReadCache>()) {}
+Shop::Shop(std::filesystem::path file)
+    : file_(std::move(file)),
+      cache_(std::make_unique<ReadCache>()),
+      document_(JsonCursor::parse("{}", file_.filename().string())) {}
 
 StoreLimits Shop::limits() const {
-  return {.memory = max_memory, .file_size = max_file, .cache = cache_.get()};
+  return {.memory = max_memory,
+          .file_size = max_file,
+          .cache = cache_.get(),
+          .allow_links = false,
+          .fixtures = max_fixtures};
 }
 
 ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
-  const std::string name = file_.filename().string();
-  Json json = parse_json(text, name);
-  Draft draft = read_draft(text, name, file_.parent_path(), SceneDetail::outlines, limits());
-  std::vector<Part> parts = parts_of(draft, json);
+  JsonCursor document = JsonCursor::parse(text, document_.file());
+  auto [draft, parts] = resolve(document, file_.parent_path(), limits());
   DeviceArrays labels = labels_of(draft), units = units_of(draft);
 
   ShopChanges changes;
@@ -70,7 +110,7 @@ ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
   changes.units = devices_frame("units", revision, units_, units);
 
   text_ = text;
-  json_ = std::move(json);
+  document_ = std::move(document);
   draft_ = std::move(draft);
   parts_ = std::move(parts);
   labels_ = std::move(labels);
@@ -85,7 +125,7 @@ Json Shop::parts() const {
 }
 
 Json Shop::problems() const {
-  return findings_json(draft_.problems, json_);
+  return findings_json(draft_.problems, json());
 }
 
 Json Shop::names() const {
@@ -112,16 +152,15 @@ std::string Shop::units(std::uint64_t revision) const {
 CompletedFixture Shop::completed(const std::string& pointer) const {
   constexpr std::string_view list = "/fixtures/";
   const std::string number = pointer.starts_with(list) ? pointer.substr(list.size()) : "";
-  std::size_t index = 0;
-  const char* const end = number.data() + number.size();
-  if (number.empty() || std::from_chars(number.data(), end, index).ptr != end)
+  const auto index = to_whole_number(number, std::numeric_limits<std::uint32_t>::max());
+  if (!index)
     throw InputError(pointer, "is no fixture", "choose an element of 'fixtures'");
-  return completed_fixture(text_, draft_.store.file, file_.parent_path(), index, limits());
+  return completed_fixture(text_, draft_.store.file, file_.parent_path(), *index, limits());
 }
 
 std::vector<EditOp> Shop::dissolved(const std::string& pointer) const {
   const Json whole = completed(pointer).json;
-  return serve::dissolved(pointer, json_.at(Json::json_pointer(pointer)), whole, draft_);
+  return serve::dissolved(pointer, json().at(Json::json_pointer(pointer)), whole, draft_);
 }
 
 Json Shop::details(const std::string& pointer) const {
@@ -139,7 +178,7 @@ Json Shop::details(const std::string& pointer) const {
 
 Json Shop::label(std::size_t index) const {
   const Label& label = draft_.scene.labels[index];
-  return device_json(label, draft_.scene.type_of(label).name, draft_.sources.labels[index],
+  return device_json(label, draft_.scene.label_types, draft_.sources.labels[index],
                      draft_.store.file);
 }
 
@@ -147,7 +186,7 @@ Json Shop::unit(std::size_t index) const {
   const auto& [scene, sources] = std::tie(draft_.scene, draft_.sources);
   const std::size_t candidates = scene.transceivers.size();
   const Transceiver& unit = unit_at(index);
-  return device_json(unit, scene.type_of(unit).name,
+  return device_json(unit, scene.transceiver_types,
                      index < candidates ? sources.transceivers[index] : sources.excluded[index - candidates],
                      draft_.store.file);
 }
@@ -185,8 +224,7 @@ Json Shop::find(const std::string& text) const {
 }
 
 std::string Shop::scene(std::uint64_t revision) const {
-  const Draft whole =
-      read_draft(text_, draft_.store.file, file_.parent_path(), SceneDetail::surfaces, limits());
+  const Draft whole = read_draft(document_, file_.parent_path(), SceneDetail::surfaces, limits());
   PageData page;
   Json about = add_scene(page, whole.scene, false);
   about["revision"] = revision;

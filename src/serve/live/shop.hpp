@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/json.hpp"
 #include "shelfbeam/scene/build/draft.hpp"
 #include "shelfbeam/scene/store/completed_fixture.hpp"
 #include "shelfbeam/scene/store/read_cache.hpp"
@@ -29,14 +30,16 @@ struct ShopChanges {
 /// The resolved shop of a store file that is being edited.
 class Shop {
  public:
-  /// `file`: the store file. Files that it names must lie in its folder.
+  /// `file`: the store file. Files that it names must lie in its folder, and not behind links.
   explicit Shop(std::filesystem::path file);
 
-  /// Resolves a text, which must be a JSON object. Problems of its content are part of the result.
+  /// Resolves a text, which must be a JSON object. Problems of its content are part of the result. If it
+  /// cannot be resolved at all, for example for lack of memory, that is the only problem, and nothing is
+  /// resolved.
   ShopChanges update(const std::string& text, std::uint64_t revision);
 
   /// The file as it was parsed.
-  const nlohmann::ordered_json& json() const { return json_; }
+  const nlohmann::ordered_json& json() const { return document_.value(); }
   const Draft& draft() const { return draft_; }
   nlohmann::ordered_json parts() const;
   nlohmann::ordered_json problems() const;
@@ -67,7 +70,7 @@ class Shop {
   std::filesystem::path file_;
   std::unique_ptr<ReadCache> cache_;
   std::string text_;
-  nlohmann::ordered_json json_;
+  JsonCursor document_;
   Draft draft_;
   std::vector<Part> parts_;
   DeviceArrays labels_, units_;

@@ -17,7 +17,8 @@ void WarningFinder::restart(Clock::time_point now) {
 std::optional<nlohmann::ordered_json> WarningFinder::poll(Clock::time_point now) {
   if (begin_ && now >= *begin_) {
     begin_.reset();
-    child_.emplace(std::vector<std::string>{program_, "inspect", file_.string(), "--json"}, memory_limit());
+    child_.emplace(std::vector<std::string>{program_, "inspect", file_.string(), "--json", "--no-links"},
+                   memory_limit());
   }
   jobs::ChildEnd end;
   if (!child_ || !child_->has_ended(end)) return {};

@@ -39,11 +39,13 @@ std::vector<std::string> paths_of(const std::vector<EditOp>& ops) {
 }  // namespace
 
 Project::Project(const fs::path& folder, ProjectOptions options)
-    : folder_(folder), options_(std::move(options)), file_(folder / "store.json", options_.check) {
+    : folder_(folder.lexically_normal()),
+      options_(std::move(options)),
+      file_((folder / "store.json").lexically_normal(), options_.check) {
   // A folder without a store stays as it is.
   if (!stamp_of(history_path())) read_valid();
   make_own_folder();
-  own_.emplace(history_path(), folder_.string(), "use the page of the other, or end it");
+  own_.emplace(history_path(), fs::weakly_canonical(folder).string(), "use the page of the other, or end it");
   // Only a file that was written before the last record can lack it. A younger one has an older text because
   // somebody wanted it. Times that are equal, or not known, belong to a program that was killed.
   const auto written = change_time(file_.path()), recorded = change_time(history_path());
@@ -156,13 +158,13 @@ bool Project::write(const Record& record, const std::string& text) {
   return true;
 }
 
-void Project::edit(const std::string& label, const std::vector<EditOp>& ops, bool join) {
+bool Project::edit(const std::string& label, const std::vector<EditOp>& ops, bool join) {
   constexpr int attempts = 3;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     look(true);
     expect_unlocked();
     const EditedText result = edited(text_, ops);
-    if (result.splices.empty()) return;
+    if (result.splices.empty()) return false;
     file_.expect_valid(result.text, result.value);
     const Clock::time_point now = options_.now();
     LastEdit edit{shortened(label, longest_label), paths_of(ops), now};
@@ -173,7 +175,7 @@ void Project::edit(const std::string& label, const std::vector<EditOp>& ops, boo
                      content_hash(result.text)},
               result.text)) {
       last_edit_ = std::move(edit);
-      return;
+      return true;
     }
   }
   throw InputError(file_.path().string(), "is being changed by another program",

@@ -60,11 +60,11 @@ class Project {
   /// Counts the texts since the project was opened, from 1.
   std::uint64_t revision() const { return revision_; }
 
-  /// Changes the text. With `join`, an edit of the same label and paths within 800 ms after another is part
-  /// of its step. An edit that changes no byte is no step. Throws EditConflict, and InputError if the result
-  /// would be too large or invalid, or the project is locked. Outside changes that were found first have been
-  /// taken in nevertheless: compare the revision.
-  void edit(const std::string& label, const std::vector<EditOp>& ops, bool join = false);
+  /// Changes the text; returns whether it has changed. With `join`, an edit of the same label and paths
+  /// within 800 ms after another is part of its step. An edit that changes no byte is no step. Throws
+  /// EditConflict, and InputError if the result would be too large or invalid, or the project is locked.
+  /// Outside changes that were found first have been taken in nevertheless: compare the revision.
+  bool edit(const std::string& label, const std::vector<EditOp>& ops, bool join = false);
 
   /// Without a step to undo or redo, these do nothing. They throw InputError if the file was changed outside
   /// just before, which is then the step that they would undo, and if the project is locked.

@@ -34,7 +34,7 @@ bool gets_name(const fs::path& from, const fs::path& name) {
 }  // namespace
 
 void StoreFile::expect_valid(const std::string& text) const {
-  expect_valid(text, parse_json(text, path_.string()));
+  expect_valid(text, parse_json(text, path_.string(), max_document));
 }
 
 void StoreFile::expect_valid(const std::string& text, const Json& value) const {

@@ -201,7 +201,7 @@ EditedText edited(std::string_view text, const std::vector<EditOp>& ops) {
   EditedText result{spliced(text, splices), {}, std::move(splices)};
   const std::string path = ops.size() == 1 ? ops.front().path : "";
   try {
-    result.value = parse_json(result.text, text_name);
+    result.value = parse_json(result.text, text_name, max_document);
   } catch (const InputError& error) {
     throw EditConflict(path, std::string("cannot be changed so: ") + error.what());
   }

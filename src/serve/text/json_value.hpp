@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,6 +8,9 @@
 namespace shelfbeam::serve {
 
 using Json = nlohmann::ordered_json;
+
+/// Memory of a parsed store or message, bytes: a text of brackets takes forty times its size.
+inline constexpr std::size_t max_document = 100'000'000;
 
 /// Whether two values are equal as JSON: the order of keys does not matter, and 1 equals 1.0.
 bool same_value(const Json& a, const Json& b);

@@ -13,6 +13,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "shelfbeam/base/files/descriptor.hpp"
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 
@@ -75,11 +76,6 @@ void flush_folder(const fs::path& folder) {
   ::close(descriptor);
 }
 
-struct Descriptor {
-  int number;
-  ~Descriptor() { ::close(number); }
-};
-
 // Keeps the old file under a second, hidden name until the replacement has succeeded.
 class BackupFile {
  public:
@@ -133,6 +129,22 @@ class BackupFile {
   int descriptor_ = -1;
 };
 
+FoundFile find_readable(const fs::path& path) {
+  const auto fail = [&](const std::string& problem, const char* remedy) {
+    throw InputError(path.string(), problem, remedy);
+  };
+  // The system would read another file, whose name ends at that character.
+  if (path.native().find('\0') != std::string::npos)
+    fail("is a file name with a null character", "remove it");
+  FoundFile found = find_file(path);
+  if (S_ISDIR(found.state.st_mode)) fail("is a folder, not a file", "name a file in it");
+  if (found.exists() && !found.is_regular())
+    fail("is not a regular file", "save its content to a file, and name that");
+  if (!found.file.is_open())
+    fail(fmt::format("cannot be read ({})", std::generic_category().message(found.error)), "check the path");
+  return found;
+}
+
 }  // namespace
 
 std::string system_reason() {
@@ -147,41 +159,40 @@ void cannot_write(const fs::path& path, const std::string& why, const std::strin
                     suggestion);
 }
 
-std::uint64_t input_size(const fs::path& path, std::uint64_t max_bytes) {
-  // The system would read another file, whose name ends at that character.
-  if (path.native().find('\0') != std::string::npos)
-    throw InputError(path.string(), "is a file name with a null character", "remove it");
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
-  struct stat state = {};
-  if (descriptor < 0 && ::stat(path.c_str(), &state) != 0)
-    throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
-  if (descriptor >= 0) {
-    ::fstat(descriptor, &state);
-    ::close(descriptor);
-  }
-  if (S_ISDIR(state.st_mode)) throw InputError(path.string(), "is a folder, not a file", "name a file in it");
-  if (!S_ISREG(state.st_mode))
-    throw InputError(path.string(), "is not a regular file", "save its content to a file, and name that");
-  if (descriptor < 0)
-    throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
-  const auto size = static_cast<std::uint64_t>(state.st_size);
-  if (size > max_bytes)
-    throw InputError(path.string(),
-                     fmt::format("has {} bytes; the maximum is {}", grouped(size), grouped(max_bytes)),
+InputFile::InputFile(fs::path path) : path_(std::move(path)), found_(find_readable(path_)) {}
+
+InputFile::InputFile(fs::path path, FoundFile found) : path_(std::move(path)), found_(std::move(found)) {}
+
+void InputFile::expect_at_most(std::uint64_t max_bytes) const {
+  if (size() > max_bytes)
+    throw InputError(name(),
+                     fmt::format("has {} bytes; the maximum is {}", grouped(size()), grouped(max_bytes)),
                      "check that it is the right file");
-  return size;
+}
+
+std::string InputFile::read(std::uint64_t max_bytes) const {
+  expect_at_most(std::min<std::uint64_t>(max_bytes, memory_limit()));
+  std::string text(size(), '\0');
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t got =
+        ::pread(found_.file.number(), text.data() + done, text.size() - done, static_cast<off_t>(done));
+    if (got == 0) break;  // it has become shorter
+    if (got < 0 && errno != EINTR) throw InputError(name(), "cannot be read to its end", "check the disk");
+    if (got > 0) done += static_cast<std::size_t>(got);
+  }
+  text.resize(done);
+  return text;
+}
+
+std::uint64_t input_size(const fs::path& path, std::uint64_t max_bytes) {
+  const InputFile file(path);
+  file.expect_at_most(max_bytes);
+  return file.size();
 }
 
 std::string read_file(const fs::path& path, std::uint64_t max_bytes) {
-  std::string text(input_size(path, std::min<std::uint64_t>(max_bytes, memory_limit())), '\0');
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw InputError(path.string(), fmt::format("cannot be read ({})", system_reason()), "check the path");
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw InputError(path.string(), "cannot be read to its end", "check the disk");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
+  return InputFile(path).read(max_bytes);
 }
 
 std::string read_text(const fs::path& path, std::uint64_t max_bytes) {
@@ -282,7 +293,7 @@ void AtomicFolder::commit(const std::vector<std::string>& outdated) {
   for (AtomicFile& file : files_) file.flush();
   const int descriptor = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) cannot_write(folder_, system_reason());
-  const Descriptor locked{descriptor};
+  const Descriptor locked(descriptor);
   ::flock(descriptor, LOCK_EX);
   std::list<BackupFile> kept;
   for (const std::string& name : outdated) kept.emplace_back(folder_ / name);

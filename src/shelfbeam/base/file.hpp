@@ -11,12 +11,35 @@
 #include <vector>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/files/found_file.hpp"
 
 namespace shelfbeam {
 
 /// Maximum sizes of input files, bytes. Matrices are limited by the memory instead.
 inline constexpr std::uint64_t max_text_file = std::uint64_t{1} << 30, max_mesh_file = std::uint64_t{1} << 31,
                                max_photometry_file = std::uint64_t{1} << 24;
+
+/// A regular file that is open for reading.
+class InputFile {
+ public:
+  /// Throws InputError if the path is not a regular file that can be read.
+  explicit InputFile(std::filesystem::path path);
+  /// `path`: its name in messages. Precondition: `found.file` is open.
+  InputFile(std::filesystem::path path, FoundFile found);
+
+  const std::filesystem::path& path() const { return path_; }
+  std::string name() const { return path_.string(); }
+  /// Bytes when it was opened.
+  std::uint64_t size() const { return static_cast<std::uint64_t>(found_.state.st_size); }
+  /// Throws InputError if it has more bytes.
+  void expect_at_most(std::uint64_t max_bytes) const;
+  /// All bytes. Throws InputError if they cannot be read, or are more than `max_bytes` or than fit in memory.
+  std::string read(std::uint64_t max_bytes = max_text_file) const;
+
+ private:
+  std::filesystem::path path_;
+  FoundFile found_;
+};
 
 /// The size of an input file in bytes. Throws InputError if the path is not a regular file that can be read
 /// (never waits for a pipe), or has more than `max_bytes`.

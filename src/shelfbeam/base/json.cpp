@@ -75,8 +75,8 @@ JsonCursor JsonCursor::replaced(nlohmann::ordered_json value, const Origins& ori
   return {std::move(document), root, path_, unit_};
 }
 
-JsonCursor JsonCursor::parse(std::string_view text, const std::string& name) {
-  auto document = std::make_shared<const Document>(Document{name, parse_json(text, name)});
+JsonCursor JsonCursor::parse(std::string_view text, const std::string& name, std::size_t memory) {
+  auto document = std::make_shared<const Document>(Document{name, parse_json(text, name, memory)});
   const void* root = &document->root;
   return {std::move(document), root, "", LengthUnit::m};
 }

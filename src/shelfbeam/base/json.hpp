@@ -46,8 +46,8 @@ class JsonError : public InputError {
 /// other value throws InputError with the file and the JSON path ("store.json: fixtures[3].labels.spacing").
 class JsonCursor {
  public:
-  /// Comments are allowed, duplicate keys are not. Errors name the file as `name`.
-  static JsonCursor parse(std::string_view text, const std::string& name);
+  /// As parse_json.
+  static JsonCursor parse(std::string_view text, const std::string& name, std::size_t memory = 0);
   static JsonCursor parse_file(const std::filesystem::path& path);
 
   /// The unit of `metres`, here and at all positions below; m unless `with_unit` has set it.

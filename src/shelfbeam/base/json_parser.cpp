@@ -50,7 +50,7 @@ constexpr std::size_t max_keys = 10'000;
 // copies all its members.
 class DocumentBuilder {
  public:
-  explicit DocumentBuilder(const std::string& name) : name_(name) {}
+  DocumentBuilder(const std::string& name, std::size_t memory) : name_(name), limit_(memory) {}
 
   Node document() { return std::move(document_); }
 
@@ -101,6 +101,9 @@ class DocumentBuilder {
   }
 
  private:
+  // Of the blocks of a list or an object, without its elements.
+  static constexpr std::size_t container_bytes = 64;
+
   struct Level {
     bool is_array;
     std::vector<std::string> keys = {};
@@ -113,6 +116,7 @@ class DocumentBuilder {
       throw InputError(name_, fmt::format("has more than {} nested brackets", max_json_levels),
                        "check that it is the right file");
     open_.push_back({is_array});
+    bytes_ += container_bytes;
     return true;
   }
   bool add(Node value) {
@@ -137,7 +141,7 @@ class DocumentBuilder {
   }
 
   const std::string& name_;
-  const std::size_t limit_ = memory_limit();
+  const std::size_t limit_;
   std::size_t bytes_ = 0;  ///< of the document
   std::vector<Level> open_;
   Node document_;
@@ -206,8 +210,8 @@ std::optional<Character> foreign_character(std::string_view text, const Node::pa
   return character.bytes > 1 ? std::optional(character) : std::nullopt;
 }
 
-Node parse_strictly(std::string_view text, const std::string& name) {
-  DocumentBuilder builder(name);
+Node parse_strictly(std::string_view text, const std::string& name, std::size_t memory) {
+  DocumentBuilder builder(name, memory);
   try {
     Node::sax_parse(text, &builder, Node::input_format_t::json, true, true);
     return builder.document();
@@ -234,10 +238,10 @@ Node parse_strictly(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-nlohmann::ordered_json parse_json(std::string_view text, const std::string& name) {
+nlohmann::ordered_json parse_json(std::string_view text, const std::string& name, std::size_t memory) {
   text = without_nulls(without_mark(text, name), name);
   const std::optional<std::string> replaced = acceptable(text);
-  return parse_strictly(replaced ? *replaced : text, name);
+  return parse_strictly(replaced ? *replaced : text, name, memory == 0 ? memory_limit() : memory);
 }
 
 }  // namespace shelfbeam

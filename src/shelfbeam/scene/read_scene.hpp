@@ -29,6 +29,10 @@ struct StoreLimits {
   const CancelToken* cancel = nullptr;
   /// Results of earlier readings.
   ReadCache* cache = nullptr;
+  /// Whether the store may name files in its folder through symbolic links.
+  bool allow_links = true;
+  /// Limit of the number of fixtures, with their copies.
+  std::size_t fixtures = std::numeric_limits<std::size_t>::max();
 };
 
 /// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "support/expect_input_error.hpp"
 #include "support/temp_folder.hpp"
@@ -33,6 +34,9 @@ class References : public testing::Test {
   void read(const std::string& name, bool allow_outside = false, const fs::path& from = {}) const {
     make_scene(parse_store(test::mesh_store(name).dump(), "store.json", from.empty() ? home : from,
                            {.allow_outside = allow_outside}));
+  }
+  void read_without_links(const std::string& name, const fs::path& from) const {
+    make_scene(parse_store(test::mesh_store(name).dump(), "store.json", from, {.allow_links = false}));
   }
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   TempFolder folder;
@@ -68,19 +72,51 @@ TEST_F(References, OutsideAreRefusedWhetherOrNotTheyExist) {
   expect_input_error([&] { read("../none.obj", true); }, "none.obj' ", "exist");
 }
 
+TEST_F(References, ByLinksAreReadOnlyIfAllowed) {
+  const std::string absolute = (home / "own.obj").string();
+  for (const std::string& name :
+       {std::string("own.obj"), std::string("deep/own.obj"), std::string("deep/../own.obj"), absolute})
+    EXPECT_NO_THROW(read_without_links(name, home)) << name;
+  EXPECT_NO_THROW(read_without_links("own.obj", folder.path() / "also")) << "the folder by a link";
+  fs::create_directory_symlink("deep", home / "short");
+  fs::create_symlink("../none.obj", home / "none.obj");
+  EXPECT_NO_THROW(read("short/own.obj"));
+  for (const std::string name :
+       {"link.obj", "short/own.obj", "short/../own.obj", "out.obj", "up/secret.obj", "none.obj"})
+    expect_input_error([&] { read_without_links(name, home); },
+                       "store.json: fixtures[0].file: '" + (home / name).string() + "' ", "symbolic link");
+  for (const std::string& name : {std::string("../secret.obj"), std::string("deep/../../none.obj"),
+                                  (folder.path() / "secret.obj").string()})
+    expect_input_error([&] { read_without_links(name, home); }, refused);
+}
+
+TEST_F(References, ToWhatCannotBeReadDoNotWait) {
+  ASSERT_EQ(::mkfifo((home / "pipe.obj").c_str(), 0600), 0);
+  expect_input_error([&] { read("pipe.obj"); }, "pipe.obj' is not a regular file");
+  expect_input_error([&] { read("pipe.obj", true); }, "pipe.obj' is not a regular file");
+  expect_input_error([&] { read_without_links("pipe.obj", home); }, "pipe.obj' is not a regular file");
+  expect_input_error([&] { read("/dev/zero", true); }, "'/dev/zero' is not a regular file");
+}
+
 TEST_F(References, OfAnyKindAreConfined) {
   folder.write("devices.csv", "");
+  fs::create_symlink("none.csv", home / "devices.csv");
+  const Json planogram{{"file", "../devices.csv"}, {"type", "small"}};
   for (const Json& change :
        {Json{{"labels", {{"csv", "../devices.csv"}}}},
         Json{{"transceivers", {{"list", {{"csv", "../devices.csv"}}}}}},
         Json{{"transceiver_types",
               {{"down", {{"emission", {{"type", "ies"}, {"file", "../devices.csv"}, {"flux", 1}}}}}}}},
-        Json{
-            {"transceiver_types",
-             {{"down", {{"emission", {{"type", "eulumdat"}, {"file", "../devices.csv"}, {"flux", 1}}}}}}}}}) {
+        Json{{"transceiver_types",
+              {{"down", {{"emission", {{"type", "eulumdat"}, {"file", "../devices.csv"}, {"flux", 1}}}}}}}},
+        Json{{"catalogues", {"../devices.csv"}}}, Json{{"planogram", planogram}}}) {
     Json store = test::mesh_store("own.obj");
     store.update(change);
-    expect_input_error([&] { parse_store(store.dump(), "store.json", home); }, refused);
+    std::string text = store.dump();
+    expect_input_error([&] { parse_store(text, "store.json", home); }, refused);
+    text.erase(text.find("../devices"), 3);
+    expect_input_error([&] { parse_store(text, "store.json", home, {.allow_links = false}); },
+                       "symbolic link");
   }
 }
 
@@ -101,6 +137,18 @@ TEST_F(References, OfAMeshAreConfinedToo) {
   folder.write("store/deep/up.gltf", gltf("%2e./../a%20b.bin"));
   expect_input_error([&] { read("deep/up.gltf"); }, "fixtures[0].file: ", refused);
   EXPECT_NO_THROW(read("deep/up.gltf", true));
+  fs::create_symlink("a b.bin", home / "deep/link.bin");
+  folder.write("store/deep/link.gltf", gltf("link.bin"));
+  EXPECT_NO_THROW(read("deep/link.gltf"));
+  expect_input_error([&] { read_without_links("deep/link.gltf", home); }, "symbolic link");
+}
+
+TEST_F(References, OfTheStoreFileItselfMayBeALink) {
+  const fs::path file = folder.write("store/store.json", test::mesh_store("own.obj").dump());
+  fs::create_symlink(file, home / "other.json");
+  EXPECT_NO_THROW(read_store(home / "other.json"));
+  EXPECT_NO_THROW(read_store(file, {.allow_links = false}));
+  expect_input_error([&] { read_store(home / "other.json", {.allow_links = false}); }, "symbolic link");
 }
 
 TEST_F(References, AreNoLargerThanTheLimit) {

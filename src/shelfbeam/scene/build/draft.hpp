@@ -21,9 +21,9 @@ struct Draft {
   std::vector<Finding> problems;  ///< none: `make_scene` makes the complete scene
 };
 
-/// Reads the text of a store file; files that it names are relative to `folder`. Throws InputError only for a
-/// limit of memory, and Interrupted.
-Draft read_draft(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                 SceneDetail detail, const StoreLimits& limits = {});
+/// Reads a store file; files that it names are relative to `folder`. Throws InputError only for a limit of
+/// memory, and Interrupted.
+Draft read_draft(const JsonCursor& document, const std::filesystem::path& folder, SceneDetail detail,
+                 const StoreLimits& limits = {});
 
 }  // namespace shelfbeam

@@ -370,11 +370,11 @@ Scene make_scene(const Store& store, DeviceSources* sources) {
   return scene;
 }
 
-Draft read_draft(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                 SceneDetail detail, const StoreLimits& limits) {
-  Problems problems(name);
+Draft read_draft(const JsonCursor& document, const std::filesystem::path& folder, SceneDetail detail,
+                 const StoreLimits& limits) {
+  Problems problems(document.file());
   Draft draft;
-  problems.collect([&] { draft.store = parse_store(text, name, folder, limits, &problems); });
+  problems.collect([&] { draft.store = parse_store(document, folder, limits, &problems); });
   SceneMaker maker(draft.store, detail, &problems);
   problems.collect([&] { draft.scene = maker.make(); });
   draft.sources = maker.sources();

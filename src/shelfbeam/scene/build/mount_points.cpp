@@ -123,6 +123,7 @@ class Generator {
     for (const auto& [rail, where] : store_.rails)
       add((steps(Path(rail.points).length(), rail.spacing) + 1) * rail.unit.axes.size(), rail.id, where);
     for (const auto& [faces, where] : store_.faces) {
+      if (!is_built(faces)) continue;
       const std::size_t points = count_along(faces, face_path(faces).path);
       add(points * faces.tilts_deg.size(), faces.id, where);
     }
@@ -137,7 +138,8 @@ class Generator {
     for (std::size_t a = 0; a < store_.areas.size(); ++a)
       expect_candidates(add_area(a, use), store_.areas[a].where);
     for (const auto& [rail, where] : store_.rails) add_rail(rail, where, use);
-    for (const auto& [faces, where] : store_.faces) expect_candidates(add_faces(faces, where, use), where);
+    for (const auto& [faces, where] : store_.faces)
+      if (is_built(faces)) expect_candidates(add_faces(faces, where, use), where);
     return empty;
   }
 
@@ -225,6 +227,12 @@ class Generator {
       const Vec3 at = k == count ? path.last() : path.at(distance).position;
       add(rail.unit, fmt::format("{}-{}", rail.id, k + 1), at, where, use);
     }
+  }
+
+  // The scene of a draft lacks fixtures that could not be built.
+  bool is_built(const MountFaces& mount) const {
+    const auto* id = std::get_if<std::string>(&mount.on);
+    return id == nullptr || fixture_index_.contains(*id);
   }
 
   FacePath face_path(const MountFaces& mount) const {

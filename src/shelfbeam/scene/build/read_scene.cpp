@@ -30,7 +30,7 @@ Store store_with_units(Store store, const std::filesystem::path& csv) {
   store.installed.clear();
   store.pinned.clear();
   store.excluded.clear();
-  read_transceivers_csv(csv, StoreNames(store), store);
+  read_transceivers_csv(InputFile(csv), StoreNames(store), store);
   if (store.transceivers.empty()) throw InputError(csv.string(), "lists no units", "list the mounted units");
   return store;
 }

@@ -134,7 +134,7 @@ GltfFile::GltfFile(std::string_view text, std::filesystem::path name, const Stor
         const auto [json, binary] = chunks_of(text, name_.string());
         json_ = json;
         binary_ = binary;
-        return JsonCursor::parse(json_, name_.string());
+        return JsonCursor::parse(json_, name_.string(), folder_.memory());
       }()) {
   const std::string version = root_["asset"]["version"].text();
   if (!version.starts_with("2."))
@@ -276,8 +276,8 @@ std::string GltfFile::load(const JsonCursor& buffer, bool is_first) const {
       if (begin == std::string::npos) uri->fail("is not base64", "export the file again");
       bytes = from_base64(std::string_view(text).substr(begin + marker.size()), *uri);
     } else {
-      bytes = read_file(folder_.find(name_.parent_path() / without_percent(text), uri->where(), "buffer"),
-                        max_mesh_file);
+      bytes = folder_.find(name_.parent_path() / without_percent(text), uri->where(), "buffer")
+                  .read(max_mesh_file);
     }
   }
   const auto length = static_cast<std::size_t>(buffer["byteLength"].integer(0, max_integer));

@@ -88,13 +88,14 @@ ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& f
                          std::optional<bool> y_is_up,
                          const std::vector<std::pair<std::string, MaterialId>>& materials,
                          const std::string& where) {
-  const std::filesystem::path file = folder.find(name, where, "mesh");
+  const InputFile input = folder.find(name, where, "mesh");
+  const std::filesystem::path& file = input.path();
   const std::string extension = lower_case(file.extension().string());
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
   if (!is_gltf && extension != ".obj" && extension != ".stl" && extension != ".ply")
     throw InputError(where, fmt::format("the mesh '{}' does not have a known file extension", file.string()),
                      "use glTF (.gltf, .glb), OBJ (.obj), STL (.stl) or PLY (.ply)");
-  const std::string content = read_file(file, max_mesh_file);
+  const std::string content = input.read(max_mesh_file);
   // During the conversion to pieces, memory contains all triangles twice and an index of their corners.
   MeshTriangles triangles(folder.memory() / 4);
   MeshLines lines(content, file, where);

@@ -137,6 +137,7 @@ class FixtureList {
     }
     expect_few_labels(labels, fixture, copies ? copies->count() : 1);
     const std::size_t first = store_.fixtures.size();
+    folder_.expect_few_fixtures(first + static_cast<std::size_t>(copies ? copies->count() : 1), json);
     if (copies) {
       add_copies(json, fixture, *copies, *repeat);
     } else {

@@ -49,10 +49,10 @@ class Planogram {
     for (std::size_t f = 0; f < store.fixtures.size(); ++f) index_.emplace(id_of(store.fixtures[f].value), f);
   }
 
-  void read(const std::filesystem::path& path) {
-    const std::string text = read_file(path);
-    CsvReader csv(text, path.string());
-    const Columns columns = read_header(csv, path.string());
+  void read(const InputFile& file) {
+    const std::string text = file.read();
+    CsvReader csv(text, file.name());
+    const Columns columns = read_header(csv, file.name());
     SceneMemory memory(store_.memory);
     while (csv.next()) {
       expect_running(store_.cancel);

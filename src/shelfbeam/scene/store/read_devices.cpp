@@ -59,7 +59,7 @@ void read_devices(const JsonCursor& list, const StoreNames& names, const Store& 
   });
 }
 
-std::filesystem::path csv_path(const JsonCursor& section, const StoreFolder& folder) {
+InputFile csv_file(const JsonCursor& section, const StoreFolder& folder) {
   section.expect_keys({"csv"});
   return folder.find(section["csv"]);
 }
@@ -112,13 +112,12 @@ bool continues_with(const CsvReader& csv, std::size_t first, std::string_view he
 
 // Calls `use(record)` for each record of a CSV whose first columns are those of its header.
 template <class Use>
-void each_record(const std::filesystem::path& path, const Columns& known, Store& store, Problems* problems,
-                 Use use) {
+void each_record(const InputFile& file, const Columns& known, Store& store, Problems* problems, Use use) {
   const auto& [header, ours] = known;
-  const std::string text = read_file(path);
-  CsvReader csv(text, path.string());
+  const std::string text = file.read();
+  CsvReader csv(text, file.name());
   const std::string expected = fmt::format("the first line must be {}", header);
-  if (!csv.next()) throw InputError(path.string(), "is empty", expected);
+  if (!csv.next()) throw InputError(file.name(), "is empty", expected);
   if (!continues_with(csv, 0, header)) csv.fail("has an unknown header", expected);
   const std::size_t required = split(header, ',').size(), width = csv.fields().size();
   Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : store.unit};
@@ -136,7 +135,7 @@ void each_record(const std::filesystem::path& path, const Columns& known, Store&
       use_record();
     memory.add(device_bytes, csv.where());
   }
-  expect_unit(record, path.string());
+  expect_unit(record, file.name());
   if (auto warning = csv.warning_of_ids()) store.warnings.push_back(std::move(*warning));
 }
 
@@ -144,7 +143,7 @@ void each_record(const std::filesystem::path& path, const Columns& known, Store&
 
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store,
                  Problems& problems) {
-  if (section.is_object()) return read_labels_csv(csv_path(section, folder), names, store, &problems);
+  if (section.is_object()) return read_labels_csv(csv_file(section, folder), names, store, &problems);
   read_devices(section, names, store, problems, store.labels);
 }
 
@@ -161,7 +160,7 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
   each("grids", [&](const JsonCursor& list) { read_devices(list, names, store, problems, store.grids); });
   each("list", [&](const JsonCursor& list) {
     if (list.is_object())
-      read_transceivers_csv(csv_path(list, folder), names, store, &problems);
+      read_transceivers_csv(csv_file(list, folder), names, store, &problems);
     else
       read_devices(list, names, store, problems, store.transceivers);
   });
@@ -178,9 +177,8 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
   ids("excluded", store.excluded);
 }
 
-void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,
-                     Problems* problems) {
-  each_record(path, label_columns, store, problems, [&](Record& record) {
+void read_labels_csv(const InputFile& file, const StoreNames& names, Store& store, Problems* problems) {
+  each_record(file, label_columns, store, problems, [&](Record& record) {
     CsvReader& csv = record.csv;
     Label label;
     label.id = csv.id(0);
@@ -191,9 +189,8 @@ void read_labels_csv(const std::filesystem::path& path, const StoreNames& names,
   });
 }
 
-void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,
-                           Problems* problems) {
-  each_record(path, unit_columns, store, problems, [&](Record& record) {
+void read_transceivers_csv(const InputFile& file, const StoreNames& names, Store& store, Problems* problems) {
+  each_record(file, unit_columns, store, problems, [&](Record& record) {
     CsvReader& csv = record.csv;
     Transceiver unit;
     unit.id = csv.id(0);

@@ -96,15 +96,15 @@ EmissionTable read_emission_table(const JsonCursor& cursor) {
   return EmissionTable{{theta, phi, values}};
 }
 
-template <class Read>
-EmissionTable read_photometry(const JsonCursor& cursor, const StoreFolder& folder, Read read) {
+template <class Parse>
+EmissionTable read_photometry(const JsonCursor& cursor, const StoreFolder& folder, Parse parse) {
   cursor.expect_keys({"type", "file", "flux"});
-  const std::filesystem::path path = folder.find(cursor["file"]);
+  const InputFile file = folder.find(cursor["file"]);
   const JsonCursor flux = cursor["flux"];
   const double watts = read_quantity(flux);
   const DirectionTable table = [&] {
     try {
-      return read(path).with_integral(watts);
+      return parse(file.read(max_photometry_file), file.name()).with_integral(watts);
     } catch (const InputError& refused) {
       // Adds the location in the store file to an error inside the photometric file.
       throw InputError(cursor["file"].where(), refused.what());
@@ -120,8 +120,8 @@ Emission read_profile(const JsonCursor& cursor, const StoreFolder& folder) {
   const std::string type =
       cursor["type"].choice({"sin2theta", "isotropic", "lambertian", "table", "ies", "eulumdat"});
   if (type == "table") return read_emission_table(cursor);
-  if (type == "ies") return read_photometry(cursor, folder, read_ies);
-  if (type == "eulumdat") return read_photometry(cursor, folder, read_eulumdat);
+  if (type == "ies") return read_photometry(cursor, folder, parse_ies);
+  if (type == "eulumdat") return read_photometry(cursor, folder, parse_eulumdat);
   if (type == "isotropic") {
     cursor.expect_keys({"type", "intensity"});
     return IsotropicHemisphere{read_quantity(cursor["intensity"])};

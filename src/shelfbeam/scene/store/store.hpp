@@ -84,6 +84,8 @@ Store read_store(const std::filesystem::path& path, const StoreLimits& trust = {
 /// As above, from a text; named files are relative to `folder`.
 Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                   const StoreLimits& trust = {}, Problems* problems = nullptr);
+Store parse_store(const JsonCursor& document, const std::filesystem::path& folder,
+                  const StoreLimits& trust = {}, Problems* problems = nullptr);
 
 /// The locations in the store file of a scene's fixtures, labels, transceivers and excluded candidates, in
 /// their order, for messages. A generated device has the location of its fixture or grid.

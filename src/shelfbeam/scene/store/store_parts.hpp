@@ -84,12 +84,12 @@ StoreVariation read_variation(const JsonCursor& json, const StoreNames& names, c
 
 /// Reads labels from a CSV with the header `id,x,y,z,nx,ny,nz,type`. Throws InputError with file and line.
 /// With `problems`, collects those of all records.
-void read_labels_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,
+void read_labels_csv(const InputFile& file, const StoreNames& names, Store& store,
                      Problems* problems = nullptr);
 
 /// Reads transceivers from a CSV with the header `id,x,y,z,ax,ay,az,roll_deg,type`. Further columns are
 /// ignored, so that placement.csv can be read back.
-void read_transceivers_csv(const std::filesystem::path& path, const StoreNames& names, Store& store,
+void read_transceivers_csv(const InputFile& file, const StoreNames& names, Store& store,
                            Problems* problems = nullptr);
 
 }  // namespace shelfbeam

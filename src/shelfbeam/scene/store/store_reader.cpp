@@ -56,12 +56,19 @@ std::vector<JsonCursor> read_catalogues(const JsonCursor& root, const StoreFolde
       names->fail(fmt::format("has {} files", names->size()),
                   fmt::format("at most {} are allowed", max_files));
     for (const JsonCursor& name : names->elements()) {
-      files.push_back(in_its_unit(JsonCursor::parse_file(folder.find(name))));
+      const InputFile file = folder.find(name);
+      files.push_back(
+          in_its_unit(JsonCursor::parse(file.read(), file.name(), folder.memory() / names->size())));
       files.back().expect_keys(
           {"$schema", "units", "presets", "materials", "label_types", "transceiver_types"});
     }
   }
   return files;
+}
+
+bool has_ignored(const nlohmann::ordered_json& json) {
+  if (!json.is_structured()) return false;
+  return (json.is_object() && json.contains("ignore")) || std::any_of(json.begin(), json.end(), has_ignored);
 }
 
 // The keys "ignore", which the reader then need not know: a list of codes of warnings.
@@ -187,20 +194,17 @@ class StoreReader {
   Presets presets_;
 };
 
-}  // namespace
-
-Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& path,
-                  const StoreLimits& trust, Problems* problems) {
+template <class Parse>
+Store store_of(Parse parse, const std::string& name, const StoreFolder& folder, Problems* problems) {
   Problems own(name);
   Problems& all = problems != nullptr ? *problems : own;
-  const StoreFolder folder(path, trust);
   Store store;
   store.file = name;
   store.memory = folder.memory();
   store.cancel = folder.cancel();
   all.collect([&] {
-    JsonCursor file = JsonCursor::parse(text, name);
-    if (text.find("\"ignore\"") != std::string::npos) {
+    JsonCursor file = parse();
+    if (has_ignored(file.value())) {
       nlohmann::ordered_json json = file.value();
       take_ignored(json, "", file, store, all);
       file = file.replaced(std::move(json));
@@ -209,6 +213,18 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
   });
   if (problems == nullptr) own.throw_first();
   return store;
+}
+
+}  // namespace
+
+Store parse_store(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                  const StoreLimits& trust, Problems* problems) {
+  return store_of([&] { return JsonCursor::parse(text, name); }, name, StoreFolder(folder, trust), problems);
+}
+
+Store parse_store(const JsonCursor& document, const std::filesystem::path& folder, const StoreLimits& trust,
+                  Problems* problems) {
+  return store_of([&] { return document; }, document.file(), StoreFolder(folder, trust), problems);
 }
 
 CompletedFixture completed_fixture(const std::string& text, const std::string& name,
@@ -232,8 +248,11 @@ CompletedFixture completed_fixture(const std::string& text, const std::string& n
 }
 
 Store read_store(const std::filesystem::path& path, const StoreLimits& trust, Problems* problems) {
-  return parse_store(read_file(path, std::min(max_text_file, trust.file_size)), path.string(),
-                     path.parent_path(), trust, problems);
+  const StoreFolder folder(path.parent_path(), trust);
+  const InputFile file =
+      trust.allow_links ? InputFile(path) : folder.find(path.filename(), path.string(), "file");
+  return parse_store(file.read(std::min(max_text_file, trust.file_size)), path.string(), path.parent_path(),
+                     trust, problems);
 }
 
 }  // namespace shelfbeam

@@ -1,0 +1,215 @@
+"""Stores that name files outside the folder, and names that are markup."""
+
+import http.client
+import json
+import urllib.parse
+
+from planner import ServeTest, plain_store
+
+SECRET = "SECRET-4711"
+LABELS = f"id,x,y,z,nx,ny,nz,type\n{SECRET},1,1,1,0,0,1,l\n"
+CATALOGUE = json.dumps({"materials": {SECRET: {"type": "lambertian", "reflectance": 0.5}}})
+# The readers quote what they do not understand.
+NO_CSV = f"id,x,y,z,nx,ny,nz,type\na,{SECRET},1,1,0,0,1,l\n"
+NO_UNITS = f"id,x,y,z,ax,ay,az,roll_deg,type\na,{SECRET},1,1,0,0,1,0,t\n"
+NO_PLANOGRAM = f"article,fixture,face,level,x\na,{SECRET},front,1,1\n"
+NO_MESH = f"v {SECRET} 0 0\n"
+MESH = f"usemtl {SECRET}\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+
+
+def gltf(uri):
+    return json.dumps(
+        {
+            "asset": {"version": "2.0"},
+            "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": uri}],
+        }
+    )
+
+
+def mesh(name):
+    return {"type": "mesh", "id": "m", "file": name, "at": [2, 2, 0], "materials": {"none": "w"}}
+
+
+# What names a file of each kind.
+KINDS = {
+    "labels.csv": (LABELS, lambda name: {"labels": {"csv": name}}),
+    "broken.csv": (NO_CSV, lambda name: {"labels": {"csv": name}}),
+    "units.csv": (NO_UNITS, lambda name: {"transceivers": {"list": {"csv": name}}}),
+    "planogram.csv": (NO_PLANOGRAM, lambda name: {"planogram": {"file": name, "type": "l"}}),
+    "catalogue.json": (CATALOGUE, lambda name: {"catalogues": [name]}),
+    "broken.json": (f'{{"{SECRET}": 1}}', lambda name: {"catalogues": [name]}),
+    "mesh.obj": (MESH, lambda name: {"fixtures": [mesh(name)]}),
+    "broken.obj": (NO_MESH, lambda name: {"fixtures": [mesh(name)]}),
+    "profile.ies": (
+        f"IESNA:LM-63-2002\n{SECRET}\nTILT=NONE\n{SECRET}\n",
+        lambda name: {"transceiver_types": {"t": {"emission": {"type": "ies", "file": name, "flux": 3}}}},
+    ),
+}
+
+
+class Files(ServeTest):
+    def setUp(self):
+        super().setUp()
+        self.outside = self.scratch / "outside"
+        self.outside.mkdir()
+        for name, (content, _) in KINDS.items():
+            (self.outside / name).write_text(content, encoding="utf-8")
+        (self.folder / "up").symlink_to("..")
+        (self.folder / "beside").symlink_to("../outside")
+        for name in KINDS:
+            (self.folder / f"link-{name}").symlink_to(self.outside / name)
+
+    def names_of(self, name):
+        """Names of a file outside, by "..", from the root, and by a link as its last and as its first part."""
+        return (f"../outside/{name}", f"up/outside/{name}", str(self.outside / name), f"link-{name}", f"beside/{name}")
+
+    def everything_about(self, server, tab):
+        """All that the server tells: events, documents, and answers about each fixture and device."""
+        told = [json.dumps(tab.events).encode(), *tab.frames]
+        for path in ("/fixtures/0", "/transceiver_types/t"):
+            told.append(json.dumps(tab.ask("details", path=path)).encode())
+        for kind in ("label", "unit"):
+            told.append(json.dumps(tab.ask("device", kind=kind, index=0)).encode())
+        told.append(json.dumps(tab.ask("find", text="SECRET")["hits"]).encode())
+        told.append(self.get(server, "scene")[1])
+        return b"\n".join(told)
+
+    def get(self, server, name):
+        url = urllib.parse.urlsplit(server.address)
+        connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
+        connection.request("GET", url.path + name)
+        reply = connection.getresponse()
+        head, body = reply.getheaders(), reply.read()
+        connection.close()
+        return head, body
+
+    def name_files(self, tab, changes):
+        """Edits the store so that it names them."""
+        ops = [{"path": f"/{key}", "before": tab.json.get(key), "after": value} for key, value in changes.items()]
+        for op in ops:
+            if op["before"] is None:
+                del op["before"]
+        self.assertNotIn("error", tab.edit(*ops))
+
+    def test_outside_are_not_read(self):
+        self.write(plain_store())
+        server = self.start()
+        tab = self.open(server)
+        for kind, (_, changes) in KINDS.items():
+            for name in self.names_of(kind):
+                self.name_files(tab, changes(name))
+                (problem,) = [one for one in tab.problems if name in one["sentence"]]
+                self.assertRegex(problem["sentence"], "outside the folder|symbolic link", name)
+                self.assertNotIn(SECRET.encode(), self.everything_about(server, tab), name)
+                tab.ask("undo")
+
+    def test_in_the_folder_are_read(self):
+        # The test above would see the bytes of a file. A link is not followed in the folder either.
+        for name, (content, _) in KINDS.items():
+            (self.folder / name).write_text(content, encoding="utf-8")
+            (self.folder / f"inner-{name}").symlink_to(name)
+        self.write(plain_store())
+        server = self.start()
+        for kind, (_, changes) in KINDS.items():
+            tab = self.open(server)
+            self.name_files(tab, changes(f"inner-{kind}"))
+            self.assertIn("symbolic link", json.dumps(tab.problems), kind)
+            self.assertNotIn(SECRET.encode(), self.everything_about(server, tab), kind)
+            self.name_files(tab, changes(kind))
+            self.assertIn(SECRET.encode(), self.everything_about(server, tab), kind)
+            tab.ask("go", position=0)
+
+    def test_buffers_of_meshes(self):
+        (self.outside / "buffer").write_bytes(bytes(36))
+        (self.folder / "buffer").symlink_to("../outside/buffer")
+        store = plain_store(fixtures=[{**mesh("m.gltf"), "materials": {"*": "w"}}])
+        for uri in ("../outside/buffer", "%2e%2e/outside/buffer", "buffer", "beside/buffer", "up/outside/buffer"):
+            (self.folder / "m.gltf").write_text(gltf(uri), encoding="utf-8")
+            self.write(store)
+            server = self.start()
+            (problem,) = self.open(server).problems
+            self.assertRegex(problem["sentence"], "outside the folder|symbolic link", uri)
+            server.kill()
+
+    def test_warnings_follow_no_links(self):
+        # The child process reads the file that is in place when it starts.
+        (self.folder / "labels.csv").write_text(LABELS.replace("1,1,1", "1.5,1.2,0.5"), encoding="utf-8")
+        store = plain_store(labels={"csv": "labels.csv"})
+        self.write(store)
+        tab = self.open(self.start())
+        warned = tab.next("warnings")
+        self.assertIn(SECRET, json.dumps(warned))
+        (self.folder / "labels.csv").rename(self.folder / "kept.csv")
+        tab.set("/name", "Nave")
+        # Too late for the server, and in time for the child.
+        (self.folder / "labels.csv").symlink_to("kept.csv")
+        self.assertEqual(tab.next("warnings")["warnings"], [])
+
+
+MARKUP = "<script>alert(1)</script><img src=x onerror=alert(1)>\"'&amp;"
+
+
+class Markup(ServeTest):
+    def test_in_every_name(self):
+        self.folder = self.scratch / "<b onclick=alert(1)>\r\nX-Evil: 1\r\n\r\n<i>"
+        self.folder.mkdir()
+        self.store = self.folder / "store.json"
+        (self.folder / "labels.csv").write_text(
+            'id,x,y,z,nx,ny,nz,type\n"'
+            + MARKUP.replace('"', '""')
+            + '",1,1,1,0,0,1,"l'
+            + MARKUP.replace('"', '""')
+            + '"\n',
+            encoding="utf-8",
+        )
+        white, label, unit = ("w" + MARKUP, "l" + MARKUP, "t" + MARKUP)
+        store = {
+            "name": MARKUP,
+            "room": {"size": [9, 6, 3], "floor": white, "ceiling": white, "walls": white},
+            "presets": {"p" + MARKUP: {"height": 1}},
+            "materials": {white: {"type": "lambertian", "reflectance": 0.5}},
+            "label_types": {label: {"threshold": 0.05}},
+            "transceiver_types": {unit: {"emission": {"type": "lambertian", "flux": 3}}},
+            "fixtures": [
+                {"type": "box", "id": "f" + MARKUP, "at": [1, 1, 0], "size": [1, 1, 1], "material": white},
+                {"type": "box", "id": "g" + MARKUP, "at": [1, 1, 0], "size": [1, 1, 1], "material": MARKUP},
+                {"type": MARKUP, "id": "h" + MARKUP, MARKUP: MARKUP},
+            ],
+            "labels": {"csv": "labels.csv"},
+            "transceivers": {"list": [{"id": "u" + MARKUP, "position": [4, 3, 2.9], "type": unit}]},
+            MARKUP: MARKUP,
+        }
+        self.write(store)
+        server = self.start()
+        tab = self.open(server)
+        self.assertEqual(tab.json, store)
+        self.assertEqual(tab.project["name"], self.folder.name)
+        self.assertEqual(tab.project["shared"]["materials"], [white])
+        self.assertEqual(tab.ask("device", kind="label", index=0)["device"]["id"], MARKUP)
+        self.assertEqual(tab.ask("device", kind="unit", index=0)["device"]["type"], unit)
+        self.assertNotIn("error", tab.set("/name", "n" + MARKUP, MARKUP))
+        self.assertEqual(tab.history["steps"][0]["label"], MARKUP)
+        self.assertEqual(len(tab.ask("find", text="<SCRIPT>")["hits"]), 4)
+        tab.ask("edit", label="Missing", ops=[{"path": "/" + MARKUP.replace("/", "~1") + "/x", "after": 1}])
+
+        url = urllib.parse.urlsplit(server.address)
+        files = {"index": url.path, "none": url.path + "none", "scene": url.path + "scene"}
+        for name, target in files.items():
+            connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
+            connection.request("GET", target)
+            reply = connection.getresponse()
+            head, body = str(reply.getheaders()), reply.read()
+            connection.close()
+            for part in ("alert", "Evil", "onclick"):
+                self.assertNotIn(part, head, name)
+                self.assertNotIn(part, tab.socket.head.decode(), name)
+                if name != "scene":
+                    self.assertNotIn(part.encode(), body, name)
+            if name == "scene":
+                self.assertEqual(reply.getheader("Content-Type"), "application/octet-stream")
+                self.assertEqual(reply.getheader("X-Content-Type-Options"), "nosniff")

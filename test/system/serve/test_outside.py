@@ -1,0 +1,85 @@
+"""Other programs that change store.json while pages are open."""
+
+import json
+
+from planner import STORE, ServeTest, plain_store
+
+
+class Outside(ServeTest):
+    def setUp(self):
+        super().setUp()
+        self.write()
+        self.server = self.start()
+        self.tabs = [self.open(self.server) for _ in range(2)]
+
+    def changed(self):
+        """The next change, which both pages are told."""
+        events = [tab.next("changed") for tab in self.tabs]
+        self.assertEqual(*events)
+        return events[0]
+
+    def test_a_valid_text_is_a_step(self):
+        self.write(STORE.replace("Aisle", "Nave"))
+        event = self.changed()
+        self.assertNotIn("tab", event)
+        self.assertEqual(event["json"]["name"], "Nave")
+        self.assertIsNone(event["locked"])
+        self.assertEqual([step["label"] for step in event["history"]["steps"]], ["Changed outside"])
+        self.tabs[0].ask("undo")
+        self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
+
+    def test_an_edit_after_it_must_fit(self):
+        self.write(STORE.replace('"at": [1, 1, 0]', '"at": [2, 1, 0]'))
+        # Before the server has looked.
+        answer = self.tabs[0].set("/fixtures/0/at/0", 3)
+        self.assertEqual(answer["error"]["path"], "/fixtures/0/at/0")
+        self.assertEqual(self.tabs[0].json["fixtures"][0]["at"], [2, 1, 0])
+        self.assertEqual(self.tabs[0].set("/fixtures/0/at/0", 3)["revision"], 3)
+
+    def test_a_text_with_problems_is_shown(self):
+        self.write(STORE.replace('"material": "w" },', '"material": "v" },', 1))
+        event = self.changed()
+        self.assertIsNone(event["locked"])
+        self.assertEqual([problem["pointer"] for problem in event["problems"]], ["/fixtures/0/material"])
+
+    def test_an_invalid_text_locks(self):
+        invalid = STORE.replace('"labels": [', '"labels": ')
+        self.write(invalid)
+        event = self.changed()
+        self.assertIn("store.json: is not valid JSON (parse error at line ", event["locked"]["message"])
+        self.assertEqual(event["revision"], 1)
+        refused = self.tabs[0].set("/name", "Nave")
+        self.assertIn("is locked", refused["error"]["message"])
+        self.assertEqual(self.store.read_text(encoding="utf-8"), invalid, "is not overwritten")
+        self.write()
+        self.assertIsNone(self.changed()["locked"])
+        self.assertEqual(self.tabs[1].set("/name", "Nave")["revision"], 2)
+
+    def test_a_removed_file_comes_back(self):
+        self.tabs[0].set("/name", "Nave")
+        self.changed()
+        before = self.store.read_bytes()
+        self.store.unlink()
+        self.assertIn("was removed", self.changed()["locked"]["message"])
+        self.assertNotIn("error", self.tabs[0].ask("restore"))
+        self.changed()
+        self.assertEqual(self.store.read_bytes(), before)
+
+    def test_a_restored_file_keeps_the_other(self):
+        self.write("{")
+        self.changed()
+        self.tabs[0].ask("restore")
+        self.assertIsNone(self.changed()["locked"])
+        self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
+        self.assertEqual((self.folder / "store.json.outside-1").read_text(encoding="utf-8"), "{")
+
+    def test_other_things_in_its_place_lock(self):
+        secret = self.scratch / "secret.json"
+        secret.write_text(json.dumps(plain_store(name="SECRET")), encoding="utf-8")
+        self.store.unlink()
+        self.store.symlink_to(secret)
+        self.assertIn("is a symbolic link", self.changed()["locked"]["message"])
+        self.store.unlink()
+        self.store.mkdir()
+        self.assertIn("is not a regular file", self.changed()["locked"]["message"])
+        self.assertNotIn("SECRET", json.dumps(self.tabs[0].events))

@@ -1,0 +1,215 @@
+"""How the server starts, listens and ends, and what it says if it cannot."""
+
+import http.client
+import json
+import os
+import resource
+import signal
+import socket
+import subprocess
+import unittest
+import urllib.parse
+
+from planner import STORE, NotStarted, ServeTest, command
+from websocket import Closed, Refused
+
+NOBODY = 65534
+
+
+def free_port():
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return one.getsockname()[1]
+
+
+class Start(ServeTest):
+    def content(self):
+        """All files of the folder."""
+        return {
+            str(path.relative_to(self.folder)): path.read_bytes() for path in self.folder.rglob("*") if path.is_file()
+        }
+
+    def refused(self, *options, folder=None, **process):
+        """The only line that a server prints which does not start."""
+        with self.assertRaises(NotStarted) as failure:
+            self.start(*options, folder=folder, **process)
+        self.assertEqual((failure.exception.code, failure.exception.out), (2, ""), failure.exception.err)
+        (line,) = failure.exception.err.splitlines()
+        self.assertTrue(line.startswith("error: "), line)
+        return line
+
+    def test_a_new_folder_gets_a_shop(self):
+        for folder in (self.folder, self.scratch / "new/shop"):
+            tab = self.open(self.start(folder=folder))
+            self.assertEqual(tab.json["name"], "New shop")
+            self.assertEqual(tab.project["name"], folder.name)
+            tab.set("/name", "Mine")
+            self.assertIn('"name": "Mine"', (folder / "store.json").read_text(encoding="utf-8"))
+
+    def test_a_demo_leaves_nothing(self):
+        environment = os.environ | {"TMPDIR": str(self.scratch)}
+        process = subprocess.Popen(
+            [command("")[0], "serve", "--demo", "--no-browser"], stdout=subprocess.PIPE, text=True, env=environment
+        )
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.kill)
+        self.assertIn(str(self.scratch), process.stdout.readline())
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(30), 0)
+        self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
+
+    def test_a_port_in_use(self):
+        self.write()
+        with socket.create_server(("127.0.0.1", 0)) as other:
+            port = other.getsockname()[1]
+            line = self.refused("--port", str(port))
+        self.assertIn(str(port), line)
+        self.assertIn("in use", line)
+        self.assertEqual(self.content()["store.json"].decode(), STORE)
+        self.open(self.start("--port", str(free_port())))
+
+    def test_a_folder_in_use(self):
+        self.write()
+        server = self.start()
+        before = self.content()
+        line = self.refused()
+        self.assertIn(f"in use by another run of shelfbeam (process {server.process.pid})", line)
+        self.assertEqual(self.content(), before)
+        self.assertNotIn("error", self.open(server).set("/name", "Nave"))
+        server.kill()
+        self.open(self.start())
+
+    def test_folders_that_hold_no_project(self):
+        self.write("{")
+        self.assertIn("store.json: is not valid JSON", self.refused())
+        self.write("[]")
+        self.assertIn("is not a JSON object", self.refused())
+        self.write(json.dumps({"format": 1000}))
+        self.assertIn("format version 1000", self.refused())
+        self.assertEqual(list(self.content()), ["store.json"], "nothing was written")
+        self.store.unlink()
+        os.mkfifo(self.store)
+        self.assertIn("is not a regular file", self.refused())
+        self.store.unlink()
+        self.store.symlink_to("elsewhere")
+        self.assertIn("is a symbolic link", self.refused())
+        (self.folder / "elsewhere").write_text(STORE, encoding="utf-8")
+        self.assertIn("is a symbolic link", self.refused())
+        self.refused(folder=self.folder / "elsewhere")
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can run the program as another user")
+    def test_a_folder_of_somebody_else(self):
+        self.write()
+        self.scratch.chmod(0o755)
+        self.folder.chmod(0o755)
+        self.assertIn("Permission denied", self.refused(user=NOBODY, group=NOBODY))
+        self.assertEqual(list(self.content()), ["store.json"])
+        self.assertIn("Permission denied", self.refused(folder=self.scratch / "new", user=NOBODY, group=NOBODY))
+        self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
+
+    def limit(self, process, size):
+        """The files of a process then grow to this size only."""
+        resource.prlimit(process.pid if process else 0, resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
+
+    def test_a_full_disk_at_the_start(self):
+        self.write()
+        for size in (0, 10, 500):
+            line = self.refused(preexec_fn=lambda size=size: self.limit(None, size))
+            self.assertIn("cannot be written", line)
+            self.assertEqual(self.content()["store.json"].decode(), STORE)
+            self.assertEqual([name for name in self.content() if ".shelfbeam-" in name], [])
+        for path in (self.folder / ".shelfbeam").iterdir():
+            self.assertEqual(path.stat().st_size, 0, path)
+        self.open(self.start()).set("/name", "Nave")
+
+    def test_a_full_disk_during_edits(self):
+        self.write()
+        server = self.start()
+        tab = self.open(server)
+        tab.set("/name", "Nave")
+        before, revision = self.content(), tab.revision
+        for size in (0, 100, len(STORE) + 10):
+            self.limit(server.process, size)
+            for answer in (tab.set("/name", "x" * 500), tab.set("/fixtures/0/id", "y"), tab.ask("undo")):
+                self.assertIn("cannot be written", answer["error"]["message"], size)
+            self.assertEqual((self.content(), tab.revision), (before, revision))
+        self.write(STORE.replace("Aisle", "Outside"))
+        outside = self.content()
+        self.assertIn("cannot be written", tab.set("/name", "Lost")["error"]["message"])
+        self.assertEqual(self.content(), outside)
+        self.limit(server.process, resource.RLIM_INFINITY)
+        tab.reach(revision + 1)
+        self.assertEqual(tab.json["name"], "Outside")
+        self.assertNotIn("error", tab.set("/name", "Apse"))
+        self.assertEqual(self.document()["name"], "Apse")
+
+
+class End(ServeTest):
+    def test_a_signal_closes_pages(self):
+        self.write()
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            server = self.start()
+            tabs = [self.open(server) for _ in range(3)]
+            tabs[0].set("/name", number.name)
+            server.process.send_signal(number)
+            for tab in tabs:
+                with self.assertRaises(Closed) as farewell:
+                    while True:
+                        tab.read()
+                self.assertEqual(farewell.exception.code, 1001)
+                tab.close()
+            self.assertEqual(server.wait(), (0, ""))
+            self.assertEqual(self.document()["name"], number.name)
+
+
+class Address(ServeTest):
+    def status(self, address, target, host):
+        url = urllib.parse.urlsplit(address)
+        connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
+        self.addCleanup(connection.close)
+        connection.putrequest("GET", target, skip_host=True)
+        connection.putheader("Host", host)
+        connection.endheaders()
+        return connection.getresponse().status
+
+    def test_only_this_computer_by_default(self):
+        server = self.start()
+        url = urllib.parse.urlsplit(server.address)
+        self.assertEqual(url.hostname, "127.0.0.1")
+        with self.assertRaises(ConnectionRefusedError):
+            socket.create_connection(("127.0.0.2", url.port), 5)
+        self.assertEqual(server.end(signal.SIGINT), (0, ""))
+
+    def test_another_address_is_said(self):
+        for address, said in (("127.0.0.2", "127.0.0.2"), ("0.0.0.0", "127.0.0.1")):
+            server = self.start("--listen", address)
+            url = urllib.parse.urlsplit(server.address)
+            self.assertEqual(url.hostname, said)
+            self.assertEqual(self.open(server).json["name"], "New shop")
+            other = server.address.replace(said, "127.0.0.2")
+            self.assertEqual(self.status(other, url.path, f"127.0.0.2:{url.port}"), 200 if said == "127.0.0.2" else 403)
+            code, text = server.end(signal.SIGINT)
+            self.assertEqual(code, 0)
+            self.assertIn(f"Other computers can reach this planner at {address}.", text)
+
+    def test_other_names(self):
+        names = ("shop.example", "proxy.example:8443")
+        server = self.start(*(word for name in names for word in ("--allow-host", name)))
+        url = urllib.parse.urlsplit(server.address)
+        for host in (f"shop.example:{url.port}", "shop.example", "SHOP.example", "proxy.example:8443"):
+            self.assertEqual(self.status(server.address, url.path, host), 200, host)
+            self.open(server, Host=host, Origin=f"http://{host}")
+        for host in (f"evil.example:{url.port}", "shop.example.evil", f"proxy.example:{url.port}", ""):
+            self.assertEqual(self.status(server.address, url.path, host), 403, host)
+            with self.assertRaises(Refused) as refusal:
+                self.open(server, Host=host, Origin=f"http://{host}")
+            self.assertEqual(refusal.exception.status, 403)
+
+    def test_wrong_addresses(self):
+        self.write()
+        for options in (("--listen", "256.1.1.1"), ("--listen", "192.0.2.1"), ("--allow-host", "a b"), ("--port", "0")):
+            with self.assertRaises(NotStarted) as failure:
+                self.start(*options)
+            self.assertEqual((failure.exception.code, failure.exception.out), (2, ""), options)
+            self.assertTrue(failure.exception.err.startswith("error: "), failure.exception.err)
+            self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)

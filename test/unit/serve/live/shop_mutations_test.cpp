@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/json_parser.hpp"
+
+#include "serve/live/shop.hpp"
+
+namespace shelfbeam::serve {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Random = std::mt19937_64;
+
+std::size_t below(std::size_t count, Random& random) {
+  return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+}
+
+// All values below the document itself.
+std::vector<Json*> values_of(Json& json) {
+  std::vector<Json*> all;
+  if (!json.is_structured()) return all;
+  for (Json& value : json) {
+    all.push_back(&value);
+    const std::vector<Json*> deeper = values_of(value);
+    all.insert(all.end(), deeper.begin(), deeper.end());
+  }
+  return all;
+}
+
+// Gives one value another kind or size, or that of another place.
+void mutate(Json& store, Random& random) {
+  static const std::array<Json, 14> values{
+      nullptr, true, -1, 0, 1, 99, 1e9, -0.5, "x", "", "{n}", Json::array(), Json::object(), Json{0, 0}};
+  const std::vector<Json*> all = values_of(store);
+  Json& one = *all[below(all.size(), random)];
+  const std::size_t choice = below(values.size() + 6, random);
+  if (choice < values.size()) {
+    one = values[choice];
+  } else if (choice < values.size() + 3) {
+    one = Json(*all[below(all.size(), random)]);
+  } else if (one.is_structured() && !one.empty()) {
+    auto gone = one.begin();
+    std::advance(gone, below(one.size(), random));
+    one.erase(gone);
+  }
+}
+
+void use(const Shop& shop) {
+  std::set<std::string> keys;
+  for (const Json& part : shop.parts()) EXPECT_TRUE(keys.insert(part["key"].get<std::string>()).second);
+  const auto fixtures = shop.json().find("fixtures");
+  const std::size_t count = fixtures == shop.json().end() ? 0 : fixtures->size();
+  for (std::size_t k = 0; k <= count; ++k) {
+    const std::string pointer = "/fixtures/" + std::to_string(k);
+    try {
+      shop.details(pointer);
+      shop.dissolved(pointer);
+    } catch (const InputError&) {  // has problems, or is not there
+    }
+  }
+  if (shop.label_count() != shop.draft().scene.labels.size() || shop.draft().sources.labels.size() != shop.label_count()) { std::cerr << "COUNT " << shop.label_count() << " " << shop.draft().scene.labels.size() << " " << shop.draft().sources.labels.size() << "\n" << shop.json().dump() << std::endl; }
+  for (const auto& l : shop.draft().scene.labels) if (l.type.value >= shop.draft().scene.label_types.size()) { std::cerr << "TYPE " << l.id << " " << l.type.value << " of " << shop.draft().scene.label_types.size() << "\n" << shop.json().dump() << std::endl; for (auto& p : shop.draft().problems) std::cerr << p.sentence << "\n"; break; }
+  for (std::size_t k = 0; k < shop.label_count(); k += 97) shop.label(k);
+  for (std::size_t k = 0; k < shop.unit_count(); k += 97) shop.unit(k);
+  shop.problems();
+  shop.names();
+  shop.find("a");
+  shop.scene(1);
+}
+
+void expect_any_store_is_shown(int count, std::uint64_t seed) {
+  Random random(seed);
+  for (const char* name : {"grocery", "chiller", "market-hall"}) {
+    const fs::path file = fs::path(SHELFBEAM_SOURCE_DIR "/examples") / name / "store.json";
+    const Json whole = parse_json(read_file(file), name);
+    Shop shop(file);
+    for (int k = 0; k < count; ++k) {
+      Json store = whole;
+      for (std::size_t m = 0; m <= below(3, random); ++m) mutate(store, random);
+      SCOPED_TRACE(testing::Message() << name << " " << k);
+      ASSERT_NO_THROW(shop.update(store.dump(), 1)) << store.dump();
+      for (const Finding& problem : shop.draft().problems)
+        EXPECT_EQ(problem.sentence.find("cannot be shown"), std::string::npos) << problem.sentence;
+      ASSERT_NO_THROW(use(shop)) << store.dump();
+    }
+  }
+}
+
+TEST(ShopMutations, AreShown) {
+  expect_any_store_is_shown(40, 1);
+}
+
+TEST(SlowShopMutations, AreShown) {
+  expect_any_store_is_shown(1500, 2);
+}
+
+TEST(Shop, ShowsWhatCannotBeResolvedAsAProblem) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  shop.update(R"({"fixtures": [{"type": "box", "id": "a{n}", "at": [0, 0, 0], "size": [1, 1, 1],
+                                "material": "w", "repeat": {"count": 10000, "step": [0.001, 0]}},
+                               {"type": "box", "id": "b{n}", "at": [0, 0, 0], "size": [1, 1, 1],
+                                "material": "w", "repeat": {"count": 10000, "step": [0.001, 0]}}],
+                  "materials": {"w": {"type": "lambertian", "reflectance": 0.5}}})",
+              1);
+  const std::vector<std::string> problems = sentences(shop.draft().problems);
+  EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [](const std::string& sentence) {
+    return sentence.find("fixtures[1]: makes 20,000 fixtures") != std::string::npos;
+  }));
+  EXPECT_EQ(shop.parts().size(), 10'000U);
+}
+
+TEST(Shop, KnowsTheFixturesBehindOneThatIsNotShown) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  shop.update(R"({"materials": {"w": {"type": "lambertian", "reflectance": 0.5}}, "fixtures": [
+      {"type": "box", "id": "a", "at": [1, 1, 0], "size": [1, 1, 1], "material": "w"},
+      {"type": "box", "id": "a", "at": [2, 2, 0], "size": [1, 1, 1], "material": "w"},
+      {"type": "box", "id": "b", "at": [3, 3, 0], "size": [1, 1, 1], "material": "w"},
+      {"type": "box", "id": "c", "at": [4, 4, 0], "size": [1, 1, 1], "material": "none"}]})",
+              1);
+  for (const Json& part : shop.parts()) EXPECT_EQ(part["footing"]["at"], part["outline"][0]) << part;
+  EXPECT_TRUE(shop.parts().back()["unfinished"].get<bool>());
+  EXPECT_EQ(shop.parts().size(), 3U);
+}
+
+TEST(Shop, OutlinesFixturesByAWallThatIsMissing) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  for (const Json& wall : {Json(99), Json(-1), Json("x"), Json(0.5)}) {
+    store["fixtures"] = Json::array(
+        {{{"type", "gondola"}, {"id", "g"}, {"length", 2}, {"depth", 1}, {"against", {{"wall", wall}}}}});
+    EXPECT_NO_THROW(shop.update(store.dump(), 1)) << wall;
+    EXPECT_EQ(shop.draft().problems.empty(), false);
+  }
+  store.erase("room");
+  EXPECT_NO_THROW(shop.update(store.dump(), 1));
+}
+
+}  // namespace
+}  // namespace shelfbeam::serve
