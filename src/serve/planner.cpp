@@ -19,7 +19,6 @@
 #include "shelfbeam/base/provenance.hpp"
 
 #include "serve/http/server.hpp"
-#include "serve/live/place.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/warning_finder.hpp"
 #include "serve/project/project.hpp"
@@ -133,7 +132,7 @@ std::string text_of(const Json& json) {
 
 struct Planner::State {
   State(const fs::path& folder, http::Options options, std::function<void(std::string_view)> log)
-      : name(fs::weakly_canonical(folder).filename().string()),
+      : folder_name(fs::weakly_canonical(folder).filename().string()),
         project(with_store(folder), project_options()),
         shop((folder / "store.json").lexically_normal()),
         warnings((folder / "store.json").lexically_normal()),
@@ -160,18 +159,22 @@ struct Planner::State {
 
   void open(TabId tab) {
     tabs.insert(tab);
-    Json json{{"event", "project"},
-              {"tab", tab},
-              {"name", name},
-              {"file", "store.json"},
-              {"version", program_version()},
-              {"unit", to_text(shop.draft().store.unit)},
+    Json json{{"event", "project"},           {"tab", tab},
+              {"name", name_of_shop()},       {"file", "store.json"},
+              {"version", program_version()}, {"unit", to_text(shop.draft().store.unit)},
               {"parts", shop.parts()}};
     add_state(json);
     server.send(tab, http::Message::text(with_document(json)));
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
     if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
     if (found) server.send(tab, http::Message::text(text_of(warnings_json())));
+  }
+
+  std::string name_of_shop() const {
+    const auto own = shop.json().find("name");
+    const bool is_named =
+        own != shop.json().end() && own->is_string() && !own->get_ref<const std::string&>().empty();
+    return is_named ? own->get<std::string>() : folder_name;
   }
 
   // The store is not copied into the message, because it may be large.
@@ -193,7 +196,7 @@ struct Planner::State {
 
   Json warnings_json() const {
     Json list = *found;
-    for (Json& one : list) one["pointer"] = pointer_of(one["path"].get<std::string>(), shop.json());
+    for (Json& one : list) shop.locate(one);
     return {{"event", "warnings"}, {"revision", project.revision()}, {"warnings", std::move(list)}};
   }
 
@@ -303,7 +306,7 @@ struct Planner::State {
     }
   }
 
-  std::string name;
+  std::string folder_name;
   Project project;
   Shop shop;
   WarningFinder warnings;
@@ -326,8 +329,8 @@ Planner::Planner(const fs::path& folder, http::Options options, std::function<vo
 
 Planner::~Planner() = default;
 
-std::string Planner::address() const {
-  return state_->server.address();
+std::vector<std::string> Planner::addresses() const {
+  return state_->server.addresses();
 }
 
 void Planner::run(const CancelToken& cancel) {

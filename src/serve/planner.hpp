@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shelfbeam/base/control.hpp"
 
@@ -27,8 +28,8 @@ class Planner {
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;
 
-  /// The address of the page, which contains the token.
-  std::string address() const;
+  /// The addresses of the page, which contain the token (http/server.hpp).
+  std::vector<std::string> addresses() const;
   /// Serves until the token is cancelled.
   void run(const CancelToken& cancel);
 

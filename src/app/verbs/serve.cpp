@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -10,9 +11,11 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 
 #include "app/options/arguments.hpp"
 #include "app/text/browser.hpp"
@@ -36,16 +39,28 @@ struct ServeArguments {
   bool no_browser = false, demo = false;
 };
 
+// The folder that a user means, perhaps by the store.json in it.
+fs::path folder_of(const fs::path& given) {
+  std::error_code error;
+  if (given.empty() || fs::is_directory(given, error)) return given.empty() ? "." : given;
+  const bool exists = fs::exists(fs::symlink_status(given, error));
+  if (exists && given.filename() == "store.json") return folder_of(given.parent_path());
+  if (exists || lower_case(given.extension().string()) == ".json")
+    throw InputError(given.string(), exists ? "is not a folder" : "does not exist",
+                     "name a folder with a store.json, or a new folder");
+  return given;
+}
+
 // The folder of the project; of a demo without a folder a temporary one, which is removed at the end.
 class ProjectFolder {
  public:
-  explicit ProjectFolder(const ServeArguments& options) : path_(options.folder) {
-    if (options.demo && path_.empty()) {
+  explicit ProjectFolder(const ServeArguments& options) : path_(folder_of(options.folder)) {
+    if (options.demo && options.folder.empty()) {
       std::string pattern = (fs::temp_directory_path() / "shelfbeam-demo-XXXXXX").string();
       if (::mkdtemp(pattern.data()) == nullptr) cannot_write(pattern, system_reason());
-      path_ = temporary_ = pattern;
+      temporary_ = pattern;
+      path_ = temporary_ / "grocery-demo";
     }
-    if (path_.empty()) path_ = ".";
     if (options.demo) write_template("grocery", path_);
   }
   ~ProjectFolder() {
@@ -56,16 +71,34 @@ class ProjectFolder {
   ProjectFolder& operator=(const ProjectFolder&) = delete;
 
   const fs::path& path() const { return path_; }
+  bool is_temporary() const { return !temporary_.empty(); }
 
  private:
   fs::path path_, temporary_;
 };
 
+void print_addresses(const serve::Planner& planner, const ServeArguments& options, bool is_temporary) {
+  const std::vector<std::string> addresses = planner.addresses();
+  if (options.common.json) {
+    print_json({{"address", addresses.front()}, {"addresses", addresses}});
+  } else if (options.common.quiet) {
+    fmt::print("{}\n", fmt::join(addresses, "\n"));
+  } else {
+    fmt::print("Planner of {}: {}\n", fs::current_path().string(), addresses.front());
+    for (std::size_t k = 1; k < addresses.size(); ++k) fmt::print("From other computers: {}\n", addresses[k]);
+    fmt::print("Ctrl-C ends it; {}.\n", is_temporary
+                                            ? "this temporary copy is then removed (name a FOLDER to keep it)"
+                                            : "everything is saved");
+  }
+  std::fflush(stdout);
+}
+
 int run_serve(const ServeArguments& options) {
   if (!serve::has_page())
     throw InputError("serve",
-                     "this build of shelfbeam has no page, because Node.js or its packages were missing",
-                     "install nodejs and npm, and build again");
+                     "this build of shelfbeam has no page: it was made with SHELFBEAM_VIEWER=OFF, or without "
+                     "Node.js or its packages",
+                     "install nodejs and npm, and build it with SHELFBEAM_VIEWER=ON");
   const CancelToken& cancel = cancel_on_signal();  // before anybody knows the address
   const ProjectFolder folder(options);
   serve::http::Options http;
@@ -78,19 +111,13 @@ int run_serve(const ServeArguments& options) {
   serve::Planner planner(".", std::move(http), [](std::string_view what) {
     print_message("internal error: {}\n", one_line(what));
   });
-  if (options.address != "127.0.0.1")
+  if (options.address != "127.0.0.1" && options.address != "::1")
     print_message(
-        "Other computers can reach this planner at {}. Whoever knows the address below can read and change "
-        "the "
-        "shop; address and data travel unencrypted.\n",
+        "Other computers can reach this planner at {}; by a name only with --allow-host NAME. Whoever knows "
+        "the address below can read and change the shop; address and data travel unencrypted.\n",
         options.address);
-  if (options.common.json)
-    print_json({{"address", planner.address()}});
-  else if (!options.common.quiet)
-    fmt::print("Planner of {}: {}\nCtrl-C ends it; everything is saved.\n", fs::current_path().string(),
-               planner.address());
-  std::fflush(stdout);
-  if (!options.no_browser) open_browser(planner.address(), ".shelfbeam");
+  print_addresses(planner, options, folder.is_temporary());
+  if (!options.no_browser) open_browser(planner.addresses().front(), ".shelfbeam");
   planner.run(cancel);
   return done;
 }
@@ -98,18 +125,21 @@ int run_serve(const ServeArguments& options) {
 }  // namespace
 
 void add_serve(CLI::App& app, ChosenVerb& chosen) {
-  CLI::App* verb = app.add_subcommand("serve", "Draw and correct a shop in the browser");
+  CLI::App* verb = app.add_subcommand("serve", "Correct a shop in the browser");
   auto options = std::make_shared<ServeArguments>();
   const OptionGroup first(*verb);
   first.add("FOLDER", options->folder, a_path(),
             "Folder of the project, which contains store.json; an empty or a new folder gets an empty shop. "
             "Default: this folder");
-  first.add_flag("--demo", options->demo, "Work on a copy of the example grocery");
+  first.add_flag(
+      "--demo", options->demo,
+      "Work on a copy of the example grocery, which is removed at the end unless a FOLDER is given");
   const OptionGroup network(*verb, "Network");
   network.add("--port", options->port, whole_number("N", 1, 65535), "Port; default: any free one");
   network.add_flag("--no-browser", options->no_browser, "Only print the address");
   network.add("--listen", options->address, a_path("ADDRESS"),
-              "Listen on this address, which other computers may reach; default 127.0.0.1");
+              "Listen on this address, or with 0.0.0.0 on all, which other computers may reach; default "
+              "127.0.0.1");
   network.add("--allow-host", options->hosts, a_path("NAME"),
               "Accept requests to this name of the computer, too");
   finish_verb(*verb, chosen, options, run_serve,
@@ -117,6 +147,11 @@ void add_serve(CLI::App& app, ChosenVerb& chosen) {
               "  shelfbeam serve --demo\n"
               "  shelfbeam serve my-shop\n"
               "  shelfbeam serve my-shop --no-browser --port 8080");
+  // It has one thread and no random numbers. The address is what it is for.
+  verb->remove_option(verb->get_option("--seed"));
+  verb->remove_option(verb->get_option("--threads"));
+  verb->get_option("--quiet")->description("Print the addresses only");
+  verb->get_option("--json")->description("Print the addresses as JSON");
 }
 
 }  // namespace shelfbeam::app

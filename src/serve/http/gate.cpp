@@ -56,14 +56,10 @@ bool comes_from_elsewhere(const Request& request, const Verdict& verdict) {
 
 }  // namespace
 
-Gate::Gate(std::string_view address, std::uint16_t port, std::string token,
+Gate::Gate(std::vector<std::string> own, std::uint16_t port, std::string token,
            const std::vector<std::string>& names)
     : token_(std::move(token)) {
-  const bool is_ipv6 = address.find(':') != std::string_view::npos;
-  std::vector<std::string> own{"127.0.0.1", "localhost"};
-  if (address == "::1" || address == "::") own.emplace_back("[::1]");
-  if (address != "0.0.0.0" && address != "::")
-    own.push_back(lower_case(is_ipv6 ? fmt::format("[{}]", address) : std::string(address)));
+  own.insert(own.end(), {"127.0.0.1", "localhost"});
   for (const std::string& host : own) {
     add(fmt::format("{}:{}", host, port));
     if (port == 80) add(host);  // browsers leave out the default port
@@ -84,7 +80,8 @@ void Gate::add(const std::string& host) {
 
 Verdict Gate::judge(const Request& request) const {
   const auto hosts = request.values("host");
-  if (hosts.size() != 1 || !contains(hosts_, hosts[0])) return {.refusal = 403};
+  if (hosts.size() != 1 || !contains(hosts_, hosts[0]))
+    return {.refusal = 403, .why = "this host name is not allowed; allow it when you start the program"};
   std::optional<Target> target = parse_target(request.target);
   if (!target || !is_secret(target->token, token_)) return {.refusal = 404};
 

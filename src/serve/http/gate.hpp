@@ -14,10 +14,11 @@ inline constexpr std::string_view socket_name = "socket";
 
 /// What the gate says of a request.
 struct Verdict {
-  unsigned refusal = 0;    ///< status of the answer that refuses it (403, 404, 405, ...); 0: let in
-  bool has_token = false;  ///< it has shown host and token, whether or not it is let in
-  bool is_socket = false;  ///< it opens the WebSocket
-  std::string name = {};   ///< what it asks for, below the token
+  unsigned refusal = 0;       ///< status of the answer that refuses it (403, 404, 405, ...); 0: let in
+  std::string_view why = {};  ///< for the user, if it may be no attack
+  bool has_token = false;     ///< it has shown host and token, whether or not it is let in
+  bool is_socket = false;     ///< it opens the WebSocket
+  std::string name = {};      ///< what it asks for, below the token
 };
 
 /// Decides by its head who may talk to the server. Any website that the user visits can send requests to a
@@ -25,10 +26,11 @@ struct Verdict {
 /// each is compared with a fixed list, never with the other.
 class Gate {
  public:
-  /// `address` and `port`: where the server listens. `names`: further hosts by which browsers reach it, in
-  /// each case with its port ("shop.example:8080") or without one, for the default port of http and https and
+  /// `own` and `port`: the addresses of the server as browsers write them, besides 127.0.0.1 and localhost.
+  /// Only names can be made to point elsewhere. `names`: further hosts by which browsers reach it, each with
+  /// its port ("shop.example:8080") or without one, for the default port of http and https and
   /// for `port`. Throws InputError for a name that no browser sends.
-  Gate(std::string_view address, std::uint16_t port, std::string token,
+  Gate(std::vector<std::string> own, std::uint16_t port, std::string token,
        const std::vector<std::string>& names);
 
   /// In this order: one Host, of the list (else 403); the token (else 404, the same answer as for an unknown

@@ -1,9 +1,13 @@
 #include "serve/http/listener.hpp"
 
+#include <array>
 #include <cerrno>
+#include <memory>
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
@@ -42,6 +46,43 @@ Address address_of(const std::string& text, std::uint16_t port) {
   return address;
 }
 
+const in_addr& ipv4_of(const sockaddr& address) {
+  return reinterpret_cast<const sockaddr_in&>(address).sin_addr;
+}
+
+const in6_addr& ipv6_of(const sockaddr& address) {
+  return reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
+}
+
+std::string host_of(const sockaddr& address) {
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  if (address.sa_family == AF_INET) return ::inet_ntop(AF_INET, &ipv4_of(address), text.data(), text.size());
+  return fmt::format("[{}]", ::inet_ntop(AF_INET6, &ipv6_of(address), text.data(), text.size()));
+}
+
+bool is_any(const sockaddr& address) {
+  return address.sa_family == AF_INET ? ipv4_of(address).s_addr == INADDR_ANY
+                                      : IN6_IS_ADDR_UNSPECIFIED(&ipv6_of(address));
+}
+
+// Browsers cannot name the interface that an address of one link needs.
+bool is_usable(const ifaddrs& entry, int family) {
+  return entry.ifa_addr != nullptr && entry.ifa_addr->sa_family == family &&
+         (entry.ifa_flags & IFF_UP) != 0 && (entry.ifa_flags & IFF_LOOPBACK) == 0 &&
+         (family == AF_INET || !IN6_IS_ADDR_LINKLOCAL(&ipv6_of(*entry.ifa_addr)));
+}
+
+// The addresses of the computer for others.
+std::vector<std::string> own_hosts(int family) {
+  std::vector<std::string> hosts;
+  ifaddrs* first = nullptr;
+  if (::getifaddrs(&first) != 0) return hosts;
+  const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> kept(first, &::freeifaddrs);
+  for (const ifaddrs* entry = first; entry != nullptr; entry = entry->ifa_next)
+    if (is_usable(*entry, family)) hosts.push_back(host_of(*entry->ifa_addr));
+  return hosts;
+}
+
 void switch_on(int descriptor, int level, int option) {
   const int on = 1;
   ::setsockopt(descriptor, level, option, &on, sizeof on);
@@ -65,6 +106,17 @@ Listener::Listener(const std::string& address, std::uint16_t port) {
   }
   port_ = ntohs(own.storage.ss_family == AF_INET ? reinterpret_cast<sockaddr_in*>(&own.storage)->sin_port
                                                  : reinterpret_cast<sockaddr_in6*>(&own.storage)->sin6_port);
+}
+
+std::vector<std::string> Listener::hosts() const {
+  Address own;
+  own.size = sizeof own.storage;
+  ::getsockname(descriptor_, own.get(), &own.size);
+  if (!is_any(*own.get())) return {host_of(*own.get())};
+  const int family = own.storage.ss_family;
+  std::vector<std::string> hosts = own_hosts(family);
+  hosts.insert(hosts.begin(), family == AF_INET ? "127.0.0.1" : "[::1]");
+  return hosts;
 }
 
 Listener::~Listener() {

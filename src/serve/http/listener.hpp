@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace shelfbeam::serve::http {
 
@@ -17,6 +18,9 @@ class Listener {
 
   int descriptor() const { return descriptor_; }
   std::uint16_t port() const { return port_; }
+  /// The addresses at which it is reached, in the spelling of browsers: "127.0.0.1", "[::1]". If it listens
+  /// on all, first that of the computer for itself, then those for other computers, as they are now.
+  std::vector<std::string> hosts() const;
 
   enum class Accepted { one, none, failed };
   /// Accepts a connection without waiting. `failed`: there is one, but descriptors or memory are short; try

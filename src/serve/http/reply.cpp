@@ -34,10 +34,11 @@ std::string_view reason(unsigned status) {
 
 }  // namespace
 
-Reply refusal(unsigned status) {
+Reply refusal(unsigned status, std::string_view why) {
   return {.status = status,
           .type = "text/plain; charset=utf-8",
-          .body = std::make_shared<const std::string>(fmt::format("{} {}\n", status, reason(status)))};
+          .body = std::make_shared<const std::string>(
+              fmt::format("{} {}{}{}\n", status, reason(status), why.empty() ? "" : ": ", why))};
 }
 
 std::span<const std::pair<std::string_view, std::string_view>> security_fields() {

@@ -19,8 +19,8 @@ struct Reply {
       {};  ///< of a fixed file, which the browser keeps and asks for again; otherwise nothing is kept
 };
 
-/// A short text for a status, without details that would help an attacker.
-Reply refusal(unsigned status);
+/// A short text for a status and perhaps a reason, without details that would help an attacker.
+Reply refusal(unsigned status, std::string_view why = {});
 
 /// The fields that every answer has, the one that opens the WebSocket too: the page runs only its own files,
 /// sits in no frame, and tells nobody its address, which contains the token.

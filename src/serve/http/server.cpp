@@ -44,13 +44,14 @@ Milliseconds interval(const Limits& limits) {
 
 struct Server::State final : SessionHost {
   State(Options options_, Handlers handlers_, bool listens)
-      : options(checked(std::move(options_))), handlers(std::move(handlers_)) {
+      : options(checked(std::move(options_))), handlers(std::move(handlers_)), hosts{options.address} {
     if (listens) {
       listener.emplace(options.address, options.port);
       loop.when_readable(listener->descriptor(), [this] { return accept(); });
       options.port = listener->port();
+      hosts = listener->hosts();
     }
-    gate.emplace(options.address, options.port, options.token, options.hosts);
+    gate.emplace(hosts, options.port, options.token, options.hosts);
     loop.every(interval(options.limits), [this] { end_late_sessions(); });
     if (options.tick.count() > 0)
       loop.every(options.tick, [this] { attempt([this] { call(handlers.tick); }); });
@@ -189,6 +190,7 @@ struct Server::State final : SessionHost {
 
   Options options;
   Handlers handlers;
+  std::vector<std::string> hosts;
   std::optional<Listener> listener;
   std::optional<Gate> gate;
   Loop loop;
@@ -216,12 +218,11 @@ const std::string& Server::token() const {
   return state_->options.token;
 }
 
-std::string Server::address() const {
-  std::string host = state_->options.address;
-  if (host == "0.0.0.0") host = "127.0.0.1";
-  if (host == "::") host = "::1";
-  if (host.find(':') != std::string::npos) host = "[" + host + "]";
-  return fmt::format("http://{}:{}/{}/", host, port(), token());
+std::vector<std::string> Server::addresses() const {
+  std::vector<std::string> all;
+  for (const std::string& host : state_->hosts)
+    all.push_back(fmt::format("http://{}:{}/{}/", host, port(), token()));
+  return all;
 }
 
 void Server::run() {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "serve/http/message.hpp"
 #include "serve/http/options.hpp"
@@ -28,8 +29,9 @@ class Server {
 
   std::uint16_t port() const;
   const std::string& token() const;
-  /// "http://127.0.0.1:8080/TOKEN/"; of a server that listens on all addresses, that of this computer.
-  std::string address() const;
+  /// "http://127.0.0.1:8080/TOKEN/". Of a server that listens on all addresses, first the one for this
+  /// computer, then those for others.
+  std::vector<std::string> addresses() const;
 
   /// Serves until `stop`. Then pages are closed with code 1001, and it returns as soon as they have gone, at
   /// the latest after `Limits::farewell`.

@@ -136,7 +136,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     const Verdict verdict = host_.judge(request);
     has_token_ = has_token_ || verdict.has_token;
     if (verdict.refusal != 0) {
-      answer(refusal(verdict.refusal), false);
+      answer(refusal(verdict.refusal, verdict.why), false);
     } else if (verdict.is_socket) {
       open_socket();
     } else {

@@ -5,7 +5,10 @@
 #include <cstdint>
 #include <optional>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam::serve {
 
@@ -64,6 +67,11 @@ std::string pointer_of(std::string_view path, const Json& store) {
     }
   }
   return pointer;
+}
+
+std::string copy_note(const std::string& id) {
+  constexpr std::size_t longest = 60;  // as in the reader of stores
+  return fmt::format(" (copy {})", in_quotes(shortened(id, longest)));
 }
 
 Place place_of(const std::string& where, const std::string& file) {

@@ -11,6 +11,9 @@ namespace shelfbeam::serve {
 /// deepest one that exists. Empty for the whole store.
 std::string pointer_of(std::string_view path, const nlohmann::ordered_json& store);
 
+/// The end of the location of one of several copies.
+std::string copy_note(const std::string& id);
+
 /// The place of a resolved element in the store file.
 struct Place {
   std::string pointer;   ///< of its entry; empty for elements of other files

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <string_view>
@@ -19,6 +20,7 @@
 
 #include "serve/live/dissolve.hpp"
 #include "serve/live/place.hpp"
+#include "serve/live/vanished.hpp"
 
 namespace shelfbeam::serve {
 
@@ -44,12 +46,18 @@ Resolved unresolved(const std::string& name, const std::string& sentence) {
 }
 
 // No exception leaves the pages with another text than the project.
-Resolved resolve(const JsonCursor& document, const std::filesystem::path& folder, const StoreLimits& limits) {
+// `before`: the parts of the document before, which are shown of elements that have problems now.
+Resolved resolve(const JsonCursor& document, const std::filesystem::path& folder, const StoreLimits& limits,
+                 const std::vector<Part>& before, const Json& json_before) {
   const std::string& name = document.file();
   try {
     Resolved shop{read_draft(document, folder, SceneDetail::outlines, limits), {}};
     shop.parts = parts_of(shop.draft, document.value());
-    if (shop.parts.size() <= max_parts) return shop;
+    if (shop.parts.size() <= max_parts) {
+      auto vanished = vanished_parts(shop.parts, before, json_before, shop.draft, document.value());
+      std::ranges::move(vanished, std::back_inserter(shop.parts));
+      return shop;
+    }
     return unresolved(name, fmt::format("{}: has {} parts with outlines; the planner shows at most {}", name,
                                         grouped(shop.parts.size()), grouped(max_parts)));
   } catch (const InputError& error) {
@@ -87,12 +95,13 @@ StoreLimits Shop::limits() const {
           .file_size = max_file,
           .cache = cache_.get(),
           .allow_links = false,
-          .fixtures = max_fixtures};
+          .fixtures = max_fixtures,
+          .outside_remedy = "move it there"};
 }
 
 ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
   JsonCursor document = JsonCursor::parse(text, document_.file());
-  auto [draft, parts] = resolve(document, file_.parent_path(), limits());
+  auto [draft, parts] = resolve(document, file_.parent_path(), limits(), parts_, json());
   DeviceArrays labels = labels_of(draft), units = units_of(draft);
 
   ShopChanges changes;
@@ -125,7 +134,23 @@ Json Shop::parts() const {
 }
 
 Json Shop::problems() const {
-  return findings_json(draft_.problems, json());
+  Json all = Json::array();
+  for (const Finding& finding : draft_.problems) {
+    all.push_back({{"code", name_of(finding.code)}, {"path", finding.path}, {"sentence", finding.sentence}});
+    locate(all.back());
+  }
+  return all;
+}
+
+void Shop::locate(Json& finding) const {
+  const auto path = finding["path"].get<std::string>();
+  const std::string pointer = pointer_of(path, json());
+  finding["pointer"] = pointer;
+  if (path.find(" (copy ") == std::string::npos || pointer.empty()) return;
+  const std::string copies = pointer.substr(1) + "#";
+  for (const Part& part : parts_)
+    if (part.key.starts_with(copies) && path.ends_with(copy_note(part.json["id"].get<std::string>())))
+      finding["key"] = part.key;
 }
 
 Json Shop::names() const {
@@ -153,8 +178,7 @@ CompletedFixture Shop::completed(const std::string& pointer) const {
   constexpr std::string_view list = "/fixtures/";
   const std::string number = pointer.starts_with(list) ? pointer.substr(list.size()) : "";
   const auto index = to_whole_number(number, std::numeric_limits<std::uint32_t>::max());
-  if (!index)
-    throw InputError(pointer, "is no fixture", "choose an element of 'fixtures'");
+  if (!index) throw InputError(pointer, "is no fixture", "choose an element of 'fixtures'");
   return completed_fixture(text_, draft_.store.file, file_.parent_path(), *index, limits());
 }
 
@@ -178,8 +202,7 @@ Json Shop::details(const std::string& pointer) const {
 
 Json Shop::label(std::size_t index) const {
   const Label& label = draft_.scene.labels[index];
-  return device_json(label, draft_.scene.label_types, draft_.sources.labels[index],
-                     draft_.store.file);
+  return device_json(label, draft_.scene.label_types, draft_.sources.labels[index], draft_.store.file);
 }
 
 Json Shop::unit(std::size_t index) const {
@@ -229,16 +252,6 @@ std::string Shop::scene(std::uint64_t revision) const {
   Json about = add_scene(page, whole.scene, false);
   about["revision"] = revision;
   return page.binary(about.dump());
-}
-
-Json findings_json(const std::vector<Finding>& findings, const Json& store) {
-  Json all = Json::array();
-  for (const Finding& finding : findings)
-    all.push_back({{"code", name_of(finding.code)},
-                   {"path", finding.path},
-                   {"pointer", pointer_of(finding.path, store)},
-                   {"sentence", finding.sentence}});
-  return all;
 }
 
 }  // namespace shelfbeam::serve

@@ -42,7 +42,11 @@ class Shop {
   const nlohmann::ordered_json& json() const { return document_.value(); }
   const Draft& draft() const { return draft_; }
   nlohmann::ordered_json parts() const;
+  /// Code, path, pointer and sentence of each, as `locate` says.
   nlohmann::ordered_json problems() const;
+  /// Adds to a finding with a path the `pointer` to its element, and the `key` of the part if it is one of
+  /// several copies.
+  void locate(nlohmann::ordered_json& finding) const;
   /// The names of presets, materials and types, also from catalogues.
   nlohmann::ordered_json names() const;
   std::string labels(std::uint64_t revision) const;
@@ -75,9 +79,5 @@ class Shop {
   std::vector<Part> parts_;
   DeviceArrays labels_, units_;
 };
-
-/// For pages: code, path, pointer and sentence of each.
-nlohmann::ordered_json findings_json(const std::vector<Finding>& findings,
-                                     const nlohmann::ordered_json& store);
 
 }  // namespace shelfbeam::serve

@@ -33,6 +33,8 @@ struct StoreLimits {
   bool allow_links = true;
   /// Limit of the number of fixtures, with their copies.
   std::size_t fixtures = std::numeric_limits<std::size_t>::max();
+  /// What a user can do about a file outside the folder, for messages.
+  const char* outside_remedy = "move it there, or allow files outside it";
 };
 
 /// The scene of a store file (docs/formats/store.md) and of the files that it names. Throws InputError with

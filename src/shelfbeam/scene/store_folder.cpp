@@ -97,7 +97,7 @@ InputFile StoreFolder::find(const fs::path& name, const std::string& where, cons
   // The same whether or not the file exists: the error does not reveal which files exist elsewhere.
   if (file.error == EXDEV)
     fail(fmt::format("{} is outside the folder of the store file", path_in_quotes(name)),
-         "move it there, or allow files outside it", Setting::files_outside);
+         trust_.outside_remedy, Setting::files_outside);
   if (file.error == ELOOP && !trust_.allow_links)
     fail(fmt::format("{} is a symbolic link, or lies behind one", quoted),
          "replace the link by what it names");

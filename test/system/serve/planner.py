@@ -77,7 +77,8 @@ class Server:
             if "has no page" in err and not os.environ.get("CI"):
                 raise unittest.SkipTest(err)
             raise NotStarted(self.process.returncode, "".join(lines) + out, err)
-        self.address = json.loads("".join(lines))["address"]
+        printed = json.loads("".join(lines))
+        self.address, self.addresses = printed["address"], printed["addresses"]
 
     def kill(self):
         self.process.kill()
@@ -209,8 +210,8 @@ class ServeTest(unittest.TestCase):
         self.addCleanup(server.process.kill)
         return server
 
-    def open(self, server, **fields):
-        tab = Tab(server.address, **fields)
+    def open(self, server, address=None, **fields):
+        tab = Tab(address or server.address, **fields)
         self.addCleanup(tab.close)
         return tab
 

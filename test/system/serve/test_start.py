@@ -16,6 +16,12 @@ from websocket import Closed, Refused
 NOBODY = 65534
 
 
+def own_addresses():
+    """Those of IPv4 for other computers, as the system lists them."""
+    listed = subprocess.run(["hostname", "-I"], stdout=subprocess.PIPE, text=True, check=True).stdout
+    return {address for address in listed.split() if ":" not in address}
+
+
 def free_port():
     with socket.socket() as one:
         one.bind(("127.0.0.1", 0))
@@ -40,23 +46,47 @@ class Start(ServeTest):
 
     def test_a_new_folder_gets_a_shop(self):
         for folder in (self.folder, self.scratch / "new/shop"):
-            tab = self.open(self.start(folder=folder))
+            server = self.start(folder=folder)
+            tab = self.open(server)
             self.assertEqual(tab.json["name"], "New shop")
-            self.assertEqual(tab.project["name"], folder.name)
+            self.assertEqual(tab.project["name"], "New shop")
             tab.set("/name", "Mine")
             self.assertIn('"name": "Mine"', (folder / "store.json").read_text(encoding="utf-8"))
+            tab.set("/name", "")
+            self.assertEqual(self.open(server).project["name"], folder.name)
+
+    def test_a_store_file_stands_for_its_folder(self):
+        self.write()
+        tab = self.open(self.start(folder=self.store))
+        self.assertEqual(tab.json["name"], "Aisle")
+        other = self.folder / "labels.csv"
+        other.write_text("id\n", encoding="utf-8")
+        self.assertIn("labels.csv: is not a folder; name a folder with a store.json", self.refused(folder=other))
+        for name in ("new.json", "new/store.json"):
+            self.assertIn("does not exist", self.refused(folder=self.scratch / name))
+        self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
 
     def test_a_demo_leaves_nothing(self):
         environment = os.environ | {"TMPDIR": str(self.scratch)}
-        process = subprocess.Popen(
-            [command("")[0], "serve", "--demo", "--no-browser"], stdout=subprocess.PIPE, text=True, env=environment
-        )
-        self.addCleanup(process.stdout.close)
-        self.addCleanup(process.kill)
+        process = self.run_plainly("--demo", env=environment)
         self.assertIn(str(self.scratch), process.stdout.readline())
+        self.assertIn("this temporary copy is then removed", process.stdout.readline())
         process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(30), 0)
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
+
+    def run_plainly(self, *options, **process):
+        """A server that prints for people."""
+        arguments = [command("")[0], "serve", *options, "--no-browser"]
+        process = subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True, **process)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.kill)
+        return process
+
+    def test_the_address_is_printed_quietly_too(self):
+        line = self.run_plainly(self.folder, "--quiet").stdout.readline()
+        self.assertRegex(line, r"^http://127\.0\.0\.1:\d+/[0-9a-f]{32}/$")
 
     def test_a_port_in_use(self):
         self.write()
@@ -185,12 +215,15 @@ class Address(ServeTest):
             server = self.start("--listen", address)
             url = urllib.parse.urlsplit(server.address)
             self.assertEqual(url.hostname, said)
-            self.assertEqual(self.open(server).json["name"], "New shop")
+            for one in server.addresses:
+                self.open(server, address=one)
             other = server.address.replace(said, "127.0.0.2")
             self.assertEqual(self.status(other, url.path, f"127.0.0.2:{url.port}"), 200 if said == "127.0.0.2" else 403)
+            if address == "0.0.0.0":
+                self.assertEqual({urllib.parse.urlsplit(one).hostname for one in server.addresses[1:]}, own_addresses())
             code, text = server.end(signal.SIGINT)
             self.assertEqual(code, 0)
-            self.assertIn(f"Other computers can reach this planner at {address}.", text)
+            self.assertIn(f"Other computers can reach this planner at {address};", text)
 
     def test_other_names(self):
         names = ("shop.example", "proxy.example:8443")

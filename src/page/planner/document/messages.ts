@@ -34,6 +34,8 @@ export interface Problem {
   path: string;
   /** JSON pointer of the element, or empty. */
   pointer: string;
+  /** That of the part, if it is one of several copies. */
+  key?: string;
   sentence: string;
 }
 

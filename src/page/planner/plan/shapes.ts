@@ -19,15 +19,15 @@ interface Drawn {
   classes: string;
 }
 
-/** Elements with problems and with warnings, by their path. */
+/** Elements with problems and with warnings, by their path, or by their key if they are single copies. */
 export interface Marked {
   problems: ReadonlySet<string>;
   warnings: ReadonlySet<string>;
 }
 
 export function markedOf({ document }: Planner): Marked {
-  const around = (list: readonly { pointer: string }[]) =>
-    new Set(list.flatMap(({ pointer }) => elementAround(pointer) ?? []));
+  const around = (list: readonly { pointer: string; key?: string }[]) =>
+    new Set(list.flatMap(({ pointer, key }) => key ?? elementAround(pointer) ?? []));
   return { problems: around(document.problems), warnings: around(document.warnings) };
 }
 
@@ -102,12 +102,13 @@ export class Shapes {
   private classesOf(part: Part, { problems, warnings }: Marked): string {
     const { selection } = this.planner;
     const path = part.path ?? "";
+    const isIn = (marked: ReadonlySet<string>) => marked.has(path) || marked.has(part.key);
     const isSelected = selection.has(itemOf(part)) || (part.path !== null && selection.has({ kind: "element", path }));
     return [
       part.form ? `form-${part.form}` : "",
       part.type ? `type-${part.type}` : "",
       isSelected ? "selected" : "",
-      problems.has(path) ? "wrong" : warnings.has(path) ? "doubtful" : "",
+      isIn(problems) ? "wrong" : isIn(warnings) ? "doubtful" : "",
       part.key.startsWith("new ") ? "new" : "",
       part.unfinished ? "unfinished" : "",
       part.kind === "area" && !Array.isArray(valueAt(this.planner.document.json, `${path}/area`)) ? "follows" : "",

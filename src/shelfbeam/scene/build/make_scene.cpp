@@ -150,14 +150,13 @@ class SceneMaker {
   void add_one_fixture(const Fixture& fixture, const std::string& where, bool is_finished) {
     expect_running(store_.cancel);
     const SceneSize before(scene_);
+    if (is_finished) is_finished = attempt([&] { expect_new_fixture(id_of(fixture), where); });
     if (attempt([&] {
-          const std::string& id = id_of(fixture);
-          if (is_finished) expect_new_fixture(id, where);
           add_fixture(scene_, fixture, where, warnings_, detail_);
           if (detail_ == SceneDetail::surfaces && extends_outside_room(scene_, before.vertices, before.parts))
             warnings_.add(FindingCode::fixture_outside_room, where,
-                          "fixture {} extends outside the room; move it, or correct {}", in_quotes(id),
-                          sized_by(fixture));
+                          "fixture {} extends outside the room; move it, or correct {}",
+                          in_quotes(id_of(fixture)), sized_by(fixture));
           sources_.fixtures.push_back(where);
         })) {
       if (detail_ == SceneDetail::outlines) {

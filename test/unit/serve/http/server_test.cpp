@@ -135,7 +135,31 @@ TEST(Server, HasAnAddressThatNobodyGuesses) {
   const serve::http::Server one({}, {}), two({}, {});
   EXPECT_EQ(one.token().size(), 32u);
   EXPECT_NE(one.token(), two.token());
-  EXPECT_EQ(one.address(), fmt::format("http://127.0.0.1:{}/{}/", one.port(), one.token()));
+  EXPECT_THAT(one.addresses(),
+              testing::ElementsAre(fmt::format("http://127.0.0.1:{}/{}/", one.port(), one.token())));
+}
+
+// The tests of the system go to the other addresses, which depend on the computer.
+TEST(Server, NamesAllItsAddresses) {
+  const auto first = [](const char* address) {
+    const serve::http::Server server({.address = address}, {});
+    for (const std::string& one : server.addresses())
+      EXPECT_TRUE(one.ends_with(fmt::format(":{}/{}/", server.port(), server.token()))) << one;
+    return server.addresses().front().substr(0, server.addresses().front().find(':', 16));
+  };
+  EXPECT_EQ(first("0.0.0.0"), "http://127.0.0.1");
+  EXPECT_EQ(first("127.0.0.2"), "http://127.0.0.2");
+  const serve::http::Server one({.address = "127.0.0.2"}, {});
+  EXPECT_EQ(one.addresses().size(), 1U);
+}
+
+TEST(Server, TellsAUserWhoComesByAnotherName) {
+  const RunningServer server;
+  EXPECT_THAT(server.ask("GET / HTTP/1.1\r\nHost: shop.example\r\n\r\n"),
+              testing::EndsWith(
+                  "403 Forbidden: this host name is not allowed; allow it when you start the program\n"));
+  EXPECT_THAT(server.ask(server.request("page.txt", "Origin: http://shop.example\r\n")),
+              testing::EndsWith("403 Forbidden\n"));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <iostream>
 #include <iterator>
 #include <random>
 #include <set>
@@ -72,8 +71,6 @@ void use(const Shop& shop) {
     } catch (const InputError&) {  // has problems, or is not there
     }
   }
-  if (shop.label_count() != shop.draft().scene.labels.size() || shop.draft().sources.labels.size() != shop.label_count()) { std::cerr << "COUNT " << shop.label_count() << " " << shop.draft().scene.labels.size() << " " << shop.draft().sources.labels.size() << "\n" << shop.json().dump() << std::endl; }
-  for (const auto& l : shop.draft().scene.labels) if (l.type.value >= shop.draft().scene.label_types.size()) { std::cerr << "TYPE " << l.id << " " << l.type.value << " of " << shop.draft().scene.label_types.size() << "\n" << shop.json().dump() << std::endl; for (auto& p : shop.draft().problems) std::cerr << p.sentence << "\n"; break; }
   for (std::size_t k = 0; k < shop.label_count(); k += 97) shop.label(k);
   for (std::size_t k = 0; k < shop.unit_count(); k += 97) shop.unit(k);
   shop.problems();
@@ -120,10 +117,10 @@ TEST(Shop, ShowsWhatCannotBeResolvedAsAProblem) {
   EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [](const std::string& sentence) {
     return sentence.find("fixtures[1]: makes 20,000 fixtures") != std::string::npos;
   }));
-  EXPECT_EQ(shop.parts().size(), 10'000U);
+  EXPECT_EQ(shop.parts().size(), 10'001U) << "with a square for the second";
 }
 
-TEST(Shop, KnowsTheFixturesBehindOneThatIsNotShown) {
+TEST(Shop, KnowsTheFixturesBehindOneThatIsWrong) {
   Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
   shop.update(R"({"materials": {"w": {"type": "lambertian", "reflectance": 0.5}}, "fixtures": [
       {"type": "box", "id": "a", "at": [1, 1, 0], "size": [1, 1, 1], "material": "w"},
@@ -133,7 +130,7 @@ TEST(Shop, KnowsTheFixturesBehindOneThatIsNotShown) {
               1);
   for (const Json& part : shop.parts()) EXPECT_EQ(part["footing"]["at"], part["outline"][0]) << part;
   EXPECT_TRUE(shop.parts().back()["unfinished"].get<bool>());
-  EXPECT_EQ(shop.parts().size(), 3U);
+  EXPECT_EQ(shop.parts().size(), 4U);
 }
 
 TEST(Shop, OutlinesFixturesByAWallThatIsMissing) {
