@@ -43,7 +43,8 @@ std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, con
                      "choose another fixture");
 
   const double factor = to_metres(1, draft.store.unit);
-  std::vector<EditOp> ops{{pointer, entry, {}}};
+  // The entry goes last, so that the copies are laid out as it is.
+  std::vector<EditOp> ops;
   const std::string list = pointer.substr(0, pointer.rfind('/') + 1);
   auto index = std::stoul(pointer.substr(list.size()));
   for (const Json& copy : copies) {
@@ -57,8 +58,9 @@ std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, con
       if (key != "id" && (value != copies.front()[key] || (stands_against && is_place)))
         fixture[key] = in_unit(value, key == "rotation_deg" ? 1 : factor);
     }
-    ops.push_back({list + std::to_string(index++), {}, std::move(fixture)});
+    ops.push_back({list + std::to_string(++index), {}, std::move(fixture)});
   }
+  ops.push_back({pointer, entry, {}});
   return ops;
 }
 

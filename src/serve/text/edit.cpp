@@ -146,7 +146,8 @@ class Editor {
       set_elements(place, after);
     } else {
       tree_.set(*place.node,
-                value_text(after, layout_, place.indentation, room_behind(place.used, place.node->text)));
+                value_text(after, layout_, place.indentation, room_behind(place.used, place.node->text),
+                           fills_lines(place.node->text)));
       before = after;
     }
   }

@@ -48,6 +48,28 @@ std::string one_line(const Json& value, const Layout& layout) {
   return texts.empty() ? "{}" : '{' + layout.brace + inside + layout.brace + '}';
 }
 
+// Puts as many parts on a line as it has room for, behind `begin` except on the first, which has `room` left.
+std::string filled(const std::vector<std::string>& parts, const Layout& layout, const std::string& begin,
+                   std::size_t room) {
+  const std::size_t full = line_width - std::min(line_width, begin.size());
+  std::string text;
+  std::size_t used = 0;
+  for (const std::string& part : parts) {
+    if (!text.empty() && used + layout.comma.size() + part.size() + 1 > room) {
+      text += ',' + begin;
+      used = 0;
+      room = full;
+    } else if (!text.empty()) {
+      text += layout.comma;
+      used += layout.comma.size();
+    }
+    text += part;
+    const std::size_t last = part.rfind('\n');
+    used = last == std::string::npos ? used + part.size() : part.size() - last;
+  }
+  return text;
+}
+
 }  // namespace
 
 Layout layout_of(std::string_view text) {
@@ -95,15 +117,25 @@ std::size_t room_behind(std::size_t used, std::string_view neighbour) {
   return line_width - std::min(line_width, used);
 }
 
+bool fills_lines(std::string_view text) {
+  if (!text.starts_with('{') && !text.starts_with('[')) return false;
+  return !has_line_end(text.substr(1, gap_end(text, 1) - 1));
+}
+
 std::string value_text(const Json& value, const Layout& layout, const std::string& indentation,
-                       std::size_t room) {
+                       std::size_t room, bool fills) {
   std::string line = one_line(value, layout);
   if (!value.is_structured() || value.empty() || layout.line_end.empty() || line.size() <= room) return line;
   const std::string inner = indentation + layout.indent, begin = layout.line_end + inner;
   const auto texts = part_texts(value, layout, [&](const std::string& name, const Json& part) {
-    return name + value_text(part, layout, inner, room_behind(inner.size() + name.size() + 1));
+    return name + value_text(part, layout, inner, room_behind(inner.size() + name.size() + 1), fills);
   });
   const bool is_list = value.is_array();
+  if (fills) {
+    const std::string blank = is_list ? "" : layout.brace;
+    return (is_list ? '[' : '{') + blank + filled(texts, layout, begin, room - std::min(room, 2 * (1 + blank.size()))) + blank +
+           (is_list ? ']' : '}');
+  }
   return (is_list ? '[' : '{') + begin + joined(texts, ',' + begin) + layout.line_end + indentation +
          (is_list ? ']' : '}');
 }

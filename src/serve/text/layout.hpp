@@ -25,10 +25,14 @@ Layout layout_of(std::string_view text);
 /// long line, there is no limit.
 std::size_t room_behind(std::size_t used, std::string_view neighbour = {});
 
+/// Whether the elements of an object or a list follow its bracket on the same line, so that further lines are
+/// filled rather than begun for each.
+bool fills_lines(std::string_view text);
+
 /// The text of a value. It is on one line if that has room for it, or if it is a scalar; its other lines
-/// begin with at least `indentation`.
+/// begin with at least `indentation`, and with `fills` have as many elements as they have room for.
 std::string value_text(const Json& value, const Layout& layout, const std::string& indentation,
-                       std::size_t room);
+                       std::size_t room, bool fills = false);
 
 /// Whether a value is easier to read on lines of its own: an object, or a list that has lists or objects.
 bool deserves_lines(const Json& value);

@@ -123,7 +123,8 @@ void insert(TextTree& tree, TextNode& node, const Insertion& place, const Json& 
                                          : parts.list[place.index - (place.index > 0 ? 1 : 0)].value.text;
   element.value.text = tree.keep(
       value_text(value, layout, indent,
-                 room_behind(has_own_line ? indent.size() + name.size() + 1 : name.size(), neighbour)));
+                 room_behind(has_own_line ? indent.size() + name.size() + 1 : name.size(), neighbour),
+                 fills_lines(neighbour)));
   gap = divided.closing.empty() ? divided.rest : tree.keep(divided.closing + std::string(divided.rest));
   parts.list.insert(parts.list.begin() + static_cast<std::ptrdiff_t>(place.index), std::move(element));
 }
