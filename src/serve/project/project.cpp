@@ -39,7 +39,7 @@ std::vector<std::string> paths_of(const std::vector<EditOp>& ops) {
 }  // namespace
 
 Project::Project(const fs::path& folder, ProjectOptions options)
-    : folder_(folder.lexically_normal()),
+    : folder_((folder / "store.json").lexically_normal().parent_path()),  // empty rather than "."
       options_(std::move(options)),
       file_((folder / "store.json").lexically_normal(), options_.check) {
   // A folder without a store stays as it is.

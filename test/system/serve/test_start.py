@@ -126,6 +126,10 @@ class Start(ServeTest):
         (self.folder / "elsewhere").write_text(STORE, encoding="utf-8")
         self.assertIn("is a symbolic link", self.refused())
         self.refused(folder=self.folder / "elsewhere")
+        self.store.unlink()
+        self.write()
+        (self.folder / ".shelfbeam").write_text("")
+        self.assertIn("error: .shelfbeam: is not a folder", self.refused())
 
     @unittest.skipUnless(os.geteuid() == 0, "only root can run the program as another user")
     def test_a_folder_of_somebody_else(self):
