@@ -87,7 +87,7 @@ Json device_json(const Device& device, const std::vector<Type>& types, const std
 
 Shop::Shop(std::filesystem::path file)
     : file_(std::move(file)),
-      cache_(std::make_unique<ReadCache>()),
+      cache_(make_read_cache()),
       document_(JsonCursor::parse("{}", file_.filename().string())) {}
 
 StoreLimits Shop::limits() const {

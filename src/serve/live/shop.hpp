@@ -12,8 +12,8 @@
 
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/scene/build/draft.hpp"
+#include "shelfbeam/scene/read_scene.hpp"
 #include "shelfbeam/scene/store/completed_fixture.hpp"
-#include "shelfbeam/scene/store/read_cache.hpp"
 
 #include "serve/live/devices.hpp"
 #include "serve/live/parts.hpp"
@@ -72,7 +72,7 @@ class Shop {
   const Transceiver& unit_at(std::size_t index) const;
 
   std::filesystem::path file_;
-  std::unique_ptr<ReadCache> cache_;
+  std::shared_ptr<ReadCache> cache_;
   std::string text_;
   JsonCursor document_;
   Draft draft_;

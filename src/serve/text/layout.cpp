@@ -133,7 +133,8 @@ std::string value_text(const Json& value, const Layout& layout, const std::strin
   const bool is_list = value.is_array();
   if (fills) {
     const std::string blank = is_list ? "" : layout.brace;
-    return (is_list ? '[' : '{') + blank + filled(texts, layout, begin, room - std::min(room, 2 * (1 + blank.size()))) + blank +
+    return (is_list ? '[' : '{') + blank +
+           filled(texts, layout, begin, room - std::min(room, 2 * (1 + blank.size()))) + blank +
            (is_list ? ']' : '}');
   }
   return (is_list ? '[' : '{') + begin + joined(texts, ',' + begin) + layout.line_end + indentation +

@@ -29,6 +29,8 @@ class InputFile {
 
   const std::filesystem::path& path() const { return path_; }
   std::string name() const { return path_.string(); }
+  /// When it was opened.
+  const struct stat& state() const { return found_.state; }
   /// Bytes when it was opened.
   std::uint64_t size() const { return static_cast<std::uint64_t>(found_.state.st_size); }
   /// Throws InputError if it has more bytes.

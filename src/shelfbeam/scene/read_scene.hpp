@@ -14,6 +14,9 @@ class CancelToken;
 class ReadCache;
 struct Store;
 
+/// An empty cache for StoreLimits::cache, for one thread.
+std::shared_ptr<ReadCache> make_read_cache();
+
 /// Limits on a store file, which may come from an untrusted source.
 struct StoreLimits {
   /// Whether the store may name files outside its folder.

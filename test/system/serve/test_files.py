@@ -2,6 +2,8 @@
 
 import http.client
 import json
+import os
+import time
 import urllib.parse
 
 from planner import ServeTest, plain_store
@@ -136,6 +138,30 @@ class Files(ServeTest):
             self.assertRegex(problem["sentence"], "outside the folder|symbolic link", uri)
             server.kill()
 
+    def test_a_changed_mesh_is_read_again(self):
+        file = self.folder / "m.obj"
+        old = time.time() - 60
+
+        def write(width):
+            new = self.folder / "new.obj"
+            new.write_text(f"v 0 0 0\nv {width} 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+            os.utime(new, (old, old))  # a file that has just changed is read each time
+            new.rename(file)
+
+        write(1)
+        self.write(plain_store(fixtures=[{**mesh("m.obj"), "materials": {"*": "w"}}]))
+        tab = self.open(self.start())
+
+        outlines = []
+        for width in (None, 3, 4):
+            if width:
+                write(width)
+            tab.set("/name", tab.json["name"] + "+")
+            parts = tab.changes()[-1]["parts"]["set"]
+            outlines.append(max((x for part in parts for x, _ in part["outline"]), default=None))
+        self.assertEqual(outlines[0], None, "nothing has changed")
+        self.assertEqual(outlines[2] - outlines[1], 1)
+
     def test_warnings_follow_no_links(self):
         # The child process reads the file that is in place when it starts.
         (self.folder / "labels.csv").write_text(LABELS.replace("1,1,1", "1.5,1.2,0.5"), encoding="utf-8")
@@ -188,13 +214,13 @@ class Markup(ServeTest):
         server = self.start()
         tab = self.open(server)
         self.assertEqual(tab.json, store)
-        self.assertEqual(tab.project["name"], self.folder.name)
+        self.assertEqual(tab.project["name"], MARKUP)
         self.assertEqual(tab.project["shared"]["materials"], [white])
         self.assertEqual(tab.ask("device", kind="label", index=0)["device"]["id"], MARKUP)
         self.assertEqual(tab.ask("device", kind="unit", index=0)["device"]["type"], unit)
         self.assertNotIn("error", tab.set("/name", "n" + MARKUP, MARKUP))
         self.assertEqual(tab.history["steps"][0]["label"], MARKUP)
-        self.assertEqual(len(tab.ask("find", text="<SCRIPT>")["hits"]), 4)
+        self.assertEqual(len(tab.ask("find", text="<SCRIPT>")["hits"]), 5)
         tab.ask("edit", label="Missing", ops=[{"path": "/" + MARKUP.replace("/", "~1") + "/x", "after": 1}])
 
         url = urllib.parse.urlsplit(server.address)

@@ -1,4 +1,4 @@
-"""A few of the kills of test_kill_slow.py."""
+"""A few of the kills of test_kill_long.py."""
 
 from kills import KilledServer
 

@@ -3,6 +3,7 @@
 import http.client
 import json
 import os
+import re
 import resource
 import signal
 import socket
@@ -197,14 +198,34 @@ class End(ServeTest):
 
 
 class Address(ServeTest):
-    def status(self, address, target, host):
+    def answer(self, address, target, host=None, method="GET"):
         url = urllib.parse.urlsplit(address)
         connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
         self.addCleanup(connection.close)
-        connection.putrequest("GET", target, skip_host=True)
-        connection.putheader("Host", host)
+        connection.putrequest(method, target, skip_host=True)
+        connection.putheader("Host", url.netloc if host is None else host)
         connection.endheaders()
-        return connection.getresponse().status
+        return connection.getresponse()
+
+    def status(self, address, target, host):
+        return self.answer(address, target, host).status
+
+    def test_all_files_of_the_page_are_there(self):
+        self.write()
+        server = self.start()
+        path = urllib.parse.urlsplit(server.address).path
+        page = self.answer(server.address, path).read().decode()
+        files = re.findall(r'(?:href|src)="([^"]+)"', page)
+        self.assertIn("icon.svg", files, "without an icon, browsers ask for /favicon.ico")
+        for file in files:
+            self.assertEqual(self.answer(server.address, path + file).status, 200, file)
+
+    def test_nothing_is_uploaded(self):
+        server = self.start()
+        url = urllib.parse.urlsplit(server.address)
+        for method in ("PUT", "POST", "DELETE", "PATCH", "OPTIONS"):
+            self.assertEqual(self.answer(server.address, url.path + "mesh.glb", method=method).status, 405, method)
+        self.assertEqual([path.name for path in self.folder.glob("*.glb")], [])
 
     def test_only_this_computer_by_default(self):
         server = self.start()
@@ -220,7 +241,7 @@ class Address(ServeTest):
             url = urllib.parse.urlsplit(server.address)
             self.assertEqual(url.hostname, said)
             for one in server.addresses:
-                self.open(server, address=one)
+                self.open(server, address=one).close()
             other = server.address.replace(said, "127.0.0.2")
             self.assertEqual(self.status(other, url.path, f"127.0.0.2:{url.port}"), 200 if said == "127.0.0.2" else 403)
             if address == "0.0.0.0":

@@ -4,11 +4,16 @@
 #include <utility>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/scene/mesh/read_cache.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 #include "shelfbeam/scene/store_names.hpp"
 
 namespace shelfbeam {
+
+std::shared_ptr<ReadCache> make_read_cache() {
+  return std::make_shared<ReadCache>();
+}
 
 Scene read_scene(const std::filesystem::path& store, const StoreLimits& trust) {
   return make_scene(read_store(store, trust));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <cstdint>
 #include <set>
 #include <unordered_map>
@@ -12,6 +13,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/mesh/mesh_formats.hpp"
+#include "shelfbeam/scene/mesh/read_cache.hpp"
 
 namespace shelfbeam {
 
@@ -82,13 +84,31 @@ void expect_few_comparisons(const MeshTriangles& triangles,
                    "add an entry for each, e.g. \"*\"");
 }
 
-}  // namespace
+std::int64_t ns_of(const timespec& time) {
+  constexpr std::int64_t ns_per_s = 1'000'000'000;
+  return time.tv_sec * ns_per_s + time.tv_nsec;
+}
 
-ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
-                         std::optional<bool> y_is_up,
-                         const std::vector<std::pair<std::string, MaterialId>>& materials,
-                         const std::string& where) {
-  const InputFile input = folder.find(name, where, "mesh");
+// What a mesh is made from. Empty if the file has just changed: file systems count time in steps of up to two
+// seconds, so it may change again unnoticed.
+std::string description_of(const InputFile& input, std::optional<bool> y_is_up,
+                           const std::vector<std::pair<std::string, MaterialId>>& materials) {
+  constexpr std::chrono::nanoseconds longest_step = std::chrono::seconds(2);
+  const struct stat& state = input.state();
+  const std::int64_t modified = ns_of(state.st_mtim), changed = ns_of(state.st_ctim);
+  const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
+  if (now - std::chrono::nanoseconds(modified) <= longest_step) return "";
+  std::string text = fmt::format("{} {} {} {} {} {} {}", state.st_dev, state.st_ino, state.st_size, modified,
+                                 changed, y_is_up ? static_cast<int>(*y_is_up) : -1, in_quotes(input.name()));
+  for (const auto& [pattern, material] : materials)
+    text += fmt::format(" {}:{}={}", pattern.size(), pattern, material.value);
+  return text;
+}
+
+ImportedMesh read_mesh(const InputFile& input, const std::filesystem::path& name, const StoreFolder& folder,
+                       std::optional<bool> y_is_up,
+                       const std::vector<std::pair<std::string, MaterialId>>& materials,
+                       const std::string& where) {
   const std::filesystem::path& file = input.path();
   const std::string extension = lower_case(file.extension().string());
   const bool is_gltf = extension == ".gltf" || extension == ".glb";
@@ -106,6 +126,7 @@ ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& f
 
   expect_few_comparisons(triangles, materials, file, where);
   ImportedMesh mesh;
+  mesh.is_whole = !is_gltf || content.find("\"uri\"") == std::string::npos;
   std::set<std::string> unmatched;
   for (const MeshTriangles::OfMaterial& part : triangles.all()) {
     if (part.triangles.empty()) continue;
@@ -122,6 +143,22 @@ ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& f
     throw InputError(where, fmt::format("the mesh '{}' has no triangles", file.string()), "check the file");
   for (const std::string& note : triangles.notes())
     mesh.notes.push_back(fmt::format("the mesh '{}' {}", name.string(), note));
+  return mesh;
+}
+
+}  // namespace
+
+ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
+                         std::optional<bool> y_is_up,
+                         const std::vector<std::pair<std::string, MaterialId>>& materials,
+                         const std::string& where) {
+  const InputFile input = folder.find(name, where, "mesh");
+  ReadCache* const cache = folder.cache();
+  const std::string description = cache == nullptr ? "" : description_of(input, y_is_up, materials);
+  if (!description.empty())
+    if (const ImportedMesh* const known = cache->mesh(description)) return *known;
+  ImportedMesh mesh = read_mesh(input, name, folder, y_is_up, materials, where);
+  if (!description.empty() && mesh.is_whole) cache->store(description, mesh);
   return mesh;
 }
 

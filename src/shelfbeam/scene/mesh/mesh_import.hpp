@@ -25,13 +25,15 @@ struct MeshPiece {
 struct ImportedMesh {
   std::vector<MeshPiece> pieces;
   std::vector<std::string> notes;  ///< remarks for the user about this file
+  bool is_whole = true;            ///< its file names no other files
 };
 
 /// Imports a mesh file (glTF, GLB, OBJ, STL, PLY) from the folder as pieces, with node transformations
 /// applied and materials mapped: the first pattern of `materials` (pattern -> material) that matches the name
 /// in the file applies. Surfaces without a material, such as all of STL and PLY, have the empty name. By
-/// default, y is up in glTF, as its specification defines, and z is up in the other formats. Throws
-/// InputError, also for coordinates that are not finite.
+/// default, y is up in glTF, as its specification defines, and z is up in the other formats. A file that has
+/// not changed since it was imported for the cache of the folder is not read again. Throws InputError, also
+/// for coordinates that are not finite.
 ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& folder,
                          std::optional<bool> y_is_up,
                          const std::vector<std::pair<std::string, MaterialId>>& materials,

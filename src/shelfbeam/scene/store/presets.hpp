@@ -37,8 +37,8 @@ class Presets {
 
   std::map<std::string, JsonCursor, std::less<>> presets_;
   std::map<std::string, std::size_t, std::less<>> sizes_;  ///< number of values, by preset
-  Problems* problems_ = nullptr;  ///< of the last call with problems
-  std::size_t copied_ = 0;  ///< values, into all fixtures
+  Problems* problems_ = nullptr;                           ///< of the last call with problems
+  std::size_t copied_ = 0;                                 ///< values, into all fixtures
 };
 
 }  // namespace shelfbeam

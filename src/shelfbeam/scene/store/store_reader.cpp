@@ -10,10 +10,10 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/material_fields.hpp"
+#include "shelfbeam/scene/mesh/read_cache.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/completed_fixture.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
-#include "shelfbeam/scene/store/read_cache.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
 

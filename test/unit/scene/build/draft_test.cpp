@@ -11,7 +11,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/scene/store/read_cache.hpp"
+#include "shelfbeam/scene/mesh/read_cache.hpp"
 
 #include "unit/scene/mistakes.hpp"
 #include "unit/scene/sample_store.hpp"

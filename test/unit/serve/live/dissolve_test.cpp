@@ -40,7 +40,8 @@ TEST(Dissolved, FixturesAreWhereTheyWere) {
       }
       ++dissolved;
       text = edited(text, shop.dissolved(pointer)).text;
-      EXPECT_EQ(text.find("{\n      \""), std::string::npos) << "is in the layout of its neighbours: " << text;
+      EXPECT_EQ(text.find("{\n      \""), std::string::npos)
+          << "is in the layout of its neighbours: " << text;
       shop.update(text, 1);
       ASSERT_TRUE(shop.problems().empty()) << name << ' ' << pointer << ' ' << shop.problems();
     }

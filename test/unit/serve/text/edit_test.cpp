@@ -117,9 +117,10 @@ TEST(Edit, FillsLinesAsItsNeighbour) {
   const std::string a(50, 'a'), b(50, 'b');
   const auto member = [](const std::string& text) { return "\"" + text + "\": \"" + text + "\""; };
   const std::string begin = "{\n  \"list\": [\n    { \"x\": 1 }";
-  EXPECT_EQ(text_after(begin + "\n  ]\n}", {to_insert("/list/1", {{a, a}, {b, b}, {"x", {{"y", 1}}}, {"z", 2}})}),
-            begin + ",\n    { " + member(a) + ",\n      " + member(b) +
-                ",\n      \"x\": { \"y\": 1 }, \"z\": 2 }\n  ]\n}");
+  EXPECT_EQ(
+      text_after(begin + "\n  ]\n}", {to_insert("/list/1", {{a, a}, {b, b}, {"x", {{"y", 1}}}, {"z", 2}})}),
+      begin + ",\n    { " + member(a) + ",\n      " + member(b) +
+          ",\n      \"x\": { \"y\": 1 }, \"z\": 2 }\n  ]\n}");
   const std::string open = "{\n  \"list\": [\n    {\n      \"x\": 1\n    }";
   EXPECT_EQ(text_after(open + "\n  ]\n}", {to_insert("/list/1", {{a, a}, {b, b}})}),
             open + ",\n    {\n      " + member(a) + ",\n      " + member(b) + "\n    }\n  ]\n}");
