@@ -37,7 +37,7 @@ std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, con
   std::vector<Json> copies;
   const StoreLists lists{draft.store.materials, draft.store.label_types, draft.store.transceiver_types};
   for (const auto& [fixture, where] : draft.store.fixtures)
-    if (place_of(where, draft.store.file).pointer == pointer) copies.push_back(resolved(fixture, lists));
+    if (entry_of(where, draft.store.file) == pointer) copies.push_back(resolved(fixture, lists));
   if (copies.empty() || !(stands_against || repeats))
     throw InputError(pointer, "has neither 'repeat' nor 'against', or has problems",
                      "choose another fixture");

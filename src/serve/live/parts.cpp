@@ -8,6 +8,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <variant>
 
 #include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
@@ -90,32 +91,32 @@ class PartList {
 
   void add_fixture(std::size_t f) {
     const FixtureOutline& fixture = draft_.scene.fixtures[f];
-    const Place place = place_of(draft_.sources.fixtures[f], draft_.store.file);
-    const std::size_t copy = ++copies_[place.pointer];
+    const std::string& where = draft_.sources.fixtures[f];
+    const std::string place = pointer(where);
     Json json{{"id", fixture.id},
               {"type", fixture.type},
               {"form", name_of(fixture.form)},
               {"outline", points(fixture.footprint)},
               {"height", fixture.height},
               {"rotation", fixture.rotation_deg}};
-    if (place.is_copy) {
-      json["key"] = place.pointer.substr(1) + "#" + std::to_string(copy);
+    if (fixture.is_wall()) return add("wall", place, std::move(json));
+    // The scene has the fixtures of the store in their order, but not those that could not be built.
+    while (entry_ < entries_.size() && entries_[entry_]->where != where) ++entry_;
+    if (entry_ == entries_.size()) return;
+    if (where.ends_with(copy_note(fixture.id))) {
+      json["key"] = place.substr(1) + "#" + std::to_string(++copies_[place]);
       json["locked"] = "repeat";
     }
-    if (fixture.is_wall()) return add("wall", place.pointer, std::move(json));
-    // The scene has the fixtures of the store in their order, but not those that could not be built.
-    while (entry_ < entries_.size() && entries_[entry_]->where != draft_.sources.fixtures[f]) ++entry_;
-    if (entry_ == entries_.size()) return;
     if (entry_ >= draft_.store.fixtures.size()) json["unfinished"] = true;
     if (const auto footing = footing_of(entries_[entry_++]->value)) {
       json["footing"] = {{"at", {footing->at[0], footing->at[1]}},
                          {"rotation", footing->rotation_deg},
                          {"length", footing->length},
                          {"depth", footing->depth}};
-      if (const auto along = against(place.pointer, *footing))
+      if (const auto along = against(place, *footing))
         json["against"] = {{"along", {(*along)[0], (*along)[1]}}};
     }
-    add("fixture", place.pointer, std::move(json));
+    add("fixture", place, std::move(json));
   }
 
   // The direction in which "from" or "shift" moves a fixture that stands against a wall or another fixture.
@@ -145,7 +146,11 @@ class PartList {
       add("grid", pointer(where),
           {{"id", ""}, {"outline", points(rectangle(grid.min, grid.max))}, {"height", grid.z}});
     for (const auto& [mount, where] : store.areas)
-      add("area", pointer(where), {{"id", ""}, {"outline", points(polygon_of(mount.area, room))}});
+      if (room != nullptr || std::holds_alternative<Polygon>(mount.area))
+        add("area", pointer(where), {{"id", ""}, {"outline", points(polygon_of(mount.area, room))}});
+    for (const auto& [mount, where] : store.faces)
+      if (const auto line = line_of(mount.on); !line.empty())
+        add("faces", pointer(where), {{"id", mount.id}, {"outline", points(line)}, {"height", mount.z}});
     for (const auto& [rail, where] : store.rails) {
       std::vector<Vec2> line;
       for (const Vec3& p : rail.points) line.push_back({p.x, p.y});
@@ -154,7 +159,23 @@ class PartList {
     }
   }
 
-  std::string pointer(const std::string& where) const { return place_of(where, draft_.store.file).pointer; }
+  // The faces of a fixture or a wall; empty if it could not be built.
+  std::vector<Vec2> line_of(const std::variant<std::string, std::size_t>& on) const {
+    const auto& room = draft_.scene.room;
+    if (const auto* k = std::get_if<std::size_t>(&on)) {
+      if (!room || *k >= room->outline.size()) return {};
+      const auto [from, to, inward] = room->wall(*k);
+      return {from, to};
+    }
+    const auto& fixtures = draft_.scene.fixtures;
+    const auto fixture = std::ranges::find(fixtures, std::get<std::string>(on), &FixtureOutline::id);
+    if (fixture == fixtures.end() || fixture->footprint.empty()) return {};
+    std::vector<Vec2> line = fixture->footprint;
+    line.push_back(line.front());
+    return line;
+  }
+
+  std::string pointer(const std::string& where) const { return entry_of(where, draft_.store.file); }
 
   const Draft& draft_;
   const Json& store_;

@@ -74,22 +74,18 @@ std::string copy_note(const std::string& id) {
   return fmt::format(" (copy {})", in_quotes(shortened(id, longest)));
 }
 
-Place place_of(const std::string& where, const std::string& file) {
+std::string entry_of(const std::string& where, const std::string& file) {
   std::string_view path = where;
   if (!path.starts_with(file) || !path.substr(file.size()).starts_with(": ")) return {};
   path.remove_prefix(file.size() + 2);
-  Place place;
-  if (const std::size_t note = path.find(" ("); note != std::string_view::npos) {
-    place.is_copy = path.find(" (copy ", note) != std::string_view::npos;
-    path = path.substr(0, note);
-  }
-  place.pointer = "/";
+  path = path.substr(0, path.find(" ("));  // notes about presets and copies
+  std::string pointer = "/";
   for (const char c : path)
     if (c == '[' || c == '.')
-      place.pointer += '/';
+      pointer += '/';
     else if (c != ']')
-      place.pointer += c;
-  return place;
+      pointer += c;
+  return pointer;
 }
 
 }  // namespace shelfbeam::serve

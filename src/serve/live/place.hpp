@@ -14,13 +14,8 @@ std::string pointer_of(std::string_view path, const nlohmann::ordered_json& stor
 /// The end of the location of one of several copies.
 std::string copy_note(const std::string& id);
 
-/// The place of a resolved element in the store file.
-struct Place {
-  std::string pointer;   ///< of its entry; empty for elements of other files
-  bool is_copy = false;  ///< one of those that `repeat` makes
-};
-
-/// `where`: the location of an element in a Store, for messages; `file`: the name of the store file in it.
-Place place_of(const std::string& where, const std::string& file);
+/// The pointer of the entry of an element in the store file; empty for elements of other files. `where`: its
+/// location in a Store, for messages; `file`: the name of the store file in it.
+std::string entry_of(const std::string& where, const std::string& file);
 
 }  // namespace shelfbeam::serve

@@ -74,12 +74,12 @@ template <class Device, class Type>
 Json device_json(const Device& device, const std::vector<Type>& types, const std::string& where,
                  const std::string& file) {
   const std::string type = device.type.value < types.size() ? types[device.type.value].name : "";
-  const Place place = place_of(where, file);
+  const std::string entry = entry_of(where, file);
   const Vec3& p = device.position;
   return {{"id", device.id},
           {"type", type},
           {"position", {p.x, p.y, p.z}},
-          {"path", place.pointer.empty() ? Json() : Json(place.pointer)},
+          {"path", entry.empty() ? Json() : Json(entry)},
           {"source", where}};
 }
 
@@ -193,7 +193,7 @@ Json Shop::details(const std::string& pointer) const {
   for (const auto& [key, unit] : completed.units) details["units"][key] = to_text(unit);
   const StoreLists lists{draft_.store.materials, draft_.store.label_types, draft_.store.transceiver_types};
   for (const auto& [fixture, where] : draft_.store.fixtures)
-    if (place_of(where, draft_.store.file).pointer == pointer) {
+    if (entry_of(where, draft_.store.file) == pointer) {
       details["resolved"] = resolved(fixture, lists);
       break;
     }

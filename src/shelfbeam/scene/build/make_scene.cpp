@@ -119,19 +119,37 @@ class SceneMaker {
   void expect_memory() {
     for (const auto& [fixture, where] : store_.fixtures)
       memory_.add(static_cast<double>(scene_bytes(fixture)), where);
-    for (const auto& [grid, where] : store_.grids) memory_.add(scene_bytes(grid), where);
+    for (const auto& [grid, where] : store_.grids) expect_memory(scene_bytes(grid), where);
     for (const auto& [label, where] : store_.labels) memory_.add(device_bytes_of(label.id), where);
     for (const auto& [unit, where] : store_.transceivers) memory_.add(device_bytes_of(unit.id), where);
+  }
+
+  // Of candidates, which a draft lacks if they exceed the limit.
+  void expect_memory(double bytes, const std::string& where) {
+    if (problems_ == nullptr) return memory_.add(bytes, where);
+    const SceneMemory before = memory_;
+    try {
+      memory_.add(bytes, where);
+    } catch (const InputError& error) {
+      problems_->keep(error);
+      memory_ = before;
+      crowded_.insert(where);
+    }
   }
 
   // The faces of fixtures, on which candidates are mounted, are known only after these are built.
   void expect_memory_of_mounts() {
     for (const auto& [candidates, bytes, where] : candidate_counts(store_, scene_)) {
       constexpr std::size_t max_candidates = 1'000'000;
-      if (candidates > max_candidates)
-        throw InputError(where + ".spacing", fmt::format("produces {} candidates", candidates),
-                         "use a wider spacing");
-      memory_.add(bytes, where);
+      const bool has_few = attempt([&] {
+        if (candidates > max_candidates)
+          throw InputError(where + ".spacing", fmt::format("produces {} candidates", candidates),
+                           "use a wider spacing");
+      });
+      if (has_few)
+        expect_memory(bytes, where);
+      else
+        crowded_.insert(where);
     }
   }
 
@@ -248,6 +266,7 @@ class SceneMaker {
   }
 
   void add_labels() {
+    if (problems_ != nullptr) earlier_failures_ = problems_->failures();
     for (const auto& [label, where] : store_.labels) {
       scene_.labels.push_back(label);
       sources_.labels.push_back(where);
@@ -276,10 +295,10 @@ class SceneMaker {
     expect_in_room(label.id, label.position, sources_.labels[i], "label", store_.labels);
   }
 
-  // Each costs a look at all listed devices (remedy_outside).
+  // With devices: each costs a look at all listed ones (remedy_outside). The rest is not checked.
   bool has_too_many_problems() const {
     constexpr std::size_t many = 100;
-    return problems_ != nullptr && problems_->failures() > many;
+    return problems_ != nullptr && problems_->failures() > earlier_failures_ + many;
   }
 
   bool is_kept_out(const Vec3& p) const {
@@ -293,25 +312,28 @@ class SceneMaker {
 
   void add_transceiver(const Transceiver& unit, const std::string& where) {
     expect_running(store_.cancel);
-    if (!has_too_many_problems()) attempt([&] { add_valid_transceiver(unit, where); });
-  }
-
-  void add_valid_transceiver(const Transceiver& unit, const std::string& where) {
-    if (unit.id.empty()) throw InputError(where, "has a transceiver without an id", "give it an id");
-    if (is_kept_out(unit.position)) {
+    const bool is_kept_out = this->is_kept_out(unit.position);
+    if (!has_too_many_problems()) attempt([&] { expect_new_transceiver(unit, is_kept_out, where); });
+    if (is_kept_out) {
       kept_out_ids_.insert(unit.id);
       return;
     }
-    expect_in_room(unit.id, unit.position, where, "transceiver", store_.transceivers);
-    if (!unit_ids_.insert(unit.id).second)
-      throw InputError(where, fmt::format("has the duplicate transceiver id {}", in_quotes(unit.id)),
-                       id_remedy(unit.id, "make ids unique"));
     scene_.transceivers.push_back(unit);
     sources_.transceivers.push_back(where);
   }
 
+  void expect_new_transceiver(const Transceiver& unit, bool is_kept_out, const std::string& where) {
+    if (unit.id.empty()) throw InputError(where, "has a transceiver without an id", "give it an id");
+    if (is_kept_out) return;
+    expect_in_room(unit.id, unit.position, where, "transceiver", store_.transceivers);
+    if (!unit_ids_.insert(unit.id).second)
+      throw InputError(where, fmt::format("has the duplicate transceiver id {}", in_quotes(unit.id)),
+                       id_remedy(unit.id, "make ids unique"));
+  }
+
   void add_transceivers() {
     for (std::size_t g = 0; g < store_.grids.size(); ++g) {
+      if (crowded_.contains(store_.grids[g].where)) continue;
       const TransceiverGrid& grid = store_.grids[g].value;
       const auto steps = [&](std::size_t axis) {
         const double extent = grid.max[axis] - grid.min[axis];
@@ -335,7 +357,7 @@ class SceneMaker {
         }
     }
     const std::vector<EmptyMount> empty = generate_candidates(
-        store_, scene_,
+        store_, scene_, crowded_,
         [&](const Transceiver& unit, const std::string& where) { add_transceiver(unit, where); });
     for (const auto& [where, problem] : empty)
       warnings_.add(FindingCode::mount_empty, where, "{}; {}", problem, EmptyMount::remedy);
@@ -356,6 +378,8 @@ class SceneMaker {
   SceneMemory memory_;
   std::unordered_set<std::string> unit_ids_;
   std::set<std::string> kept_out_ids_, fixture_ids_;
+  std::set<std::string> crowded_;             ///< locations of grids and mounts that a draft lacks
+  std::size_t earlier_failures_ = 0;          ///< of a draft, before those of devices
   std::vector<TriangleRange> wall_surfaces_;  ///< by inner wall
   Bounds bounds_;
 };

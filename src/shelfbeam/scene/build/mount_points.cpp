@@ -130,16 +130,18 @@ class Generator {
     return result;
   }
 
-  std::vector<EmptyMount> generate(const UseCandidate& use) const {
+  std::vector<EmptyMount> generate(const std::set<std::string>& omitted, const UseCandidate& use) const {
     std::vector<EmptyMount> empty;
     const auto expect_candidates = [&](const Outcome& outcome, const std::string& where) {
       if (!outcome.has_candidates) empty.push_back({where, "has no candidates: " + outcome.obstacle});
     };
     for (std::size_t a = 0; a < store_.areas.size(); ++a)
-      expect_candidates(add_area(a, use), store_.areas[a].where);
-    for (const auto& [rail, where] : store_.rails) add_rail(rail, where, use);
+      if (const std::string& where = store_.areas[a].where; !omitted.contains(where))
+        expect_candidates(add_area(a, use), where);
+    for (const auto& [rail, where] : store_.rails)
+      if (!omitted.contains(where)) add_rail(rail, where, use);
     for (const auto& [faces, where] : store_.faces)
-      if (is_built(faces)) expect_candidates(add_faces(faces, where, use), where);
+      if (is_built(faces) && !omitted.contains(where)) expect_candidates(add_faces(faces, where, use), where);
     return empty;
   }
 
@@ -312,8 +314,9 @@ std::vector<MountCount> candidate_counts(const Store& store, const Scene& scene)
   return Generator(store, scene).counts();
 }
 
-std::vector<EmptyMount> generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use) {
-  return Generator(store, scene).generate(use);
+std::vector<EmptyMount> generate_candidates(const Store& store, const Scene& scene,
+                                            const std::set<std::string>& omitted, const UseCandidate& use) {
+  return Generator(store, scene).generate(omitted, use);
 }
 
 }  // namespace shelfbeam

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct EmptyMount {
 
 /// Calls `use(unit, where)` for the candidates of areas, rails and faces of a store whose scene has its room
 /// and its fixtures. Points of areas and faces outside the room and within inner walls are omitted, and those
-/// before an opening, above a fixture or below it.
-std::vector<EmptyMount> generate_candidates(const Store& store, const Scene& scene, const UseCandidate& use);
+/// before an opening, above a fixture or below it. `omitted`: locations of those that are left out.
+std::vector<EmptyMount> generate_candidates(const Store& store, const Scene& scene,
+                                            const std::set<std::string>& omitted, const UseCandidate& use);
 
 }  // namespace shelfbeam

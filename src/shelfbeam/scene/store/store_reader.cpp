@@ -237,6 +237,7 @@ CompletedFixture completed_fixture(const std::string& text, const std::string& n
   for (const JsonCursor& file : read_catalogues(root, files))
     if (const auto section = file.find("presets")) presets.add(*section, problems);
   if (const auto section = root.find("presets")) presets.add(*section, problems);
+  presets.check(problems);
   problems.throw_first();
   const JsonCursor fixtures = root["fixtures"];
   if (index >= fixtures.size()) fixtures.fail(fmt::format("has no element {}", index));

@@ -21,15 +21,12 @@ TEST(Place, PointersNameTheDeepestElement) {
 }
 
 TEST(Place, OfResolvedElements) {
-  const auto pointer = [](const std::string& where) { return place_of(where, "my.shop.json").pointer; };
+  const auto pointer = [](const std::string& where) { return entry_of(where, "my.shop.json"); };
   EXPECT_EQ(pointer("my.shop.json: fixtures[3]"), "/fixtures/3");
   EXPECT_EQ(pointer("my.shop.json: room.inner_walls[0]"), "/room/inner_walls/0");
   EXPECT_EQ(pointer("labels.csv:5"), "");
-  const Place copy = place_of("my.shop.json: fixtures[3].labels[1] (copy 'A (2)')", "my.shop.json");
-  EXPECT_EQ(copy.pointer, "/fixtures/3/labels/1");
-  EXPECT_TRUE(copy.is_copy);
-  EXPECT_FALSE(place_of("my.shop.json: fixtures[3] (preset 'run')", "my.shop.json").is_copy);
-  EXPECT_TRUE(place_of("my.shop.json: fixtures[3] (preset 'run') (copy 'A1')", "my.shop.json").is_copy);
+  EXPECT_EQ(pointer("my.shop.json: fixtures[3].labels[1] (copy 'A (2)')"), "/fixtures/3/labels/1");
+  EXPECT_EQ(pointer("my.shop.json: fixtures[3] (preset 'run') (copy 'A1')"), "/fixtures/3");
 }
 
 }  // namespace

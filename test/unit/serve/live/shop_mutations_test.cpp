@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -42,8 +43,9 @@ std::vector<Json*> values_of(Json& json) {
 
 // Gives one value another kind or size, or that of another place.
 void mutate(Json& store, Random& random) {
-  static const std::array<Json, 14> values{
-      nullptr, true, -1, 0, 1, 99, 1e9, -0.5, "x", "", "{n}", Json::array(), Json::object(), Json{0, 0}};
+  static const std::array<Json, 15> values{nullptr,       true,           -1,        0,   1,  99,
+                                           1e9,           -0.5,           0.01,      "x", "", "{n}",
+                                           Json::array(), Json::object(), Json{0, 0}};
   const std::vector<Json*> all = values_of(store);
   Json& one = *all[below(all.size(), random)];
   const std::size_t choice = below(values.size() + 6, random);
@@ -76,7 +78,10 @@ void use(const Shop& shop) {
   shop.problems();
   shop.names();
   shop.find("a");
-  shop.scene(1);
+  try {
+    shop.scene(1);
+  } catch (const InputError&) {  // exceeds the memory
+  }
 }
 
 void expect_any_store_is_shown(int count, std::uint64_t seed) {
@@ -131,6 +136,87 @@ TEST(Shop, KnowsTheFixturesBehindOneThatIsWrong) {
   for (const Json& part : shop.parts()) EXPECT_EQ(part["footing"]["at"], part["outline"][0]) << part;
   EXPECT_TRUE(shop.parts().back()["unfinished"].get<bool>());
   EXPECT_EQ(shop.parts().size(), 4U);
+}
+
+// Both the limits of candidates and of memory leave out these candidates alone.
+TEST(Shop, ShowsAShopWithNarrowSpacings) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"));
+  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"), "store.json");
+  shop.update(store.dump(), 1);
+  const std::size_t parts = shop.parts().size(), units = shop.unit_count();
+  store["transceivers"]["areas"][0]["spacing"] = 0.001;
+  shop.update(store.dump(), 2);
+  EXPECT_THAT(sentences(shop.draft().problems), testing::SizeIs(1));
+  EXPECT_EQ(shop.parts().size(), parts);
+  EXPECT_LT(shop.unit_count(), units);
+  EXPECT_GT(shop.unit_count(), 0U);
+  store["transceivers"]["areas"][0]["spacing"] = 1;
+  store["transceivers"]["grids"] = {
+      {{"type", "dome"}, {"min", {1, 1}}, {"max", {9, 9}}, {"spacing", 0.01}, {"z", 2.5}}};
+  shop.update(store.dump(), 3);
+  EXPECT_THAT(sentences(shop.draft().problems), testing::Contains(testing::HasSubstr("requires about")));
+  EXPECT_EQ(shop.parts().size(), parts + 1);
+  EXPECT_GT(shop.unit_count(), 0U);
+}
+
+TEST(Shop, ShowsTheCandidatesOfAShopWithManyProblems) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  shop.update(store.dump(), 1);
+  const std::size_t units = shop.unit_count();
+  for (int k = 0; k < 150; ++k)
+    store["fixtures"].push_back({{"type", "box"},
+                                 {"id", "new-" + std::to_string(k)},
+                                 {"at", {1, 1, 0}},
+                                 {"size", {1, 1, 1}},
+                                 {"material", "none"}});
+  shop.update(store.dump(), 2);
+  EXPECT_EQ(shop.unit_count(), units);
+}
+
+TEST(Shop, ShowsUnitsOutsideTheRoom) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  shop.update(store.dump(), 1);
+  const std::size_t units = shop.unit_count();
+  for (int k = 0; k < 300; ++k)
+    store["transceivers"]["list"].push_back(
+        {{"id", "far-" + std::to_string(k)}, {"position", {-5, k, 3}}, {"type", "ceiling"}});
+  shop.update(store.dump(), 2);
+  EXPECT_EQ(shop.unit_count(), units + 300);
+  EXPECT_THAT(sentences(shop.draft().problems), testing::SizeIs(testing::Ge(100)));
+}
+
+// A preset's name stands in the locations of messages.
+TEST(Shop, LocksNoFixtureBecauseOfTheNameOfItsPreset) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  store["presets"]["a (copy 1"] = store["presets"]["row"];
+  store["fixtures"][0]["preset"] = "a (copy 1";
+  shop.update(store.dump(), 1);
+  EXPECT_THAT(shop.draft().problems, testing::IsEmpty());
+  const Json parts = shop.parts();
+  const auto first =
+      std::ranges::find(parts, Json("/fixtures/0"), [](const Json& part) { return part["path"]; });
+  ASSERT_NE(first, parts.end());
+  EXPECT_TRUE((*first)["locked"].is_null()) << *first;
+}
+
+TEST(Shop, RefusesDetailsOfAPresetThatIsMissing) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  shop.update(R"({"fixtures": [{"id": "a", "preset": "row", "at": [1, 1]}]})", 1);
+  EXPECT_THROW(shop.details("/fixtures/0"), InputError);
+}
+
+TEST(Shop, OutlinesTheFacesOfCandidates) {
+  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"));
+  const Json store =
+      parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"), "store.json");
+  shop.update(store.dump(), 1);
+  const Json parts = shop.parts();
+  EXPECT_EQ(static_cast<std::size_t>(
+                std::ranges::count(parts, Json("faces"), [](const Json& part) { return part["kind"]; })),
+            store["transceivers"]["on"].size());
 }
 
 TEST(Shop, OutlinesFixturesByAWallThatIsMissing) {
