@@ -131,13 +131,18 @@ std::string text_of(const Json& json) {
 }  // namespace
 
 struct Planner::State {
-  State(const fs::path& folder, http::Options options, std::function<void(std::string_view)> log)
-      : folder_name(fs::weakly_canonical(folder).filename().string()),
+  State(const fs::path& folder, http::Options options, const CancelToken& token,
+        std::function<void(std::string_view)> log)
+      : cancel(token),
+        folder_name(fs::weakly_canonical(folder).filename().string()),
         project(with_store(folder), project_options()),
-        shop((folder / "store.json").lexically_normal()),
+        shop((folder / "store.json").lexically_normal(), &token),
         warnings((folder / "store.json").lexically_normal()),
         server(with_page(std::move(options)), handlers(std::move(log))) {
     resolve();
+    steps = project.steps();
+    problems = shop.problems();
+    names = shop.names();
   }
 
   static http::Options with_page(http::Options options) {
@@ -150,11 +155,20 @@ struct Planner::State {
 
   http::Handlers handlers(std::function<void(std::string_view)> log) {
     return {.opened = [this](TabId tab) { open(tab); },
-            .text = [this](TabId tab, std::string_view text) { answer(tab, text); },
+            .text = [this](TabId tab, std::string_view text) { or_stop([&] { answer(tab, text); }); },
             .closed = [this](TabId tab) { tabs.erase(tab); },
             .get = [this](std::string_view file) { return document(file); },
-            .tick = [this] { look(); },
+            .tick = [this] { or_stop([&] { look(); }); },
             .failed = std::move(log)};
+  }
+
+  template <class Work>
+  void or_stop(const Work& work) {
+    try {
+      work();
+    } catch (const Interrupted&) {
+      server.stop();
+    }
   }
 
   void open(TabId tab) {
@@ -163,7 +177,9 @@ struct Planner::State {
               {"name", name_of_shop()},       {"file", "store.json"},
               {"version", program_version()}, {"unit", to_text(shop.draft().store.unit)},
               {"parts", shop.parts()}};
-    add_state(json);
+    json["problems"] = shop.problems();
+    json["shared"] = shop.names();
+    add_state(json, 0);
     server.send(tab, http::Message::text(with_document(json)));
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
     if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
@@ -184,13 +200,14 @@ struct Planner::State {
     return text + R"(,"json":)" + text_of(shop.json()) + "}";
   }
 
-  void add_state(Json& json) const {
-    Json steps = Json::array();
-    for (const Step& step : project.steps()) steps.push_back({{"label", step.label}, {"time", step.time}});
+  // With the steps of the history from the first one that the pages do not know.
+  void add_state(Json& json, std::size_t from) const {
+    Json rest = Json::array();
+    const std::vector<Step> all = project.steps();
+    for (const Step& step : std::span(all).subspan(from))
+      rest.push_back({{"label", step.label}, {"time", step.time}});
     json["revision"] = project.revision();
-    json["problems"] = shop.problems();
-    json["shared"] = shop.names();
-    json["history"] = {{"steps", std::move(steps)}, {"position", project.position()}};
+    json["history"] = {{"from", from}, {"steps", std::move(rest)}, {"position", project.position()}};
     json["locked"] = project.locked() ? Json{{"message", *project.locked()}} : Json();
   }
 
@@ -279,7 +296,16 @@ struct Planner::State {
     json["unit"] = to_text(shop.draft().store.unit);
     json["parts"] =
         changes.parts.is_null() ? Json{{"set", Json::array()}, {"remove", Json::array()}} : changes.parts;
-    add_state(json);
+    const auto add_new = [&](const char* key, Json value, Json& sent) {
+      if (value == sent) return;
+      json[key] = value;
+      sent = std::move(value);
+    };
+    add_new("problems", shop.problems(), problems);
+    add_new("shared", shop.names(), names);
+    std::vector<Step> all = project.steps();
+    add_state(json, static_cast<std::size_t>(std::ranges::mismatch(steps, all).in1 - steps.begin()));
+    steps = std::move(all);
     ops.reset();
     send_to_all(http::Message::text(is_edit ? text_of(json) : with_document(json)));
     if (changes.labels) send_to_all(http::Message::binary(*changes.labels));
@@ -288,12 +314,22 @@ struct Planner::State {
 
   std::optional<http::Document> document(std::string_view file) {
     if (file != "scene") return {};
-    return http::Document{"application/octet-stream",
-                          std::make_shared<const std::string>(shop.scene(project.revision()))};
+    if (!scene || scene_revision != project.revision()) {
+      scene.reset();
+      try {
+        scene = std::make_shared<const std::string>(shop.scene(project.revision()));
+      } catch (const InputError&) {  // too large to be shown
+        return {};
+      } catch (const Interrupted&) {
+        return {};
+      }
+      scene_revision = project.revision();
+    }
+    return http::Document{"application/octet-stream", scene};
   }
 
   void look() {
-    if (cancel != nullptr && cancel->requested()) return server.stop();
+    if (cancel.requested()) return server.stop();
     const auto now = WarningFinder::Clock::now();
     if (now - last_look >= look_interval) {
       last_look = now;
@@ -306,17 +342,23 @@ struct Planner::State {
     }
   }
 
+  const CancelToken& cancel;
   std::string folder_name;
   Project project;
   Shop shop;
   WarningFinder warnings;
   std::set<TabId> tabs;
-  std::uint64_t revision = 0;              // of the shop
-  std::optional<std::string> locked;       // as the pages know it
+  std::uint64_t revision = 0;  // of the shop
+  // As the pages know them.
+  std::optional<std::string> locked;
+  std::vector<Step> steps;
+  Json problems, names;
+
   std::optional<std::vector<EditOp>> ops;  // of the edit that is being answered
   std::optional<Json> found;               // warnings about the present text
   WarningFinder::Clock::time_point last_look{};
-  const CancelToken* cancel = nullptr;
+  std::shared_ptr<const std::string> scene;  // with surfaces, of a revision
+  std::uint64_t scene_revision = 0;
   http::Server server;
 };
 
@@ -324,8 +366,9 @@ bool has_page() {
   return !embedded::planner_files.empty();
 }
 
-Planner::Planner(const fs::path& folder, http::Options options, std::function<void(std::string_view)> log)
-    : state_(std::make_unique<State>(folder, std::move(options), std::move(log))) {}
+Planner::Planner(const fs::path& folder, http::Options options, const CancelToken& cancel,
+                 std::function<void(std::string_view)> log)
+    : state_(std::make_unique<State>(folder, std::move(options), cancel, std::move(log))) {}
 
 Planner::~Planner() = default;
 
@@ -333,8 +376,7 @@ std::vector<std::string> Planner::addresses() const {
   return state_->server.addresses();
 }
 
-void Planner::run(const CancelToken& cancel) {
-  state_->cancel = &cancel;
+void Planner::run() {
   state_->server.run();
 }
 

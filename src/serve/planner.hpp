@@ -20,9 +20,10 @@ bool has_page();
 /// the folder's store.json (docs/formats/planner.md).
 class Planner {
  public:
-  /// Creates a shop in an empty folder. `log` is told of errors of the program while it serves. Throws
-  /// InputError, for example if another planner uses the folder, and OutputError.
-  Planner(const std::filesystem::path& folder, http::Options options,
+  /// Creates a shop in an empty folder. `cancel` ends it, and must outlive it. `log` is told of errors of the
+  /// program while it serves. Throws InputError, for example if another planner uses the folder, OutputError,
+  /// and Interrupted.
+  Planner(const std::filesystem::path& folder, http::Options options, const CancelToken& cancel,
           std::function<void(std::string_view)> log = {});
   ~Planner();
   Planner(const Planner&) = delete;
@@ -31,7 +32,7 @@ class Planner {
   /// The addresses of the page, which contain the token (http/server.hpp).
   std::vector<std::string> addresses() const;
   /// Serves until the token is cancelled.
-  void run(const CancelToken& cancel);
+  void run();
 
  private:
   struct State;

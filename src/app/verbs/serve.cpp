@@ -108,7 +108,7 @@ int run_serve(const ServeArguments& options) {
   // Names of files in messages are then relative to the folder, which other programs may rename.
   make_output_folder(folder.path());
   fs::current_path(folder.path());
-  serve::Planner planner(".", std::move(http), [](std::string_view what) {
+  serve::Planner planner(".", std::move(http), cancel, [](std::string_view what) {
     print_message("internal error: {}\n", one_line(what));
   });
   if (options.address != "127.0.0.1" && options.address != "::1")
@@ -118,7 +118,7 @@ int run_serve(const ServeArguments& options) {
         options.address);
   print_addresses(planner, options, folder.is_temporary());
   if (!options.no_browser) open_browser(planner.addresses().front(), ".shelfbeam");
-  planner.run(cancel);
+  planner.run();
   return done;
 }
 

@@ -85,14 +85,16 @@ Json device_json(const Device& device, const std::vector<Type>& types, const std
 
 }  // namespace
 
-Shop::Shop(std::filesystem::path file)
+Shop::Shop(std::filesystem::path file, const CancelToken* cancel)
     : file_(std::move(file)),
+      cancel_(cancel),
       cache_(make_read_cache()),
       document_(JsonCursor::parse("{}", file_.filename().string())) {}
 
 StoreLimits Shop::limits() const {
   return {.memory = max_memory,
           .file_size = max_file,
+          .cancel = cancel_,
           .cache = cache_.get(),
           .allow_links = false,
           .fixtures = max_fixtures,

@@ -30,8 +30,9 @@ struct ShopChanges {
 /// The resolved shop of a store file that is being edited.
 class Shop {
  public:
-  /// `file`: the store file. Files that it names must lie in its folder, and not behind links.
-  explicit Shop(std::filesystem::path file);
+  /// `file`: the store file. Files that it names must lie in its folder, and not behind links. `cancel` ends
+  /// its work with Interrupted, and must outlive it.
+  explicit Shop(std::filesystem::path file, const CancelToken* cancel = nullptr);
 
   /// Resolves a text, which must be a JSON object. Problems of its content are part of the result. If it
   /// cannot be resolved at all, for example for lack of memory, that is the only problem, and nothing is
@@ -72,6 +73,7 @@ class Shop {
   const Transceiver& unit_at(std::size_t index) const;
 
   std::filesystem::path file_;
+  const CancelToken* cancel_;
   std::shared_ptr<ReadCache> cache_;
   std::string text_;
   JsonCursor document_;

@@ -24,8 +24,13 @@ std::optional<nlohmann::ordered_json> WarningFinder::poll(Clock::time_point now)
   if (!child_ || !child_->has_ended(end)) return {};
   child_.reset();
   const auto found = nlohmann::ordered_json::parse(end.out, nullptr, false);
-  return found.is_object() && found.contains("findings") ? found["findings"]
-                                                         : nlohmann::ordered_json::array();
+  if (!found.is_object())
+    return nlohmann::ordered_json{
+        {{"code", "not_checked"},
+         {"path", ""},
+         {"sentence",
+          file_.string() + ": the search for warnings has failed; 'shelfbeam inspect' prints the reason"}}};
+  return found.contains("findings") ? found["findings"] : nlohmann::ordered_json::array();
 }
 
 }  // namespace shelfbeam::serve

@@ -25,7 +25,7 @@ class WarningFinder {
   /// The file has changed: its warnings are no longer known.
   void restart(Clock::time_point now);
   /// To be called often. Returns the findings of `inspect --json` once they are known; an empty list if the
-  /// store has problems.
+  /// store has problems, and one finding that says so if the search fails.
   std::optional<nlohmann::ordered_json> poll(Clock::time_point now);
 
  private:

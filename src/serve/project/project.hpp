@@ -22,6 +22,8 @@ struct EditOp;
 struct Step {
   std::string label, time;  ///< the time is that of its last change, in UTC (ISO 8601)
   bool undone = false;
+
+  bool operator==(const Step&) const = default;
 };
 
 struct ProjectOptions {

@@ -329,8 +329,11 @@ export class StoreDocument {
     if (!event.ops) this.onReplaced(before);
   }
 
-  private take({ problems, history, locked, shared = this.shared }: ProjectEvent | ChangedEvent): void {
-    Object.assign(this, { problems, history, locked, shared });
+  private take({ locked, history, ...given }: ProjectEvent | ChangedEvent): void {
+    const { problems = this.problems, shared = this.shared } = given;
+    const earlier = "from" in history ? this.history.steps.slice(0, history.from) : [];
+    const { position, steps } = history;
+    Object.assign(this, { problems, shared, locked, history: { position, steps: [...earlier, ...steps] } });
   }
 
   private receiveFrame(bytes: ArrayBuffer): void {

@@ -87,8 +87,8 @@ export interface ChangedEvent {
   json?: Json;
   ops?: EditOp[];
   parts?: { set: Part[]; remove: string[] };
-  problems: Problem[];
-  history: History;
+  problems?: Problem[];
+  history: History & { from: number };
   locked: Locked | null;
   shared?: SharedNames;
 }

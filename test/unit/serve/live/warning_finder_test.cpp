@@ -56,5 +56,15 @@ TEST(WarningFinder, FindsNoneInAStoreWithProblems) {
   EXPECT_TRUE(found->empty());
 }
 
+TEST(WarningFinder, SaysThatItsProgramFailed) {
+  const test::TempFolder folder;
+  WarningFinder finder("store.json", program(folder, "").string());
+  finder.restart(Clock::now());
+  const auto found = result(finder, Clock::now() + 1s);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->size(), 1U);
+  EXPECT_EQ((*found)[0]["code"], "not_checked");
+}
+
 }  // namespace
 }  // namespace shelfbeam::serve
