@@ -130,6 +130,7 @@ class Tab:
         self.frames = []  # all binary messages
         self.seen = 0  # of the events
         self.last_id = 0
+        self.history, self.problems = {"steps": []}, []
         self.project = self.next("project")
         self.number = self.project["tab"]
 
@@ -148,8 +149,11 @@ class Tab:
         self.events.append(message)
         if message["event"] in ("project", "changed"):
             self.json = message["json"] if "json" in message else edited(self.json, message.get("ops", []))
-            self.revision, self.history = message["revision"], message["history"]
-            self.locked, self.problems = message["locked"], message["problems"]
+            self.revision, self.locked = message["revision"], message["locked"]
+            history = message["history"]
+            earlier = self.history["steps"][: history["from"]]
+            self.history = {"position": history["position"], "steps": earlier + history["steps"]}
+            self.problems = message.get("problems", self.problems)
         return None
 
     def next(self, name):
