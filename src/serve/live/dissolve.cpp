@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/length_unit.hpp"
@@ -27,10 +28,29 @@ Json in_unit(const Json& value, double factor) {
   return result;
 }
 
+// A value of a preset with its lengths in another unit, in that of the file. `metres`: the resolved value, in
+// which lengths are in m; only they differ.
+Json converted(const Json& value, const Json& metres, LengthUnit unit, double factor) {
+  constexpr double rounding = 1e-9;
+  if (value.is_number() && metres.is_number()) {
+    const double length = to_metres(value.get<double>(), unit);
+    return std::abs(length - metres.get<double>()) <= rounding * std::abs(length) ? in_unit(metres, factor)
+                                                                                  : value;
+  }
+  Json result = value;
+  if (value.is_array() && metres.is_array() && value.size() == metres.size())
+    for (std::size_t k = 0; k < value.size(); ++k) result[k] = converted(value[k], metres[k], unit, factor);
+  if (value.is_object() && metres.is_object())
+    for (auto& [key, part] : result.items())
+      if (metres.contains(key)) part = converted(part, metres[key], unit, factor);
+  return result;
+}
+
 }  // namespace
 
-std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, const Json& completed,
+std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, const CompletedFixture& whole,
                               const Draft& draft) {
+  const Json& completed = whole.json;
   const bool stands_against = completed.contains("against"), repeats = completed.contains("repeat");
   const bool is_of_preset =
       (stands_against && !entry.contains("against")) || (repeats && !entry.contains("repeat"));
@@ -43,13 +63,17 @@ std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, con
                      "choose another fixture");
 
   const double factor = to_metres(1, draft.store.unit);
-  // The entry goes last, so that the copies are laid out as it is.
   std::vector<EditOp> ops;
   const std::string list = pointer.substr(0, pointer.rfind('/') + 1);
   auto index = std::stoul(pointer.substr(list.size()));
   for (const Json& copy : copies) {
     Json fixture = is_of_preset ? completed : entry;
-    if (is_of_preset) fixture.erase("preset");
+    if (is_of_preset) {
+      fixture.erase("preset");
+      for (const auto& [key, unit] : whole.units)
+        if (fixture.contains(key) && copy.contains(key))
+          fixture[key] = converted(fixture[key], copy[key], unit, factor);
+    }
     fixture.erase("repeat");
     fixture.erase("against");
     fixture["id"] = copy["id"];
@@ -58,9 +82,11 @@ std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, con
       if (key != "id" && (value != copies.front()[key] || (stands_against && is_place)))
         fixture[key] = in_unit(value, key == "rotation_deg" ? 1 : factor);
     }
-    ops.push_back({list + std::to_string(++index), {}, std::move(fixture)});
+    // The first copy takes the place of the entry, with its comments.
+    const bool is_first = ops.empty();
+    ops.push_back(
+        {list + std::to_string(index++), is_first ? std::optional(entry) : std::nullopt, std::move(fixture)});
   }
-  ops.push_back({pointer, entry, {}});
   return ops;
 }
 

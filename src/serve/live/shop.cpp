@@ -185,7 +185,7 @@ CompletedFixture Shop::completed(const std::string& pointer) const {
 }
 
 std::vector<EditOp> Shop::dissolved(const std::string& pointer) const {
-  const Json whole = completed(pointer).json;
+  const CompletedFixture whole = completed(pointer);
   return serve::dissolved(pointer, json().at(Json::json_pointer(pointer)), whole, draft_);
 }
 

@@ -10,6 +10,7 @@
 #include "shelfbeam/base/file.hpp"
 
 #include "serve/live/shop.hpp"
+#include "support/temp_folder.hpp"
 
 namespace shelfbeam::serve {
 namespace {
@@ -54,6 +55,38 @@ TEST(Dissolved, FixturesAreWhereTheyWere) {
     for (const Json& part : shop.parts()) EXPECT_TRUE(part["locked"].is_null());
   }
   EXPECT_GT(dissolved, 10);
+}
+
+// A row of a catalogue in mm in a store in m, with comments around.
+TEST(Dissolved, KeepsCommentsAndSizes) {
+  const test::TempFolder folder;
+  write_file(folder.path() / "catalogue.json", R"({"units": "mm", "presets": {
+      "row": {"type": "gondola", "length": 2000, "depth": 900, "height": 1800, "shelves": [300, 900],
+              "rotation_deg": 90, "material": "w", "goods": "w", "stocking": 0.5, "repeat": {"count": 2, "step": [3000, 0]}}}})");
+  const std::string before = R"({"catalogues": ["catalogue.json"], "room": {"size": [20, 15, 4]},
+  "materials": {"w": {"type": "lambertian", "reflectance": 0.5}},
+  "fixtures": [
+    // the north aisle
+    {"preset": "row", "id": "A{n}", "at": [2, 5]},  // as built
+    {"preset": "row", "id": "B{n}", "at": [2, 9]}
+  ]})";
+  Shop shop(folder.path() / "store.json");
+  shop.update(before, 1);
+  const Json problems = shop.problems();  // the store has no labels, for example
+  const Json parts = shop.parts();
+  const std::string after = edited(before, shop.dissolved("/fixtures/0")).text;
+  EXPECT_NE(after.find("    // the north aisle\n    {"), std::string::npos) << after;
+  EXPECT_NE(after.find("// as built\n"), std::string::npos) << after;
+  shop.update(after, 2);
+  EXPECT_EQ(shop.problems(), problems) << after;
+  const auto outlines = [](const Json& list) {
+    std::map<std::string, Json> all;
+    for (const Json& part : list) all[part["id"].get<std::string>()] = {part["outline"], part["height"]};
+    return all;
+  };
+  EXPECT_EQ(outlines(shop.parts()), outlines(parts));
+  EXPECT_EQ(shop.json()["fixtures"][1]["length"], 2);
+  EXPECT_EQ(shop.json()["fixtures"][1]["rotation_deg"], 90);
 }
 
 }  // namespace
