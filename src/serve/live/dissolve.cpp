@@ -48,7 +48,7 @@ Json converted(const Json& value, const Json& metres, LengthUnit unit, double fa
 
 }  // namespace
 
-std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, const CompletedFixture& whole,
+std::vector<EditOp> dissolved(const std::string& pointer, const Json& entry, const FixtureKeys& whole,
                               const Draft& draft) {
   const Json& completed = whole.json;
   const bool stands_against = completed.contains("against"), repeats = completed.contains("repeat");

@@ -17,6 +17,6 @@ namespace shelfbeam::serve {
 /// presets, which take its place if one of them has these keys. The first one keeps the comments of the
 /// entry. Throws InputError if the entry has neither, or has problems.
 std::vector<EditOp> dissolved(const std::string& pointer, const nlohmann::ordered_json& entry,
-                              const CompletedFixture& whole, const Draft& draft);
+                              const FixtureKeys& whole, const Draft& draft);
 
 }  // namespace shelfbeam::serve

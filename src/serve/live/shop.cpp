@@ -83,6 +83,12 @@ Json device_json(const Device& device, const std::vector<Type>& types, const std
           {"source", where}};
 }
 
+Json units_json(const FixtureKeys& keys) {
+  Json units = Json::object();
+  for (const auto& [key, unit] : keys.units) units[key] = to_text(unit);
+  return units;
+}
+
 }  // namespace
 
 Shop::Shop(std::filesystem::path file, const CancelToken* cancel)
@@ -185,14 +191,17 @@ CompletedFixture Shop::completed(const std::string& pointer) const {
 }
 
 std::vector<EditOp> Shop::dissolved(const std::string& pointer) const {
-  const CompletedFixture whole = completed(pointer);
+  const FixtureKeys whole = completed(pointer).whole;
   return serve::dissolved(pointer, json().at(Json::json_pointer(pointer)), whole, draft_);
 }
 
 Json Shop::details(const std::string& pointer) const {
-  const auto completed = this->completed(pointer);
-  Json details{{"effective", completed.json}, {"units", Json::object()}, {"resolved", nullptr}};
-  for (const auto& [key, unit] : completed.units) details["units"][key] = to_text(unit);
+  const auto [whole, inherited] = completed(pointer);
+  Json details{{"effective", whole.json},
+               {"units", units_json(whole)},
+               {"inherited", inherited.json},
+               {"inherited_units", units_json(inherited)},
+               {"resolved", nullptr}};
   const StoreLists lists{draft_.store.materials, draft_.store.label_types, draft_.store.transceiver_types};
   for (const auto& [fixture, where] : draft_.store.fixtures)
     if (entry_of(where, draft_.store.file) == pointer) {

@@ -12,10 +12,16 @@
 
 namespace shelfbeam {
 
-/// A fixture of a store file with the keys of its presets.
-struct CompletedFixture {
+/// Keys of a fixture.
+struct FixtureKeys {
   nlohmann::ordered_json json;
   std::map<std::string, LengthUnit> units;  ///< of keys from a catalogue in another unit than the file's
+};
+
+/// A fixture of a store file with the keys of its presets.
+struct CompletedFixture {
+  FixtureKeys whole;
+  FixtureKeys inherited;  ///< those of the presets alone
 };
 /// Throws InputError if there is no such fixture, or if its presets have problems. `index`: in "fixtures".
 CompletedFixture completed_fixture(const std::string& text, const std::string& name,

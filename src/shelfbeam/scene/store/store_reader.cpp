@@ -241,11 +241,17 @@ CompletedFixture completed_fixture(const std::string& text, const std::string& n
   problems.throw_first();
   const JsonCursor fixtures = root["fixtures"];
   if (index >= fixtures.size()) fixtures.fail(fmt::format("has no element {}", index));
-  const JsonCursor whole = presets.complete(fixtures.element(index));
-  CompletedFixture completed{whole.value(), {}};
-  for (const auto& [key, value] : whole.members())
-    if (value.unit() != root.unit()) completed.units.emplace(key, value.unit());
-  return completed;
+  const auto completed = [&](const JsonCursor& fixture) {
+    const JsonCursor whole = presets.complete(fixture);
+    FixtureKeys keys{whole.value(), {}};
+    for (const auto& [key, value] : whole.members())
+      if (value.unit() != root.unit()) keys.units.emplace(key, value.unit());
+    return keys;
+  };
+  const JsonCursor fixture = fixtures.element(index);
+  const auto preset = fixture.find("preset");
+  if (!preset) return {completed(fixture), {nlohmann::ordered_json::object(), {}}};
+  return {completed(fixture), completed(fixture.replaced({{"preset", preset->value()}}))};
 }
 
 Store read_store(const std::filesystem::path& path, const StoreLimits& trust, Problems* problems) {

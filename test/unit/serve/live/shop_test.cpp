@@ -226,6 +226,8 @@ TEST(Shop, DescribesDevicesAndFixtures) {
   EXPECT_LE(shop.find("").size(), 50U);
   const Json details = shop.details("/fixtures/0");
   EXPECT_EQ(details["effective"]["type"], details["resolved"]["type"]);
+  EXPECT_EQ(details["inherited"]["length"], details["effective"]["length"]);
+  EXPECT_FALSE(details["inherited"].contains("id"));
   shop.update(R"({"fixtures": [{"preset": "none", "id": "a"}]})", 2);
   EXPECT_THROW(shop.details("/fixtures/0"), InputError) << "of a store without presets";
   for (const char* wrong : {"/fixtures/999", "/fixtures/x", "/fixtures/", "/room", ""})
