@@ -1,5 +1,6 @@
 // The entry point of the planner.
 
+import { newsOf } from "./actions/news";
 import { Page } from "./frame/page";
 import { Planner } from "./planner";
 import { say, text } from "./text";
@@ -22,6 +23,7 @@ try {
     const label = (text.requests as Record<string, string>)[what] ?? what;
     planner.say(say(text.notices.refused, label, message || text.notices.changed_meanwhile), true);
   };
+  planner.document.onOthers = (others) => planner.say(newsOf(others));
   window.shelfbeamPlanner = { planner, page };
   planner.connection.open();
 } catch (error) {

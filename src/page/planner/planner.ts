@@ -5,7 +5,7 @@ import { Connection } from "./document/connection";
 import { StoreDocument } from "./document/document";
 import { isObject } from "./document/json";
 import type { Part, Point } from "./document/messages";
-import type { Copied } from "./elements/copies";
+import type { Clip } from "./elements/copies";
 import { inUnit } from "./form/convert";
 import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
@@ -44,7 +44,7 @@ export class Planner {
   wheelPans = rememberedWheel();
   /** The pointer's place in the plan, m; null outside of it. */
   pointer: Point | null = null;
-  copied: readonly Copied[] = [];
+  clip: Clip = { copied: [], unit: "", types: {} };
   /** The type that the panel edits if nothing is selected: a pointer. */
   typePath: string | null = null;
   notice: Notice | null = null;

@@ -1,23 +1,34 @@
-// A test of the planner with one of the example stores. No test may leave an error in the console, or a store that
-// undoing does not bring back.
+// A test of the planner with one of the example stores. No test may leave an error in the console, a request without an
+// answer, or a store that undoing does not bring back.
 
 import { check, equal, test } from "../viewer/check.mjs";
 
-/** `run` gets the tab, and what makes more tabs and servers. */
-export const testPlanner = (what, { store = "grocery", keeps = false, ...options }, run) =>
-  test(what, async (given) => {
-    const server = await given.serve(store);
-    const tab = await given.tab(server, options);
-    await run(tab, given);
-    equal(tab.errors, [], "errors in the console");
-    if (keeps) return;
-    for (let { length } = await tab.labels(); length > 0; --length) {
-      await tab.page.evaluate(() => document.activeElement?.blur());
-      await tab.press("Escape", "Escape", "Control+z");
-      await tab.steps(length - 1);
-    }
-    check(server.text === server.first, "undoing everything does not bring the store back");
-  });
+/**
+ * `run` gets the tab, and what makes more tabs and servers. `keeps`: it leaves the store changed. `alone`: it uses what
+ * all pages share, such as the clipboard.
+ */
+export const testPlanner = (
+  what,
+  { store = "grocery", prepare, keeps = false, smoke = false, alone = false, ...options },
+  run,
+) =>
+  test(
+    what,
+    async (given) => {
+      const server = await given.serve(store, prepare);
+      const tab = await given.tab(server, options);
+      await run(tab, given);
+      equal(tab.errors, [], "errors in the console");
+      if (keeps) return;
+      for (let { length } = await tab.labels(); length > 0; --length) {
+        await tab.page.evaluate(() => document.activeElement?.blur());
+        await tab.press("Escape", "Escape", "Control+z");
+        await tab.steps(length - 1);
+      }
+      check(server.text === server.first, "undoing everything does not bring the store back");
+    },
+    { isSmoke: smoke, isAlone: alone },
+  );
 
 /** Places that a drag by whole pixels can reach: within 5 cm, in whole centimetres. */
 export function placed(found, expected, what = "place") {

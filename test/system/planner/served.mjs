@@ -8,10 +8,12 @@ import { parse } from "./jsonc.mjs";
 import { Wire } from "./wire.mjs";
 
 export class Served {
-  constructor(program, example, work) {
+  /** `prepare` gets the folder before the program starts. */
+  constructor(program, example, work, prepare) {
     this.program = program;
     this.folder = mkdtempSync(join(work, `${basename(example)}-`));
     cpSync(example, this.folder, { recursive: true });
+    prepare(this.folder);
     this.first = this.text;
   }
 
@@ -23,7 +25,7 @@ export class Served {
     return parse(this.text);
   }
 
-  async start(packages, files) {
+  async start(packages) {
     this.child = spawn(this.program, ["serve", this.folder, "--no-browser"], { stdio: ["ignore", "pipe", "pipe"] });
     const address = await new Promise((found, failed) => {
       let said = "";
@@ -36,7 +38,7 @@ export class Served {
       this.child.stderr.on("data", read);
       this.child.on("exit", () => failed(new Error(said)));
     });
-    this.wire = new Wire(address.endsWith("/") ? address : `${address}/`, packages, files);
+    this.wire = new Wire(address.endsWith("/") ? address : `${address}/`, packages);
     this.url = await this.wire.listen();
   }
 
@@ -45,12 +47,25 @@ export class Served {
     writeFileSync(join(this.folder, "store.json"), this.text.slice(0, -20));
   }
 
-  async close() {
-    await this.wire.close();
-    this.child.removeAllListeners("exit");
-    const ended = new Promise((done) => this.child.once("exit", done));
-    this.child.kill();
+  /** Another program writes the file. */
+  write(text) {
+    writeFileSync(join(this.folder, "store.json"), text);
+  }
+
+  /** Ends the program; its address then refuses connections. */
+  async end() {
+    if (!this.child) return;
+    const { child, wire } = this;
+    this.child = null;
+    await wire?.close();
+    child.removeAllListeners("exit");
+    const ended = new Promise((done) => child.once("exit", done));
+    child.kill();
     await ended;
+  }
+
+  async close() {
+    await this.end();
     rmSync(this.folder, { recursive: true, force: true });
   }
 }

@@ -15,6 +15,9 @@ export class Tab {
     this.pictures = pictures;
     page.on("pageerror", ({ stack }) => this.errors.push(stack));
     page.on("console", (message) => message.type() === "error" && this.errors.push(message.text()));
+    page.on("response", (response) => {
+      if (response.status() >= 400) this.errors.push(`${response.status()} ${response.url()}`);
+    });
   }
 
   async open() {

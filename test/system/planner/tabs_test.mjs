@@ -3,12 +3,13 @@
 import { check, equal, says } from "../viewer/check.mjs";
 import { placed, testPlanner } from "./opened.mjs";
 
-testPlanner("two tabs show the same store", {}, async (tab, given) => {
+testPlanner("two tabs show the same store", { smoke: true }, async (tab, given) => {
   const other = await given.tab(tab.server);
   await tab.click(10, 9.85);
   await tab.press("Shift+ArrowUp");
   await tab.steps(1);
   await other.steps(1);
+  equal(await other.text(".notice"), "Another tab: Move A3");
   await other.click(10, 9.95);
   equal(await other.selected(), ["/fixtures/2"]);
   await other.press("Delete");
@@ -17,6 +18,7 @@ testPlanner("two tabs show the same store", {}, async (tab, given) => {
   equal(await tab.selected(), [], "the deleted fixture is not selected any more");
   await tab.press("Control+z");
   await other.steps(1);
+  equal(await other.text(".notice"), "Another tab: Undo Delete A3");
   await other.push("#tab-history");
   equal(await other.text(".history [aria-current]"), "Move A3");
 });

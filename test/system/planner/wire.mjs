@@ -10,10 +10,8 @@ export class Wire {
   refuse = null;
   #pairs = new Set();
 
-  /** `files`: reads the files of a page that is newer than the server's; null for others. */
-  constructor(server, packages, files = () => null) {
+  constructor(server, packages) {
     this.server = new URL(server);
-    this.files = files;
     const { WebSocket, WebSocketServer } = createRequire(`${packages}/`)("ws");
     this.http = createServer((request, response) => this.#serve(request, response));
     new WebSocketServer({ server: this.http }).on("connection", (socket, request) => {
@@ -39,14 +37,8 @@ export class Wire {
   }
 
   #serve(request, response) {
-    const own = this.files(request.url.slice(this.server.pathname.length));
-    if (own) {
-      response.writeHead(200, own.headers);
-      response.end(own.bytes);
-      return;
-    }
-    const { hostname, port, host } = this.server;
-    const headers = { ...request.headers, host };
+    const { hostname, port, host, origin } = this.server;
+    const headers = { ...request.headers, host, ...(request.headers.origin ? { origin } : {}) };
     ask({ hostname, port, path: request.url, headers }, (answer) => {
       response.writeHead(answer.statusCode, answer.headers);
       answer.pipe(response);

@@ -1,7 +1,7 @@
-// A list of tests that run one after the other, each with a name.
+// A list of tests, each with a name.
 
 const tests = [];
-export const test = (name, run) => tests.push({ name, run });
+export const test = (name, run, options = {}) => tests.push({ name, run, ...options });
 
 export function check(condition, message) {
   if (!condition) throw new Error(message);
@@ -35,12 +35,18 @@ export function fails(run, what) {
   throw new Error(`negative control: ${what} was not noticed`);
 }
 
-/** Passes the context to all tests with a text in their names; `after` runs after each of them, even if it fails. */
-export async function runAll(given, after, text = "") {
+/**
+ * Runs tests, `lanes` at a time. Each gets a context of its own from `make`, which is closed after it, even if it fails.
+ * Tests that are alone wait for each other.
+ */
+export async function runAll(make, { chosen = () => true, lanes = 1 } = {}) {
+  const queue = tests.filter(chosen);
+  const { length } = queue;
   let failed = 0;
-  const chosen = tests.filter(({ name }) => name.includes(text));
-  for (const { name, run } of chosen) {
+  let free = Promise.resolve();
+  const runOne = async ({ name, run }) => {
     const begin = Date.now();
+    const given = await make();
     try {
       await run(given);
       console.log(`ok      ${name} (${Date.now() - begin} ms)`);
@@ -48,8 +54,16 @@ export async function runAll(given, after, text = "") {
       ++failed;
       console.log(`FAILED  ${name}\n        ${error.stack}`);
     }
-    await after();
-  }
-  console.log(`${chosen.length - failed} of ${chosen.length} passed`);
+    await given.close?.();
+  };
+  const work = async () => {
+    for (let next = queue.shift(); next; next = queue.shift()) {
+      const run = () => runOne(next);
+      if (next.isAlone) free = free.then(run);
+      await (next.isAlone ? free : run());
+    }
+  };
+  await Promise.all(Array.from({ length: lanes }, work));
+  console.log(`${length - failed} of ${length} passed`);
   return failed === 0;
 }

@@ -38,6 +38,6 @@ const given = {
   makeLargePlan: () => makeLargePlan(shelfbeam, largeReport, work),
   ...reportsIn(browser, join(work, "pictures")),
 };
-const passed = await runAll(given, () => browser.closePages());
+const passed = await runAll(() => ({ ...given, close: () => browser.closePages() }));
 await browser.close();
 process.exit(passed ? 0 : 1);

@@ -18,6 +18,8 @@ export interface Command {
   where: "plan" | "page" | "everywhere";
   run: () => void;
   isEnabled?: () => boolean;
+  /** Why it is not enabled, and what to do instead. */
+  why?: () => string;
   /** Of commands that switch something. */
   isOn?: () => boolean;
 }
@@ -25,6 +27,8 @@ export interface Command {
 export class Commands {
   private readonly byId = new Map<CommandId, Command>();
   private readonly byKey = new Map<string, Command[]>();
+  /** Somebody presses the key of a command that is not enabled. */
+  onRefused: (why: string) => void = () => {};
 
   add(commands: readonly Command[]): void {
     for (const command of commands) {
@@ -56,7 +60,9 @@ export class Commands {
     const here = (this.byKey.get(chord) ?? []).filter(
       ({ where }) => where === "everywhere" || (!place.inField && (where === "page" || place.inPlan)),
     );
-    here.find(({ isEnabled }) => isEnabled?.() ?? true)?.run();
+    const enabled = here.find(({ isEnabled }) => isEnabled?.() ?? true);
+    if (enabled) enabled.run();
+    else if (here[0]?.why) this.onRefused(here[0].why());
     return here.length > 0;
   }
 }

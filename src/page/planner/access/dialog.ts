@@ -4,7 +4,6 @@ import { button, element } from "../../panel/dom";
 import { text } from "../text";
 
 export function openDialog(title: string, kind: string, ...content: (Node | string)[]): HTMLDialogElement {
-  const before = document.activeElement;
   const dialog = element(
     "dialog",
     { class: `dialog ${kind}`, "aria-label": title },
@@ -20,10 +19,7 @@ export function openDialog(title: string, kind: string, ...content: (Node | stri
     if (event.target === dialog) dialog.close();
   });
   dialog.addEventListener("keydown", (event) => event.stopPropagation());
-  dialog.addEventListener("close", () => {
-    dialog.remove();
-    if (before instanceof HTMLElement) before.focus({ preventScroll: true });
-  });
+  dialog.addEventListener("close", () => dialog.remove());
   document.body.append(dialog);
   dialog.showModal();
   return dialog;

@@ -16,7 +16,8 @@ function itemOfHit(planner: Planner, { kind, path, key, index }: Hit): Item | nu
   return path ? { kind: "element", path } : null;
 }
 
-export function openFind(planner: Planner): void {
+/** `done`: after the choice of a hit. */
+export function openFind(planner: Planner, done: () => void): void {
   const search = async (typed: string): Promise<Result[]> => {
     if (typed === "") return [];
     const { hits } = await planner.document
@@ -31,6 +32,7 @@ export function openFind(planner: Planner): void {
         if (item) planner.selection.set([item]);
         if (item && planner.boundsOfItem(item)) showSelection(planner);
         else planner.viewport.fit({ lower: place, upper: place }, 120);
+        done();
       },
     }));
   };

@@ -40,9 +40,8 @@ export function openShortcuts(commands: Commands): void {
     "shortcuts",
     element(
       "div",
-      { class: "columns", tabindex: 0, role: "region", "aria-label": text.access.shortcuts },
-      ...sections.filter((section) => section !== null),
-      pointer,
+      { class: "scrolled", tabindex: 0, role: "region", "aria-label": text.access.shortcuts },
+      element("div", { class: "columns" }, ...sections.filter((section) => section !== null), pointer),
     ),
   );
 }

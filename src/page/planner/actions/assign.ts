@@ -2,7 +2,7 @@
 
 import { EditBuilder } from "../document/edit";
 import { pointerTo } from "../document/json";
-import type { TypeList } from "../form/schema";
+import type { TypeList } from "../elements/types";
 import { namesIn } from "../form/initial";
 import type { ElementKind, StoreElement } from "../elements/kinds";
 import { namesOf } from "../elements/names";

@@ -11,6 +11,7 @@ import { assignType } from "./assign";
 import { copySelection, deleteSelection, duplicateSelection, paste } from "./copy";
 import { alignSelection, distributeSelection, mirrorSelection, shiftSelection, turnSelection } from "./move";
 import { canDissolve, dissolve, nextItem, selectAll, selectSource, showAll, showSelection } from "./source";
+import { whyNoCopy, whyNot } from "./why_not";
 
 /** What other parts of the page do for commands. */
 export interface Surroundings {
@@ -28,7 +29,8 @@ export interface Surroundings {
 
 function editCommands({ planner, gestures }: Surroundings): Command[] {
   const { document } = planner;
-  const some = () => planner.selected.length > 0 && document.locked === null;
+  const some = () => whyNot(planner) === null;
+  const why = () => whyNoCopy(planner);
   const copyable = () => some() && planner.selected.some(({ kind }) => kind !== "room");
   const several = () => planner.selected.length > 1 && document.locked === null;
   const many = () => planner.selected.length > 2 && document.locked === null;
@@ -70,8 +72,9 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       group: "edit",
       keys: ["Ctrl+X"],
       where: "page",
-      run: () => copySelection(planner).length > 0 && void deleteSelection(planner),
+      run: () => copySelection(planner) && void deleteSelection(planner),
       isEnabled: copyable,
+      why,
     },
     {
       id: "copy",
@@ -87,7 +90,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       keys: ["Ctrl+V"],
       where: "page",
       run: () => void paste(planner, planner.pointer),
-      isEnabled: () => planner.copied.length > 0,
+      isEnabled: () => planner.clip.copied.length > 0,
     },
     {
       id: "duplicate",
@@ -96,6 +99,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       where: "page",
       run: () => void duplicateSelection(planner),
       isEnabled: copyable,
+      why,
     },
     {
       id: "delete",
@@ -104,6 +108,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       where: "page",
       run: () => void deleteSelection(planner),
       isEnabled: copyable,
+      why,
     },
     {
       id: "edit_source",
@@ -128,6 +133,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       where: "page",
       run: () => void turnSelection(planner, 90),
       isEnabled: some,
+      why,
     },
     {
       id: "rotate_back",
@@ -136,6 +142,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       where: "page",
       run: () => void turnSelection(planner, -90),
       isEnabled: some,
+      why,
     },
     {
       id: "mirror_x",
@@ -144,6 +151,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       where: "page",
       run: () => void mirrorSelection(planner, 0),
       isEnabled: some,
+      why,
     },
     {
       id: "mirror_y",
@@ -152,6 +160,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       where: "page",
       run: () => void mirrorSelection(planner, 1),
       isEnabled: some,
+      why,
     },
     ...alignments.map(
       (how): Command => ({
@@ -195,9 +204,11 @@ const crossPixels = 5;
 
 function arrowCommand({ planner, gestures, turnSpace }: Surroundings, [x, y]: [number, number], isFast: boolean): void {
   const { unit } = planner.document;
+  const why = planner.selection.items.length > 0 ? whyNot(planner) : null;
   const metres = (isFast ? 10 : 1) * unit.step * unit.factor;
   if (planner.tool === "measure")
     gestures.moveCross(x * crossPixels * (isFast ? 10 : 1), -y * crossPixels * (isFast ? 10 : 1));
+  else if (why !== null) planner.say(why, true);
   else if (planner.selected.length > 0) void shiftSelection(planner, x * metres, y * metres, true);
   else if (planner.isPlan || !turnSpace(x, y)) planner.viewport.pan(-x * arrowPixels, y * arrowPixels);
 }

@@ -7,6 +7,7 @@ import { noPreview, type Preview } from "../document/preview";
 import { contextOf } from "../elements/context";
 import { addCopies, idsOf, type Copied } from "../elements/copies";
 import { elementAt, kindOf, listOf, type StoreElement } from "../elements/kinds";
+import { addTypes, typesNamedBy, type Types } from "../elements/types";
 import { moveElement } from "../elements/motion";
 import { namesOf } from "../elements/names";
 import { boundsOf, middleOf } from "../geometry/bounds";
@@ -27,12 +28,18 @@ function copiesOf(planner: Planner, elements: readonly StoreElement[]): Copied[]
     });
 }
 
-export function copySelection(planner: Planner): readonly Copied[] {
-  const copied = copiesOf(planner, planner.selected);
-  if (copied.length === 0) return [];
-  planner.copied = copied;
-  planner.say(say(text.notices.copied, namesOf(planner.selected)));
-  return copied;
+/** False if nothing that is selected can be copied. */
+export function copySelection(planner: Planner): boolean {
+  const { document, selected } = planner;
+  const copied = copiesOf(planner, selected);
+  if (copied.length === 0) return false;
+  const types = typesNamedBy(
+    copied.map(({ value }) => value),
+    document.json,
+  );
+  planner.clip = { copied, unit: document.unit.name, types };
+  planner.say(say(text.notices.copied, namesOf(selected)));
+  return true;
 }
 
 /** A shift whose numbers have no more decimals than those of a drag. */
@@ -57,6 +64,7 @@ export async function insertCopies(
   shift: Point,
   label: string,
   preview: Preview = noPreview,
+  types: Types = {},
 ): Promise<boolean> {
   if (copied.length === 0) return false;
   const { document } = planner;
@@ -77,6 +85,7 @@ export async function insertCopies(
       );
   });
   const builder = new EditBuilder(document.json);
+  addTypes(builder, types, document.shared);
   paths.forEach((path, index) => {
     builder.append(listOf(copied[index].kind), scratch.get(path) as Json);
   });
@@ -87,12 +96,16 @@ export async function insertCopies(
 
 /** Puts the middle of the copies at a place, or beside the original. */
 export function paste(planner: Planner, at: Point | null): Promise<boolean> {
-  const { copied } = planner;
+  const { copied, unit, types } = planner.clip;
+  if (unit !== planner.document.unit.name) {
+    planner.say(say(text.notices.other_unit, unit, planner.document.unit.name), true);
+    return Promise.resolve(false);
+  }
   const bounds = boundsOf(copied.map(({ middle }) => middle));
   if (!bounds) return Promise.resolve(false);
   const shift = at ? wholeSteps(planner, minus(at, middleOf(bounds))) : aside(planner);
   const elements = copied.map(({ kind, value }, index) => ({ kind, value, index, path: "" }));
-  return insertCopies(planner, copied, shift, say(text.edits.paste, namesOf(elements)));
+  return insertCopies(planner, copied, shift, say(text.edits.paste, namesOf(elements)), noPreview, types);
 }
 
 /** Beside the original, m. */

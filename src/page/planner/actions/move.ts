@@ -1,9 +1,8 @@
 // Moves, turns, mirrors, aligns and distributes the selected elements.
 
 import { EditBuilder } from "../document/edit";
-import type { Part } from "../document/messages";
-import type { Preview } from "../document/preview";
-import { noPreview } from "../document/preview";
+import type { Part, Point } from "../document/messages";
+import { noPreview, type Preview } from "../document/preview";
 import { aligned, distributed, type Alignment } from "../elements/arrange";
 import { contextOf, knowDetails } from "../elements/context";
 import { isImmovable, motionOf, moveElement, previewOf, type Immovable } from "../elements/motion";
@@ -18,7 +17,6 @@ type MotionFor = (element: StoreElement, index: number) => Motion;
 
 /** How the plan looks after movements of elements, from where they were before the gesture. */
 export function motionPreview(planner: Planner, elements: readonly StoreElement[], motionFor: MotionFor): Preview {
-  planner.document.show(null);
   const parts = new Map<string, Part>();
   const devices = new Map<string, Motion>();
   planner.document.show(null); // movements count from the places before the gesture
@@ -61,6 +59,7 @@ export async function moveElements(
     if (why) immovable.add(why);
   });
   for (const why of immovable) planner.say(text.immovable[why], true);
+  if (immovable.size === 0 && builder.ops.length === 0) planner.say(text.notices.unchanged);
   return document.edit({ label, ops: builder.ops, join }, preview);
 }
 
@@ -70,21 +69,22 @@ export function shiftSelection(planner: Planner, x: number, y: number, join = fa
   return moveElements(planner, elements, () => shiftBy([x, y]), { label, join });
 }
 
+function moveAbout(planner: Planner, label: string, motionAt: (middle: Point) => Motion): Promise<boolean> {
+  const { selected: elements, selectionBounds: bounds } = planner;
+  if (!bounds) {
+    planner.say(text.why_not.unseen, true);
+    return Promise.resolve(false);
+  }
+  return moveElements(planner, elements, () => motionAt(middleOf(bounds)), { label: say(label, namesOf(elements)) });
+}
+
 /** About the middle of the selection. */
 export function turnSelection(planner: Planner, degrees: number): Promise<boolean> {
-  const bounds = planner.selectionBounds;
-  if (!bounds) return Promise.resolve(false);
-  const elements = planner.selected;
-  const label = say(text.edits.rotate, namesOf(elements));
-  return moveElements(planner, elements, () => turnAbout(degrees, middleOf(bounds)), { label });
+  return moveAbout(planner, text.edits.rotate, (middle) => turnAbout(degrees, middle));
 }
 
 export function mirrorSelection(planner: Planner, axis: 0 | 1): Promise<boolean> {
-  const bounds = planner.selectionBounds;
-  if (!bounds) return Promise.resolve(false);
-  const elements = planner.selected;
-  const label = say(text.edits.mirror, namesOf(elements));
-  return moveElements(planner, elements, () => mirrorAt(axis, middleOf(bounds)), { label });
+  return moveAbout(planner, text.edits.mirror, (middle) => mirrorAt(axis, middle));
 }
 
 function arrange(

@@ -1,10 +1,11 @@
 // From a copy, a label or a unit to the element that it comes from; and views of what is selected.
 
 import type { Planner } from "../planner";
-import { elementAt } from "../elements/kinds";
+import { pointerTo } from "../document/json";
+import { elementAt, elementsOf, listOf } from "../elements/kinds";
 import { nameOf } from "../elements/names";
 import { say, text } from "../text";
-import { itemOf, deviceItem } from "../view/hit";
+import { deviceItem, freePaths, itemOf } from "../view/hit";
 import type { Item } from "../view/selection";
 
 /** Selects the element that a copy or a device belongs to: the whole row. */
@@ -25,20 +26,20 @@ export function canDissolve(planner: Planner): boolean {
     .some(({ locked, against }) => locked === "repeat" || against !== undefined);
 }
 
-/** Turns a row, or a fixture against something, into fixtures with places of their own. */
-export async function dissolve(planner: Planner): Promise<void> {
-  const [item] = planner.selection.items;
-  if (item?.path) await planner.document.dissolve(item.path, say(text.edits.dissolve, nameOfPath(planner, item.path)));
-}
-
-function nameOfPath({ document }: Planner, path: string): string {
-  const element = elementAt(document.json, path);
-  return element ? nameOf(element) : path;
+/** Turns a row, or a fixture against something, into fixtures with places of their own, and selects them. */
+export async function dissolve({ document, selection }: Planner): Promise<void> {
+  const [item] = selection.items;
+  const element = item?.path ? elementAt(document.json, item.path) : null;
+  if (!element) return;
+  const count = () => elementsOf(document.json).length;
+  const before = count();
+  if (!(await document.dissolve(element.path, say(text.edits.dissolve, nameOf(element))))) return;
+  const made = Array.from({ length: count() - before + 1 }, (_, k) => element.index + k);
+  selection.setPaths(made.map((index) => pointerTo(listOf(element.kind), index)));
 }
 
 export function selectAll(planner: Planner): void {
   const { document, layers, selection } = planner;
-  const parts = document.parts.all.filter(({ kind }) => kind !== "room" && layers.isFree(kind)).map(itemOf);
   const devices = [document.labels, document.units]
     .filter(({ kind }) => layers.isFree(kind))
     .flatMap((list) =>
@@ -46,11 +47,8 @@ export function selectAll(planner: Planner): void {
         .filter((index) => list.isListed(index))
         .map((index) => deviceItem(list, index)),
     );
-  // A row is selected as a whole, by its element.
-  const items = [...parts, ...devices].map(
-    (item): Item => (item.kind === "copy" && item.path !== null ? { kind: "element", path: item.path } : item),
-  );
-  selection.set(items);
+  const elements = freePaths(document, layers).map((path): Item => ({ kind: "element", path }));
+  selection.set([...elements, ...devices]);
 }
 
 export function showAll({ viewport, wholeBounds }: Planner): void {

@@ -19,6 +19,8 @@ interface Waiting {
 
 const firstDelay = 300; // ms
 const longestDelay = 5000; // ms
+/** Attempts to connect again before the page looks whether the program has ended. */
+const attempts = 2;
 
 export class Connection {
   onEvent: (event: ServerEvent) => void = () => {};
@@ -29,6 +31,9 @@ export class Connection {
   private readonly waiting = new Map<number, Waiting>();
   private lastId = 0;
   private delay = firstDelay;
+  private failures = 0;
+  /** Nothing answers at the address, or another program that does not know it. */
+  hasEnded = false;
 
   /** `address`: of the page. */
   constructor(private readonly address: string) {}
@@ -41,6 +46,8 @@ export class Connection {
     this.socket = socket;
     socket.addEventListener("open", () => {
       this.delay = firstDelay;
+      this.failures = 0;
+      this.hasEnded = false;
       this.onState(true);
     });
     socket.addEventListener("message", ({ data }) => {
@@ -96,5 +103,16 @@ export class Connection {
     this.onState(false);
     setTimeout(() => this.open(), this.delay);
     this.delay = Math.min(2 * this.delay, longestDelay);
+    if (++this.failures > attempts) void this.examine();
+  }
+
+  private async examine(): Promise<void> {
+    const isThere = await fetch(this.address, { cache: "no-store" }).then(
+      ({ ok }) => ok,
+      () => false,
+    );
+    if (this.isOpen) return;
+    this.hasEnded = !isThere;
+    this.onState(false);
   }
 }

@@ -44,7 +44,11 @@ export class DetailsCache {
     const { generation } = this;
     const answer = this.connection.request<Details>("details", { path }).then(
       (answer) => {
-        const details = { ...answer, effective: this.convert(answer.effective, answer.units ?? {}) };
+        const details = {
+          ...answer,
+          effective: this.convert(answer.effective, answer.units ?? {}),
+          inherited: this.convert({ type: answer.effective.type, ...answer.inherited }, answer.inherited_units ?? {}),
+        };
         if (generation === this.generation) {
           this.known.set(path, details);
           this.arrived();

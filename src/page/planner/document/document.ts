@@ -43,7 +43,14 @@ export type Saving =
   | { state: "saved" }
   | { state: "saving" }
   | { state: "refused"; refusal: Refusal }
-  | { state: "lost"; edits: number };
+  | { state: "lost"; edits: number; hasEnded: boolean };
+
+export interface Others {
+  /** Whether it was a tab, or another program. */
+  isTab: boolean;
+  history: Record<"before" | "after", History>;
+  json: Record<"before" | "after", Json>;
+}
 
 export class StoreDocument {
   name = "";
@@ -68,6 +75,8 @@ export class StoreDocument {
   /** The whole store is another one. */
   onReplaced: (before: Json) => void = () => {};
   onRefused: (label: string, refusal: Refusal) => void = () => {};
+  /** Another tab or another program has changed the store. */
+  onOthers: (others: Others) => void = () => {};
 
   private confirmed: Json = {};
   private tab: number | undefined;
@@ -97,7 +106,8 @@ export class StoreDocument {
   }
 
   get saving(): Saving {
-    if (this.isReady && !this.connection.isOpen) return { state: "lost", edits: this.pending.length };
+    if (this.isReady && !this.connection.isOpen)
+      return { state: "lost", edits: this.pending.length, hasEnded: this.connection.hasEnded };
     if (this.pending.length > 0) return { state: "saving" };
     return this.refusal ? { state: "refused", refusal: this.refusal } : { state: "saved" };
   }
@@ -256,12 +266,9 @@ export class StoreDocument {
   private receive(event: ServerEvent): void {
     if (event.event === "project") this.start(event);
     else if (event.event === "changed") this.change(event);
-    else if (event.event === "warnings") {
+    else {
       this.warnings = event.warnings;
       this.changes.note("warnings");
-    } else {
-      this.locked = event.locked !== undefined ? event.locked : event.message ? { message: event.message } : null;
-      this.changes.note("status");
     }
   }
 
@@ -307,7 +314,7 @@ export class StoreDocument {
   }
 
   private change(event: ChangedEvent): void {
-    const [before, confirmedBefore] = [this.json, this.confirmed];
+    const [before, confirmedBefore, historyBefore] = [this.json, this.confirmed, this.history];
     const own = this.pending.find(({ id }) => event.tab === this.tab && event.request === id);
     try {
       if (event.ops) this.confirmed = applyOps(this.confirmed, event.ops);
@@ -321,12 +328,19 @@ export class StoreDocument {
       this.onMoved(this.placesAfter(event.ops, confirmedBefore));
     }
     if (!event.ops || (!own && event.ops.some(isMoving))) this.details.clear();
+    const isNew = event.revision !== this.revision;
     this.revision = event.revision;
     if (event.parts) this.parts.change(event.parts);
     this.take(event);
     if (own) this.settle(own, true);
     else this.rebase();
     if (!event.ops) this.onReplaced(before);
+    if (isNew && event.tab !== this.tab)
+      this.onOthers({
+        isTab: event.tab !== undefined,
+        history: { before: historyBefore, after: this.history },
+        json: { before: confirmedBefore, after: this.confirmed },
+      });
   }
 
   private take({ locked, history, ...given }: ProjectEvent | ChangedEvent): void {

@@ -19,7 +19,7 @@ export interface Part {
   holes?: Point[][];
   height?: number;
   rotation?: number;
-  locked?: "repeat" | "file" | null;
+  locked?: "repeat" | null;
   /** Whether it has problems, and only its place and size are known. */
   unfinished?: boolean;
   /** Of a fixture with a rectangle: the corner that it turns about, and its sides. */
@@ -39,10 +39,13 @@ export interface Problem {
   sentence: string;
 }
 
-/** The sentence without the place, which the page shows in another way. */
-export function withoutPlace({ path, sentence }: Problem): string {
-  const at = sentence.indexOf(`${path}: `);
-  return at < 0 ? sentence : sentence.slice(at + path.length + 2);
+/** The sentence without the store file and the place, which the page shows in other ways. */
+export function withoutPlace({ path, sentence }: Problem, file: string): string {
+  const own = sentence.startsWith(`${file}: `) ? sentence.slice(file.length + 2) : sentence;
+  if (path === "" || !own.startsWith(path)) return own;
+  // A preset may follow the place: "fixtures[2] (preset 'row'): ..."
+  const end = own.indexOf(": ", path.length);
+  return end < 0 ? own : own.slice(end + 2);
 }
 
 export interface Step {
@@ -99,13 +102,7 @@ export interface WarningsEvent {
   warnings: Problem[];
 }
 
-export interface LockedEvent {
-  event: "locked";
-  locked?: Locked | null;
-  message?: string;
-}
-
-export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LockedEvent;
+export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent;
 
 /** The header of a binary frame: labels or units from..from+remove are replaced by those of the frame. */
 export interface DevicesAbout {
@@ -120,6 +117,9 @@ export interface Details {
   effective: JsonObject;
   /** The units of lengths of presets from a catalogue in another unit than that of the store, by key. */
   units?: Record<string, string>;
+  /** The keys of its presets alone, and the units of their lengths. */
+  inherited: JsonObject;
+  inherited_units?: Record<string, string>;
   /** All keys with defaults, in m; null if the element has problems. */
   resolved: JsonObject | null;
 }

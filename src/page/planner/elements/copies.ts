@@ -4,6 +4,7 @@ import type { EditBuilder } from "../document/edit";
 import { isObject, type Json, type JsonObject } from "../document/json";
 import type { Part, Point } from "../document/messages";
 import { elementsOf, kinds, listOf, type ElementKind } from "./kinds";
+import type { Types } from "./types";
 
 export interface Copied {
   kind: ElementKind;
@@ -16,23 +17,32 @@ export interface Copied {
   middle: Point;
 }
 
-/** A text for the clipboard, and back. `unit`: of the lengths. */
-export const toText = (copied: readonly Copied[], unit: string): string =>
-  JSON.stringify({ shelfbeam: copied, unit } as unknown as Json);
+/** What the clipboard holds. */
+export interface Clip {
+  copied: readonly Copied[];
+  /** Of the lengths. */
+  unit: string;
+  /** The types that the copies name. */
+  types: Types;
+}
 
-export function fromText(text: string, unit: string): Copied[] {
+export const toText = ({ copied, ...rest }: Clip): string => JSON.stringify({ shelfbeam: copied, ...rest });
+
+/** Null if the text is not one of ours. */
+export function fromText(text: string): Clip | null {
   try {
-    const found = JSON.parse(text) as Json;
-    if (!isObject(found) || found.unit !== unit || !Array.isArray(found.shelfbeam)) return [];
-    return found.shelfbeam.filter(
+    const { shelfbeam, unit, types } = JSON.parse(text) as JsonObject;
+    if (!Array.isArray(shelfbeam)) return null;
+    const copied = shelfbeam.filter(
       (item) =>
         isObject(item) &&
         kinds.includes(item.kind as ElementKind) &&
         isObject(item.value) &&
         Array.isArray(item.middle),
     ) as unknown as Copied[];
+    return copied.length === 0 ? null : { copied, unit: String(unit), types: (isObject(types) ? types : {}) as Types };
   } catch {
-    return [];
+    return null;
   }
 }
 

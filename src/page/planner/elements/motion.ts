@@ -1,7 +1,7 @@
 // Moves elements: writes their positions, directions and angles after a movement of the plan.
 
 import type { EditBuilder } from "../document/edit";
-import { isObject, pointerTo, tokensOf, valueAt, type Json, type JsonObject } from "../document/json";
+import { equal, isObject, pointerTo, tokensOf, valueAt, type Json, type JsonObject } from "../document/json";
 import type { Part, Point } from "../document/messages";
 import { boundsOf, middleOf } from "../geometry/bounds";
 import { moved, movedPart, movedVector, shiftBy, toMiddle, type Motion } from "../geometry/rigid";
@@ -49,13 +49,14 @@ class Writer {
     readonly effective: JsonObject,
   ) {}
 
+  /** Values that are there already, perhaps from a preset, are not written. */
   set(pointer: string, value: Json): void {
     const tokens = tokensOf(pointer);
     const listAt = tokens.findIndex((_, k) =>
       Array.isArray(valueAt(this.effective, pointerTo("", ...tokens.slice(0, k)))),
     );
     if (listAt < 0) {
-      this.builder.set(this.path + pointer, value);
+      this.write(pointer, value);
       return;
     }
     const list = pointerTo("", ...tokens.slice(0, listAt));
@@ -67,7 +68,11 @@ class Writer {
   }
 
   finish(): void {
-    for (const [list, value] of this.lists) this.builder.set(this.path + list, value);
+    for (const [list, value] of this.lists) this.write(list, value);
+  }
+
+  private write(pointer: string, value: Json): void {
+    if (!equal(valueAt(this.effective, pointer), value)) this.builder.set(this.path + pointer, value);
   }
 }
 
@@ -101,7 +106,7 @@ function mirrored(context: Context, motion: Motion, writer: Writer): void {
   const middle = middleOfFirst(context);
   const arm = movedVector(minus(flat(effective.at), middle), { turn: after - before, mirrors: false, shift: [0, 0] });
   writer.set("/at", withPlace(effective.at, plus(moved(middle, motion), arm), unit));
-  writer.set("/rotation_deg", sixDigits(after));
+  if (after !== before) writer.set("/rotation_deg", sixDigits(after));
 }
 
 function moveRectangle({ kind, effective, unit }: Context, motion: Motion, writer: Writer, remove: () => void): void {
@@ -147,14 +152,17 @@ function moveAxes(
   if (after !== before) writer.set(roll, after);
 }
 
-function slide({ path, effective, parts: [part], unit }: Context, motion: Motion, builder: EditBuilder): void {
+/** False if it stays, because the movement is not along what the fixture stands against. */
+function slide({ path, effective, parts: [part], unit }: Context, motion: Motion, builder: EditBuilder): boolean {
   const against = effective.against as JsonObject;
   const along = part?.against?.along;
-  if (!along) return;
+  if (!along) return false;
   const way = dot(motion.shift, along) / unit.factor;
   const key = against.wall !== undefined ? "from" : "shift";
   const place = tidy(Number(against[key] ?? 0) + way, unit);
+  if (place === Number(against[key] ?? 0)) return false;
   builder.set(pointerTo(path, "against", key), key === "from" ? Math.max(place, 0) : place);
+  return true;
 }
 
 /** `wanted` is in m. The result is why the element stays, or null. */
@@ -162,10 +170,7 @@ export function moveElement(builder: EditBuilder, context: Context, wanted: Moti
   const { kind, path, effective, unit, parts } = context;
   const own = motionOf({ ...context, value: effective }, parts[0], wanted);
   if (isImmovable(own)) return own.immovable;
-  if (isObject(effective.against)) {
-    slide(context, own, builder);
-    return null;
-  }
+  if (isObject(effective.against)) return slide(context, own, builder) ? null : "against";
   const motion = inUnit(own, unit);
   const shape = shapeOf(kind, effective);
   const writer = new Writer(builder, path, effective);

@@ -7,7 +7,7 @@ import { say, text } from "../text";
 import type { Field, FieldType, Group, Variant } from "./field";
 import { initialObject, initialValue, type Surroundings } from "./initial";
 import { leafInput, optionName, typeChoice, type Place } from "./inputs";
-import { objectAt, presentAt, shownAt, type Shown, type Target } from "./targets";
+import { inheritedAt, objectAt, presentAt, shownAt, type Shown, type Target } from "./targets";
 import { alternativeOf, commonFields, fieldsOf, optionOf, variantOf } from "./variants";
 
 /** Changes one element; `path` is that of the element. */
@@ -25,6 +25,22 @@ export interface FormContext {
   write: (what: string, write: Write) => void;
   /** Takes the place of writing a value, for values that depend on others. */
   override?: (pointer: string, value: Json | undefined) => boolean;
+}
+
+const problemId = (pointer: string): string => `field${pointer}-problem`;
+
+/**
+ * Shows problems below the fields of their values, or of the values around them. `form`: elements with the pointers of
+ * their values as `data-field`.
+ */
+export function showProblems(form: HTMLElement, problems: ReadonlyMap<string, string>): void {
+  const rows = new Map([...form.querySelectorAll<HTMLElement>("[data-field]")].map((row) => [row.dataset.field, row]));
+  for (const row of rows.values()) row.querySelector(":scope > .problem")?.remove();
+  for (const [pointer, sentence] of problems) {
+    let at = pointer;
+    while (at !== "" && !rows.has(at)) at = at.slice(0, at.lastIndexOf("/"));
+    rows.get(at)?.append(element("p", { class: "problem", id: problemId(at), text: sentence }));
+  }
 }
 
 const fieldName = (key: string): string => (text.fields as Record<string, string>)[key] ?? key.replaceAll("_", " ");
@@ -46,15 +62,22 @@ export class Form {
       ({ key }) => key !== "id" || targets.length === 1,
     );
     const isSame = variants.every((variant) => variant === variants[0]);
-    const optional = variants.flatMap(({ alternatives }) => alternatives.flat());
+    const alternatives = variants.flatMap((variant) => variant.alternatives);
+    const isGiven = alternatives.some((keys) => keys.every((key) => this.isInherited(pointerTo(pointer, key))));
+    const needed = isGiven ? [] : alternatives.flat();
     const rows = fields.map((field) =>
-      this.row(optional.includes(field.key) ? { ...field, isRequired: true } : field, pointer),
+      this.row(needed.includes(field.key) ? { ...field, isRequired: true } : field, pointer),
     );
     if (isSame && group.variants.length > 1 && group.variants.every(({ name }) => name !== "parts"))
       rows.unshift(this.variantRow(group, variants[0], pointer));
     if (isSame && variants[0].alternatives.length > 1)
       rows.splice(this.alternativePlace(fields, variants[0]), 0, this.alternativeRow(variants[0], values[0], pointer));
     return rows;
+  }
+
+  /** Whether presets give a value to all targets. */
+  private isInherited(pointer: string): boolean {
+    return this.context.targets.every((target) => inheritedAt(target, pointer) !== undefined);
   }
 
   private alternativePlace(fields: Field[], { alternatives }: Variant): number {
@@ -68,7 +91,7 @@ export class Form {
   private place(pointer: string, key: string, isRequired: boolean): Place {
     const { around, isDisabled } = this.context;
     const id = `field${pointer}`;
-    return { id, key, label: fieldName(key), around, isDisabled, isRequired, problemId: `${id}-problem` };
+    return { id, key, label: fieldName(key), around, isDisabled, isRequired, problemId: problemId(pointer) };
   }
 
   private shown(pointer: string, field: Field): Shown {
@@ -76,8 +99,9 @@ export class Form {
     const isLength = field.type.kind === "number" && field.type.measure === "length";
     const inFile = (value: Json | undefined) =>
       isLength && typeof value === "number" ? Number((value / unit.factor).toPrecision(6)) : value;
-    return shownAt(this.context.targets, pointer, ({ details }) => {
-      const resolved = details?.resolved && valueAt(details.resolved, pointer);
+    return shownAt(this.context.targets, pointer, ({ own, details }) => {
+      const isOwn = valueAt(own, pointer) !== undefined;
+      const resolved = isOwn || !details?.resolved ? undefined : valueAt(details.resolved, pointer);
       return inFile(resolved ?? field.default);
     });
   }
@@ -92,11 +116,8 @@ export class Form {
 
   private row(field: Field, parent: string): HTMLElement {
     const { key, type } = field;
-    // A preset may have what the element leaves out.
-    const inherits =
-      key !== "id" && field.isRequired && this.context.targets.every(({ own }) => own.preset !== undefined);
-    const isRequired = field.isRequired && !inherits;
     const pointer = pointerTo(parent, key);
+    const isRequired = field.isRequired && !this.isInherited(pointer);
     const shown = this.shown(pointer, field);
     const place = this.place(pointer, key, isRequired);
     const active = type.kind === "either" ? optionOf(type.options, shown.own ?? shown.base) : type;
@@ -131,13 +152,7 @@ export class Form {
         ...controls,
         canReset ? reset : null,
       ),
-      this.problem(place, pointer),
     );
-  }
-
-  private problem(place: Place, pointer: string): HTMLElement | null {
-    const found = this.context.problems.get(pointer);
-    return found === undefined ? null : element("p", { class: "problem", id: place.problemId, text: found });
   }
 
   /** An object, a list or a map, which can be folded. */
@@ -154,9 +169,7 @@ export class Form {
     if (!isThere) return this.missingRow(place, field, type, pointer);
     const body = this.bodyOf(type, pointer, place);
     const folded = element("details", { class: "nested", "data-field": pointer });
-    folded.open =
-      unfolded.has(pointer) ||
-      (this.context.problems.size > 0 && [...this.context.problems.keys()].some((at) => at.startsWith(`${pointer}/`)));
+    folded.open = unfolded.has(pointer) || [...this.context.problems.keys()].some((at) => at.startsWith(`${pointer}/`));
     folded.addEventListener("toggle", () => {
       if (folded.open) unfolded.add(pointer);
       else unfolded.delete(pointer);
@@ -177,8 +190,6 @@ export class Form {
       ...body,
       ...(remove ? [element("div", { class: "buttons" }, remove)] : []),
     );
-    const problem = this.problem(place, pointer);
-    if (problem) folded.append(problem);
     return folded;
   }
 
@@ -199,7 +210,6 @@ export class Form {
       { class: "row", "data-field": pointer },
       element("span", { class: "name", text: place.label, title: field.description }),
       element("div", { class: "control" }, add),
-      this.problem(place, pointer),
     );
   }
 
@@ -281,7 +291,6 @@ export class Form {
               })
             : null,
         ),
-        this.problem(own, at),
       );
     });
     const name = element("input", {

@@ -45,6 +45,8 @@ interface Entry {
   lines?: number;
 }
 
+const typingPause = 400; // ms; half a number is no mistake
+
 /** A text field that accepts only what it can read. */
 export function entry(place: Place, { shown, placeholder, unit, label, id, read, commit, lines }: Entry): HTMLElement {
   const why = element("span", { class: "why", role: "alert", hidden: true, id: `${id}-why` });
@@ -66,24 +68,35 @@ export function entry(place: Place, { shown, placeholder, unit, label, id, read,
   input.dataset.shown = shown;
   // Enter is followed by a change event with the same text.
   let last = shown;
+  /** Reads the text, and says what is wrong with it. */
+  const judge = (use: (value: Json | undefined) => void) => {
+    const typed = input.value.trim();
+    why.textContent = "";
+    try {
+      use(typed === "" ? undefined : read(typed));
+    } catch (error) {
+      if (!(error instanceof Unreadable)) throw error;
+      why.textContent = error.message;
+    }
+    why.hidden = why.textContent === "";
+    input.ariaInvalid = String(!why.hidden);
+  };
   const changed = () => {
+    clearTimeout(timer);
     const typed = input.value.trim();
     if (typed === last) return;
     last = typed;
     input.dataset.shown = typed;
-    why.hidden = true;
-    input.removeAttribute("aria-invalid");
-    try {
-      const isEmpty = typed === "";
-      if (isEmpty && place.isRequired) input.value = shown;
-      else commit(isEmpty ? undefined : read(typed));
-    } catch (error) {
-      if (!(error instanceof Unreadable)) throw error;
-      why.textContent = error.message;
-      why.hidden = false;
-      input.setAttribute("aria-invalid", "true");
-    }
+    judge((value) => {
+      if (value === undefined && place.isRequired) input.value = shown;
+      else commit(value);
+    });
   };
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  input.addEventListener("input", () => {
+    clearTimeout(timer);
+    timer = setTimeout(judge, typingPause, () => {});
+  });
   input.addEventListener("change", changed);
   input.addEventListener("keydown", (event) => {
     const { key, ctrlKey } = event as KeyboardEvent;
@@ -97,7 +110,12 @@ export function entry(place: Place, { shown, placeholder, unit, label, id, read,
 
 const mixedOr = (shown: Shown, base: string): string => (shown.isMixed ? text.form.mixed : base);
 
-function numberInput(place: Place, measure: Measure, shown: Shown, commit: Commit): HTMLElement {
+function numberInput(
+  place: Place,
+  { measure, isInteger, least, most }: Extract<FieldType, { kind: "number" }>,
+  shown: Shown,
+  commit: Commit,
+): HTMLElement {
   const { unit } = place.around;
   return entry(place, {
     id: place.id,
@@ -105,7 +123,13 @@ function numberInput(place: Place, measure: Measure, shown: Shown, commit: Commi
     shown: numberText(shown.own),
     placeholder: mixedOr(shown, numberText(shown.base)),
     unit: unitText(measure, unit),
-    read: (typed) => numberFrom(typed, measure, unit),
+    read: (typed) => {
+      const value = numberFrom(typed, measure, unit);
+      if (isInteger && !Number.isInteger(value)) throw new Unreadable(text.form.not_whole);
+      if (value < least) throw new Unreadable(say(text.form.too_small, least));
+      if (value > most) throw new Unreadable(say(text.form.too_large, most));
+      return value;
+    },
     commit: (value) => commit(() => value),
   });
 }
@@ -287,7 +311,7 @@ export function leafInput(place: Place, type: FieldType, shown: Shown, commit: C
   const names = (of: NameList) => namesIn(place.around.json, of, place.around.shared);
   switch (type.kind) {
     case "number":
-      return numberInput(place, type.measure, shown, commit);
+      return numberInput(place, type, shown, commit);
     case "vector":
       return vectorInput(place, type.size, type.measure, shown, commit);
     case "flag":

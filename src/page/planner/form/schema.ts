@@ -3,6 +3,7 @@
 import schema from "../../../../data/store.schema.json";
 import { isObject, type Json, type JsonObject } from "../document/json";
 import type { ElementKind } from "../elements/kinds";
+import type { TypeList } from "../elements/types";
 import type { Field, FieldType, Group, Measure, NameList, Variant } from "./field";
 
 const definitions = schema.$defs as unknown as Record<string, JsonObject>;
@@ -248,8 +249,6 @@ function withPreset(group: Group): Group {
   const variants = group.variants.map((variant) => ({ ...variant, fields: [field, ...variant.fields] }));
   return { ...group, variants };
 }
-
-export type TypeList = "presets" | "materials" | "label_types" | "transceiver_types";
 
 /** A preset has the keys of the fixtures of its type, none of them required. */
 export function groupOfType(list: TypeList, fixtureType: string): Group | null {

@@ -31,24 +31,21 @@ function commonOf(values: readonly (Json | undefined)[]): { value: Json | undefi
   return { value: isMixed ? undefined : values[0], isMixed };
 }
 
-/** `fallback`: the default in the unit of the file. */
-function baseOf({ own, details }: Target, pointer: string, fallback: Json | undefined): Json | undefined {
-  const inherited = details ? valueAt(details.effective, pointer) : undefined;
-  return valueAt(own, pointer) === undefined && inherited !== undefined ? inherited : fallback;
-}
+export const inheritedAt = ({ details }: Target, pointer: string): Json | undefined =>
+  details ? valueAt(details.inherited, pointer) : undefined;
 
+/** `fallback`: the default in the unit of the file. */
 export function shownAt(
   targets: readonly Target[],
   pointer: string,
   fallback: (target: Target) => Json | undefined,
 ): Shown {
   const own = commonOf(targets.map((target) => valueAt(target.own, pointer)));
-  const present = commonOf(
-    targets.map((target) => valueAt(target.own, pointer) ?? baseOf(target, pointer, fallback(target))),
-  );
-  const base = commonOf(targets.map((target) => baseOf(target, pointer, fallback(target))));
+  const baseOf = (target: Target) => inheritedAt(target, pointer) ?? fallback(target);
+  const present = commonOf(targets.map((target) => valueAt(target.own, pointer) ?? baseOf(target)));
+  const base = commonOf(targets.map(baseOf));
   const [first] = targets;
-  const isInherited = first !== undefined && baseOf(first, pointer, undefined) !== undefined;
+  const isInherited = first !== undefined && inheritedAt(first, pointer) !== undefined;
   return {
     own: own.value,
     base: base.value,

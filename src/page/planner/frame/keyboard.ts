@@ -3,6 +3,7 @@
 import type { Commands } from "../access/commands";
 import { chordOf, isField } from "../access/keys";
 import { copySelection, deleteSelection, paste } from "../actions/copy";
+import { whyNoCopy } from "../actions/why_not";
 import { fromText, toText } from "../elements/copies";
 import type { Gestures } from "../gesture/gestures";
 import type { Planner } from "../planner";
@@ -43,9 +44,11 @@ export function listenToKeys(
   const ours = (event: ClipboardEvent) => !isField(event.target) && document.querySelector("dialog[open]") === null;
   const copy = (event: ClipboardEvent, isCut: boolean) => {
     if (!ours(event) || String(getSelection()) !== "") return;
-    const copied = copySelection(planner);
-    if (copied.length === 0) return;
-    event.clipboardData?.setData("text/plain", toText(copied, planner.document.unit.name));
+    if (!copySelection(planner)) {
+      planner.say(whyNoCopy(planner), true);
+      return;
+    }
+    event.clipboardData?.setData("text/plain", toText(planner.clip));
     event.preventDefault();
     if (isCut && planner.document.locked === null) void deleteSelection(planner);
   };
@@ -54,8 +57,8 @@ export function listenToKeys(
   document.addEventListener("paste", (event) => {
     if (!ours(event)) return;
     // Elements may come from another tab; without text of ours, the last copies of this tab are meant.
-    const copied = fromText(event.clipboardData?.getData("text/plain") ?? "", planner.document.unit.name);
-    if (copied.length > 0) planner.copied = copied;
+    planner.clip = fromText(event.clipboardData?.getData("text/plain") ?? "") ?? planner.clip;
+    if (planner.clip.copied.length === 0) return;
     event.preventDefault();
     void paste(planner, planner.isPlan ? planner.pointer : null);
   });

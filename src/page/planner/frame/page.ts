@@ -27,7 +27,7 @@ import { ProblemList } from "../side/problem_list";
 import { Properties } from "../side/properties";
 import { TypeLists } from "../side/type_list";
 import { Space } from "../space/space";
-import { say, text } from "../text";
+import { text } from "../text";
 import { Banner } from "./banner";
 import { listenToKeys } from "./keyboard";
 import { Rail } from "./rail";
@@ -80,7 +80,7 @@ export class Page {
       commandList({
         planner,
         gestures: this.gestures,
-        find: () => openFind(planner),
+        find: () => openFind(planner, () => this.focusPlan()),
         openCommands: () => this.openCommands(),
         openShortcuts: () => openShortcuts(this.commands),
         openMenu: () => this.menuAtSelection(),
@@ -134,7 +134,11 @@ export class Page {
     this.stage.setPlan(true);
     this.marks = new DeviceMarks(planner, this.stage);
     this.space = new Space(planner, this.stage, this.marks, address);
-    this.stage.onDrawn = () => this.names.update(this.stage, []);
+    this.stage.onDrawn = () => {
+      this.names.update(this.stage, []);
+      this.markDrawn();
+    };
+    this.commands.onRefused = (why) => planner.say(why, true);
     planner.onTool = () => this.gestures.useTool();
     this.gestures.onMenu = ([x, y]) => this.openMenuAt(x, y);
     this.gestures.onOpen = () => this.commands.run("edit_source");
@@ -178,7 +182,6 @@ export class Page {
     const { planner } = this;
     if (this.isFitted || !planner.document.isReady) return;
     this.isFitted = true;
-    document.title = say(text.access.page_title, planner.title);
     planner.layers.open(`${planner.document.name}/${planner.document.file}`);
     const bounds = planner.wholeBounds;
     if (bounds) this.stage.replace(emptyScenery(bounds.lower, bounds.upper));
@@ -200,7 +203,18 @@ export class Page {
     const hadFocus = document.activeElement === surface || document.activeElement === canvas;
     stage.setPlan(planner.isPlan);
     this.follow();
-    if (hadFocus) (planner.isPlan ? surface : canvas).focus({ preventScroll: true });
+    if (hadFocus) this.focusPlan();
+  }
+
+  private focusPlan(): void {
+    (this.planner.isPlan ? this.surface : this.canvas).focus({ preventScroll: true });
+  }
+
+  /** For measurements: once, when outlines and marks are drawn. */
+  private markDrawn(): void {
+    const { labels, units } = this.planner.document;
+    if (this.isFitted && labels.count + units.count > 0 && performance.getEntriesByName("drawn").length === 0)
+      performance.mark("drawn");
   }
 
   private showNames(): void {

@@ -13,8 +13,7 @@ export class StatusLine {
   private readonly place = element("span", { class: "place" });
   private readonly hint = element("span", { class: "hint" });
   private readonly notice = element("span", { class: "notice", role: "status" });
-  private readonly version = element("span", { class: "version" });
-  readonly root = element("footer", { class: "status" }, this.place, this.hint, this.notice, this.version);
+  readonly root = element("footer", { class: "status" }, this.place, this.hint, this.notice);
 
   private said: unknown = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -32,7 +31,6 @@ export class StatusLine {
         ? say(text.status.place, lengthText(pointer[0], document.unit), lengthText(pointer[1], document.unit))
         : "";
     this.hint.textContent = this.hintOf();
-    this.version.textContent = document.version ? say(text.status.version, document.version) : "";
     if (planner.notice === this.said) return;
     this.said = planner.notice;
     this.notice.textContent = planner.notice?.text ?? "";

@@ -65,6 +65,7 @@ export class Toolbar {
   update(): void {
     const { isPlan, title } = this.planner;
     this.name.textContent = title;
+    document.title = say(text.access.page_title, title);
     for (const [id, made] of this.buttons) {
       made.disabled = !this.commands.isEnabled(id);
       const isOn = this.commands.get(id).isOn?.();

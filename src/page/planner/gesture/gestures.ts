@@ -212,8 +212,9 @@ export class Gestures {
       if (keys.shift) selection.add([item]);
       else selection.set([item]);
     }
-    if (item.kind === "copy" || document.locked) {
-      planner.say(item.kind === "copy" ? text.notices.locked_copy : text.notices.locked, true);
+    const why = item.kind === "copy" ? text.why_not.copy : null;
+    if (why !== null || document.locked) {
+      planner.say(why ?? text.why_not.locked, true);
       this.enter(idle);
       return;
     }

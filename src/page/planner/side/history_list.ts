@@ -44,5 +44,10 @@ function timeText(time: string | undefined): string {
   const at = time === undefined ? Number.NaN : Date.parse(time);
   return Number.isNaN(at)
     ? ""
-    : new Date(at).toLocaleTimeString([], { hour: "2-digit", minute: "2-digit", hourCycle: "h23" });
+    : new Date(at).toLocaleString([], {
+        ...(new Date(at).toDateString() === new Date().toDateString() ? {} : { day: "numeric", month: "short" }),
+        hour: "2-digit",
+        minute: "2-digit",
+        hourCycle: "h23",
+      });
 }

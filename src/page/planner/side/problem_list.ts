@@ -32,7 +32,8 @@ export class ProblemList {
 
   private row(kind: "wrong" | "doubtful", problem: Problem, index: number): HTMLElement {
     const place = button("", () => goTo(this.planner, problem), { class: "plain", "data-key": `${kind}${index}` });
-    place.append(element("code", { text: problem.path }), element("span", { text: withoutPlace(problem) }));
+    const sentence = withoutPlace(problem, this.planner.document.file);
+    place.append(element("code", { text: problem.path }), element("span", { text: sentence }));
     return element("li", { class: kind }, place);
   }
 }

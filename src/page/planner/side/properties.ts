@@ -13,8 +13,9 @@ import { contextOf } from "../elements/context";
 import { kinds, type StoreElement } from "../elements/kinds";
 import { nameOf, namesOf } from "../elements/names";
 import type { Group } from "../form/field";
-import { Form, type FormContext } from "../form/form";
-import { groupOfElement, groupOfStore, groupOfType, type TypeList } from "../form/schema";
+import type { TypeList } from "../elements/types";
+import { Form, showProblems, type FormContext } from "../form/form";
+import { groupOfElement, groupOfStore, groupOfType } from "../form/schema";
 import { pointerOfPath, type Target } from "../form/targets";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
@@ -29,6 +30,8 @@ export class Properties {
   readonly root = element("aside", { class: "properties", "aria-label": text.properties.title, tabindex: -1 });
   private readonly unfolded = new Set<string>(["/labels", "/repeat"]);
   private isStale = false;
+  /** What the form edits. */
+  private targets: Target[] = [];
   private device: { item: string; answer: DeviceAnswer } | null = null;
 
   constructor(
@@ -45,10 +48,15 @@ export class Properties {
     const focused = document.activeElement;
     const isInside = focused instanceof HTMLElement && this.root.contains(focused);
     this.isStale = isInside && isTyping(focused);
-    if (this.isStale) return;
+    if (this.isStale) {
+      showProblems(this.root, this.problemsOf(this.targets));
+      return;
+    }
     const key = isInside ? focused.dataset.key : undefined;
     const { scrollTop } = this.root;
+    this.targets = [];
     this.root.replaceChildren(...this.content());
+    showProblems(this.root, this.problemsOf(this.targets));
     this.root.scrollTop = scrollTop;
     if (key === undefined) return;
     const again = this.root.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`);
@@ -104,6 +112,7 @@ export class Properties {
     more: Partial<FormContext> & { part?: FormContext["around"]["part"] } = {},
   ): HTMLElement {
     const { document } = this.planner;
+    this.targets = targets;
     const context: FormContext = {
       targets,
       around: { json: document.json, shared: document.shared, unit: document.unit, part: more.part ?? null },
@@ -114,7 +123,6 @@ export class Properties {
         const builder = new EditBuilder(document.json);
         for (const target of targets) write(builder, target);
         void document.edit({ label: say(text.edits.change, what, name), ops: builder.ops });
-        this.update();
       },
       override: more.override,
     };
@@ -124,11 +132,11 @@ export class Properties {
   /** By the pointer relative to the element; "" for those of the element as a whole. */
   private problemsOf(targets: readonly Target[]): Map<string, string> {
     const found = new Map<string, string>();
-    const { problems, warnings } = this.planner.document;
+    const { problems, warnings, file } = this.planner.document;
     for (const problem of [...warnings, ...problems])
       for (const target of targets) {
         const full = pointerOfPath(problem.path);
-        const sentence = withoutPlace(problem);
+        const sentence = withoutPlace(problem, file);
         if (full.startsWith(`${target.path}/`)) found.set(full.slice(target.path.length), sentence);
         else if (full === target.path || (problem.pointer === target.path && target.path !== ""))
           found.set("", sentence);
@@ -154,7 +162,6 @@ export class Properties {
     const single = contexts.length === 1 ? first : null;
     const type = single ? (single.effective.type ?? single.parts[0]?.type) : undefined;
     const subtitle = single ? subtitleOf(single, type) : text.properties.several;
-    const whole = this.problemsOf(targets).get("");
     const name = namesOf(elements);
     const hasPlace = single ? single.effective.at === undefined && single.effective.position === undefined : true;
     const isDisabled = document.locked !== null;
@@ -185,7 +192,7 @@ export class Properties {
             )
           : null,
       ),
-      ...(whole === undefined ? [] : [element("p", { class: "problem", text: whole })]),
+      element("div", { class: "whole", "data-field": "" }),
       ...(hasPlace ? [placeRows(this.planner, isDisabled)] : []).filter((row): row is HTMLElement => row !== null),
       ...(groups.length === contexts.length
         ? [
@@ -289,10 +296,9 @@ export class Properties {
       button(text.types.close, () => this.planner.openType(null), { "data-key": "close-type" }),
     );
     const target: Target = { path, own: value, effective: value, details: null };
-    const whole = this.problemsOf([target]).get("");
     return [
       this.header(name, text.types.singular[kind], actions),
-      ...(whole === undefined ? [] : [element("p", { class: "problem", text: whole })]),
+      element("div", { class: "whole", "data-field": "" }),
       ...(group ? [this.form([target], [asOptional(group, kind)], name)] : []),
     ];
   }
@@ -305,6 +311,7 @@ export class Properties {
       [text.properties.folder, document.name],
       [text.properties.file, document.file],
       [text.properties.unit, document.unit.name],
+      [text.properties.version, document.version],
       [text.layers.names.label, String(document.labels.count)],
       [text.layers.names.unit, String(document.units.count)],
     ];

@@ -6,7 +6,7 @@ import { pointerTo, splitPointer, valueAt, type Json } from "../document/json";
 import { typesOfSelection } from "../actions/assign";
 import { nextId } from "../elements/copies";
 import { namesIn } from "../form/initial";
-import type { TypeList } from "../form/schema";
+import type { TypeList } from "../elements/types";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 

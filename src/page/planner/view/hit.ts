@@ -92,16 +92,23 @@ export function itemAt(sight: Sight, point: Point, reach: number): Item | null {
   return part && itemOf(part);
 }
 
+/** The elements with outlines that can be selected together. */
+export function freePaths(document: StoreDocument, layers: Layers): string[] {
+  const free = document.parts.all.filter(({ kind }) => kind !== "room" && layers.isFree(kind));
+  return [...new Set(free.flatMap(({ path }) => path ?? []))];
+}
+
 /** The elements in a rectangle: those that lie inside, or also those that it touches. */
 export function itemsWithin(document: StoreDocument, layers: Layers, bounds: Bounds, isTouching: boolean): Item[] {
-  const parts = document.parts.all.filter(
-    (part) =>
-      layers.isFree(part.kind) &&
-      part.kind !== "room" &&
-      (isTouching && !lineKinds.has(part.kind)
-        ? touches(part.outline, bounds, isOpenLine(part))
-        : isInside(part.outline, bounds)),
-  );
+  const isCaught = (part: Part) =>
+    isTouching && !lineKinds.has(part.kind)
+      ? touches(part.outline, bounds, isOpenLine(part))
+      : isInside(part.outline, bounds);
+  // A row is caught if all its copies lie inside, or if one of them is touched.
+  const paths = freePaths(document, layers).filter((path) => {
+    const copies = document.parts.of(path);
+    return isTouching ? copies.some(isCaught) : copies.every(isCaught);
+  });
   const devices = [document.units, document.labels]
     .filter(({ kind }) => layers.isFree(kind))
     .flatMap((list) => {
@@ -113,5 +120,5 @@ export function itemsWithin(document: StoreDocument, layers: Layers, bounds: Bou
       }
       return found;
     });
-  return [...parts.map(itemOf), ...devices];
+  return [...paths.map((path): Item => ({ kind: "element", path })), ...devices];
 }

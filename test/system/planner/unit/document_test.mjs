@@ -51,6 +51,7 @@ const settled = () => new Promise((done) => setTimeout(done, 5));
 /** A server that answers when the test says so. */
 class Connection {
   isOpen = true;
+  hasEnded = false;
   sent = [];
   reopened = 0;
   nextId() {
@@ -168,7 +169,7 @@ test("after a lost connection, what the server has not received is sent again, o
   for (const { reject } of connection.sent) reject(new Lost());
   connection.isOpen = false;
   await settled();
-  assert.deepEqual(document.saving, { state: "lost", edits: 2 });
+  assert.deepEqual(document.saving, { state: "lost", edits: 2, hasEnded: false });
   connection.isOpen = true;
   connection.sent.length = 0;
   const [a, ...others] = store.fixtures;
@@ -209,11 +210,11 @@ test("an event that does not fit begins again", () => {
 
 test("a locked store takes no edits", async () => {
   const { connection, document, move } = opened();
-  connection.onEvent({ event: "locked", locked: { message: "line 3" } });
+  connection.onEvent(changed(5, undefined, { locked: { message: "line 3" } }));
   assert.equal(await document.edit(move(0, 9)), false);
   assert.equal(connection.sent.length, 0);
   assert.equal(document.canUndo, false);
-  connection.onEvent({ event: "locked", locked: null });
+  connection.onEvent(changed(5));
   void document.edit(move(0, 9));
   assert.equal(connection.sent.length, 1);
 });

@@ -11,7 +11,6 @@ import { pointerOfPath, presentAt, shownAt } from "../../../../src/page/planner/
 import { alternativeOf, commonFields, fieldsOf, variantOf } from "../../../../src/page/planner/form/variants";
 import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { text } from "../../../../src/page/planner/text";
-import { effective } from "../fake_resolve.mjs";
 import { parse } from "../jsonc.mjs";
 
 const fixtureTypes = ["gondola", "freezer", "box", "prism", "cylinder", "panel", "mesh"];
@@ -88,6 +87,12 @@ test("only values that nobody types are shown as JSON", () => {
 const examples = process.env.EXAMPLES;
 const folder = readdirSync(examples, { withFileTypes: true }).filter((entry) => entry.isDirectory());
 
+/** A fixture with the keys of its preset, as far as the choice of a form needs them. */
+function effective(json, element) {
+  const preset = json.presets?.[element.preset];
+  return preset ? { ...effective(json, preset), ...element } : element;
+}
+
 test("forms show every key of the examples", () => {
   const omitted = ["type", "variation", "zones", "inner_walls"];
   let count = 0;
@@ -138,6 +143,7 @@ test("several elements have their common fields", () => {
 test("values: own, of a preset, default, mixed", () => {
   const details = {
     effective: { depth: 0.9, labels: { type: "large" } },
+    inherited: { depth: 0.9, labels: { type: "large" } },
     resolved: null,
   };
   const target = (own) => ({
@@ -156,6 +162,7 @@ test("values: own, of a preset, default, mixed", () => {
   });
   assert.equal(shown([target({})], "/height", 2).base, 2);
   assert.equal(shown([target({ depth: 3 })], "/depth", 1).own, 3);
+  assert.equal(shown([target({ depth: 3 })], "/depth", 1).base, 0.9);
   assert.equal(shown([target({ depth: 3 }), target({})], "/depth", 1).isMixed, true);
   assert.equal(shown([target({ depth: 0.9 }), target({})], "/depth", 1).isMixed, false);
   assert.equal(presentAt(target({}), "/labels/type"), "large");

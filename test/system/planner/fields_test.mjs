@@ -1,0 +1,68 @@
+// Tests what fields say and offer: errors, resets, and presets of catalogues.
+
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { check, equal } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+const has = (tab, selector) => tab.page.evaluate((of) => document.querySelector(of) !== null, selector);
+
+testPlanner("an error shows while somebody types, and when the answer comes", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  const type = async (key, typed) => {
+    await tab.page.focus(`[data-key="${key}"]`);
+    await tab.page.keyboard.press("Control+a");
+    await tab.page.keyboard.insertText(typed);
+  };
+  await type("field/height", "high");
+  await tab.until(() => document.querySelector(".why:not([hidden])")?.textContent.startsWith("Not a length"));
+  await type("field/height", "1.4");
+  await tab.until(() => document.querySelector(".why:not([hidden])") === null);
+  tab.server.wire.delay = 300;
+  await type("field/length", "2000");
+  await tab.press("Tab");
+  await tab.page.keyboard.insertText("1");
+  await tab.until(() => document.querySelector('[data-field="/length"] .problem') !== null);
+  equal(await tab.page.evaluate(() => document.activeElement.value), "1", "the field that is being typed in");
+  tab.server.wire.delay = 0;
+  await tab.press("Escape");
+});
+
+testPlanner("a reset is offered where a preset or a default takes its place", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.until(() => document.querySelector('[data-key="field/length"]')?.placeholder === "12");
+  check(!(await has(tab, '[data-key="field/at/reset"]')), "a place cannot be left out");
+  check(!(await has(tab, '[data-key="field/id/reset"]')), "an id cannot be left out");
+  await tab.fill("field/length", "3");
+  await tab.steps(1);
+  await tab.push('[data-key="field/length/reset"]');
+  await tab.steps(2);
+  await tab.click(11, 14.4);
+  check(!(await has(tab, '[data-key="field/length/reset"]')), "without a preset, a length cannot be left out");
+});
+
+/** Moves a preset into a catalogue, in millimetres. */
+function withCatalogue(folder) {
+  const file = join(folder, "store.json");
+  const text = readFileSync(file, "utf8").replace("{", '{ "catalogues": ["chain.json"],');
+  const preset = { type: "box", size: [1200, 800, 1500], material: "steel" };
+  writeFileSync(join(folder, "chain.json"), JSON.stringify({ units: "mm", presets: { "chain box": preset } }));
+  writeFileSync(
+    file,
+    text.replace(/"fixtures":\s*\[/, '$& { "id": "C1", "preset": "chain box", "at": [12, 1.5, 0] },'),
+  );
+}
+
+testPlanner("values of a catalogue in another unit", { prepare: withCatalogue }, async (tab) => {
+  await tab.click(12.6, 1.9);
+  equal(await tab.selected(), ["/fixtures/0"]);
+  await tab.until(() => document.querySelector('[data-key="field/size/0"]')?.placeholder === "1.2");
+  await tab.press("Shift+2");
+  await tab.dragPixels(await tab.grip("x1"), await tab.at(14, 1.9));
+  await tab.steps(1);
+  equal(tab.json.fixtures[0].size, [2, 0.8, 1.5]);
+  await tab.push('[data-key="field/size/0/reset"], [data-key="field/size/reset"]');
+  await tab.steps(2);
+  equal(tab.json.fixtures[0].size, undefined);
+});

@@ -1,0 +1,45 @@
+// Tests what the page says about others: outside changes, another project, and the end of the program.
+
+import { readFileSync } from "node:fs";
+
+import { equal, says } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+const { hints } = JSON.parse(readFileSync(new URL("../../../src/page/planner/english.json", import.meta.url), "utf8"));
+
+testPlanner("a change outside is said, and can be undone", {}, async (tab) => {
+  tab.server.write(tab.server.text.replace("[11, 14.2]", "[11, 14.3]").replace("[6, 14.2]", "[6, 14.3]"));
+  await tab.steps(1);
+  says(await tab.text(".notice"), "Changed outside: F1");
+});
+
+testPlanner("what stands against a wall says so", { store: "market-hall" }, async (tab) => {
+  const index = tab.json.fixtures.findIndex(({ against, repeat }) => against && !repeat);
+  await tab.page.evaluate((k) => window.shelfbeamPlanner.planner.selection.setPaths([`/fixtures/${k}`]), index);
+  await tab.page.focus(".surface");
+  await tab.press("r");
+  says(await tab.text(".notice"), "Dissolve it");
+});
+
+testPlanner("the end of the program is said, with what is not saved", { keeps: true }, async (tab) => {
+  await tab.server.end();
+  await tab.until(() => document.querySelector(".saving").dataset.state === "lost");
+  await tab.click(10, 9.85);
+  await tab.press("Shift+ArrowUp");
+  await tab.until(() => document.querySelector(".banner").textContent.includes("1 change is not saved"));
+  says(await tab.text(".banner"), "The planner has ended. Start shelfbeam serve again");
+  tab.errors.length = 0; // of the attempts to connect again
+});
+
+testPlanner("no hint of the status line is cut off at 1280 pixels", {}, async (tab) => {
+  const cut = await tab.page.evaluate((hints) => {
+    const hint = document.querySelector(".status .hint");
+    const found = [];
+    for (const words of hints) {
+      hint.textContent = words;
+      if (hint.scrollWidth > hint.clientWidth) found.push(words);
+    }
+    return found;
+  }, Object.values(hints));
+  equal(cut, []);
+});

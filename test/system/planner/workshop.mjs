@@ -1,0 +1,43 @@
+// What one test works with: servers and tabs of its own, which end with it.
+
+import { join } from "node:path";
+
+import { Served } from "./served.mjs";
+import { Tab } from "./tab.mjs";
+
+export class Workshop {
+  #servers = [];
+  #contexts = [];
+
+  /** `tools`: those of planner_test.mjs, which all tests share. */
+  constructor(tools) {
+    this.tools = tools;
+    this.axe = tools.axe;
+  }
+
+  /** `prepare`: gets the folder of the project before the program starts. */
+  async serve(store, prepare = () => {}) {
+    const { shelfbeam, packages, examples, work } = this.tools;
+    const server = new Served(shelfbeam, join(examples, store), work, prepare);
+    this.#servers.push(server);
+    await server.start(packages);
+    return server;
+  }
+
+  async tab(server, { width = 1280, height = 720, dark = false, ...options } = {}) {
+    const context = await this.tools.browser.newContext({
+      viewport: { width, height },
+      colorScheme: dark ? "dark" : "light",
+      ...options,
+    });
+    this.#contexts.push(context);
+    const tab = new Tab(await context.newPage(), server, this.tools.pictures);
+    await tab.open();
+    return tab;
+  }
+
+  async close() {
+    for (const context of this.#contexts) await context.close();
+    for (const server of this.#servers) await server.close();
+  }
+}
