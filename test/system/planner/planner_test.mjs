@@ -37,7 +37,15 @@ mkdirSync(pictures, { recursive: true });
 const require = createRequire(`${packages}/`);
 const browser = await require("playwright-core").chromium.launch({
   executablePath: program,
-  args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  args: [
+    "--no-sandbox",
+    "--disable-dev-shm-usage",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    // Without a graphics card, the browser paints the page several times faster by itself.
+    "--disable-gpu-rasterization",
+    "--disable-gpu-compositing",
+  ],
 });
 const axe = require("axe-core").source;
 const passed = await runAll(() => new Workshop({ shelfbeam, packages, examples, work, browser, pictures, axe }), {

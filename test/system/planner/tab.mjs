@@ -149,8 +149,7 @@ export class Tab {
   }
 
   async choose(key, label) {
-    const option = await this.page.$(`[data-key="${key}"]`);
-    await option.selectOption({ label });
+    await this.page.selectOption(`[data-key="${key}"]`, { label });
     await this.settle();
   }
 

@@ -1,5 +1,7 @@
 // Icons: strokes on a square of 24 units.
 
+import { svg } from "../plan/svg";
+
 const paths = {
   select: "M5 3l6.5 16 2.3-6.7L20.5 10z",
   measure: "M3 16.5L16.5 3 21 7.5 7.5 21zM7 12.5l2 2M10 9.5l1.5 1.5M13 6.5l2 2",
@@ -40,15 +42,5 @@ const paths = {
 
 export type IconName = keyof typeof paths;
 
-const namespace = "http://www.w3.org/2000/svg";
-
-export function icon(name: IconName): SVGSVGElement {
-  const svg = document.createElementNS(namespace, "svg");
-  svg.setAttribute("viewBox", "0 0 24 24");
-  svg.setAttribute("class", "icon");
-  svg.setAttribute("aria-hidden", "true");
-  const path = document.createElementNS(namespace, "path");
-  path.setAttribute("d", paths[name]);
-  svg.append(path);
-  return svg;
-}
+export const icon = (name: IconName): SVGSVGElement =>
+  svg("svg", { viewBox: "0 0 24 24", class: "icon", "aria-hidden": "true" }, svg("path", { d: paths[name] }));

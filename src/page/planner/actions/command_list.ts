@@ -27,6 +27,14 @@ export interface Surroundings {
   fit: () => void;
 }
 
+const command = (
+  group: Command["group"],
+  id: Command["id"],
+  keys: string[],
+  run: () => void,
+  more: Partial<Command> = {},
+): Command => ({ id, group, keys, where: "page", run, ...more });
+
 function editCommands({ planner, gestures }: Surroundings): Command[] {
   const { document } = planner;
   const some = () => whyNot(planner) === null;
@@ -40,154 +48,45 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
     const label = steps[what === "undo" ? position - 1 : position]?.label ?? "";
     if (await document[what]()) planner.say(say(text.notices[what], label));
   };
-  const names = {
-    left: "align_left",
-    centre: "align_centre",
-    right: "align_right",
-    top: "align_top",
-    middle: "align_middle",
-    bottom: "align_bottom",
-  } as const;
   return [
-    {
-      id: "undo",
-      group: "edit",
-      keys: ["Ctrl+Z"],
-      where: "page",
-      run: () => {
+    command(
+      "edit",
+      "undo",
+      ["Ctrl+Z"],
+      () => {
         if (!gestures.cancel()) void step("undo");
       },
-      isEnabled: () => gestures.scope.kind !== "idle" || document.canUndo,
-    },
-    {
-      id: "redo",
-      group: "edit",
-      keys: ["Ctrl+Y", "Ctrl+Shift+Z"],
-      where: "page",
-      run: () => void step("redo"),
-      isEnabled: () => document.canRedo,
-    },
-    {
-      id: "cut",
-      group: "edit",
-      keys: ["Ctrl+X"],
-      where: "page",
-      run: () => copySelection(planner) && void deleteSelection(planner),
-      isEnabled: copyable,
-      why,
-    },
-    {
-      id: "copy",
-      group: "edit",
-      keys: ["Ctrl+C"],
-      where: "page",
-      run: () => void copySelection(planner),
-      isEnabled: () => planner.selected.some(({ kind }) => kind !== "room"),
-    },
-    {
-      id: "paste",
-      group: "edit",
-      keys: ["Ctrl+V"],
-      where: "page",
-      run: () => void paste(planner, planner.pointer),
-      isEnabled: () => planner.clip.copied.length > 0,
-    },
-    {
-      id: "duplicate",
-      group: "edit",
-      keys: ["Ctrl+D"],
-      where: "page",
-      run: () => void duplicateSelection(planner),
-      isEnabled: copyable,
-      why,
-    },
-    {
-      id: "delete",
-      group: "edit",
-      keys: ["Delete", "Backspace"],
-      where: "page",
-      run: () => void deleteSelection(planner),
-      isEnabled: copyable,
-      why,
-    },
-    {
-      id: "edit_source",
-      group: "edit",
-      keys: ["Enter"],
-      where: "plan",
-      run: () => selectSource(planner),
-      isEnabled: isCopy,
-    },
-    {
-      id: "dissolve",
-      group: "edit",
-      keys: [],
-      where: "page",
-      run: () => void dissolve(planner),
-      isEnabled: () => document.locked === null && canDissolve(planner),
-    },
-    {
-      id: "rotate",
-      group: "arrange",
-      keys: ["R"],
-      where: "page",
-      run: () => void turnSelection(planner, 90),
-      isEnabled: some,
-      why,
-    },
-    {
-      id: "rotate_back",
-      group: "arrange",
-      keys: ["Shift+R"],
-      where: "page",
-      run: () => void turnSelection(planner, -90),
-      isEnabled: some,
-      why,
-    },
-    {
-      id: "mirror_x",
-      group: "arrange",
-      keys: ["Shift+H"],
-      where: "page",
-      run: () => void mirrorSelection(planner, 0),
-      isEnabled: some,
-      why,
-    },
-    {
-      id: "mirror_y",
-      group: "arrange",
-      keys: ["Shift+V"],
-      where: "page",
-      run: () => void mirrorSelection(planner, 1),
-      isEnabled: some,
-      why,
-    },
-    ...alignments.map(
-      (how): Command => ({
-        id: names[how],
-        group: "arrange",
-        keys: [],
-        where: "page",
-        run: () => void alignSelection(planner, how),
-        isEnabled: several,
-      }),
+      { isEnabled: () => gestures.scope.kind !== "idle" || document.canUndo },
     ),
-    {
-      id: "distribute_x",
-      group: "arrange",
-      keys: [],
-      where: "page",
-      run: () => void distributeSelection(planner, 0),
-      isEnabled: many,
-    },
-    {
-      id: "distribute_y",
-      group: "arrange",
-      keys: [],
-      where: "page",
-      run: () => void distributeSelection(planner, 1),
-      isEnabled: many,
-    },
+    command("edit", "redo", ["Ctrl+Y", "Ctrl+Shift+Z"], () => void step("redo"), { isEnabled: () => document.canRedo }),
+    command("edit", "cut", ["Ctrl+X"], () => copySelection(planner) && void deleteSelection(planner), {
+      isEnabled: copyable,
+      why,
+    }),
+    command("edit", "copy", ["Ctrl+C"], () => void copySelection(planner), {
+      isEnabled: () => planner.selected.some(({ kind }) => kind !== "room"),
+    }),
+    command("edit", "paste", ["Ctrl+V"], () => void paste(planner, planner.pointer), {
+      isEnabled: () => planner.clip.copied.length > 0,
+    }),
+    command("edit", "duplicate", ["Ctrl+D"], () => void duplicateSelection(planner), { isEnabled: copyable, why }),
+    command("edit", "delete", ["Delete", "Backspace"], () => void deleteSelection(planner), {
+      isEnabled: copyable,
+      why,
+    }),
+    command("edit", "edit_source", ["Enter"], () => selectSource(planner), { where: "plan", isEnabled: isCopy }),
+    command("edit", "dissolve", [], () => void dissolve(planner), {
+      isEnabled: () => document.locked === null && canDissolve(planner),
+    }),
+    command("arrange", "rotate", ["R"], () => void turnSelection(planner, 90), { isEnabled: some, why }),
+    command("arrange", "rotate_back", ["Shift+R"], () => void turnSelection(planner, -90), { isEnabled: some, why }),
+    command("arrange", "mirror_x", ["Shift+H"], () => void mirrorSelection(planner, 0), { isEnabled: some, why }),
+    command("arrange", "mirror_y", ["Shift+V"], () => void mirrorSelection(planner, 1), { isEnabled: some, why }),
+    ...alignments.map((how) =>
+      command("arrange", `align_${how}`, [], () => void alignSelection(planner, how), { isEnabled: several }),
+    ),
+    command("arrange", "distribute_x", [], () => void distributeSelection(planner, 0), { isEnabled: many }),
+    command("arrange", "distribute_y", [], () => void distributeSelection(planner, 1), { isEnabled: many }),
   ];
 }
 
@@ -214,83 +113,41 @@ function arrowCommand({ planner, gestures, turnSpace }: Surroundings, [x, y]: [n
 }
 
 function moveCommands(around: Surroundings): Command[] {
-  const keys = Object.keys(arrows);
-  const run = (isFast: boolean) => (key: string) => arrowCommand(around, arrows[key], isFast);
-  return [
-    ...keys.map(
-      (key): Command => ({
-        id: `nudge_${key.slice(5).toLowerCase()}` as Command["id"],
-        group: "arrange",
-        family: "nudge",
-        keys: [key],
+  const commands = (family: "nudge" | "move", held: string) =>
+    Object.entries(arrows).map(([key, way]) => {
+      const id = `${family}_${key.slice(5).toLowerCase()}` as Command["id"];
+      return command("arrange", id, [held + key], () => arrowCommand(around, way, family === "move"), {
+        family,
         where: "plan",
-        run: () => run(false)(key),
-      }),
-    ),
-    ...keys.map(
-      (key): Command => ({
-        id: `move_${key.slice(5).toLowerCase()}` as Command["id"],
-        group: "arrange",
-        family: "move",
-        keys: [`Shift+${key}`],
-        where: "plan",
-        run: () => run(true)(key),
-      }),
-    ),
-  ];
+      });
+    });
+  return [...commands("nudge", ""), ...commands("move", "Shift+")];
 }
 
 function selectCommands({ planner, gestures }: Surroundings): Command[] {
   return [
-    { id: "select_all", group: "select", keys: ["Ctrl+A"], where: "page", run: () => selectAll(planner) },
-    { id: "next", group: "select", keys: ["PageDown"], where: "plan", run: () => nextItem(planner, 1) },
-    { id: "previous", group: "select", keys: ["PageUp"], where: "plan", run: () => nextItem(planner, -1) },
-    {
-      id: "leave",
-      group: "select",
-      keys: ["Escape"],
-      where: "page",
-      // First the gesture, then the tool, then the selection.
-      run: () => {
-        if (gestures.cancel()) return;
-        if (planner.tool !== "select") planner.setTool("select");
-        else planner.selection.clear();
-      },
-    },
-    {
-      id: "select",
-      group: "tools",
-      keys: ["V"],
-      where: "page",
-      run: () => planner.setTool("select"),
-      isOn: () => planner.tool === "select",
-    },
-    {
-      id: "measure",
-      group: "tools",
-      keys: ["M"],
-      where: "page",
-      run: () => planner.setTool("measure"),
+    command("select", "select_all", ["Ctrl+A"], () => selectAll(planner)),
+    command("select", "next", ["PageDown"], () => nextItem(planner, 1), { where: "plan" }),
+    command("select", "previous", ["PageUp"], () => nextItem(planner, -1), { where: "plan" }),
+    // First the gesture, then the tool, then the selection.
+    command("select", "leave", ["Escape"], () => {
+      if (gestures.cancel()) return;
+      if (planner.tool !== "select") planner.setTool("select");
+      else planner.selection.clear();
+    }),
+    command("tools", "select", ["V"], () => planner.setTool("select"), { isOn: () => planner.tool === "select" }),
+    command("tools", "measure", ["M"], () => planner.setTool("measure"), {
       isOn: () => planner.tool === "measure",
       isEnabled: () => planner.isPlan,
-    },
-    {
-      id: "measure_here",
-      group: "tools",
-      keys: ["Enter"],
+    }),
+    command("tools", "measure_here", ["Enter"], () => gestures.measureAtCross(), {
       where: "plan",
-      run: () => gestures.measureAtCross(),
       isEnabled: () => planner.tool === "measure",
-    },
-    ...Array.from(
-      { length: 9 },
-      (_, k): Command => ({
-        id: `type_${k + 1}` as Command["id"],
-        group: "types",
+    }),
+    ...Array.from({ length: 9 }, (_, k) =>
+      command("types", `type_${k + 1}` as Command["id"], [String(k + 1)], () => assignType(planner, k), {
         family: "type",
-        keys: [String(k + 1)],
         where: "plan",
-        run: () => assignType(planner, k),
         isEnabled: () => planner.selected.length > 0,
       }),
     ),
@@ -308,62 +165,27 @@ function viewCommands({
   fit,
 }: Surroundings): Command[] {
   return [
-    {
-      id: "space",
-      group: "view",
-      keys: ["D"],
-      where: "page",
-      run: () => planner.setPlan(!planner.isPlan),
-      isOn: () => !planner.isPlan,
-    },
-    {
-      id: "fit",
-      group: "view",
-      keys: ["0", "F"],
-      where: "page",
-      run: () => (planner.isPlan ? showAll(planner) : fit()),
-    },
-    {
-      id: "fit_selection",
-      group: "view",
-      keys: ["Shift+2"],
-      where: "page",
-      run: () => showSelection(planner),
+    command("view", "space", ["D"], () => planner.setPlan(!planner.isPlan), { isOn: () => !planner.isPlan }),
+    command("view", "fit", ["0", "F"], () => (planner.isPlan ? showAll(planner) : fit())),
+    command("view", "fit_selection", ["Shift+2"], () => showSelection(planner), {
       isEnabled: () => planner.selection.items.length > 0 && planner.isPlan,
-    },
-    { id: "zoom_in", group: "view", keys: ["+", "="], where: "page", run: () => zoom(1.25) },
-    { id: "zoom_out", group: "view", keys: ["-"], where: "page", run: () => zoom(1 / 1.25) },
-    {
-      id: "wheel",
-      group: "view",
-      keys: [],
-      where: "page",
-      run: () => planner.setWheelPans(!planner.wheelPans),
-      isOn: () => planner.wheelPans,
-    },
-    ...(["names", "label", "unit"] as const).map(
-      (layer): Command => ({
-        id: `show_${layer}`,
-        group: "view",
-        keys: [],
-        where: "page",
-        run: () => planner.layers.show(layer, !planner.layers.isShown(layer)),
+    }),
+    command("view", "zoom_in", ["+", "="], () => zoom(1.25)),
+    command("view", "zoom_out", ["-"], () => zoom(1 / 1.25)),
+    command("view", "wheel", [], () => planner.setWheelPans(!planner.wheelPans), { isOn: () => planner.wheelPans }),
+    ...(["names", "label", "unit"] as const).map((layer) =>
+      command("view", `show_${layer}`, [], () => planner.layers.show(layer, !planner.layers.isShown(layer)), {
         isOn: () => planner.layers.isShown(layer),
       }),
     ),
-    {
-      id: "show_layers",
-      group: "view",
-      keys: [],
-      where: "page",
-      run: () => planner.layers.showAll(),
+    command("view", "show_layers", [], () => planner.layers.showAll(), {
       isEnabled: () => layers.some((layer) => !planner.layers.isShown(layer)),
-    },
-    { id: "find", group: "help", keys: ["Ctrl+F"], where: "everywhere", run: find },
-    { id: "commands", group: "help", keys: ["Ctrl+K", "/"], where: "page", run: openCommands },
-    { id: "shortcuts", group: "help", keys: ["?"], where: "page", run: openShortcuts },
-    { id: "menu", group: "help", keys: ["Shift+F10", "ContextMenu"], where: "plan", run: openMenu },
-    { id: "region", group: "help", keys: ["F6"], where: "everywhere", run: focusNext },
+    }),
+    command("help", "find", ["Ctrl+F"], find, { where: "everywhere" }),
+    command("help", "commands", ["Ctrl+K", "/"], openCommands),
+    command("help", "shortcuts", ["?"], openShortcuts),
+    command("help", "menu", ["Shift+F10", "ContextMenu"], openMenu, { where: "plan" }),
+    command("help", "region", ["F6"], focusNext, { where: "everywhere" }),
   ];
 }
 

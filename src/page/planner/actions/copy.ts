@@ -58,7 +58,7 @@ export function ghostsOf(planner: Planner, elements: readonly StoreElement[], sh
 }
 
 /** Adds copies, shifted by a distance in m, and selects them. */
-export async function insertCopies(
+async function insertCopies(
   planner: Planner,
   copied: readonly Copied[],
   shift: Point,

@@ -236,7 +236,6 @@ export class Page {
       }),
     );
     this.names.update(this.stage, []);
-    this.stage.draw();
   }
 
   private countProblems(): void {

@@ -2,9 +2,9 @@
 
 import { button, element } from "../../panel/dom";
 import { counted } from "../../data/format";
+import { commandButton } from "../access/command_button";
 import { icon, type IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
-import { chordText } from "../access/keys";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 
@@ -54,10 +54,7 @@ export class Toolbar {
   }
 
   private button(id: CommandId, image: IconName): HTMLButtonElement {
-    const [key] = this.commands.get(id).keys;
-    const title = key ? say(text.access.with_key, text.commands[id], chordText(key)) : text.commands[id];
-    const made = button("", () => this.commands.run(id), { class: "tool", "aria-label": text.commands[id], title });
-    made.append(icon(image));
+    const made = commandButton(this.commands, id, image);
     this.buttons.set(id, made);
     return made;
   }

@@ -39,7 +39,7 @@ export class ProblemList {
 }
 
 /** Selects the element of a problem and shows it. */
-export function goTo(planner: Planner, { pointer, path }: Problem): void {
+function goTo(planner: Planner, { pointer, path }: Problem): void {
   const place = pointer || pointerOfPath(path);
   const found = elementAround(place);
   if (found) {

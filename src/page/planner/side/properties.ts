@@ -2,9 +2,9 @@
 
 import { button, element } from "../../panel/dom";
 import { counted } from "../../data/format";
-import { icon, type IconName } from "../access/icons";
+import { commandButton } from "../access/command_button";
+import type { IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
-import { chordText } from "../access/keys";
 import { turnSelection } from "../actions/move";
 import { EditBuilder } from "../document/edit";
 import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
@@ -90,18 +90,7 @@ export class Properties {
   private tools(...ids: [CommandId, IconName][]): HTMLElement {
     const buttons = ids
       .filter(([id]) => this.commands.isEnabled(id))
-      .map(([id, name]) => {
-        const keys = this.commands.get(id).keys[0];
-        const title = keys ? say(text.access.with_key, text.commands[id], chordText(keys)) : text.commands[id];
-        const made = button("", () => this.commands.run(id), {
-          class: "tool",
-          title,
-          "aria-label": text.commands[id],
-          "data-key": `tool-${id}`,
-        });
-        made.append(icon(name));
-        return made;
-      });
+      .map(([id, name]) => commandButton(this.commands, id, name));
     return element("div", { class: "tools" }, ...buttons);
   }
 

@@ -1,7 +1,7 @@
 // Which kinds of elements and which shelf levels are shown, and which kinds are locked. The browser remembers it.
 
 import type { Changes } from "../changes";
-import { kinds, type ElementKind } from "../elements/kinds";
+import type { ElementKind } from "../elements/kinds";
 
 export type Layer = ElementKind | "names";
 
@@ -87,10 +87,6 @@ export class Layers {
     this.hidden.clear();
     this.hiddenLevels.clear();
     this.store();
-  }
-
-  get freeKinds(): ElementKind[] {
-    return kinds.filter((kind) => this.isFree(kind));
   }
 
   private store(): void {
