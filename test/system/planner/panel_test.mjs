@@ -17,7 +17,7 @@ testPlanner("fields show presets in grey, accept expressions, and are one step e
   await tab.steps(3);
   equal(tab.json.fixtures[2].length, undefined);
   await tab.fill("field/length", "abc");
-  says(await tab.text(".why:not([hidden])"), "Not a length");
+  await tab.until(() => document.querySelector(".why:not([hidden])")?.textContent.startsWith("Not a length"));
   await tab.press("Escape");
   equal((await tab.labels()).length, 3);
   await tab.fill("field/labels/spacing", "1.2");

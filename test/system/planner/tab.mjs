@@ -178,7 +178,6 @@ export class Tab {
 
   async picture(name) {
     await this.settle();
-    await new Promise((done) => setTimeout(done, 150));
     writeFileSync(join(this.pictures, `${name}.png`), await this.page.screenshot());
   }
 }

@@ -40,7 +40,7 @@ testPlanner("a refused edit goes back, says why, and is never called saved", {},
 });
 
 testPlanner("an edit shows before the answer", {}, async (tab) => {
-  tab.server.wire.delay = 600;
+  const release = tab.server.wire.hold();
   await tab.drag([10, 9.85], [11, 9.85]);
   equal(await tab.text(".saving"), "Saving …");
   const shown = () =>
@@ -50,8 +50,8 @@ testPlanner("an edit shows before the answer", {}, async (tab) => {
   await tab.press("Delete");
   await tab.click(11, 14.4);
   await tab.press("ArrowRight");
+  release();
   await tab.steps(3);
-  tab.server.wire.delay = 0;
   equal([tab.json.fixtures.length, tab.json.fixtures[7].id, tab.json.fixtures[7].at], [12, "F1", [6.01, 14.2]]);
 });
 
@@ -61,6 +61,7 @@ testPlanner("a lost connection is shown, edits wait for the next one", {}, async
   says(await tab.text(".banner"), "connection to shelfbeam is lost");
   await tab.click(10, 9.85);
   await tab.press("Shift+ArrowUp");
+  tab.server.wire.mend();
   await tab.steps(1);
   await tab.until(() => document.querySelector(".banner").hidden);
   equal(await tab.text(".saving"), "Saved");

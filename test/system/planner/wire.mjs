@@ -1,11 +1,12 @@
-// A wire between page and server that can be slow, cut, and refuse edits.
+// A wire between page and server that can hold requests, be cut, and refuse edits.
 
 import { createServer, request as ask } from "node:http";
 import { createRequire } from "node:module";
 
 export class Wire {
-  /** ms before requests go on. */
-  delay = 0;
+  /** Requests go on when this promise is fulfilled. */
+  #free = Promise.resolve();
+  #isCut = false;
   /** The reason for which edits are refused; null: they are not. */
   refuse = null;
   #pairs = new Set();
@@ -25,9 +26,23 @@ export class Wire {
     return `http://127.0.0.1:${this.http.address().port}${this.server.pathname}`;
   }
 
-  /** Cuts all connections; the page connects again. */
+  /** Holds all requests until the returned function is called. */
+  hold() {
+    let release;
+    this.#free = new Promise((done) => {
+      release = done;
+    });
+    return release;
+  }
+
+  /** Cuts all connections, and those that the page begins until `mend`. */
   cut() {
+    this.#isCut = true;
     for (const { socket } of this.#pairs) socket.terminate();
+  }
+
+  mend() {
+    this.#isCut = false;
   }
 
   close() {
@@ -48,6 +63,7 @@ export class Wire {
   }
 
   #join(socket, server) {
+    if (this.#isCut) socket.terminate();
     const pair = { socket, server };
     this.#pairs.add(pair);
     let last = new Promise((opened) => server.on("open", opened));
@@ -57,8 +73,8 @@ export class Wire {
         socket.send(JSON.stringify({ id, error: { message: this.refuse } }));
         return;
       }
-      const { delay } = this;
-      last = last.then(() => new Promise((done) => setTimeout(done, delay))).then(() => server.send(String(data)));
+      const free = this.#free;
+      last = last.then(() => free).then(() => server.send(String(data)));
     });
     server.on("message", (data, isBinary) => socket.send(data, { binary: isBinary }));
     socket.on("close", () => {

@@ -13,7 +13,7 @@ export class StatusLine {
   private readonly place = element("span", { class: "place" });
   private readonly hint = element("span", { class: "hint" });
   private readonly notice = element("span", { class: "notice", role: "status" });
-  readonly root = element("footer", { class: "status" }, this.place, this.hint, this.notice);
+  readonly root = element("footer", { class: "status" }, this.hint, this.place, this.notice);
 
   private said: unknown = null;
   private timer: ReturnType<typeof setTimeout> | undefined;

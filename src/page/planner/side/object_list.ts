@@ -14,7 +14,7 @@ const spare = 6; // rows beyond the view
 export class ObjectList {
   private readonly search = element("input", {
     type: "search",
-    placeholder: text.objects.search,
+    placeholder: text.objects.search_short,
     "aria-label": text.objects.search,
     on: { input: () => this.update() },
   });

@@ -324,10 +324,11 @@ export class Properties {
   }
 }
 
+/** Also of a text that stands for no value, whose message must stay. */
 const isTyping = (field: HTMLElement): boolean =>
   (field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement) &&
   field.dataset.shown !== undefined &&
-  field.value.trim() !== field.dataset.shown;
+  (field.value.trim() !== field.dataset.shown || field.ariaInvalid === "true");
 
 function optionText(type: Json | undefined): string {
   return (text.options as Record<string, string>)[String(type)] ?? String(type ?? text.kinds.fixture);
