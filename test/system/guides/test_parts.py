@@ -143,11 +143,13 @@ ended
 class Keys(unittest.TestCase):
     def test_of_the_planner_are_all_in_its_page(self):
         actions = guide.DOCS.parent / "src/page/planner/actions/command_list.ts"
-        lists = re.findall(r"keys: \[(.*?)\]", actions.read_text(encoding="utf-8"))
+        text = actions.read_text(encoding="utf-8")
+        lists = re.findall(r"\bcommand\(\s*\S+,\s*[^,\[\]]+,\s*\[(.*?)\]", text)
         known = {key for keys in lists for key in re.findall(r'"([^"]+)"', keys)}
         self.assertGreaterEqual(len(known), 30)
-        self.assertIn("String(k + 1)", lists)
-        self.assertIn("`Shift+${key}`", lists)
+        self.assertIn("[String(k + 1)]", text)
+        self.assertIn("held + key", lists)
+        self.assertIn('commands("move", "Shift+")', text)
         known |= {shift + arrow for arrow in "←→↑↓" for shift in ("", "Shift+")} | {"1", "9"}
         section = (guide.DOCS / "planner.md").read_text(encoding="utf-8").split("\n## Keys\n")[1].split("\n## ")[0]
         rows = re.findall(r"^\| (`.*?) \| (.*) \|$", section, re.MULTILINE)

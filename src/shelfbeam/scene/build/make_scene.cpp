@@ -332,30 +332,6 @@ class SceneMaker {
   }
 
   void add_transceivers() {
-    for (std::size_t g = 0; g < store_.grids.size(); ++g) {
-      if (crowded_.contains(store_.grids[g].where)) continue;
-      const TransceiverGrid& grid = store_.grids[g].value;
-      const auto steps = [&](std::size_t axis) {
-        const double extent = grid.max[axis] - grid.min[axis];
-        return extent > 0 ? std::max(1L, std::lround(extent / grid.spacing)) : 0L;
-      };
-      const auto coordinate = [&](std::size_t axis, long k, long n) {
-        return n == 0 ? grid.min[axis]
-                      : grid.min[axis] + (grid.max[axis] - grid.min[axis]) * static_cast<double>(k) /
-                                             static_cast<double>(n);
-      };
-      const long nx = steps(0), ny = steps(1);
-      for (long iy = 0; iy <= ny; ++iy)
-        for (long ix = 0; ix <= nx; ++ix) {
-          Transceiver unit;
-          unit.id = fmt::format("G{}-{}-{}", g + 1, ix + 1, iy + 1);
-          unit.position = {coordinate(0, ix, nx), coordinate(1, iy, ny), grid.z};
-          unit.axis = grid.axis;
-          unit.roll_deg = grid.roll_deg;
-          unit.type = grid.type;
-          add_transceiver(unit, store_.grids[g].where);
-        }
-    }
     const std::vector<EmptyMount> empty = generate_candidates(
         store_, scene_, crowded_,
         [&](const Transceiver& unit, const std::string& where) { add_transceiver(unit, where); });

@@ -135,6 +135,8 @@ class Generator {
     const auto expect_candidates = [&](const Outcome& outcome, const std::string& where) {
       if (!outcome.has_candidates) empty.push_back({where, "has no candidates: " + outcome.obstacle});
     };
+    for (std::size_t g = 0; g < store_.grids.size(); ++g)
+      if (!omitted.contains(store_.grids[g].where)) add_grid(g, use);
     for (std::size_t a = 0; a < store_.areas.size(); ++a)
       if (const std::string& where = store_.areas[a].where; !omitted.contains(where))
         expect_candidates(add_area(a, use), where);
@@ -185,6 +187,24 @@ class Generator {
       return wall != nullptr;
     });
     return wall == nullptr ? std::string() : "within the inner wall " + in_quotes(*wall);
+  }
+
+  void add_grid(std::size_t index, const UseCandidate& use) const {
+    const auto& [grid, where] = store_.grids[index];
+    const auto count = [&, &grid = grid](std::size_t axis) {
+      const double extent = grid.max[axis] - grid.min[axis];
+      return extent > 0 ? steps(extent, grid.spacing) : 0;
+    };
+    const auto coordinate = [&grid = grid](std::size_t axis, std::size_t k, std::size_t n) {
+      return n == 0 ? grid.min[axis]
+                    : grid.min[axis] +
+                          (grid.max[axis] - grid.min[axis]) * static_cast<double>(k) / static_cast<double>(n);
+    };
+    const std::size_t nx = count(0), ny = count(1);
+    for (std::size_t iy = 0; iy <= ny; ++iy)
+      for (std::size_t ix = 0; ix <= nx; ++ix)
+        add({grid.type, {grid.axis}, grid.roll_deg}, fmt::format("G{}-{}-{}", index + 1, ix + 1, iy + 1),
+            {coordinate(0, ix, nx), coordinate(1, iy, ny), grid.z}, where, use);
   }
 
   // Along x and y.

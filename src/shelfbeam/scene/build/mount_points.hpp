@@ -28,9 +28,9 @@ struct EmptyMount {
   static constexpr const char* remedy = "correct its place, height or spacing, or remove it";
 };
 
-/// Calls `use(unit, where)` for the candidates of areas, rails and faces of a store whose scene has its room
-/// and its fixtures. Points of areas and faces outside the room and within inner walls are omitted, and those
-/// before an opening, above a fixture or below it. `omitted`: locations of those that are left out.
+/// Calls `use(unit, where)` for the candidates of grids, areas, rails and faces of a store whose scene has
+/// its room and its fixtures. Points of areas and faces outside the room and within inner walls are omitted,
+/// and those before an opening, above a fixture or below it. `omitted`: locations of those that are left out.
 std::vector<EmptyMount> generate_candidates(const Store& store, const Scene& scene,
                                             const std::set<std::string>& omitted, const UseCandidate& use);
 
