@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "shelfbeam/base/files/descriptor.hpp"
+#include "shelfbeam/base/files/open_file.hpp"
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 
@@ -104,17 +105,12 @@ class BackupFile {
 
   bool restore() {
     if (kept_.empty()) return ::unlink(target_.c_str()) == 0 || errno == ENOENT;
-    return is_in_place() || ::rename(kept_.c_str(), target_.c_str()) == 0 ||
+    // A folder or file that refused the replacement would refuse the same file again.
+    return names(target_, descriptor_) || ::rename(kept_.c_str(), target_.c_str()) == 0 ||
            ::link(kept_.c_str(), target_.c_str()) == 0;
   }
 
  private:
-  // A folder or file that refused the replacement would refuse the same file again.
-  bool is_in_place() const {
-    struct stat old = {}, now = {};
-    return ::fstat(descriptor_, &old) == 0 && ::lstat(target_.c_str(), &now) == 0 &&
-           old.st_dev == now.st_dev && old.st_ino == now.st_ino;
-  }
   void release() {
     if (!kept_.empty()) ::unlink(kept_.c_str());
     if (descriptor_ >= 0) ::close(descriptor_);
@@ -172,17 +168,9 @@ void InputFile::expect_at_most(std::uint64_t max_bytes) const {
 
 std::string InputFile::read(std::uint64_t max_bytes) const {
   expect_at_most(std::min<std::uint64_t>(max_bytes, memory_limit()));
-  std::string text(size(), '\0');
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t got =
-        ::pread(found_.file.number(), text.data() + done, text.size() - done, static_cast<off_t>(done));
-    if (got == 0) break;  // it has become shorter
-    if (got < 0 && errno != EINTR) throw InputError(name(), "cannot be read to its end", "check the disk");
-    if (got > 0) done += static_cast<std::size_t>(got);
-  }
-  text.resize(done);
-  return text;
+  auto text = read_open(found_.file.number(), size());
+  if (!text) throw InputError(name(), "cannot be read to its end", "check the disk");
+  return std::move(*text);
 }
 
 std::uint64_t input_size(const fs::path& path, std::uint64_t max_bytes) {
@@ -257,11 +245,8 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(std::string_view content) {
-  errno = 0;
-  std::ofstream out(temporary_, std::ios::binary | std::ios::trunc);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.flush();
-  if (!out) cannot_write(target_, system_reason());
+  if (::ftruncate(descriptor_, 0) != 0 || !write_at(descriptor_, content, 0))
+    cannot_write(target_, system_reason());
 }
 
 void AtomicFile::flush() {
@@ -277,6 +262,27 @@ void AtomicFile::commit() {
   flush();
   if (!rename()) cannot_write(target_, system_reason());
   flush_folder(folder_of(target_));
+}
+
+bool AtomicFile::exchange() {
+  return ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+bool AtomicFile::commit_over(std::string_view content) {
+  flush();
+  if (!has_content(target_, content)) return false;
+  if (exchange()) {
+    // A file that was written since the look goes back, or the destructor would remove it.
+    if (!has_content(temporary_, content)) {
+      if (!exchange() && !rename()) cannot_write(target_, system_reason());
+      return false;
+    }
+  } else {
+    if (errno == ENOENT) return false;  // removed since the look
+    if ((errno != EINVAL && errno != ENOSYS) || !rename()) cannot_write(target_, system_reason());
+  }
+  flush_folder(folder_of(target_));
+  return true;
 }
 
 void write_file(const fs::path& path, std::string_view content) {
@@ -344,7 +350,7 @@ OutputLock::OutputLock(const fs::path& output, const std::string& name, const ch
 }
 
 OutputLock::~OutputLock() {
-  ::unlink(path_.c_str());
+  if (names(path_, descriptor_)) ::unlink(path_.c_str());
   ::close(descriptor_);
 }
 

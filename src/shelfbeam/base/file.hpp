@@ -84,10 +84,14 @@ class AtomicFile {
   void flush();
   /// Flushes and renames. Throws OutputError.
   void commit();
+  /// The same in the place of a file with this content. If that has another one, it stays, and the result is
+  /// false: even if another program writes it at this moment, where the file system can exchange names.
+  bool commit_over(std::string_view content);
 
  private:
   friend class AtomicFolder;
   bool rename();
+  bool exchange();
 
   std::filesystem::path target_;
   std::filesystem::path temporary_;

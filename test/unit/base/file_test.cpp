@@ -1,6 +1,8 @@
 #include "shelfbeam/base/file.hpp"
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -67,6 +69,50 @@ TEST(AtomicFile, KeepsTheOldFileWithoutCommit) {
   write_file(path, "new");
   EXPECT_EQ(read_file(path), "new");
   EXPECT_EQ(folder.count(), 1);
+}
+
+TEST(AtomicFile, ReplacesOnlyTheExpectedContent) {
+  const TempFolder folder;
+  const auto path = folder.write("out.txt", "old");
+  for (const std::string_view expected : {"other", "ol", "old"}) {
+    AtomicFile file(path);
+    file.write("new");
+    EXPECT_EQ(file.commit_over(expected), expected == "old");
+    EXPECT_EQ(read_file(path), expected == "old" ? "new" : "old");
+  }
+  std::filesystem::remove(path);
+  AtomicFile file(path);
+  EXPECT_FALSE(file.commit_over("new"));
+  EXPECT_FALSE(std::filesystem::exists(path));
+  std::filesystem::create_symlink(folder.write("target", "new"), path);
+  EXPECT_FALSE(file.commit_over("new"));
+  EXPECT_TRUE(std::filesystem::is_symlink(path));
+}
+
+// Another program saves at all moments of a commit, which takes a while because the file is large.
+TEST(AtomicFile, NeverReplacesAnUnexpectedContent) {
+  using Clock = std::chrono::steady_clock;
+  const TempFolder folder;
+  const std::string old(std::size_t{4} << 20, 'x');
+  Clock::duration whole{};
+  constexpr int moments = 40;
+  for (int moment = 0; moment <= moments; ++moment) {
+    const auto path = folder.write("out.txt", old);
+    AtomicFile file(path);
+    file.write("new");
+    const auto begin = Clock::now();
+    std::thread other([&, wait = whole * moment / moments] {
+      if (moment == 0) return;
+      const auto saved = folder.write("saved", "other");
+      while (Clock::now() < begin + wait) std::this_thread::yield();
+      std::filesystem::rename(saved, path);
+    });
+    const bool is_replaced = file.commit_over(old);
+    if (moment == 0) whole = Clock::now() - begin;
+    other.join();
+    ASSERT_TRUE(is_replaced || moment > 0);
+    ASSERT_EQ(read_file(path), moment == 0 ? "new" : "other") << moment;
+  }
 }
 
 TEST(AtomicFile, TwoWritersDoNotMix) {

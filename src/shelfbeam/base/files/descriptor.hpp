@@ -20,6 +20,7 @@ class Descriptor {
   }
 
   int number() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
   bool is_open() const { return number_ >= 0; }
 
  private:
