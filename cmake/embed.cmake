@@ -44,7 +44,7 @@ extern const std::span<const @type@> @symbol@;\nconst std::span<const @type@> @s
 endfunction()
 
 # Turns files of a page, compressed by gzip as <folder>/<name>.gz, into a C++ source with the table <symbol> of their
-# names, media types, entity tags (with their quotes) and bytes.
+# names, media types and bytes.
 function(shelfbeam_embed_page out symbol folder)
   set(types_html "text/html; charset=utf-8")
   set(types_css "text/css; charset=utf-8")
@@ -55,14 +55,12 @@ function(shelfbeam_embed_page out symbol folder)
   foreach(name ${ARGN})
     string(MAKE_C_IDENTIFIER ${name} id)
     string(REGEX REPLACE ".*\\." "" suffix ${name})
-    file(SHA256 ${folder}/${name}.gz tag)
-    string(SUBSTRING ${tag} 0 32 tag)
     list(APPEND pairs ${id} ${folder}/${name}.gz)
-    string(APPEND rows "{{\"${name}\", \"${types_${suffix}}\", \"\\\"${tag}\\\"\", ${id}}},")
+    string(APPEND rows "{{\"${name}\", \"${types_${suffix}}\", ${id}}},")
   endforeach()
   list(LENGTH ARGN count)
   shelfbeam_embed(${out}.part ${pairs})
-  set(type "std::array<std::string_view, 4>")
+  set(type "std::array<std::string_view, 3>")
   file(READ ${out}.part text)
   file(CONFIGURE OUTPUT ${out} @ONLY CONTENT "#include <array>\n#include <span>\n@text@\
 namespace shelfbeam::embedded {\nstatic const std::array<@type@, @count@> rows{{@rows@}};\n\

@@ -31,7 +31,7 @@ inline std::string served_bytes(std::string_view first, std::string_view later,
   };
   handlers.opened = [&](serve::http::TabId) { send(later, true); };
   serve::http::Options options{.port = 8080, .token = served_token};
-  options.assets.emplace("page.txt", serve::http::Asset::compressed("text/plain", "the page"));
+  options.assets.emplace("page.txt", serve::http::Asset("text/plain", "the page"));
   options.limits.message = 4096;
   options.limits.queue = 4096;
   serve::http::Server own(std::move(options), std::move(handlers), ends[1]);

@@ -26,8 +26,8 @@
 
 namespace shelfbeam::embedded {
 
-// The files of the page: name, media type, ETag, and the content in gzip format.
-extern const std::span<const std::array<std::string_view, 4>> planner_files;
+// The files of the page: name, media type, and the content in gzip format.
+extern const std::span<const std::array<std::string_view, 3>> planner_files;
 
 extern const std::string_view starter_store;
 
@@ -146,7 +146,7 @@ struct Planner::State {
   }
 
   static http::Options with_page(http::Options options) {
-    for (const auto& [file, type, etag, content] : embedded::planner_files)
+    for (const auto& [file, type, content] : embedded::planner_files)
       options.assets.emplace(file == "index.html" ? "" : file,
                              http::Asset(std::string(type), std::string(content)));
     options.tick = tick;

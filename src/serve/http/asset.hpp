@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "serve/http/message.hpp"
 #include "serve/http/reply.hpp"
@@ -9,16 +8,12 @@
 
 namespace shelfbeam::serve::http {
 
-/// A fixed file of the page, kept compressed.
+/// A fixed file of the page. It is sent in gzip format only, which all browsers take.
 class Asset {
  public:
   /// `type`: its media type. `gzip`: the file in gzip format.
   Asset(std::string type, std::string gzip);
-  /// Compresses a file.
-  static Asset compressed(std::string type, std::string_view content);
-
-  /// The file as the client wants it: in gzip format or not, or only the news that its copy is current.
-  /// Throws std::runtime_error if the client wants it inflated and it is damaged.
+  /// The file, or only the news that the client's copy is current.
   Reply reply(const Request& request) const;
 
  private:

@@ -66,7 +66,6 @@ std::string head_of(const Reply& reply, bool keep_alive) {
   } else {
     add("Cache-Control", "no-cache");
     add("ETag", reply.etag);
-    add("Vary", "Accept-Encoding");
   }
   if (reply.status == 405) add("Allow", "GET, HEAD");
   if (reply.status != 304) {

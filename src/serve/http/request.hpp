@@ -17,8 +17,6 @@ struct Request {
   /// Whether a field that is a list with commas ("keep-alive, Upgrade") has the item, which is given in lower
   /// case.
   bool lists(std::string_view name, std::string_view item) const;
-  /// Whether the client takes a body in gzip format.
-  bool accepts_gzip() const;
 };
 
 }  // namespace shelfbeam::serve::http

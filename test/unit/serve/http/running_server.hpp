@@ -80,8 +80,8 @@ class RunningServer {
   static serve::http::Options options(const serve::http::Limits& limits, std::vector<std::string> hosts) {
     serve::http::Options options{.token = test_token, .hosts = std::move(hosts), .limits = limits};
     options.tick = std::chrono::milliseconds(10);
-    options.assets.emplace("", serve::http::Asset::compressed("text/html; charset=utf-8", "<!doctype html>"));
-    options.assets.emplace("page.txt", serve::http::Asset::compressed("text/plain", "the page"));
+    options.assets.emplace("", serve::http::Asset("text/html; charset=utf-8", "<!doctype html>"));
+    options.assets.emplace("page.txt", serve::http::Asset("text/plain", "the page"));
     return options;
   }
 
