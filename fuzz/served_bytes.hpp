@@ -34,7 +34,7 @@ inline std::string served_bytes(std::string_view first, std::string_view later,
   options.assets.emplace("page.txt", serve::http::Asset("text/plain", "the page"));
   options.limits.message = 4096;
   options.limits.queue = 4096;
-  serve::http::Server own(std::move(options), std::move(handlers), ends[1]);
+  serve::http::Server own(std::move(options), std::move(handlers), Descriptor(ends[1]));
   server = &own;
   send(first, later.empty());
   own.run();

@@ -11,7 +11,6 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
@@ -88,22 +87,27 @@ void switch_on(int descriptor, int level, int option) {
   ::setsockopt(descriptor, level, option, &on, sizeof on);
 }
 
+[[noreturn]] void cannot_listen(const std::string& address, std::uint16_t port) {
+  const char* remedy = errno == EADDRNOTAVAIL                   ? "choose an address of this computer"
+                       : errno == EADDRINUSE || errno == EACCES ? "choose another port"
+                                                                : "";
+  throw InputError(fmt::format("port {} of {}", port, address),
+                   fmt::format("cannot be used ({})", system_reason()), remedy);
+}
+
 }  // namespace
 
 Listener::Listener(const std::string& address, std::uint16_t port) {
   Address own = address_of(address, port);
-  descriptor_ = ::socket(own.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  descriptor_ = Descriptor(::socket(own.storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  if (!descriptor_.is_open()) cannot_listen(address, port);
   // A server that is started again gets its port back, in spite of the old connections that the kernel
   // remembers.
-  switch_on(descriptor_, SOL_SOCKET, SO_REUSEADDR);
-  if (own.storage.ss_family == AF_INET6) switch_on(descriptor_, IPPROTO_IPV6, IPV6_V6ONLY);
-  if (descriptor_ < 0 || ::bind(descriptor_, own.get(), own.size) != 0 ||
-      ::listen(descriptor_, SOMAXCONN) != 0 || ::getsockname(descriptor_, own.get(), &own.size) != 0) {
-    const std::string reason = system_reason();
-    ::close(descriptor_);
-    throw InputError(fmt::format("port {} of {}", port, address), fmt::format("cannot be used ({})", reason),
-                     "choose another one");
-  }
+  switch_on(descriptor(), SOL_SOCKET, SO_REUSEADDR);
+  if (own.storage.ss_family == AF_INET6) switch_on(descriptor(), IPPROTO_IPV6, IPV6_V6ONLY);
+  if (::bind(descriptor(), own.get(), own.size) != 0 || ::listen(descriptor(), SOMAXCONN) != 0 ||
+      ::getsockname(descriptor(), own.get(), &own.size) != 0)
+    cannot_listen(address, port);
   port_ = ntohs(own.storage.ss_family == AF_INET ? reinterpret_cast<sockaddr_in*>(&own.storage)->sin_port
                                                  : reinterpret_cast<sockaddr_in6*>(&own.storage)->sin6_port);
 }
@@ -111,7 +115,7 @@ Listener::Listener(const std::string& address, std::uint16_t port) {
 std::vector<std::string> Listener::hosts() const {
   Address own;
   own.size = sizeof own.storage;
-  ::getsockname(descriptor_, own.get(), &own.size);
+  ::getsockname(descriptor(), own.get(), &own.size);
   if (!is_any(*own.get())) return {host_of(*own.get())};
   const int family = own.storage.ss_family;
   std::vector<std::string> hosts = own_hosts(family);
@@ -119,15 +123,12 @@ std::vector<std::string> Listener::hosts() const {
   return hosts;
 }
 
-Listener::~Listener() {
-  ::close(descriptor_);
-}
-
-Listener::Accepted Listener::accept(int& connection) const {
+Listener::Accepted Listener::accept(Descriptor& connection) const {
   while (true) {
-    connection = ::accept4(descriptor_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
-    if (connection >= 0) {
-      switch_on(connection, IPPROTO_TCP, TCP_NODELAY);  // a message is not held back for a fuller packet
+    connection = Descriptor(::accept4(descriptor(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    if (connection.is_open()) {
+      switch_on(connection.number(), IPPROTO_TCP,
+                TCP_NODELAY);  // a message is not held back for a fuller packet
       return Accepted::one;
     }
     if (errno == EAGAIN) return Accepted::none;

@@ -4,19 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/files/descriptor.hpp"
+
 namespace shelfbeam::serve::http {
 
 /// A TCP socket that listens.
 class Listener {
  public:
-  /// `address`: IPv4 or IPv6. `port`: 0 for any free one. Throws InputError if the address is none or the
-  /// port is taken.
+  /// `address`: IPv4 or IPv6. `port`: 0 for any free one. Throws InputError if the address is none, or not of
+  /// this computer, or the port is taken.
   Listener(const std::string& address, std::uint16_t port);
-  ~Listener();
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
 
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return descriptor_.number(); }
   std::uint16_t port() const { return port_; }
   /// The addresses at which it is reached, in the spelling of browsers: "127.0.0.1", "[::1]". If it listens
   /// on all, first that of the computer for itself, then those for other computers, as they are now.
@@ -25,10 +24,10 @@ class Listener {
   enum class Accepted { one, none, failed };
   /// Accepts a connection without waiting. `failed`: there is one, but descriptors or memory are short; try
   /// later.
-  Accepted accept(int& connection) const;
+  Accepted accept(Descriptor& connection) const;
 
  private:
-  int descriptor_;
+  Descriptor descriptor_;
   std::uint16_t port_ = 0;
 };
 

@@ -1,17 +1,12 @@
 #include "serve/http/loop.hpp"
 
-#include <cerrno>
-#include <cstdint>
 #include <list>
-#include <system_error>
 #include <utility>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <sys/eventfd.h>
-#include <unistd.h>
 
 namespace shelfbeam::serve::http {
 namespace net = boost::asio;
@@ -19,15 +14,11 @@ using boost::system::error_code;
 
 namespace {
 
-// A copy of a descriptor, because Asio closes those that it watches.
-int copy_of(int descriptor) {
-  const int copy = ::dup(descriptor);
-  if (copy < 0) throw std::system_error(errno, std::generic_category(), "no descriptor is left");
-  return copy;
-}
-
 struct Watch {
-  Watch(net::io_context& context, int descriptor) : watched(context, copy_of(descriptor)), pause(context) {}
+  Watch(net::io_context& context, int descriptor) : watched(context, descriptor), pause(context) {}
+  ~Watch() { watched.release(); }  // Asio would close it
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
 
   void arm(std::chrono::milliseconds wait) {
     if (wait.count() == 0) {
@@ -78,14 +69,6 @@ struct Clockwork {
 }  // namespace
 
 struct Loop::State {
-  State() : bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
-    if (bell < 0) throw std::system_error(errno, std::generic_category(), "no descriptor is left");
-  }
-  ~State() { ::close(bell); }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-
-  int bell;
   net::io_context context{1};  // one thread
   std::list<Watch> watches;
   std::list<Clockwork> clocks;
@@ -114,22 +97,6 @@ void Loop::every(std::chrono::milliseconds interval, std::function<void()> actio
 
 void Loop::post(std::function<void()> action) {
   net::post(state_->context, std::move(action));
-}
-
-void Loop::when_woken(std::function<void()> action) {
-  when_readable(state_->bell, [bell = state_->bell, action = std::move(action)] {
-    std::uint64_t rings = 0;
-    if (::read(bell, &rings, sizeof rings) == sizeof rings) action();
-    return std::chrono::milliseconds(0);
-  });
-}
-
-void Loop::wake() const noexcept {
-  const int before = errno;
-  const std::uint64_t ring = 1;
-  // Nothing is lost if this fails: the bell is then ringing already.
-  [[maybe_unused]] const ssize_t written = ::write(state_->bell, &ring, sizeof ring);
-  errno = before;
 }
 
 void Loop::run(const std::function<void(std::exception_ptr)>& failed) {

@@ -11,11 +11,10 @@ class io_context;
 
 namespace shelfbeam::serve::http {
 
-/// Calls functions when something happens, all on the thread in `run`. Only `wake` may be called from other
+/// Calls functions when something happens, all on the thread in `run`. Only `post` may be called from other
 /// threads.
 class Loop {
  public:
-  /// Throws std::system_error if the system has no descriptors left.
   Loop();
   ~Loop();
   Loop(const Loop&) = delete;
@@ -31,10 +30,6 @@ class Loop {
   void every(std::chrono::milliseconds interval, std::function<void()> action);
   /// Calls `action` soon, after the caller has returned.
   void post(std::function<void()> action);
-  /// Called after `wake`.
-  void when_woken(std::function<void()> action);
-  /// Safe in a signal handler and on any thread.
-  void wake() const noexcept;
 
   /// Runs until `stop`. Exceptions of the functions go to `failed`.
   void run(const std::function<void(std::exception_ptr)>& failed);

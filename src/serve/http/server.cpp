@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
@@ -55,7 +54,6 @@ struct Server::State final : SessionHost {
     loop.every(interval(options.limits), [this] { end_late_sessions(); });
     if (options.tick.count() > 0)
       loop.every(options.tick, [this] { attempt([this] { call(handlers.tick); }); });
-    loop.when_woken([this] { say_farewell(); });
   }
 
   void run() {
@@ -97,8 +95,8 @@ struct Server::State final : SessionHost {
     });
   }
 
-  void adopt(int descriptor) {
-    const auto session = make_session(loop.context(), descriptor, ++last_id, *this);
+  void adopt(Descriptor connection) {
+    const auto session = make_session(loop.context(), std::move(connection), ++last_id, *this);
     sessions.emplace(last_id, session);
     session->start();
   }
@@ -108,15 +106,11 @@ struct Server::State final : SessionHost {
     if (is_ending) return std::chrono::hours(1);
     // A few at a time, so that a crowd at the door does not delay those inside.
     for (int i = 0; i < 16; ++i) {
-      int connection = -1;
+      Descriptor connection;
       const Listener::Accepted accepted = listener->accept(connection);
       if (accepted == Listener::Accepted::failed) return Milliseconds(100);
       if (accepted == Listener::Accepted::none) break;
-      if (make_room()) {
-        adopt(connection);
-      } else {
-        ::close(connection);
-      }
+      if (make_room()) adopt(std::move(connection));
     }
     return Milliseconds(0);
   }
@@ -202,9 +196,9 @@ struct Server::State final : SessionHost {
 Server::Server(Options options, Handlers handlers)
     : state_(std::make_unique<State>(std::move(options), std::move(handlers), true)) {}
 
-Server::Server(Options options, Handlers handlers, int connection)
+Server::Server(Options options, Handlers handlers, Descriptor connection)
     : state_(std::make_unique<State>(std::move(options), std::move(handlers), false)) {
-  state_->adopt(connection);
+  state_->adopt(std::move(connection));
   state_->is_ending = true;
 }
 
@@ -229,8 +223,8 @@ void Server::run() {
   state_->run();
 }
 
-void Server::stop() noexcept {
-  state_->loop.wake();
+void Server::stop() {
+  state_->loop.post([state = state_.get()] { state->say_farewell(); });
 }
 
 void Server::send(TabId tab, Message message) {

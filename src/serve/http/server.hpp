@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/files/descriptor.hpp"
+
 #include "serve/http/message.hpp"
 #include "serve/http/options.hpp"
 
@@ -13,16 +15,16 @@ namespace shelfbeam::serve::http {
 /// A server for one user's browser: files and documents by GET, and a WebSocket per page. Every address
 /// begins with the token, and what the gate refuses, no handler sees. It has no threads of its own.
 ///
-/// `stop` may be called from any thread and in a signal handler; all other members are for handlers, and for
-/// the thread that calls `run`.
+/// `stop` may be called from any thread; all other members are for handlers, and for the thread that calls
+/// `run`.
 class Server {
  public:
   /// Listens from now on. Throws InputError for an address, port, token or name of a host that cannot be
   /// used.
   Server(Options options, Handlers handlers);
-  /// Serves one connected stream socket, which it closes, instead of listening; `run` returns when it has
+  /// Serves one connected stream socket instead of listening; `run` returns when it has
   /// ended. `options.port` is the port that the client believes to talk to.
-  Server(Options options, Handlers handlers, int connection);
+  Server(Options options, Handlers handlers, Descriptor connection);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -36,7 +38,7 @@ class Server {
   /// Serves until `stop`. Then pages are closed with code 1001, and it returns as soon as they have gone, at
   /// the latest after `Limits::farewell`.
   void run();
-  void stop() noexcept;
+  void stop();
 
   /// Sends a message to a page; nothing happens if it has gone. A page that does not take its messages in
   /// time, or for which too many wait, is closed with code 1013: it can connect again and be sent everything

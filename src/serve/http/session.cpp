@@ -40,11 +40,13 @@ std::string_view view(beast::string_view text) {
   return {text.data(), text.size()};
 }
 
-net::generic::stream_protocol protocol_of(int descriptor) {
+Stream stream_on(net::io_context& context, Descriptor connection) {
   sockaddr_storage address{};
   socklen_t size = sizeof address;
-  ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size);
-  return {address.ss_family, 0};
+  ::getsockname(connection.number(), reinterpret_cast<sockaddr*>(&address), &size);
+  Stream stream(context, {address.ss_family, 0}, connection.number());
+  connection.release();  // the stream closes it now
+  return stream;
 }
 
 class SocketSession final : public Session, public std::enable_shared_from_this<SocketSession> {
@@ -67,8 +69,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   }
 
  public:
-  SocketSession(net::io_context& context, int descriptor, TabId id, SessionHost& host)
-      : id_(id), host_(host), limits_(host.limits()), stream_(context, protocol_of(descriptor), descriptor) {}
+  SocketSession(net::io_context& context, Descriptor connection, TabId id, SessionHost& host)
+      : id_(id), host_(host), limits_(host.limits()), stream_(stream_on(context, std::move(connection))) {}
 
   void start() override { read_head(); }
 
@@ -267,8 +269,9 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
 }  // namespace
 
-std::shared_ptr<Session> make_session(net::io_context& context, int descriptor, TabId id, SessionHost& host) {
-  return std::make_shared<SocketSession>(context, descriptor, id, host);
+std::shared_ptr<Session> make_session(net::io_context& context, Descriptor connection, TabId id,
+                                      SessionHost& host) {
+  return std::make_shared<SocketSession>(context, std::move(connection), id, host);
 }
 
 }  // namespace shelfbeam::serve::http

@@ -5,6 +5,8 @@
 #include <memory>
 #include <string_view>
 
+#include "shelfbeam/base/files/descriptor.hpp"
+
 #include "serve/http/gate.hpp"
 #include "serve/http/message.hpp"
 #include "serve/http/options.hpp"
@@ -66,8 +68,8 @@ class Session {
   virtual void abort() = 0;
 };
 
-/// A session on a connected stream socket, which it closes. `host` must outlive the context.
-std::shared_ptr<Session> make_session(boost::asio::io_context& context, int descriptor, TabId id,
+/// A session on a connected stream socket. `host` must outlive the context.
+std::shared_ptr<Session> make_session(boost::asio::io_context& context, Descriptor connection, TabId id,
                                       SessionHost& host);
 
 }  // namespace shelfbeam::serve::http

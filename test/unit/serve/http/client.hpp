@@ -24,7 +24,7 @@ class Client {
  public:
   /// `receive_buffer`: bytes that the kernel keeps for it; 0: as usual.
   explicit Client(std::uint16_t port, int receive_buffer = 0)
-      : descriptor_(::socket(AF_INET, SOCK_STREAM, 0)) {
+      : descriptor_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     if (receive_buffer > 0)
       ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof receive_buffer);
     const timeval patience{20, 0};

@@ -1,10 +1,13 @@
 #include "serve/http/server.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,6 +39,25 @@ TEST(Server, SendsAFileOfThePage) {
   EXPECT_THAT(server.ask(server.request("page.txt", "If-None-Match: " + etag + "\r\n")),
               testing::StartsWith("HTTP/1.1 304 "));
   EXPECT_THAT(server.ask(server.request("")), testing::EndsWith("<!doctype html>"));
+}
+
+std::set<int> open_descriptors() {
+  std::set<int> open;
+  for (int number = 0; number < 256; ++number)
+    if (::fcntl(number, F_GETFD) >= 0) open.insert(number);
+  return open;
+}
+
+// The browser that the server's program starts must not hold the port.
+TEST(Server, PassesNoDescriptorsOn) {
+  const std::set<int> before = open_descriptors();
+  const RunningServer server;
+  const Client page = server.tab();
+  for (const int number : open_descriptors()) {
+    if (before.contains(number)) continue;
+    EXPECT_NE(::fcntl(number, F_GETFD) & FD_CLOEXEC, 0)
+        << std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", number));
+  }
 }
 
 TEST(Server, SendsADocumentThatIsNotKept) {
@@ -100,6 +122,7 @@ TEST(Server, SaysFarewellWhenItStops) {
   std::thread stop;
   {
     Client page = server.tab();
+    EXPECT_TRUE(becomes_true([&] { return server.opened == 1; }));
     stop = std::thread([&] { server.stop(); });
     EXPECT_EQ(page.close_code(), 1001u);
     page.send(Frame{.opcode = Opcode::close, .payload = "\x03\xe9"});
@@ -113,6 +136,7 @@ TEST(Server, SaysFarewellWhenItStops) {
 TEST(Server, StopsInSpiteOfAPageThatDoesNotReply) {
   RunningServer server({.farewell = std::chrono::milliseconds(50)});
   const Client page = server.tab();
+  EXPECT_TRUE(becomes_true([&] { return server.opened == 1; }));
   server.stop();
   EXPECT_EQ(server.closed, 1);
 }
@@ -122,7 +146,9 @@ TEST(Server, RefusesWrongOptions) {
     const serve::http::Server server(std::move(options), {});
   };
   const RunningServer other;
-  expect_input_error([&] { make({.port = other.port()}); }, "port", "already in use");
+  expect_input_error([&] { make({.port = other.port()}); }, "port", "already in use", "choose another port");
+  expect_input_error([&] { make({.address = "192.0.2.1"}); }, "port 0 of 192.0.2.1",
+                     "choose an address of this computer");
   expect_input_error([&] { make({.address = "localhost"}); }, "localhost", "IPv4");
   expect_input_error([&] { make({.token = "short"}); }, "token");
   expect_input_error([&] { make({.hosts = {"http://shop.example"}}); }, "http://shop.example",
