@@ -112,7 +112,13 @@ void History::accept(const Record& record, const std::string& text) {
 
 void History::shorten(const std::string& text) {
   if (timeline_.steps().size() <= 2 * limits_.steps && file_.size() <= most_bytes_) return;
-  const std::size_t count = outdated(timeline_, limits_);
+  try {
+    rewrite(outdated(timeline_, limits_), text);
+  } catch (const OutputError&) {  // the long history is as good
+  }
+}
+
+void History::rewrite(std::size_t count, const std::string& text) {
   Timeline kept = timeline_;
   kept.forget(count);
   const auto& steps = kept.steps();
@@ -124,11 +130,7 @@ void History::shorten(const std::string& text) {
   if (kept.position() < steps.size())
     content += line_of(Move{steps.back().back().time, kept.position(), kept.hash_at(steps.size()),
                             kept.hash_at(kept.position())});
-  try {
-    file_.replace(content);
-  } catch (const OutputError&) {
-    return;  // The long history is as good.
-  }
+  file_.replace(content);
   timeline_ = std::move(kept);
   most_bytes_ = std::max(limits_.bytes, 2 * file_.size());
 }

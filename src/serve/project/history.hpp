@@ -39,6 +39,10 @@ class History {
 
   /// Begins an empty history. Throws OutputError.
   void begin(const std::string& text, const std::string& time);
+  /// Whether the file has not been removed or replaced.
+  bool is_in_place() const { return file_.is_in_place(); }
+  /// Writes the whole file anew. `text` is the present one. Throws OutputError.
+  void restore(const std::string& text) { rewrite(0, text); }
   /// Writes a change or a move, which then counts with `accept` or not with `take_back`. Throws OutputError.
   void write(const Record& record);
   void take_back() { file_.take_back(); }
@@ -49,6 +53,7 @@ class History {
   void read(std::string_view content);
   void replay(const Record& record);
   void shorten(const std::string& text);
+  void rewrite(std::size_t outdated, const std::string& text);
 
   HistoryFile file_;
   HistoryLimits limits_;

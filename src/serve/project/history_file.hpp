@@ -3,6 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
+#include <utility>
+
+#include "shelfbeam/base/files/descriptor.hpp"
+#include "shelfbeam/base/files/open_file.hpp"
 
 namespace shelfbeam::serve {
 
@@ -11,12 +15,11 @@ namespace shelfbeam::serve {
 class HistoryFile {
  public:
   explicit HistoryFile(std::filesystem::path path) : path_(std::move(path)) {}
-  ~HistoryFile();
-  HistoryFile(const HistoryFile&) = delete;
-  HistoryFile& operator=(const HistoryFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   std::uint64_t size() const { return size_; }
+  /// Whether the path still names the file that was opened.
+  bool is_in_place() const { return names(path_, file_.number()); }
 
   /// Opens the existing file, and cuts off what follows its first `size` bytes.
   void open(std::uint64_t size);
@@ -28,11 +31,10 @@ class HistoryFile {
   void take_back();
 
  private:
-  void close();
   bool cut();
 
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  Descriptor file_;
   std::uint64_t size_ = 0, size_before_ = 0;  ///< now, and before the last line
   bool has_rest_ = false;                     ///< more bytes that could not be cut off
 };

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/files/open_file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 
@@ -44,8 +45,7 @@ Project::Project(const fs::path& folder, ProjectOptions options)
       file_((folder / "store.json").lexically_normal(), options_.check) {
   // A folder without a store stays as it is.
   if (!stamp_of(history_path())) read_valid();
-  make_own_folder();
-  own_.emplace(history_path(), fs::weakly_canonical(folder).string(), "use the page of the other, or end it");
+  take_own_folder();
   // Only a file that was written before the last record can lack it. A younger one has an older text because
   // somebody wanted it. Times that are equal, or not known, belong to a program that was killed.
   const auto written = change_time(file_.path()), recorded = change_time(history_path());
@@ -53,13 +53,15 @@ Project::Project(const fs::path& folder, ProjectOptions options)
   start(history_->take_texts(), written <= recorded);
 }
 
-void Project::make_own_folder() const {
+void Project::take_own_folder() {
   const fs::path own = history_path().parent_path();
   // The history has texts that the permissions of store.json may hide.
   if (::mkdir(own.c_str(), S_IRWXU) != 0 && errno != EEXIST) cannot_write(own, system_reason());
   std::error_code error;
   if (!fs::is_directory(fs::symlink_status(own, error)))
     throw InputError(own.string(), "is not a folder", "move it elsewhere");
+  own_.emplace(history_path(), fs::weakly_canonical(folder_).string(),
+               "use the page of the other, or end it");
 }
 
 std::string Project::read_valid() const {
@@ -76,59 +78,54 @@ void Project::start(std::optional<HistoryTexts> texts, bool may_be_one_behind) {
     texts.emplace().last = text_;
   }
   text_ = std::move(texts->last);
-  if (may_be_one_behind && has_text(texts->before)) Replacement(file_.path(), text_).commit();
-  look(true);
-}
-
-bool Project::has_text(const std::optional<std::string>& text) const {
-  try {
-    const auto found = file_.read();
-    return text && found && found->content == *text;
-  } catch (const InputError&) {  // `look` says what is wrong with the file
-    return false;
+  if (may_be_one_behind && texts->before && has_content(file_.path(), *texts->before)) {
+    file_.expect_valid(text_);
+    file_.put(text_, &*texts->before);
   }
+  look(true);
+  file_.expect_valid(text_);  // the history may come from elsewhere
 }
 
-Outside Project::look(bool by_content) {
+bool Project::look(bool by_content) {
   const auto stamp = stamp_of(file_.path());
-  if (!by_content && stamp == known_ && is_settled_) return Outside::none;
+  if (!by_content && stamp == known_ && is_settled_) return false;
   std::optional<FileContent> found;
   try {
     found = file_.read();
     known_ = found ? std::optional(found->stamp) : std::nullopt;
     is_settled_ = is_settled(known_);
-    if (!found) return lock(Outside::gone, file_.path().string() + ": was removed");
+    if (!found) return lock(file_.path().string() + ": was removed");
     if (found->content != text_) file_.expect_valid(found->content);
   } catch (const InputError& error) {
     known_ = stamp;
     is_settled_ = is_settled(known_);
-    return lock(Outside::invalid, error.what());
+    return lock(error.what());
   }
   if (found->content != text_) return take_in(found->content);
-  return std::exchange(locked_, std::nullopt) ? Outside::changed : Outside::none;
+  return std::exchange(locked_, std::nullopt).has_value();
 }
 
-Outside Project::lock(Outside state, std::string reason) {
-  if (locked_ == reason) return Outside::none;
+bool Project::lock(std::string reason) {
+  if (locked_ == reason) return false;
   locked_ = std::move(reason);
-  return state;
+  return true;
 }
 
-Outside Project::take_in(const std::string& text) {
+bool Project::take_in(const std::string& text) {
   Change change{utc_text(options_.now()), "Changed outside", {}, false, {splice_between(text_, text)},
                 content_hash(text_),      content_hash(text)};
   try {
-    history_->write(change);
-  } catch (const OutputError&) {
-    known_.reset();  // the next look tries again
-    throw;
+    record(change);
+  } catch (const InputError& error) {
+    is_settled_ = false;  // the next look tries again
+    return lock(error.what());
   }
   text_ = text;
   ++revision_;
   locked_.reset();
   last_edit_.reset();
   history_->accept(change, text_);
-  return Outside::changed;
+  return true;
 }
 
 void Project::expect_unlocked() const {
@@ -137,24 +134,32 @@ void Project::expect_unlocked() const {
                      "correct the file, or restore the last valid one");
 }
 
-bool Project::write(const Record& record, const std::string& text) {
-  Replacement replacement(file_.path(), text);
+void Project::record(const Record& record) {
+  if (!history_->is_in_place()) {  // the folder was removed, and the lock with it
+    take_own_folder();
+    history_->restore(text_);
+  }
   history_->write(record);
+}
+
+bool Project::write(const Record& change, const std::string& text) {
+  record(change);
+  std::optional<FileStamp> stamp;
   try {
-    if (stamp_of(file_.path()) != known_) {
-      history_->take_back();
-      return false;
-    }
-    replacement.commit();
+    stamp = file_.put(text, &text_);
   } catch (const OutputError&) {
     history_->take_back();
     throw;
   }
-  known_ = replacement.stamp();
+  if (!stamp) {
+    history_->take_back();
+    return false;
+  }
+  known_ = stamp;
   is_settled_ = false;
   text_ = text;
   ++revision_;
-  history_->accept(record, text_);
+  history_->accept(change, text_);
   return true;
 }
 
@@ -192,17 +197,18 @@ void Project::redo() {
 
 void Project::go(std::size_t position) {
   const Timeline& timeline = history_->timeline();
-  const Outside outside = look(true);
+  const bool has_changed = look(true);
   expect_unlocked();
   const auto refuse = [&] {
     throw InputError(file_.path().string(), "was changed outside at the same time",
                      "look at the change first");
   };
-  if (outside != Outside::none) refuse();
+  if (has_changed) refuse();
   if (position > timeline.steps().size())
     throw InputError("the history", fmt::format("has {}", counted(timeline.steps().size(), "step")));
   if (position == timeline.position()) return;
   const std::string text = timeline.text_at(position, text_);
+  file_.expect_valid(text);
   last_edit_.reset();
   if (!write(Move{utc_text(options_.now()), position, content_hash(text_), content_hash(text)}, text)) {
     look(true);
@@ -213,17 +219,15 @@ void Project::go(std::size_t position) {
 std::vector<Step> Project::steps() const {
   std::vector<Step> steps;
   for (const Timeline::Changes& changes : history_->timeline().steps())
-    steps.push_back({changes.back().label, changes.back().time, steps.size() >= position()});
+    steps.push_back({changes.back().label, changes.back().time});
   return steps;
 }
 
 void Project::restore_mine() {
   look(true);
   if (!locked_) return;
-  if (known_) file_.set_aside();
-  Replacement replacement(file_.path(), text_);
-  replacement.commit();
-  known_ = replacement.stamp();
+  if (stamp_of(file_.path())) file_.set_aside();
+  known_ = file_.put(text_);
   is_settled_ = false;
   locked_.reset();
 }

@@ -21,7 +21,6 @@ struct EditOp;
 /// A step of the history, for a list.
 struct Step {
   std::string label, time;  ///< the time is that of its last change, in UTC (ISO 8601)
-  bool undone = false;
 
   bool operator==(const Step&) const = default;
 };
@@ -32,21 +31,14 @@ struct ProjectOptions {
   std::function<std::chrono::system_clock::time_point()> now = std::chrono::system_clock::now;
 };
 
-/// What other programs have done to store.json.
-enum class Outside {
-  none,     ///< nothing
-  changed,  ///< it has another valid text, which is now that of the project, or is valid again
-  invalid,  ///< it is not a store any more: the project is locked
-  gone      ///< it was removed: the project is locked
-};
-
 /// A folder with a store.json and its history in `.shelfbeam`. The text of the file is the truth; it is the
 /// text of the project after every call, and is changed by edits of single values only (text/edit.hpp).
 ///
 /// When a change returns, it is on the disk: first in the history, then in the file. If the process ends in
 /// between, the next project finishes the change. A change from outside is never overwritten: it becomes a
-/// step of the history, after which an edit must still fit. While the file is invalid or gone, the project
-/// keeps the last valid text, and is locked: it cannot be changed.
+/// step of the history, after which an edit must still fit. While the file is invalid or gone, or its change
+/// cannot be written to the history, the project keeps the last valid text, and is locked: it cannot be
+/// changed.
 ///
 /// A function that throws OutputError (disk full, no permission) has changed nothing. For one thread.
 class Project {
@@ -73,7 +65,7 @@ class Project {
   void undo();
   void redo();
   /// Undoes or redoes until the first `position` steps are applied. Throws InputError, too, if there are not
-  /// as many.
+  /// as many, or if a history from elsewhere leads to an invalid text.
   void go(std::size_t position);
 
   std::vector<Step> steps() const;
@@ -81,8 +73,8 @@ class Project {
   std::size_t position() const { return history_->timeline().position(); }
 
   /// Looks whether the file has changed; reads it only if its size, time or number has, or may have. To be
-  /// called about once a second. Throws OutputError if a change cannot be written to the history.
-  Outside check_outside() { return look(false); }
+  /// called about once a second. Returns whether the text, or the reason of the lock, is another one now.
+  bool check_outside() { return look(false); }
   /// Why the project is locked; nothing if it is not.
   const std::optional<std::string>& locked() const { return locked_; }
   /// Puts the last valid text back if the project is locked. A file that is in its place gets the first free
@@ -100,14 +92,14 @@ class Project {
 
   std::filesystem::path history_path() const { return folder_ / ".shelfbeam" / "history.jsonl"; }
   std::string read_valid() const;
-  void make_own_folder() const;
+  void take_own_folder();
   void start(std::optional<HistoryTexts> texts, bool may_be_one_behind);
-  bool has_text(const std::optional<std::string>& text) const;
-  Outside look(bool by_content);
-  Outside lock(Outside state, std::string reason);
-  Outside take_in(const std::string& text);
+  bool look(bool by_content);
+  bool lock(std::string reason);
+  bool take_in(const std::string& text);
   void expect_unlocked() const;
-  bool write(const Record& record, const std::string& text);
+  void record(const Record& record);
+  bool write(const Record& change, const std::string& text);
 
   std::filesystem::path folder_;
   ProjectOptions options_;

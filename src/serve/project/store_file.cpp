@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json_parser.hpp"
 #include "shelfbeam/base/text.hpp"
 
@@ -47,6 +48,20 @@ void StoreFile::expect_valid(const std::string& text, const Json& value) const {
   if (check_) check_(value);
 }
 
+std::optional<FileStamp> StoreFile::put(const std::string& text, const std::string* old) const {
+  AtomicFile file(path_);
+  file.write(text);
+  std::error_code missing;
+  const fs::file_status status = fs::symlink_status(path_, missing);
+  if (fs::is_regular_file(status)) fs::permissions(file.temporary(), status.permissions(), missing);
+  const auto stamp = stamp_of(file.temporary());
+  if (!old)
+    file.commit();
+  else if (!file.commit_over(*old))
+    return std::nullopt;
+  return stamp;
+}
+
 void StoreFile::set_aside() const {
   constexpr int most = 10'000;
   for (int number = 1; number <= most; ++number) {
@@ -55,15 +70,6 @@ void StoreFile::set_aside() const {
     if (errno != EEXIST) cannot_write(name, system_reason());
   }
   cannot_write(path_, "too many files of such names");
-}
-
-Replacement::Replacement(const fs::path& path, const std::string& content) : file_(path) {
-  file_.write(content);
-  std::error_code missing;
-  const fs::file_status status = fs::symlink_status(path, missing);
-  if (fs::is_regular_file(status)) fs::permissions(file_.temporary(), status.permissions(), missing);
-  file_.flush();
-  stamp_ = stamp_of(file_.temporary());
 }
 
 }  // namespace shelfbeam::serve

@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "shelfbeam/base/file.hpp"
-
 #include "serve/project/regular_file.hpp"
 #include "serve/text/json_value.hpp"
 
@@ -36,6 +34,10 @@ class StoreFile {
   void expect_valid(const std::string& text) const;
   void expect_valid(const std::string& text, const Json& value) const;
 
+  /// Writes the text, with the permissions of the present file, and returns the new stamp. If `old` is given
+  /// and the file has another text, returns nothing, and the file stays. Throws OutputError.
+  std::optional<FileStamp> put(const std::string& text, const std::string* old = nullptr) const;
+
   /// Gives what has the place of the file the first free name out of `store.json.outside-1`, ... A regular
   /// file has its own name as well until it is replaced. Throws OutputError.
   void set_aside() const;
@@ -43,22 +45,6 @@ class StoreFile {
  private:
   std::filesystem::path path_;
   StoreCheck check_;
-};
-
-/// A new content of a file, complete on the disk under another name.
-class Replacement {
- public:
-  /// Has the permissions of the present file. Throws OutputError.
-  Replacement(const std::filesystem::path& path, const std::string& content);
-
-  /// The stamp that the file then has.
-  const std::optional<FileStamp>& stamp() const { return stamp_; }
-  /// Puts it into its place, on the disk as well. Throws OutputError.
-  void commit() { file_.commit(); }
-
- private:
-  AtomicFile file_;
-  std::optional<FileStamp> stamp_;
 };
 
 }  // namespace shelfbeam::serve

@@ -1,14 +1,17 @@
 // Changes by other programs while a project is open, and between two openings.
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <thread>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
 #include "project_folder.hpp"
@@ -27,10 +30,10 @@ constexpr std::string_view other_text = "{ \"a\": 1, \"c\": true }\n";
 TEST(OutsideChange, IsAStep) {
   const ProjectFolder folder;
   Project project(folder.path());
-  EXPECT_EQ(project.check_outside(), Outside::none);
+  EXPECT_FALSE(project.check_outside());
   folder.write_store(other_text);
-  EXPECT_EQ(project.check_outside(), Outside::changed);
-  EXPECT_EQ(project.check_outside(), Outside::none);
+  EXPECT_TRUE(project.check_outside());
+  EXPECT_FALSE(project.check_outside());
   EXPECT_EQ(project.text(), other_text);
   EXPECT_EQ(project.revision(), 2u);
   EXPECT_EQ(project.steps().at(0).label, "Changed outside");
@@ -48,7 +51,7 @@ TEST(OutsideChange, OfTheSameSizeAndTimeIsNoticed) {
   text[text.find("1,")] = '7';
   folder.write_store(text);
   fs::last_write_time(folder / "store.json", time);
-  EXPECT_EQ(project.check_outside(), Outside::changed);
+  EXPECT_TRUE(project.check_outside());
 }
 
 TEST(OutsideChange, JustBeforeAnEditIsTakenInFirst) {
@@ -104,6 +107,34 @@ TEST(OutsideChange, DuringAnEditIsTakenInFirst) {
   EXPECT_EQ(folder.store(), ProjectFolder::first_text);
 }
 
+// Another program saves again and again, each time after its text has been seen.
+TEST(OutsideChange, AtNoMomentOfAnEditIsOverwritten) {
+  const ProjectFolder folder("{ \"n\": 0, \"own\": 0 }");
+  Project project(folder.path());
+  std::atomic<int> seen = 0;
+  constexpr int saves = 40;
+  std::thread other([&] {
+    for (int n = 1; n <= saves; ++n) {
+      std::ofstream(folder / "other.json") << fmt::format("{{ \"n\": {}, \"own\": 0 }}", n);
+      fs::rename(folder / "other.json", folder / "store.json");
+      for (int wait = 0; seen < n && wait < 2000; ++wait)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (seen < n) return;
+    }
+  });
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  for (int k = 0; seen < saves && std::chrono::steady_clock::now() < end; ++k) {
+    const Json now = Json::parse(project.text());
+    seen = now["n"].get<int>();
+    try {
+      project.edit("Own", {to_set("/own", now["own"], now["own"].get<int>() + 1)});
+    } catch (const InputError&) {  // the text was changed just before
+    }
+  }
+  other.join();
+  EXPECT_EQ(seen, saves);
+}
+
 TEST(OutsideChange, WhileNothingRunsIsAStep) {
   const ProjectFolder folder;
   {
@@ -136,8 +167,8 @@ TEST(OutsideChange, ThatIsInvalidLocks) {
   project.edit("Change a", {to_set("/a", 1, 2)});
   const std::string mine = project.text();
   folder.write_store("{\n  \"a\": }\n");
-  EXPECT_EQ(project.check_outside(), Outside::invalid);
-  EXPECT_EQ(project.check_outside(), Outside::none) << "still invalid";
+  EXPECT_TRUE(project.check_outside());
+  EXPECT_FALSE(project.check_outside()) << "still invalid";
   ASSERT_TRUE(project.locked());
   EXPECT_NE(project.locked()->find("store.json: is not valid JSON (parse error at line 2, column 8"),
             std::string::npos)
@@ -149,7 +180,7 @@ TEST(OutsideChange, ThatIsInvalidLocks) {
     expect_input_error(change, "the project: is locked", "line 2, column 8", "restore");
   EXPECT_EQ(folder.store(), "{\n  \"a\": }\n");
   folder.write_store(mine);
-  EXPECT_EQ(project.check_outside(), Outside::changed) << "valid again";
+  EXPECT_TRUE(project.check_outside()) << "valid again";
   EXPECT_FALSE(project.locked());
   EXPECT_EQ(project.position(), 1u);
   project.undo();
@@ -159,9 +190,9 @@ TEST(OutsideChange, FromInvalidToAnotherTextIsAStep) {
   const ProjectFolder folder;
   Project project(folder.path());
   folder.write_store("{");
-  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  EXPECT_TRUE(project.check_outside());
   folder.write_store(other_text);
-  EXPECT_EQ(project.check_outside(), Outside::changed);
+  EXPECT_TRUE(project.check_outside());
   EXPECT_FALSE(project.locked());
   EXPECT_EQ(project.position(), 1u);
 }
@@ -173,13 +204,13 @@ TEST(OutsideChange, RestoringKeepsTheOtherFile) {
   EXPECT_FALSE(fs::exists(folder / "store.json.outside-1")) << "nothing to restore";
   for (const std::string number : {"1", "2"}) {
     folder.write_store("{ " + number);
-    EXPECT_EQ(project.check_outside(), Outside::invalid);
+    EXPECT_TRUE(project.check_outside());
     project.restore_mine();
     EXPECT_FALSE(project.locked());
     EXPECT_EQ(folder.store(), ProjectFolder::first_text);
     EXPECT_EQ(read_file(folder / ("store.json.outside-" + number)), "{ " + number);
   }
-  EXPECT_EQ(project.check_outside(), Outside::none);
+  EXPECT_FALSE(project.check_outside());
   project.edit("Change a", {to_set("/a", 1, 2)});
   EXPECT_EQ(read_file(folder / "store.json.outside-2"), "{ 2");
 }
@@ -189,8 +220,8 @@ TEST(OutsideChange, ARemovedFileLocks) {
   {
     Project project(folder.path());
     fs::remove(folder / "store.json");
-    EXPECT_EQ(project.check_outside(), Outside::gone);
-    EXPECT_EQ(project.check_outside(), Outside::none);
+    EXPECT_TRUE(project.check_outside());
+    EXPECT_FALSE(project.check_outside());
     expect_input_error([&] { project.edit("Change a", {to_set("/a", 1, 2)}); }, "store.json: was removed");
   }
   Project project(folder.path());
@@ -204,7 +235,7 @@ TEST(OutsideChange, ToALargeFileLocks) {
   const ProjectFolder folder;
   Project project(folder.path());
   folder.write_store("{}" + std::string(max_store_text, ' '));
-  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  EXPECT_TRUE(project.check_outside());
   EXPECT_NE(project.locked()->find("has 5,000,002 bytes; the maximum is 5,000,000"), std::string::npos);
 }
 
@@ -216,7 +247,7 @@ TEST(OutsideChange, LinksAreNotFollowed) {
     Project project(folder.path());
     fs::remove(folder / "store.json");
     fs::create_symlink(target, folder / "store.json");
-    EXPECT_EQ(project.check_outside(), Outside::invalid);
+    EXPECT_TRUE(project.check_outside());
     EXPECT_NE(project.locked()->find("store.json: is a symbolic link"), std::string::npos);
   }
   Project project(folder.path());
@@ -233,7 +264,7 @@ TEST(OutsideChange, AFolderInThePlaceOfTheFileIsMoved) {
   Project project(folder.path());
   fs::remove(folder / "store.json");
   fs::create_directory(folder / "store.json");
-  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  EXPECT_TRUE(project.check_outside());
   project.restore_mine();
   EXPECT_EQ(folder.store(), ProjectFolder::first_text);
   EXPECT_TRUE(fs::is_directory(folder / "store.json.outside-1"));
@@ -313,10 +344,15 @@ TEST(FullDisk, OutsideChangeWaits) {
   folder.write_store(other_text);
   {
     const FullDisk full(0);
-    EXPECT_THROW(project.check_outside(), OutputError);
-    EXPECT_THROW(project.check_outside(), OutputError);
+    EXPECT_TRUE(project.check_outside());
+    EXPECT_NE(project.locked().value_or("").find("history.jsonl: cannot be written"), std::string::npos);
+    EXPECT_FALSE(project.check_outside()) << "nothing new";
+    EXPECT_THROW(project.restore_mine(), OutputError);
+    EXPECT_EQ(folder.store(), other_text);
   }
-  EXPECT_EQ(project.check_outside(), Outside::changed);
+  EXPECT_TRUE(project.check_outside());
+  EXPECT_FALSE(project.locked());
+  EXPECT_EQ(project.text(), other_text);
 }
 
 }  // namespace

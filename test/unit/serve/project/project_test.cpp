@@ -1,6 +1,8 @@
 #include "serve/project/project.hpp"
 
 #include <chrono>
+#include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,8 @@ std::string edited_text(int a) {
 
 std::vector<std::string> labels(const Project& project) {
   std::vector<std::string> labels;
-  for (const Step& step : project.steps()) labels.push_back((step.undone ? "-" : "+") + step.label);
+  for (const Step& step : project.steps())
+    labels.push_back((labels.size() < project.position() ? "+" : "-") + step.label);
   return labels;
 }
 
@@ -164,7 +167,7 @@ TEST_F(ProjectTest, BytesThatAreNotUtf8AreKept) {
     auto project = open();
     project.edit("Change a", {to_set("/a", "\xC3\xA4", "\xC3\xB6")});
     folder.write_store("{ \"a\": 1 } // K\xFChl");
-    EXPECT_EQ(project.check_outside(), Outside::changed);
+    EXPECT_TRUE(project.check_outside());
   }
   auto project = open();
   EXPECT_EQ(project.steps().size(), 2u);
@@ -196,8 +199,55 @@ TEST_F(ProjectTest, TheCallerChecksEachText) {
   Project project(folder.path(), options);
   expect_input_error([&] { project.edit("Format", {to_insert("/format", 2)}); }, "has format version 2");
   folder.write_store("{ \"format\": 2 }");
-  EXPECT_EQ(project.check_outside(), Outside::invalid);
+  EXPECT_TRUE(project.check_outside());
   EXPECT_EQ(project.locked(), "store.json: has format version 2");
+}
+
+TEST_F(ProjectTest, ChecksTheTextsOfAHistoryFromElsewhere) {
+  {
+    auto project = open();
+    project.edit("Format", {to_insert("/format", 2)});
+    project.edit("Format", {to_set("/format", 2, 3)});
+  }
+  const auto refusing = [](int format) {
+    return ProjectOptions{.check = [=](const Json& store) {
+      if (store.value("format", 1) == format) throw InputError("store.json", "has the wrong format");
+    }};
+  };
+  expect_input_error([&] { Project project(folder.path(), refusing(3)); }, "has the wrong format");
+  Project project(folder.path(), refusing(2));
+  expect_input_error([&] { project.undo(); }, "has the wrong format");
+  project.go(0);
+  EXPECT_EQ(folder.store(), ProjectFolder::first_text);
+}
+
+TEST_F(ProjectTest, ARemovedHistoryIsWrittenAnew) {
+  {
+    auto project = open();
+    project.edit("a2", {to_set("/a", 1, 2)});
+    project.edit("a3", {to_set("/a", 2, 3)});
+    project.undo();
+    std::filesystem::remove_all(folder / ".shelfbeam");
+    project.redo();
+    project.undo();
+    expect_input_error([&] { open(); }, "is in use by another run of shelfbeam");
+  }
+  auto project = open();
+  EXPECT_THAT(labels(project), ElementsAre("+a2", "-a3"));
+}
+
+TEST_F(ProjectTest, ARemovedHistoryThatAnotherProcessHasWrittenIsLeftAlone) {
+  auto project = std::make_unique<Project>(folder.path());
+  std::filesystem::remove_all(folder / ".shelfbeam");
+  auto other = open();
+  expect_input_error([&] { project->edit("a2", {to_set("/a", 1, 2)}); }, "is in use by another run");
+  folder.write_store(edited_text(3));
+  EXPECT_TRUE(project->check_outside());
+  EXPECT_TRUE(project->locked());
+  project.reset();
+  expect_input_error([&] { open(); }, "is in use by another run");
+  EXPECT_TRUE(other.check_outside());
+  EXPECT_EQ(other.steps().size(), 1u);
 }
 
 TEST_F(ProjectTest, PermissionsAreKept) {
