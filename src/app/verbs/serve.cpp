@@ -111,10 +111,11 @@ int run_serve(const ServeArguments& options) {
   serve::Planner planner(".", std::move(http), cancel, [](std::string_view what) {
     print_message("internal error: {}\n", one_line(what));
   });
-  if (options.address != "127.0.0.1" && options.address != "::1")
+  if (!options.address.starts_with("127.") && options.address != "::1")
     print_message(
-        "Other computers can reach this planner at {}; by a name only with --allow-host NAME. Whoever knows "
-        "the address below can read and change the shop; address and data travel unencrypted.\n",
+        "Other computers can reach this planner at {}; by a name only with --allow-host NAME. Anyone with "
+        "its "
+        "address can read and change the shop. Address and data are not encrypted.\n",
         options.address);
   print_addresses(planner, options, folder.is_temporary());
   if (!options.no_browser) open_browser(planner.addresses().front(), ".shelfbeam");

@@ -9,6 +9,7 @@ Every fenced block of the page has one of these kinds:
                        text within a line, and is ignored on a separate line
 """
 
+import gzip
 import os
 import pathlib
 import re
@@ -114,7 +115,9 @@ def serve(body, folder, environment):
             if address := ADDRESS.search(line):
                 try:
                     with urllib.request.urlopen(address[0], timeout=60) as page:
-                        is_page = page.read().startswith(b"<!doctype html>")
+                        is_gzip = page.headers["Content-Encoding"] == "gzip"
+                        content = gzip.decompress(page.read()) if is_gzip else page.read()
+                        is_page = content.startswith(b"<!doctype html>")
                 finally:
                     os.killpg(server.pid, signal.SIGINT)
     if not is_page:
