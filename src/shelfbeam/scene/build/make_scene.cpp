@@ -139,17 +139,17 @@ class SceneMaker {
 
   // The faces of fixtures, on which candidates are mounted, are known only after these are built.
   void expect_memory_of_mounts() {
-    for (const auto& [candidates, bytes, where] : candidate_counts(store_, scene_)) {
+    for (const MountCount& mount : candidate_counts(store_, scene_)) {
       constexpr std::size_t max_candidates = 1'000'000;
       const bool has_few = attempt([&] {
-        if (candidates > max_candidates)
-          throw InputError(where + ".spacing", fmt::format("produces {} candidates", candidates),
+        if (mount.candidates > max_candidates)
+          throw InputError(mount.where + ".spacing", fmt::format("produces {} candidates", mount.candidates),
                            "use a wider spacing");
       });
       if (has_few)
-        expect_memory(bytes, where);
+        expect_memory(mount.bytes, mount.where);
       else
-        crowded_.insert(where);
+        crowded_.insert(mount.where);
     }
   }
 
