@@ -225,8 +225,10 @@ struct Planner::State {
     Request request{tab, message_of(text)};
     if (!request.json.is_object() || !request.json.contains("id")) return;
     Json reply{{"id", request.json["id"]}};
+    bool is_done = false;
     try {
       reply.update(result_of(request));
+      is_done = true;
     } catch (const InputError& error) {
       reply["error"] = error_json(error);
       ops.reset();
@@ -235,7 +237,7 @@ struct Planner::State {
       ops.reset();
     }
     // A refused edit may have found an outside change.
-    tell_changes(request);
+    tell_changes(is_done ? std::optional(std::move(request)) : std::nullopt);
     server.send(tab, http::Message::text(text_of(reply)));
   }
 

@@ -33,6 +33,7 @@ class Outside(ServeTest):
         # Before the server has looked.
         answer = self.tabs[0].set("/fixtures/0/at/0", 3)
         self.assertEqual(answer["error"]["path"], "/fixtures/0/at/0")
+        self.assertNotIn("request", self.changed(), "is not the answer to a refused edit")
         self.assertEqual(self.tabs[0].json["fixtures"][0]["at"], [2, 1, 0])
         self.assertEqual(self.tabs[0].set("/fixtures/0/at/0", 3)["revision"], 3)
 

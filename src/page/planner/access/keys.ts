@@ -20,7 +20,15 @@ const arrows: Record<string, string> = { ArrowLeft: "←", ArrowRight: "→", Ar
 export const chordText = (chord: string): string =>
   chord.replace(/Arrow\w+$/, (name) => arrows[name] ?? name).replace("Ctrl", isMac() ? "⌘" : "Ctrl");
 
-/** Whether keys belong to a field that has the focus. */
+/** Whether a chord belongs to a field that has the focus. A field without a new text has nothing to undo. */
+export function isOfField(target: EventTarget | null, chord: string): boolean {
+  if (!isField(target)) return false;
+  const isUnchanged =
+    target instanceof HTMLSelectElement ||
+    (target instanceof HTMLInputElement && target.value === target.dataset.shown && target.ariaInvalid !== "true");
+  return !(isUnchanged && ["Ctrl+Z", "Ctrl+Y", "Ctrl+Shift+Z"].includes(chord));
+}
+
 export function isField(target: EventTarget | null): boolean {
   if (target instanceof HTMLInputElement) return !["checkbox", "radio", "button"].includes(target.type);
   return target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement;

@@ -3,6 +3,7 @@
 import { readFrame } from "../../data/page_data";
 import type { Changes } from "../changes";
 import { unitNamed, type LengthUnit, metre } from "../geometry/units";
+import { text } from "../text";
 import { Lost, Refused, type Connection } from "./connection";
 import { DetailsCache } from "./details";
 import { Devices } from "./devices";
@@ -201,6 +202,7 @@ export class StoreDocument {
       return true;
     } catch (error) {
       if (error instanceof Refused) this.refused(what, error.refusal);
+      else if (error instanceof Lost) this.onRefused(what, { message: text.notices.no_connection });
       return false;
     }
   }
@@ -290,16 +292,14 @@ export class StoreDocument {
     this.changes.note("devices", "warnings");
   }
 
-  /** After a lost connection: sends the edits that the server has not received. */
+  /** After a lost connection: sends the edits that the server, which takes them in order, has not received. */
   private sendAgain(revisionBefore: number): void {
-    const [lost, kept]: [Pending[], Pending[]] = [[], []];
-    for (const sent of this.pending) {
-      const isThere = this.revision !== revisionBefore && this.isApplied(sent.edit.ops);
-      (isThere ? lost : kept).push(sent);
-    }
-    this.pending = kept;
-    for (const { done } of lost) done(true);
-    for (const sent of kept) this.send(sent);
+    const ops = (count: number) => this.pending.slice(0, count).flatMap(({ edit }) => edit.ops);
+    let there = this.revision === revisionBefore ? 0 : this.pending.length;
+    while (there > 0 && !this.isApplied(ops(there))) --there;
+    const received = this.pending.splice(0, there);
+    for (const { done } of received) done(true);
+    for (const sent of this.pending) this.send(sent);
   }
 
   /** Changes that can be taken back are there. */
@@ -328,16 +328,16 @@ export class StoreDocument {
       this.onMoved(this.placesAfter(event.ops, confirmedBefore));
     }
     if (!event.ops || (!own && event.ops.some(isMoving))) this.details.clear();
-    const isNew = event.revision !== this.revision;
+    const ofOthers = event.revision - this.revision - (event.tab === this.tab ? 1 : 0);
     this.revision = event.revision;
     if (event.parts) this.parts.change(event.parts);
     this.take(event);
     if (own) this.settle(own, true);
     else this.rebase();
     if (!event.ops) this.onReplaced(before);
-    if (isNew && event.tab !== this.tab)
+    if (ofOthers > 0)
       this.onOthers({
-        isTab: event.tab !== undefined,
+        isTab: event.tab !== undefined && event.tab !== this.tab,
         history: { before: historyBefore, after: this.history },
         json: { before: confirmedBefore, after: this.confirmed },
       });

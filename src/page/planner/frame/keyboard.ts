@@ -1,7 +1,7 @@
 // The keyboard of the page: chords run commands, Space moves the plan, and the clipboard holds elements.
 
 import type { Commands } from "../access/commands";
-import { chordOf, isField } from "../access/keys";
+import { chordOf, isField, isOfField } from "../access/keys";
 import { copySelection, deleteSelection, paste } from "../actions/copy";
 import { whyNoCopy } from "../actions/why_not";
 import { fromText, toText } from "../elements/copies";
@@ -25,9 +25,9 @@ export function listenToKeys(
       event.preventDefault();
       return;
     }
-    const inField = isField(event.target);
     const inPlan = event.target === document.body || plans.includes(event.target as HTMLElement);
     const chord = chordOf(event);
+    const inField = isOfField(event.target, chord);
     if (chord === "Space" && inPlan) {
       event.preventDefault();
       gestures.holdSpace(true);

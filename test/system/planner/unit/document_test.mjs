@@ -201,6 +201,52 @@ test("an insertion that the server has is not sent again", async () => {
   assert.equal(document.json.fixtures.length, 4);
 });
 
+test("edits that take each other back, or follow each other, are received or sent in their order", async () => {
+  const at = (x) => ({ fixtures: [{ id: "A", at: [x, 0] }, ...store.fixtures.slice(1)] });
+  for (const [steps, there, sentAgain] of [
+    [[9, 0], 0, []], // whether both have been received or neither
+    [[9, 0], 9, ["Move 0"]],
+    [[8, 9], 9, []],
+    [[8, 9], 8, ["Move 0"]],
+  ]) {
+    const { connection, document, move } = opened();
+    const done = steps.map((x) => document.edit(move(0, x)));
+    for (const { reject } of connection.sent) reject(new Lost());
+    await settled();
+    connection.sent.length = 0;
+    connection.onEvent({ ...project, revision: 7, json: at(there) });
+    const labels = connection.sent.map(({ members }) => members.label);
+    assert.deepEqual(labels, sentAgain, `${steps} at ${there}`);
+    for (const [k, { id, members }] of connection.sent.entries())
+      connection.onEvent(changed(8 + k, members.ops, { tab: 1, request: id }));
+    assert.deepEqual(await Promise.all(done), [true, true]);
+    assert.equal(document.json.fixtures[0].at[0], steps[1]);
+  }
+});
+
+test("without a connection, nothing is undone, and the reason is said", async () => {
+  const { connection, document } = opened();
+  const reasons = [];
+  document.onRefused = (what) => reasons.push(what);
+  const done = document.undo();
+  connection.sent[0].reject(new Lost());
+  assert.equal(await done, false);
+  assert.deepEqual(reasons, ["undo"]);
+});
+
+test("an own edit that comes after an outside change says so", () => {
+  const { connection, document, move } = opened();
+  const news = [];
+  document.onOthers = ({ isTab }) => news.push(isTab);
+  const edit = move(0, 9);
+  void document.edit(edit);
+  connection.onEvent(changed(6, edit.ops, { tab: 1, request: connection.sent[0].id }));
+  assert.deepEqual(news, []);
+  void document.edit(move(1, 8));
+  connection.onEvent(changed(8, undefined, { json: document.json, tab: 1, request: connection.sent[1].id }));
+  assert.deepEqual(news, [false]);
+});
+
 test("an event that does not fit begins again", () => {
   const { connection, document } = opened();
   connection.onEvent(changed(6, [{ path: "/fixtures/2/at/0", before: 99, after: 7 }], { tab: 2 }));
