@@ -107,7 +107,7 @@ TEST(ShopMutations, AreShown) {
 }
 
 TEST(SlowShopMutations, AreShown) {
-  expect_any_store_is_shown(1500, 2);
+  expect_any_store_is_shown(400, 2);
 }
 
 TEST(Shop, ShowsWhatCannotBeResolvedAsAProblem) {
