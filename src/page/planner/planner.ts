@@ -11,7 +11,7 @@ import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
 import { Fan } from "./view/fan";
 import { Layers } from "./view/layers";
-import { Selection, type Item } from "./view/selection";
+import { placeAgain, Selection, type Item, type Place } from "./view/selection";
 import { Viewport } from "./view/viewport";
 
 export type Tool = "select" | "measure";
@@ -50,13 +50,14 @@ export class Planner {
   notice: Notice | null = null;
   /** At once, because the next event of the pointer belongs to the tool. */
   onTool: () => void = () => {};
+  private readonly followers = new Set<(place: Place) => void>();
 
   constructor(address: string) {
     this.connection = new Connection(address);
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
-    this.document.onMoved = (place) => this.selection.follow(place);
-    this.document.onReplaced = (before) => this.selection.findAgain(before, this.document.json);
+    this.document.onMoved = (place) => this.moved(place);
+    this.document.onReplaced = (before) => this.moved(placeAgain(before, this.document.json));
     this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
   }
 
@@ -91,6 +92,17 @@ export class Planner {
     this.selection.clear();
     this.typePath = path;
     this.changes.note("selection");
+  }
+
+  private moved(place: Place): void {
+    this.selection.follow(place);
+    for (const follower of this.followers) follower(place);
+  }
+
+  /** For what keeps paths of elements while the store may change. The result ends it. */
+  follow(follower: (place: Place) => void): () => void {
+    this.followers.add(follower);
+    return () => this.followers.delete(follower);
   }
 
   private exists(item: Item): boolean {
@@ -128,6 +140,10 @@ export class Planner {
 
   boundsOfItem(item: Item): Bounds | null {
     return boundsOfParts(this.partsOf(item)) ?? boundsOf(this.pointsOf(item));
+  }
+
+  boundsOfElements(elements: readonly StoreElement[]): Bounds | null {
+    return joined(elements.map(({ path }) => this.boundsOfItem({ kind: "element", path })));
   }
 
   get selectionBounds(): Bounds | null {

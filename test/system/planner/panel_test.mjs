@@ -32,6 +32,50 @@ testPlanner("a typed angle turns a fixture about its middle", {}, async (tab) =>
   equal([tab.json.fixtures[8].at, tab.json.fixtures[8].rotation_deg], [[16, 15], 180]);
 });
 
+testPlanner("a typed value goes to the element that it was typed for", {}, async (tab) => {
+  const type = async (key, typed) => {
+    await tab.page.focus(`[data-key="${key}"]`);
+    await tab.page.keyboard.press("Control+a");
+    await tab.page.keyboard.insertText(typed);
+  };
+  const row = (id) => tab.page.locator(".object", { has: tab.page.locator(".name", { hasText: id }) }).click();
+  await tab.click(11, 14.4);
+  await type("field/rotation_deg", "180");
+  await row("A3");
+  await tab.steps(1);
+  equal(await tab.labels(), ["Rotate F1"]);
+  equal(await tab.selected(), ["/fixtures/2"]);
+  await tab.drag([5.6, 16.2], [16.6, 13.9]);
+  await type("place/0", "7");
+  await row("A3");
+  await tab.steps(2);
+  equal([tab.json.fixtures[2].at, (await tab.labels())[1]], [[5, 9.4], "Move 2 fixtures"]);
+});
+
+testPlanner("a value that is being typed follows its element", {}, async (tab, given) => {
+  const other = await given.tab(tab.server);
+  await tab.drag([5.6, 16.2], [16.6, 13.9]);
+  await tab.page.focus('[data-key="place/1"]');
+  await tab.page.keyboard.press("Control+a");
+  await tab.page.keyboard.insertText("14");
+  await other.click(10, 9.85);
+  await other.press("Delete");
+  await other.steps(1);
+  await other.drag([5.6, 16.2], [16.6, 13.9]);
+  await other.press("Shift+ArrowUp");
+  await other.steps(2);
+  await tab.steps(2);
+  await tab.press("Tab");
+  await tab.steps(3);
+  equal(
+    tab.json.fixtures.slice(7, 9).map(({ at }) => at),
+    [
+      [6, 14],
+      [6, 14.8],
+    ],
+  );
+});
+
 testPlanner("alternatives replace each other", {}, async (tab) => {
   await tab.click(11, 14.4);
   await tab.choose("field/labels/alternative", "Count");

@@ -9,7 +9,7 @@ import { text } from "../text";
 import { say } from "../../data/text";
 import { assignType } from "./assign";
 import { copySelection, deleteSelection, duplicateSelection, paste } from "./copy";
-import { alignSelection, distributeSelection, mirrorSelection, shiftSelection, turnSelection } from "./move";
+import { alignSelection, distributeSelection, mirrorSelection, shiftElements, turnElements } from "./move";
 import { canDissolve, dissolve, nextItem, selectAll, selectSource, showAll, showSelection } from "./source";
 import { whyNoCopy, whyNot } from "./why_not";
 
@@ -43,6 +43,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
   const several = () => planner.selected.length > 1 && document.locked === null;
   const many = () => planner.selected.length > 2 && document.locked === null;
   const isCopy = () => planner.selection.items.some(({ kind, path }) => kind !== "element" && path !== null);
+  const turn = (degrees: number) => void turnElements(planner, planner.selected, degrees);
   const step = async (what: "undo" | "redo") => {
     const { steps, position } = document.history;
     const label = steps[what === "undo" ? position - 1 : position]?.label ?? "";
@@ -78,8 +79,8 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
     command("edit", "dissolve", [], () => void dissolve(planner), {
       isEnabled: () => document.locked === null && canDissolve(planner),
     }),
-    command("arrange", "rotate", ["R"], () => void turnSelection(planner, 90), { isEnabled: some, why }),
-    command("arrange", "rotate_back", ["Shift+R"], () => void turnSelection(planner, -90), { isEnabled: some, why }),
+    command("arrange", "rotate", ["R"], () => turn(90), { isEnabled: some, why }),
+    command("arrange", "rotate_back", ["Shift+R"], () => turn(-90), { isEnabled: some, why }),
     command("arrange", "mirror_x", ["Shift+H"], () => void mirrorSelection(planner, 0), { isEnabled: some, why }),
     command("arrange", "mirror_y", ["Shift+V"], () => void mirrorSelection(planner, 1), { isEnabled: some, why }),
     ...alignments.map((how) =>
@@ -108,7 +109,7 @@ function arrowCommand({ planner, gestures, turnSpace }: Surroundings, [x, y]: [n
   if (planner.tool === "measure")
     gestures.moveCross(x * crossPixels * (isFast ? 10 : 1), -y * crossPixels * (isFast ? 10 : 1));
   else if (why !== null) planner.say(why, true);
-  else if (planner.selected.length > 0) void shiftSelection(planner, x * metres, y * metres, true);
+  else if (planner.selected.length > 0) void shiftElements(planner, planner.selected, [x * metres, y * metres], true);
   else if (planner.isPlan || !turnSpace(x, y)) planner.viewport.pan(-x * arrowPixels, y * arrowPixels);
 }
 

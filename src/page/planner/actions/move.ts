@@ -63,14 +63,23 @@ export async function moveElements(
   return document.edit({ label, ops: builder.ops, join }, preview);
 }
 
-export function shiftSelection(planner: Planner, x: number, y: number, join = false): Promise<boolean> {
-  const elements = planner.selected;
+export function shiftElements(
+  planner: Planner,
+  elements: readonly StoreElement[],
+  [x, y]: Point,
+  join = false,
+): Promise<boolean> {
   const label = say(text.edits.move, namesOf(elements));
   return moveElements(planner, elements, () => shiftBy([x, y]), { label, join });
 }
 
-function moveAbout(planner: Planner, label: string, motionAt: (middle: Point) => Motion): Promise<boolean> {
-  const { selected: elements, selectionBounds: bounds } = planner;
+function moveAbout(
+  planner: Planner,
+  elements: readonly StoreElement[],
+  label: string,
+  motionAt: (middle: Point) => Motion,
+): Promise<boolean> {
+  const bounds = planner.boundsOfElements(elements);
   if (!bounds) {
     planner.say(text.why_not.unseen, true);
     return Promise.resolve(false);
@@ -78,13 +87,13 @@ function moveAbout(planner: Planner, label: string, motionAt: (middle: Point) =>
   return moveElements(planner, elements, () => motionAt(middleOf(bounds)), { label: say(label, namesOf(elements)) });
 }
 
-/** About the middle of the selection. */
-export function turnSelection(planner: Planner, degrees: number): Promise<boolean> {
-  return moveAbout(planner, text.edits.rotate, (middle) => turnAbout(degrees, middle));
+/** About the middle of the elements. */
+export function turnElements(planner: Planner, elements: readonly StoreElement[], degrees: number): Promise<boolean> {
+  return moveAbout(planner, elements, text.edits.rotate, (middle) => turnAbout(degrees, middle));
 }
 
 export function mirrorSelection(planner: Planner, axis: 0 | 1): Promise<boolean> {
-  return moveAbout(planner, text.edits.mirror, (middle) => mirrorAt(axis, middle));
+  return moveAbout(planner, planner.selected, text.edits.mirror, (middle) => mirrorAt(axis, middle));
 }
 
 function arrange(

@@ -1,16 +1,21 @@
-// Where the selection is: typed x and y move it, a typed angle turns it.
+// Where elements are: typed x and y move it, a typed angle turns it.
 
 import { element } from "../../panel/dom";
-import { shiftSelection, turnSelection } from "../actions/move";
+import { shiftElements, turnElements } from "../actions/move";
 import { entry, type Place } from "../form/inputs";
 import { numberFrom, unitText } from "../form/parse";
 import { lengthText, tidy } from "../geometry/units";
+import type { StoreElement } from "../elements/kinds";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 
 /** Null without anything that has a place. */
-export function placeRows(planner: Planner, isDisabled: boolean): HTMLElement | null {
-  const bounds = planner.selectionBounds;
+export function placeRows(
+  planner: Planner,
+  elements: readonly StoreElement[],
+  isDisabled: boolean,
+): HTMLElement | null {
+  const bounds = planner.boundsOfElements(elements);
   const { unit, json, shared } = planner.document;
   if (!bounds) return null;
   const place: Place = {
@@ -23,7 +28,6 @@ export function placeRows(planner: Planner, isDisabled: boolean): HTMLElement | 
     problemId: "",
   };
   const coordinate = (axis: 0 | 1) => {
-    const present = tidy(bounds.lower[axis] / unit.factor, unit);
     return element(
       "span",
       { class: "component" },
@@ -31,13 +35,16 @@ export function placeRows(planner: Planner, isDisabled: boolean): HTMLElement | 
       entry(place, {
         id: `place/${axis}`,
         label: [text.place.x, text.place.y][axis],
-        shown: String(present),
+        shown: String(tidy(bounds.lower[axis] / unit.factor, unit)),
         placeholder: "",
         unit: axis === 1 ? unit.name : "",
         read: (typed) => numberFrom(typed, "length", unit),
         commit: (value) => {
-          const way = (Number(value) - present) * unit.factor;
-          void shiftSelection(planner, axis === 0 ? way : 0, axis === 1 ? way : 0);
+          // Another tab may have moved the elements since somebody began to type.
+          const now = planner.boundsOfElements(elements);
+          if (!now) return;
+          const way = (Number(value) - tidy(now.lower[axis] / unit.factor, unit)) * unit.factor;
+          void shiftElements(planner, elements, axis === 0 ? [way, 0] : [0, way]);
         },
       }),
     );
@@ -49,7 +56,7 @@ export function placeRows(planner: Planner, isDisabled: boolean): HTMLElement | 
     placeholder: "0",
     unit: unitText("degrees", unit),
     read: (typed) => numberFrom(typed, "degrees", unit),
-    commit: (value) => void turnSelection(planner, Number(value)),
+    commit: (value) => void turnElements(planner, elements, Number(value)),
   });
   const row = (name: string, ...controls: HTMLElement[]) =>
     element(

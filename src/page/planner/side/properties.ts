@@ -5,7 +5,7 @@ import { counted } from "../../data/format";
 import { commandButton } from "../access/command_button";
 import type { IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
-import { turnSelection } from "../actions/move";
+import { turnElements } from "../actions/move";
 import { EditBuilder } from "../document/edit";
 import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
 import { withoutPlace, type DeviceAnswer } from "../document/messages";
@@ -19,7 +19,7 @@ import { groupOfElement, groupOfStore, groupOfType } from "../form/schema";
 import { pointerOfPath, type Target } from "../form/targets";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
-import type { Item } from "../view/selection";
+import type { Item, Place } from "../view/selection";
 import { placeRows } from "./place";
 import { deleteType, duplicateType } from "./type_list";
 
@@ -32,6 +32,8 @@ export class Properties {
   private isStale = false;
   /** What the form edits. */
   private targets: Target[] = [];
+  /** The elements that it shows. */
+  private shown: StoreElement[] = [];
   private device: { item: string; answer: DeviceAnswer } | null = null;
 
   constructor(
@@ -40,6 +42,9 @@ export class Properties {
   ) {
     this.root.addEventListener("focusout", () => {
       if (this.isStale) setTimeout(() => this.update());
+    });
+    planner.follow((place) => {
+      for (const list of [this.targets, this.shown]) follow(list, place);
     });
   }
 
@@ -55,6 +60,7 @@ export class Properties {
     const key = isInside ? focused.dataset.key : undefined;
     const { scrollTop } = this.root;
     this.targets = [];
+    this.shown = [];
     this.root.replaceChildren(...this.content());
     showProblems(this.root, this.problemsOf(this.targets));
     this.root.scrollTop = scrollTop;
@@ -133,8 +139,9 @@ export class Properties {
     return found;
   }
 
-  private elements(elements: readonly StoreElement[]): Node[] {
+  private elements(elements: StoreElement[]): Node[] {
     const { document } = this.planner;
+    this.shown = elements;
     const contexts = elements.flatMap(({ path }) => contextOf(document, path) ?? []);
     const targets = contexts.map(
       ({ path, kind, value, effective }): Target => ({
@@ -182,7 +189,9 @@ export class Properties {
           : null,
       ),
       element("div", { class: "whole", "data-field": "" }),
-      ...(hasPlace ? [placeRows(this.planner, isDisabled)] : []).filter((row): row is HTMLElement => row !== null),
+      ...(hasPlace ? [placeRows(this.planner, elements, isDisabled)] : []).filter(
+        (row): row is HTMLElement => row !== null,
+      ),
       ...(groups.length === contexts.length
         ? [
             this.form(targets, groups, name, {
@@ -190,7 +199,11 @@ export class Properties {
               // A fixture turns about its middle.
               override: (pointer, value) => {
                 if (pointer !== "/rotation_deg" || !single || single.kind !== "fixture") return false;
-                void turnSelection(this.planner, Number(value ?? 0) - Number(single.effective.rotation_deg ?? 0));
+                void turnElements(
+                  this.planner,
+                  elements,
+                  Number(value ?? 0) - Number(single.effective.rotation_deg ?? 0),
+                );
                 return true;
               },
             }),
@@ -322,6 +335,15 @@ export class Properties {
       element("p", { class: "note", text: text.properties.hint }),
     ];
   }
+}
+
+/** Fields write to the elements for which they were made, wherever these are by then. */
+function follow(list: { path: string }[], place: Place): void {
+  const moved = list.flatMap((one) => {
+    const path = place(one.path);
+    return path === null ? [] : [Object.assign(one, { path })];
+  });
+  list.splice(0, list.length, ...moved);
 }
 
 /** Also of a text that stands for no value, whose message must stay. */

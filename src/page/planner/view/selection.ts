@@ -14,6 +14,22 @@ export type Item =
 const nameOf = (item: Item): string =>
   item.kind === "element" ? item.path : item.kind === "copy" ? `#${item.key}` : `#${item.device}${item.index}`;
 
+/** Where an element is after a change; null if it is removed. */
+export type Place = (path: string) => string | null;
+
+/** Finds the same elements in another store, by their ids. */
+export const placeAgain =
+  (before: Json, after: Json): Place =>
+  (path) => {
+    const old = elementAt(before, path);
+    if (!old) return valueAt(after, path) === undefined ? null : path;
+    const { id } = old.value;
+    if (elementAt(after, path)?.value.id === id) return path;
+    const list = valueAt(after, listOf(old.kind));
+    const index = Array.isArray(list) ? list.findIndex((_, k) => valueAt(list, `/${k}/id`) === id) : -1;
+    return id === undefined || index < 0 ? null : `${listOf(old.kind)}/${index}`;
+  };
+
 export class Selection {
   private list: Item[] = [];
 
@@ -57,7 +73,7 @@ export class Selection {
   }
 
   /** Follows elements to their places after a change. */
-  follow(place: (path: string) => string | null): void {
+  follow(place: Place): void {
     const moved = this.list.flatMap((item): Item[] => {
       if (item.path === null) return [item];
       const path = place(item.path);
@@ -66,19 +82,6 @@ export class Selection {
     if (moved.length === this.list.length && moved.every((item, k) => item === this.list[k])) return;
     this.list = moved;
     this.changes.note("selection");
-  }
-
-  /** Finds the same elements in another store, by their ids. */
-  findAgain(before: Json, after: Json): void {
-    this.follow((path) => {
-      const old = elementAt(before, path);
-      if (!old) return valueAt(after, path) === undefined ? null : path;
-      const { id } = old.value;
-      if (elementAt(after, path)?.value.id === id) return path;
-      const list = valueAt(after, listOf(old.kind));
-      const index = Array.isArray(list) ? list.findIndex((_, k) => valueAt(list, `/${k}/id`) === id) : -1;
-      return id === undefined || index < 0 ? null : `${listOf(old.kind)}/${index}`;
-    });
   }
 
   /** Drops items that no longer exist. */

@@ -7,7 +7,7 @@ import { Devices } from "../../../../src/page/planner/document/devices";
 import { StoreDocument } from "../../../../src/page/planner/document/document";
 import { EditBuilder } from "../../../../src/page/planner/document/edit";
 import { noPreview } from "../../../../src/page/planner/document/preview";
-import { Selection } from "../../../../src/page/planner/view/selection";
+import { placeAgain, Selection } from "../../../../src/page/planner/view/selection";
 
 globalThis.requestAnimationFrame = (run) => setTimeout(run);
 
@@ -155,7 +155,7 @@ test("places and selection follow a removal before the server knows it", async (
 test("after undo the selection finds its elements by their ids", () => {
   const { connection, document } = opened();
   const selection = new Selection(new Changes());
-  document.onReplaced = (before) => selection.findAgain(before, document.json);
+  document.onReplaced = (before) => selection.follow(placeAgain(before, document.json));
   selection.setPaths(["/fixtures/1"]);
   const json = { fixtures: [{ id: "new", at: [0, 0] }, ...store.fixtures] };
   connection.onEvent(changed(6, undefined, { json, parts: { set: [], remove: [] } }));
