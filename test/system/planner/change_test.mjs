@@ -42,6 +42,17 @@ for (const key of ["Escape", "Control+z"])
     check(await tab.isUntouched(), "the store is untouched");
   });
 
+testPlanner("no key changes the store in the middle of a gesture", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  await tab.press("Control+c");
+  const during = () => tab.press("Delete", "Control+x", "Control+v", "Control+d", "r", "ArrowRight", "Control+y", "-");
+  const { scale } = await tab.view();
+  await tab.drag([10, 9.85], [11, 10.35], { during });
+  await tab.steps(1);
+  equal([await tab.labels(), await tab.selected()], [["Move A3"], ["/fixtures/2"]]);
+  check((await tab.view()).scale < scale, "the view may change");
+});
+
 testPlanner("arrows move by 1 cm, with Shift by 10, and nudges join", {}, async (tab) => {
   await tab.click(10, 9.85);
   await tab.press("ArrowRight", "ArrowRight", "ArrowRight");

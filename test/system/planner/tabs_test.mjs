@@ -23,6 +23,25 @@ testPlanner("two tabs show the same store", { smoke: true }, async (tab, given) 
   equal(await other.text(".history [aria-current]"), "Move A3");
 });
 
+testPlanner("a gesture follows its element when another tab moves places", {}, async (tab, given) => {
+  const other = await given.tab(tab.server);
+  const remove = async (x, y) => {
+    const { length } = await other.labels();
+    await other.click(x, y);
+    await other.press("Delete");
+    await other.steps(length + 1);
+    await tab.steps(length + 1);
+  };
+  await tab.drag([10, 9.85], [11, 9.85], { during: () => remove(10, 7.45) });
+  await tab.steps(2);
+  equal((await tab.labels())[1], "Move A3");
+  placed(tab.json.fixtures[1].at, [6, 9.4]);
+  await tab.click(11, 14.4);
+  await tab.dragPixels(await tab.grip("x1"), await tab.at(18, 14.6), { during: () => remove(10, 5.05) });
+  await tab.drag([11, 14.4], [12, 13], { during: () => remove(11, 14.4) });
+  equal((await tab.labels()).slice(2), ["Delete A1", "Delete F1"], "these gestures end without a change");
+});
+
 testPlanner("a refused edit goes back, says why, and is never called saved", {}, async (tab) => {
   tab.server.wire.refuse = "there is no space left on the disk";
   await tab.drag([10, 9.85], [11, 10.35]);

@@ -55,11 +55,12 @@ export class Commands {
     if (this.isEnabled(id)) this.get(id).run();
   }
 
-  /** Runs the command of a key; false if there is none here. */
-  press(chord: string, place: { inField: boolean; inPlan: boolean }): boolean {
+  /** Runs the command of a key; false if there is none here. `isBusy`: only the view may change. */
+  press(chord: string, place: { inField: boolean; inPlan: boolean; isBusy: boolean }): boolean {
     const here = (this.byKey.get(chord) ?? []).filter(
       ({ where }) => where === "everywhere" || (!place.inField && (where === "page" || place.inPlan)),
     );
+    if (place.isBusy && here.every(({ group }) => group !== "view")) return here.length > 0;
     const enabled = here.find(({ isEnabled }) => isEnabled?.() ?? true);
     if (enabled) enabled.run();
     else if (here[0]?.why) this.onRefused(here[0].why());

@@ -48,13 +48,21 @@ export async function moveElements(
   const { document } = planner;
   const preview = motionPreview(planner, elements, motionFor);
   document.show(preview);
-  const paths = elements.map(({ path }) => path);
+  let paths: (string | null)[] = elements.map(({ path }) => path);
   const isShift = elements.every((element, index) => isPureShift(motionFor(element, index)));
-  await knowDetails(document, paths, isShift);
+  const release = planner.follow((place) => {
+    paths = paths.map((path) => path && place(path));
+  });
+  await knowDetails(
+    document,
+    elements.map(({ path }) => path),
+    isShift,
+  );
+  release();
   const builder = new EditBuilder(document.json);
   const immovable = new Set<Immovable>();
   paths.forEach((path, index) => {
-    const context = contextOf(document, path);
+    const context = path === null ? null : contextOf(document, path);
     const why = context && moveElement(builder, context, motionFor(context, index));
     if (why) immovable.add(why);
   });

@@ -34,14 +34,15 @@ export function listenToKeys(
       return;
     }
     if (clipboardChords.has(chord)) return;
-    if (commands.press(chord, { inField, inPlan })) event.preventDefault();
+    if (commands.press(chord, { inField, inPlan, isBusy: gestures.isBusy })) event.preventDefault();
   });
   document.addEventListener("keyup", (event) => {
     if (event.key === " ") gestures.holdSpace(false);
   });
   addEventListener("blur", () => gestures.holdSpace(false));
 
-  const ours = (event: ClipboardEvent) => !isField(event.target) && document.querySelector("dialog[open]") === null;
+  const ours = (event: ClipboardEvent) =>
+    !isField(event.target) && !gestures.isBusy && document.querySelector("dialog[open]") === null;
   const copy = (event: ClipboardEvent, isCut: boolean) => {
     if (!ours(event) || String(getSelection()) !== "") return;
     if (!copySelection(planner)) {

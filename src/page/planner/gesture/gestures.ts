@@ -9,10 +9,10 @@ import { directionOf, distance, minus } from "../geometry/vector";
 import type { Planner } from "../planner";
 import { text } from "../text";
 import { itemAt, itemOf, itemsWithin, partAt } from "../view/hit";
-import type { Item } from "../view/selection";
+import type { Item, Place } from "../view/selection";
 import { dragMove, dragSize, dragTurn, dropMove, dropSize, dropTurn, type Keys } from "./drags";
 import { gripAt, gripsOf } from "./grips";
-import { idle, type Scope } from "./scope";
+import { busy, idle, pathsOf, type Scope } from "./scope";
 import { Touches } from "./touches";
 
 const slack = 4; // pixels between a click and a drag
@@ -56,6 +56,24 @@ export class Gestures {
     surface.addEventListener("dblclick", () => this.onOpen());
     surface.addEventListener("contextmenu", (event) => event.preventDefault());
     surface.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    planner.follow((place) => this.follow(place));
+  }
+
+  /** Whether the pointer is changing something or about to. */
+  get isBusy(): boolean {
+    return busy.has(this.scope.kind);
+  }
+
+  /** After a change that is not from the gesture: it goes on with the same elements, or ends if one of them is gone. */
+  private follow(place: Place): void {
+    const { scope, planner } = this;
+    const paths = pathsOf(scope);
+    if (paths.every((path) => place(path) === path)) return;
+    planner.document.show(null); // the outlines have other keys now; the next movement shows them
+    const isThere = paths.every((path) => place(path) !== null);
+    if (isThere && (scope.kind === "moving" || scope.kind === "rotating"))
+      this.enter({ ...scope, elements: scope.elements.map((one) => ({ ...one, path: place(one.path) as string })) });
+    else this.enter(idle);
   }
 
   /** Ends the gesture without an effect; false if there was none. */

@@ -22,3 +22,24 @@ export type Scope =
   | { kind: "measuring"; from: Point | null; to: Attached };
 
 export const idle: Scope = { kind: "idle" };
+
+/** Scopes in which the pointer is changing something or about to. */
+export const busy: ReadonlySet<Scope["kind"]> = new Set(["pressed", "marquee", "moving", "rotating", "resizing"]);
+
+/** The elements that a gesture works on. */
+export function pathsOf(scope: Scope): string[] {
+  const itemPaths = (items: readonly (Item | null)[]) => items.flatMap((item) => item?.path ?? []);
+  switch (scope.kind) {
+    case "moving":
+    case "rotating":
+      return scope.elements.map(({ path }) => path);
+    case "resizing":
+      return [scope.context.path];
+    case "pressed":
+      return itemPaths([scope.item]);
+    case "marquee":
+      return itemPaths([...scope.kept, ...scope.before]);
+    default:
+      return [];
+  }
+}
