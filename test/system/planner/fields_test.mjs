@@ -42,6 +42,46 @@ testPlanner("a reset is offered where a preset or a default takes its place", {}
   check(!(await has(tab, '[data-key="field/length/reset"]')), "without a preset, a length cannot be left out");
 });
 
+/** A fixture with an angle of its own in place of that of its preset. */
+function withTurned(folder) {
+  const file = join(folder, "store.json");
+  const fixture = { id: "T1", preset: "turned", at: [12, 1.5, 0], rotation_deg: 90 };
+  const preset = { type: "box", size: [1, 1, 1], material: "steel", rotation_deg: 30 };
+  const text = readFileSync(file, "utf8")
+    .replace(/"presets":\s*\{/, `$& "turned": ${JSON.stringify(preset)},`)
+    .replace(/"fixtures":\s*\[/, `$& ${JSON.stringify(fixture)},`);
+  writeFileSync(file, text);
+}
+
+testPlanner(
+  "a reset of the angle returns to that of the preset, about the middle",
+  { prepare: withTurned },
+  async (tab) => {
+    const middle = () =>
+      tab.page.evaluate(() => {
+        const { outline } = window.shelfbeamPlanner.planner.document.parts.of("/fixtures/0")[0];
+        return [0, 1].map((axis) => outline.reduce((sum, point) => sum + point[axis], 0) / outline.length);
+      });
+    const stays = async () => {
+      const [x, y] = await middle();
+      check(Math.hypot(x - first[0], y - first[1]) < 0.01, `the middle stays at ${first}, and is at ${x}, ${y}`);
+    };
+    const first = await middle();
+    await tab.page.fill(".objects input[type=search]", "T1");
+    await tab.push(".object");
+    await tab.push('[data-key="field/rotation_deg/reset"]');
+    await tab.steps(1);
+    equal(tab.json.fixtures[0].rotation_deg, undefined);
+    await stays();
+    await tab.fill("field/rotation_deg", "60");
+    await tab.steps(2);
+    await tab.fill("field/rotation_deg", "");
+    await tab.steps(3);
+    equal(tab.json.fixtures[0].rotation_deg, undefined);
+    await stays();
+  },
+);
+
 /** Moves a preset into a catalogue, in millimetres. */
 function withCatalogue(folder) {
   const file = join(folder, "store.json");

@@ -36,6 +36,8 @@ export interface Wanted {
   label: string;
   /** Whether it continues the step before it. */
   join?: boolean;
+  /** What else to change of each element. */
+  finish?: (builder: EditBuilder, path: string) => void;
 }
 
 /** Writes a movement of elements. Those that cannot move stay, and the page says why. */
@@ -43,7 +45,7 @@ export async function moveElements(
   planner: Planner,
   elements: readonly StoreElement[],
   motionFor: MotionFor,
-  { label, join }: Wanted,
+  { label, join, finish }: Wanted,
 ): Promise<boolean> {
   const { document } = planner;
   const preview = motionPreview(planner, elements, motionFor);
@@ -63,8 +65,10 @@ export async function moveElements(
   const immovable = new Set<Immovable>();
   paths.forEach((path, index) => {
     const context = path === null ? null : contextOf(document, path);
-    const why = context && moveElement(builder, context, motionFor(context, index));
+    if (!context) return;
+    const why = moveElement(builder, context, motionFor(context, index));
     if (why) immovable.add(why);
+    finish?.(builder, context.path);
   });
   for (const why of immovable) planner.say(text.immovable[why], true);
   if (immovable.size === 0 && builder.ops.length === 0) planner.say(text.notices.unchanged);
@@ -86,18 +90,45 @@ function moveAbout(
   elements: readonly StoreElement[],
   label: string,
   motionAt: (middle: Point) => Motion,
+  finish?: Wanted["finish"],
 ): Promise<boolean> {
   const bounds = planner.boundsOfElements(elements);
   if (!bounds) {
     planner.say(text.why_not.unseen, true);
     return Promise.resolve(false);
   }
-  return moveElements(planner, elements, () => motionAt(middleOf(bounds)), { label: say(label, namesOf(elements)) });
+  return moveElements(planner, elements, () => motionAt(middleOf(bounds)), {
+    label: say(label, namesOf(elements)),
+    finish,
+  });
 }
 
 /** About the middle of the elements. */
 export function turnElements(planner: Planner, elements: readonly StoreElement[], degrees: number): Promise<boolean> {
   return moveAbout(planner, elements, text.edits.rotate, (middle) => turnAbout(degrees, middle));
+}
+
+/** Turns a fixture to an angle; undefined: to that of its preset, without one of its own. */
+export async function turnTo(
+  planner: Planner,
+  elements: readonly StoreElement[],
+  degrees: number | undefined,
+): Promise<boolean> {
+  const { document } = planner;
+  await knowDetails(
+    document,
+    elements.map(({ path }) => path),
+    false,
+  );
+  const [context] = elements.flatMap(({ path }) => contextOf(document, path) ?? []);
+  if (!context) return false;
+  const inherited = document.details.now(context.path)?.inherited.rotation_deg;
+  const way = Number(degrees ?? inherited ?? 0) - Number(context.effective.rotation_deg ?? 0);
+  const remove: Wanted["finish"] = (builder, path) => {
+    builder.set(`${path}/rotation_deg`, undefined);
+  };
+  const motionAt = (middle: Point) => turnAbout(way, middle);
+  return moveAbout(planner, [context], text.edits.rotate, motionAt, degrees === undefined ? remove : undefined);
 }
 
 export function mirrorSelection(planner: Planner, axis: 0 | 1): Promise<boolean> {

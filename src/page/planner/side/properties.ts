@@ -5,7 +5,7 @@ import { counted } from "../../data/format";
 import { commandButton } from "../access/command_button";
 import type { IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
-import { turnElements } from "../actions/move";
+import { turnTo } from "../actions/move";
 import { EditBuilder } from "../document/edit";
 import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
 import { withoutPlace, type DeviceAnswer } from "../document/messages";
@@ -198,12 +198,8 @@ export class Properties {
               part: first.parts[0] ?? null,
               // A fixture turns about its middle.
               override: (pointer, value) => {
-                if (pointer !== "/rotation_deg" || !single || single.kind !== "fixture") return false;
-                void turnElements(
-                  this.planner,
-                  elements,
-                  Number(value ?? 0) - Number(single.effective.rotation_deg ?? 0),
-                );
+                if (pointer !== "/rotation_deg" || single?.kind !== "fixture" || single.effective.against) return false;
+                void turnTo(this.planner, elements, value === undefined ? undefined : Number(value));
                 return true;
               },
             }),
