@@ -32,6 +32,7 @@ export const placeAgain =
 
 export class Selection {
   private list: Item[] = [];
+  private names = new Set<string>();
 
   constructor(private readonly changes: Changes) {}
 
@@ -45,14 +46,19 @@ export class Selection {
   }
 
   has(item: Item): boolean {
-    return this.list.some((other) => nameOf(other) === nameOf(item));
+    return this.names.has(nameOf(item));
   }
 
   set(items: readonly Item[]): void {
     const known = new Map(items.map((item) => [nameOf(item), item]));
     if (known.size === this.list.length && items.every((item) => this.has(item))) return;
-    this.list = [...known.values()];
+    this.put([...known.values()]);
     this.changes.note("selection");
+  }
+
+  private put(list: Item[]): void {
+    this.list = list;
+    this.names = new Set(list.map(nameOf));
   }
 
   setPaths(paths: readonly string[]): void {
@@ -80,7 +86,7 @@ export class Selection {
       return path === null ? [] : [path === item.path ? item : ({ ...item, path } as Item)];
     });
     if (moved.length === this.list.length && moved.every((item, k) => item === this.list[k])) return;
-    this.list = moved;
+    this.put(moved);
     this.changes.note("selection");
   }
 

@@ -9,6 +9,7 @@ import { roundLength } from "../../../../src/page/planner/plan/scale_bar";
 import { distanceTo as distanceAlong } from "../../../../src/page/planner/space/prisms";
 import { ranksOf } from "../../../../src/page/planner/view/fan";
 import { itemAt } from "../../../../src/page/planner/view/hit";
+import { Selection } from "../../../../src/page/planner/view/selection";
 import { Viewport } from "../../../../src/page/planner/view/viewport";
 
 const changes = { note: () => {} };
@@ -106,4 +107,14 @@ test("a ray hits the top or a side of a fixture", () => {
   assert.equal(distanceAlong(fixture, { from: [-4, 1, 1], way: [1, 0, 0] }), 4);
   assert.equal(distanceAlong(fixture, { from: [-4, 1, 2], way: [1, 0, 0] }), Infinity);
   assert.equal(distanceAlong(fixture, { from: [5, 1, 1], way: [1, 0, 0] }), Infinity);
+});
+
+test("a selection of thousands takes no time", () => {
+  const selection = new Selection(changes);
+  const paths = Array.from({ length: 20000 }, (_, k) => `/labels/${k}`);
+  const begin = performance.now();
+  selection.setPaths(paths);
+  selection.setPaths([...paths].reverse());
+  assert.ok(paths.every((path) => selection.has({ kind: "element", path })));
+  assert.ok(performance.now() - begin < 2000);
 });
