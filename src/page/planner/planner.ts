@@ -11,7 +11,7 @@ import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
 import { Fan } from "./view/fan";
 import { Layers } from "./view/layers";
-import { placeAgain, Selection, type Item, type Place } from "./view/selection";
+import { copyKey, placeAgain, Selection, type Item, type Place } from "./view/selection";
 import { Viewport } from "./view/viewport";
 
 export type Tool = "select" | "measure";
@@ -58,6 +58,8 @@ export class Planner {
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.document.onMoved = (place) => this.moved(place);
     this.document.onReplaced = (before) => this.moved(placeAgain(before, this.document.json));
+    for (const devices of [this.document.labels, this.document.units])
+      devices.onReplaced = (...range) => this.selection.replaceDevices(devices, ...range);
     this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
   }
 
@@ -108,7 +110,7 @@ export class Planner {
   private exists(item: Item): boolean {
     const { document } = this;
     if (item.kind === "element") return elementAt(document.json, item.path) !== null;
-    if (item.kind === "copy") return document.parts.withKey(item.key) !== undefined;
+    if (item.kind === "copy") return this.partsOf(item).length > 0;
     return item.index < (item.device === "label" ? document.labels : document.units).count;
   }
 
@@ -120,8 +122,12 @@ export class Planner {
   partsOf(item: Item): readonly Part[] {
     if (item.kind === "device") return [];
     if (item.kind === "element") return this.document.parts.of(item.path);
-    const part = this.document.parts.withKey(item.key);
-    return part ? [part] : [];
+    const { parts } = this.document;
+    const { key, path } = item;
+    // Until the server answers, outlines have the keys of the places before an edit.
+    return path === null
+      ? [parts.withKey(key) ?? []].flat()
+      : parts.of(path).filter((part) => part.locked && copyKey(part.key, path) === key);
   }
 
   /** The labels or units of an element that have no outline. */

@@ -44,6 +44,9 @@ export class Devices {
   /** The array from which `listed` was made. */
   private listedOf: Uint32Array | null = null;
 
+  /** Devices [from, from + removed) are replaced by others. */
+  onReplaced: (from: number, removed: number, added: number) => void = () => {};
+
   constructor(readonly kind: DeviceKind) {}
 
   get count(): number {
@@ -66,6 +69,7 @@ export class Devices {
     this.state = spliced(this.state, from, remove, frame.get(state, Uint8Array));
     this.sourceKind = spliced(this.sourceKind, from, remove, frame.get("source_kind", Uint8Array));
     this.source = spliced(this.source, from, remove, frame.get("source", Uint32Array));
+    this.onReplaced(from, remove, frame.get(state, Uint8Array).length);
   }
 
   at(index: number): [number, number, number] {

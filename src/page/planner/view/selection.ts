@@ -1,8 +1,8 @@
 // What is selected: elements, single copies of a row, and labels or units that belong to an element.
 
 import type { Changes } from "../changes";
-import { valueAt, type Json } from "../document/json";
-import type { DeviceKind } from "../document/devices";
+import { equal, valueAt, type Json } from "../document/json";
+import type { DeviceKind, Devices } from "../document/devices";
 import { elementAt, listOf } from "../elements/kinds";
 
 export type Item =
@@ -14,20 +14,31 @@ export type Item =
 const nameOf = (item: Item): string =>
   item.kind === "element" ? item.path : item.kind === "copy" ? `#${item.key}` : `#${item.device}${item.index}`;
 
+/** The key of a copy after its element has moved to a path. */
+export function copyKey(key: string, path: string): string {
+  const cut = key.indexOf("#");
+  return cut < 0 ? key : path.slice(1) + key.slice(cut);
+}
+
 /** Where an element is after a change; null if it is removed. */
 export type Place = (path: string) => string | null;
 
-/** Finds the same elements in another store, by their ids. */
+/** Finds the same elements in another store, by their ids, or by their values if they have none. */
 export const placeAgain =
   (before: Json, after: Json): Place =>
   (path) => {
     const old = elementAt(before, path);
-    if (!old) return valueAt(after, path) === undefined ? null : path;
+    const list = old && valueAt(after, listOf(old.kind));
+    if (!old || !Array.isArray(list)) return valueAt(after, path) === undefined ? null : path;
     const { id } = old.value;
-    if (elementAt(after, path)?.value.id === id) return path;
-    const list = valueAt(after, listOf(old.kind));
-    const index = Array.isArray(list) ? list.findIndex((_, k) => valueAt(list, `/${k}/id`) === id) : -1;
-    return id === undefined || index < 0 ? null : `${listOf(old.kind)}/${index}`;
+    const isSame = (value: Json | undefined) =>
+      id === undefined ? equal(value, old.value) : valueAt(value, "/id") === id;
+    if (isSame(valueAt(after, path))) return path;
+    const index = list.findIndex(isSame);
+    if (index >= 0) return `${listOf(old.kind)}/${index}`;
+    const listBefore = valueAt(before, listOf(old.kind));
+    const isChanged = id === undefined && Array.isArray(listBefore) && listBefore.length === list.length;
+    return isChanged ? path : null;
   };
 
 export class Selection {
@@ -83,11 +94,23 @@ export class Selection {
     const moved = this.list.flatMap((item): Item[] => {
       if (item.path === null) return [item];
       const path = place(item.path);
-      return path === null ? [] : [path === item.path ? item : ({ ...item, path } as Item)];
+      if (path === null) return [];
+      if (path === item.path) return [item];
+      return [item.kind === "copy" ? { ...item, path, key: copyKey(item.key, path) } : { ...item, path }];
     });
     if (moved.length === this.list.length && moved.every((item, k) => item === this.list[k])) return;
     this.put(moved);
     this.changes.note("selection");
+  }
+
+  /** Labels or units [from, from + removed) are replaced by others. Those of the same elements are likely the same. */
+  replaceDevices(devices: Devices, from: number, removed: number, added: number): void {
+    const next = this.list.flatMap((item): Item[] => {
+      if (item.kind !== "device" || item.device !== devices.kind || item.index < from) return [item];
+      if (item.index >= from + removed) return [{ ...item, index: item.index + added - removed }];
+      return added === removed && devices.pathOf(item.index) === item.path ? [item] : [];
+    });
+    this.set(next);
   }
 
   /** Drops items that no longer exist. */

@@ -162,6 +162,31 @@ test("after undo the selection finds its elements by their ids", () => {
   assert.deepEqual(selection.paths, ["/fixtures/2"]);
 });
 
+test("after another store without ids, the selection finds its elements by their values", () => {
+  const [a, b, c] = [1, 2, 3].map((x) => ({ at: [x, 0] }));
+  const before = { fixtures: [a, b, c] };
+  const placeIn = (fixtures) => placeAgain(before, { fixtures })("/fixtures/1");
+  assert.equal(placeIn([b, c]), "/fixtures/0");
+  assert.equal(placeIn([a, c]), null);
+  assert.equal(placeIn([a, { at: [9, 0] }, c]), "/fixtures/1", "a changed value of the same list");
+});
+
+test("selected copies and labels follow", () => {
+  const selection = new Selection(new Changes());
+  const copy = { kind: "copy", key: "fixtures/2#3", path: "/fixtures/2" };
+  const label = (index, path) => ({ kind: "device", device: "label", index, path });
+  selection.set([copy, label(1, "/fixtures/1"), label(4, "/fixtures/1"), label(9, "/fixtures/2")]);
+  selection.follow((path) => (path === "/fixtures/1" ? null : "/fixtures/1"));
+  assert.deepEqual(selection.items, [{ ...copy, key: "fixtures/1#3", path: "/fixtures/1" }, label(9, "/fixtures/1")]);
+  const labels = { kind: "label", pathOf: () => "/fixtures/1" };
+  selection.replaceDevices(labels, 2, 4, 1);
+  assert.deepEqual(selection.items[1], label(6, "/fixtures/1"));
+  selection.replaceDevices(labels, 5, 2, 2);
+  assert.equal(selection.items.length, 2, "as many labels of the same element");
+  selection.replaceDevices(labels, 5, 2, 3);
+  assert.equal(selection.items.length, 1);
+});
+
 test("after a lost connection, what the server has not received is sent again, once", async () => {
   const { connection, document, move } = opened();
   const received = document.edit(move(0, 9));
