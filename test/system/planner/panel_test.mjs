@@ -206,4 +206,14 @@ testPlanner("lists and maps: openings of a wall, materials of a mesh", { store: 
   await tab.fill("field/wall_materials/new", "2");
   await tab.steps(4);
   check(Object.keys(tab.json.room.wall_materials).includes("2"), JSON.stringify(tab.json.room.wall_materials));
+  await tab.fill("field/wall_materials/new", "1");
+  equal(await tab.page.evaluate(() => document.activeElement.dataset.key), "field/wall_materials/1");
+  equal(tab.json.room.wall_materials[1], "glass", "an existing name keeps its value");
+  await tab.page.focus('[data-key="field/wall_materials/new"]');
+  await tab.page.keyboard.insertText("1");
+  await tab.page.evaluate(() => window.shelfbeamPlanner.planner.changes.note("status"));
+  await tab.settle();
+  equal(await tab.page.evaluate(() => document.activeElement.value), "1", "what is being typed stays");
+  await tab.page.keyboard.press("Backspace");
+  await tab.press("Tab");
 });

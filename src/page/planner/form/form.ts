@@ -299,8 +299,18 @@ export class Form {
       placeholder: text.keys[type.keys],
       disabled: isDisabled,
       "data-key": `${place.id}/new`,
-      on: { change: () => name.value.trim() !== "" && set(name.value.trim(), initialValue(type.value, "", around)) },
+      on: {
+        change: () => {
+          const key = name.value.trim();
+          if (key === "") return;
+          name.value = "";
+          if (Object.hasOwn(map, key))
+            document.getElementById(this.place(pointerTo(pointer, key), key, true).id)?.focus();
+          else set(key, initialValue(type.value, "", around));
+        },
+      },
     });
+    name.dataset.shown = ""; // text that is being typed stays
     return [...rows, element("div", { class: "row" }, element("span", { class: "name", text: text.form.add }), name)];
   }
 
