@@ -29,6 +29,23 @@ testPlanner("an error shows while somebody types, and when the answer comes", {}
   await tab.press("Escape");
 });
 
+testPlanner("Esc in a field takes the error back with the text", {}, async (tab) => {
+  await tab.click(11, 14.4);
+  const field = () =>
+    tab.page.evaluate(() => {
+      const input = document.querySelector('[data-key="field/height"]');
+      return [input.value, input.ariaInvalid, document.querySelector(".why:not([hidden])") === null];
+    });
+  const [shown] = await field();
+  await tab.fill("field/height", "high");
+  equal(await field(), ["high", "true", false]);
+  await tab.press("Escape");
+  equal(await field(), [shown, "false", true]);
+  await tab.fill("field/height", "high");
+  equal(await field(), ["high", "true", false], "the same mistake again");
+  await tab.press("Escape");
+});
+
 testPlanner("a reset is offered where a preset or a default takes its place", {}, async (tab) => {
   await tab.click(10, 9.85);
   await tab.until(() => document.querySelector('[data-key="field/length"]')?.placeholder === "12");

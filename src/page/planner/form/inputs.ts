@@ -101,7 +101,12 @@ export function entry(place: Place, { shown, placeholder, unit, label, id, read,
   input.addEventListener("keydown", (event) => {
     const { key, ctrlKey } = event as KeyboardEvent;
     if (key === "Escape" && input.value !== shown) {
+      clearTimeout(timer);
       input.value = shown;
+      input.dataset.shown = shown;
+      last = shown;
+      why.hidden = true;
+      input.ariaInvalid = "false";
       event.stopPropagation();
     } else if (key === "Enter" && (lines === undefined || ctrlKey)) changed();
   });
