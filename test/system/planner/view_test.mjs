@@ -95,6 +95,10 @@ testPlanner("measurements hold on to edges, and stay until Esc", {}, async (tab)
   await tab.click(10, 6.95);
   says(await tab.text(".overlay .reading"), "1.50 m");
   await tab.click(2.5, 2);
+  for (const button of ["middle", "right"]) {
+    await tab.drag([10, 8], [10.5, 8.5], { button });
+    await tab.drag([10, 8], [9.5, 7.5], { button });
+  }
   await tab.point(5, 2.1);
   equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 2);
   await tab.press("Escape");

@@ -130,7 +130,7 @@ export class Gestures {
     if (this.scope.kind !== "idle" && this.scope.kind !== "measuring") return;
     if (event.button !== buttons.left || this.isSpaceHeld) {
       event.preventDefault();
-      this.enter({ kind: "panning", screen, button: event.button, hasMoved: false });
+      this.enter({ kind: "panning", screen, button: event.button, hasMoved: false, before: this.scope });
     } else if (this.planner.tool === "measure") this.measureTo(world);
     else this.press(event, screen, world);
   }
@@ -211,7 +211,7 @@ export class Gestures {
     const { planner } = this;
     const { selection, document, layers } = planner;
     if (scope.isTouch) {
-      this.enter({ kind: "panning", screen: scope.screen, button: buttons.left, hasMoved: true });
+      this.enter({ kind: "panning", screen: scope.screen, button: buttons.left, hasMoved: true, before: idle });
       planner.viewport.pan(...minus(screen, scope.screen));
       return;
     }
@@ -281,8 +281,8 @@ export class Gestures {
     const { planner, scope } = this;
     this.touches.release(event);
     if (scope.kind === "idle" || scope.kind === "measuring") return;
-    this.enter(idle);
-    if (planner.tool === "measure") this.cancel();
+    this.enter(scope.kind === "panning" ? scope.before : idle);
+    if (planner.tool === "measure" && scope.kind !== "panning") this.cancel();
     if (scope.kind === "pressed") this.click(scope.item, event.shiftKey);
     else if (scope.kind === "panning" && scope.button === buttons.right && !scope.hasMoved) this.openMenu(event);
     else if (scope.kind === "moving") void dropMove(planner, scope);

@@ -13,7 +13,8 @@ export type Scope =
   | { kind: "idle" }
   /** Pressed, and not yet moved far enough for a drag. */
   | { kind: "pressed"; screen: Point; world: Point; item: Item | null; isTouch: boolean }
-  | { kind: "panning"; screen: Point; button: number; hasMoved: boolean }
+  /** `before`: to which it returns. */
+  | { kind: "panning"; screen: Point; button: number; hasMoved: boolean; before: Scope }
   | { kind: "pinching" }
   | { kind: "marquee"; from: Point; to: Point; kept: readonly Item[]; before: readonly Item[] }
   | { kind: "moving"; elements: readonly StoreElement[]; from: Point; shift: Point; isCopying: boolean }
