@@ -26,6 +26,7 @@ import type { Scenery } from "../data/scenery";
 ColorManagement.enabled = false;
 
 const fieldOfView = 40;
+const highest = 1000; // m; above and below what can be in a store
 const mostSmooth = 10000; // marks
 /** The initial direction of view, and the share of the picture that the store fills. */
 const firstWay = new Vector3(-0.36, -0.72, 0.78).normalize();
@@ -183,10 +184,10 @@ export class Stage {
 
   /** Puts the camera of the plan above a point; `scale`: CSS pixels per m. */
   placeAbove(x: number, y: number, scale: number): void {
-    const [a, b] = [this.scenery.lower, this.scenery.upper];
-    this.above.position.set(x, y, b[2] + 10);
-    this.above.far = b[2] - a[2] + 20;
-    this.pan.target.set(x, y, a[2]);
+    // Marks may lie outside of the scenery, which is that of the last 3-D picture, if there was one.
+    this.above.position.set(x, y, highest);
+    this.above.far = 2 * highest;
+    this.pan.target.set(x, y, 0);
     this.above.zoom = scale / this.height;
     this.pan.update();
     this.updateCameras();

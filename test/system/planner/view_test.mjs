@@ -1,5 +1,8 @@
 // Tests what is shown: zoom, pan, fit, layers, measurement, 3-D, and pictures of all examples.
 
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
 import { check, equal, near, says } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
 
@@ -106,6 +109,24 @@ testPlanner("measurements hold on to edges, and stay until Esc", {}, async (tab)
   await tab.press("Escape");
   equal(await tab.page.evaluate(() => document.querySelectorAll(".overlay .measure").length), 0, "then the tool");
   equal(await tab.page.evaluate(() => document.querySelector(".plan").dataset.tool), "select");
+});
+
+/** Puts a label far above the shelves. */
+function withHighLabel(folder) {
+  const file = join(folder, "store.json");
+  const label = { id: "high", position: [12, 1.5, 30], normal: [0, -1, 0], type: "standard" };
+  const text = readFileSync(file, "utf8").replace("{", `{ "labels": [${JSON.stringify(label)}],`);
+  writeFileSync(file, text);
+}
+
+testPlanner("marks high above the floor are in the plan", { prepare: withHighLabel }, async (tab) => {
+  await tab.until(() => window.shelfbeamPlanner.planner.document.labels.withPath("/labels/0") !== undefined);
+  await tab.settle();
+  const picked = await tab.page.evaluate(() => {
+    const { planner, page } = window.shelfbeamPlanner;
+    return page.stage.pick(...planner.viewport.toScreen([12, 1.5]));
+  });
+  check(picked !== 0, "the mark is drawn");
 });
 
 testPlanner("D shows the same selection in 3-D, where clicks select, too", {}, async (tab) => {
