@@ -13,6 +13,25 @@ testPlanner("a change outside is said, and can be undone", {}, async (tab) => {
   says(await tab.text(".notice"), "Changed outside: F1");
 });
 
+testPlanner("undone steps are named after the answer", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("Shift+ArrowUp");
+  await tab.press("r");
+  await tab.steps(2);
+  await tab.page.evaluate(() => {
+    const { planner } = window.shelfbeamPlanner;
+    window.said = [];
+    planner.say = (words) => window.said.push(words);
+  });
+  const release = tab.server.wire.hold();
+  await tab.press("Control+z", "Control+z");
+  release();
+  await tab.steps(0);
+  await tab.press("Control+y");
+  await tab.steps(1);
+  equal(await tab.page.evaluate(() => window.said), ["Undone: Rotate A3", "Undone: Move A3", "Redone: Move A3"]);
+});
+
 testPlanner("what stands against a wall says so", { store: "market-hall" }, async (tab) => {
   const index = tab.json.fixtures.findIndex(({ against, repeat }) => against && !repeat);
   await tab.page.evaluate((k) => window.shelfbeamPlanner.planner.selection.setPaths([`/fixtures/${k}`]), index);

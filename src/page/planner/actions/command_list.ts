@@ -45,9 +45,9 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
   const isCopy = () => planner.selection.items.some(({ kind, path }) => kind !== "element" && path !== null);
   const turn = (degrees: number) => void turnElements(planner, planner.selected, degrees);
   const step = async (what: "undo" | "redo") => {
-    const { steps, position } = document.history;
-    const label = steps[what === "undo" ? position - 1 : position]?.label ?? "";
-    if (await document[what]()) planner.say(say(text.notices[what], label));
+    if (!(await document[what]())) return;
+    const { steps, position } = document.history; // the answer follows the change
+    planner.say(say(text.notices[what], steps[what === "undo" ? position : position - 1]?.label ?? ""));
   };
   return [
     command(
