@@ -86,14 +86,17 @@ testPlanner("a lost connection is shown, edits wait for the next one", {}, async
   equal(await tab.text(".saving"), "Saved");
 });
 
-testPlanner("an invalid file locks drawing until it is restored", {}, async (tab) => {
+testPlanner("an invalid file locks drawing until it is restored", { alone: true }, async (tab) => {
   await tab.click(10, 9.85);
+  await tab.press("Control+c");
   tab.server.spoil();
   await tab.until(() => !document.querySelector(".banner").hidden);
   says(await tab.text(".banner"), "store.json was changed by another program and is invalid", "store.json");
   const spoilt = tab.server.text;
   await tab.drag([10, 9.85], [11, 10.35]);
-  await tab.press("ArrowRight", "Delete", "Control+z");
+  await tab.press("ArrowRight", "Delete", "Control+z", "Control+v");
+  says(await tab.text(".notice"), "The store file is invalid");
+  equal(await tab.selected(), ["/fixtures/2"]);
   equal(await tab.page.evaluate(() => document.querySelector('[data-key="field/length"]').disabled), true);
   check(tab.server.text === spoilt, "the invalid file is untouched");
   await tab.push(".banner button");

@@ -68,6 +68,10 @@ async function insertCopies(
 ): Promise<boolean> {
   if (copied.length === 0) return false;
   const { document } = planner;
+  if (document.locked) {
+    planner.say(text.why_not.locked, true);
+    return false;
+  }
   const scratch = new EditBuilder(document.json);
   const taken = idsOf(
     document.json,
