@@ -121,7 +121,7 @@ export function parseLength(text: string, unit: number): number | null {
 
 /** A number or a sum or product of numbers. */
 export function parseNumber(text: string): number | null {
-  const tokens = tokensOf(text.replace(/[%°]|deg$/g, ""));
+  const tokens = tokensOf(text.replace(/\s*(°|deg)\s*$/, ""));
   const found = tokens?.length ? new Parser(tokens, 1).parse() : null;
   return found && found.length === 0 && Number.isFinite(found.value) ? found.value : null;
 }

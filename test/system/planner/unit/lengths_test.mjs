@@ -66,6 +66,9 @@ test("other texts are no lengths", () => {
 test("a number has no unit of length", () => {
   assert.equal(parseNumber("45°"), 45);
   assert.equal(parseNumber("90 / 2"), 45);
+  assert.equal(parseNumber("-30 deg"), -30);
+  assert.equal(parseNumber("120%"), null);
+  assert.equal(parseNumber("4°5"), null);
   assert.equal(parseNumber("2m"), null);
 });
 
