@@ -156,6 +156,14 @@ testPlanner("types: edited, duplicated, assigned by number keys", {}, async (tab
   await tab.press("3");
   await tab.steps(3);
   equal([tab.json.fixtures[2].preset, (await tab.labels())[2]], ["wall", "wall for A3"]);
+  await tab.press("Control+z");
+  await tab.steps(2);
+  await tab.page.evaluate(() => {
+    const key = { key: '"', code: "Digit3", bubbles: true, cancelable: true };
+    document.body.dispatchEvent(new KeyboardEvent("keydown", key)); // of a French keyboard
+  });
+  await tab.steps(3);
+  equal(tab.json.fixtures[2].preset, "wall");
   await tab.push('[data-key="/presets/wall"]');
   await tab.fill("field/depth", "0.6");
   await tab.steps(4);

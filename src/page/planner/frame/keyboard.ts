@@ -11,6 +11,11 @@ import type { Planner } from "../planner";
 /** Chords that the browser answers with events of the clipboard. */
 const clipboardChords = new Set(["Ctrl+C", "Ctrl+X", "Ctrl+V"]);
 
+/** The digit on a key that some keyboards give another meaning without Shift. */
+function digitOf({ code, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): string {
+  return ctrlKey || metaKey || altKey || shiftKey ? "" : (/^Digit(\d)$/.exec(code)?.[1] ?? "");
+}
+
 export function listenToKeys(
   planner: Planner,
   commands: Commands,
@@ -34,7 +39,8 @@ export function listenToKeys(
       return;
     }
     if (clipboardChords.has(chord)) return;
-    if (commands.press(chord, { inField, inPlan, isBusy: gestures.isBusy })) event.preventDefault();
+    const place = { inField, inPlan, isBusy: gestures.isBusy };
+    if (commands.press(chord, place) || commands.press(digitOf(event), place)) event.preventDefault();
   });
   document.addEventListener("keyup", (event) => {
     if (event.key === " ") gestures.holdSpace(false);
