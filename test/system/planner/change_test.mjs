@@ -42,7 +42,7 @@ for (const key of ["Escape", "Control+z"])
     check(await tab.isUntouched(), "the store is untouched");
   });
 
-testPlanner("no key changes the store in the middle of a gesture", {}, async (tab) => {
+testPlanner("no key changes the store in the middle of a gesture", { alone: true }, async (tab) => {
   await tab.click(11, 14.4);
   await tab.press("Control+c");
   const during = () => tab.press("Delete", "Control+x", "Control+v", "Control+d", "r", "ArrowRight", "Control+y", "-");
