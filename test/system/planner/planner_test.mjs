@@ -15,6 +15,7 @@ import "./select_test.mjs";
 import "./change_test.mjs";
 import "./copy_test.mjs";
 import "./kinds_test.mjs";
+import "./every_kind_test.mjs";
 import "./panel_test.mjs";
 import "./fields_test.mjs";
 import "./notices_test.mjs";
