@@ -52,16 +52,16 @@ class NotStarted(Exception):
         self.code, self.out, self.err = code, out, err
 
 
-def command(folder, *options):
-    return [PROGRAM, "serve", folder, "--no-browser", "--json", *options]
+def command(folder, *options, browser=False):
+    return [PROGRAM, "serve", folder, *([] if browser else ["--no-browser"]), "--json", *options]
 
 
 class Server:
-    """`options` of `serve`, and of subprocess.Popen."""
+    """`options` of `serve`, and of subprocess.Popen. `browser`: whether it may open one."""
 
-    def __init__(self, folder, *options, **process):
+    def __init__(self, folder, *options, browser=False, **process):
         self.process = subprocess.Popen(
-            command(folder, *options),
+            command(folder, *options, browser=browser),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,

@@ -4,11 +4,13 @@ import gzip
 import http.client
 import json
 import os
+import pathlib
 import re
 import resource
 import signal
 import socket
 import subprocess
+import time
 import unittest
 import urllib.parse
 
@@ -273,3 +275,69 @@ class Address(ServeTest):
             self.assertEqual((failure.exception.code, failure.exception.out), (2, ""), options)
             self.assertTrue(failure.exception.err.startswith("error: "), failure.exception.err)
             self.assertEqual(self.store.read_text(encoding="utf-8"), STORE)
+
+
+XDG_OPEN = """#!/bin/sh
+for one in "$@"; do printf '%s\\n' "$one"; done > "$RECORD.new"
+stat --format=%a "$1" >> "$RECORD.new"
+cat "$1" >> "$RECORD.new"
+mv "$RECORD.new" "$RECORD"
+"""
+
+
+class Browser(ServeTest):
+    """A desktop with a program `xdg-open` that records what it is given."""
+
+    def setUp(self):
+        super().setUp()
+        self.write()
+        programs = self.scratch / "bin"
+        programs.mkdir()
+        opener = programs / "xdg-open"
+        opener.write_text(XDG_OPEN, encoding="utf-8")
+        opener.chmod(0o755)
+        self.record = self.scratch / "record"
+        search = f"{programs}{os.pathsep}{os.environ['PATH']}"
+        self.environment = dict(os.environ, PATH=search, RECORD=str(self.record), DISPLAY=":99")
+        self.environment.pop("WAYLAND_DISPLAY", None)
+
+    def recorded(self):
+        """Waits for the program: its argument, the mode of the file, and its content."""
+        end = time.monotonic() + 20
+        while not self.record.exists():
+            self.assertLess(time.monotonic(), end, "no browser was opened")
+            time.sleep(0.01)
+        argument, mode, content = self.record.read_text(encoding="utf-8").split("\n", 2)
+        return pathlib.Path(argument), mode, content
+
+    def test_a_private_file_leads_the_browser_to_the_page(self):
+        server = self.start(browser=True, env=self.environment)
+        page, mode, content = self.recorded()
+        self.assertEqual(page, self.folder / ".shelfbeam/open.html")
+        self.assertEqual(mode, "600", "other users must not read the token")
+        self.assertIn(f"url={server.address}", content)
+        token = urllib.parse.urlsplit(server.address).path.strip("/")
+        self.assertGreater(len(token), 20)
+        # All users can list the arguments of all programs.
+        self.assertNotIn(token, str(page))
+        arguments = pathlib.Path(f"/proc/{server.process.pid}/cmdline").read_bytes().decode()
+        self.assertNotIn(token, arguments)
+
+    def test_a_planted_file_or_link_does_not_get_the_address(self):
+        mine = self.scratch / "mine"
+        mine.write_text("mine", encoding="utf-8")
+        (self.folder / ".shelfbeam").mkdir()
+        (self.folder / ".shelfbeam/open.html").symlink_to(mine)
+        server = self.start(browser=True, env=self.environment)
+        page, mode, content = self.recorded()
+        self.assertEqual((mode, page.is_symlink()), ("600", False))
+        self.assertIn(server.address, content)
+        self.assertEqual(mine.read_text(encoding="utf-8"), "mine")
+
+    def test_no_browser_without_a_desktop_or_by_option(self):
+        plain = {key: value for key, value in self.environment.items() if key != "DISPLAY"}
+        for browser, environment in ((True, plain), (False, self.environment)):
+            server = self.start(browser=browser, env=environment)
+            self.assertEqual(server.end(signal.SIGINT), (0, ""))
+            self.assertFalse((self.folder / ".shelfbeam/open.html").exists())
+        self.assertFalse(self.record.exists())
