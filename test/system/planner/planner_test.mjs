@@ -22,6 +22,7 @@ import "./notices_test.mjs";
 import "./view_test.mjs";
 import "./tabs_test.mjs";
 import "./access_test.mjs";
+import "./keyboard_test.mjs";
 
 const [shelfbeam, packages, examples, work, filter = ""] = process.argv.slice(2);
 const program = ["chromium", "chromium-browser", "google-chrome"]

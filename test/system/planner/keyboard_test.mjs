@@ -1,0 +1,165 @@
+// Tests the whole planner without a pointer: none of these tests calls the mouse or clicks.
+
+import { check, equal, says } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+const focusedKey = (tab) =>
+  tab.page.evaluate(() => {
+    const { dataset, id } = document.activeElement;
+    return dataset.key ?? dataset.command ?? id;
+  });
+
+/** Presses a key until the control with a key or id has the focus. */
+async function reach(tab, wanted, key = "Tab") {
+  for (let k = 0; k < 90; ++k) {
+    if ((await focusedKey(tab)) === wanted) return;
+    await tab.page.keyboard.press(key);
+  }
+  throw new Error(`${key} does not reach ${wanted}`);
+}
+
+/** Opens a list at the left by its tab. */
+async function open(tab, name) {
+  for (let k = 0; k < 90; ++k) {
+    if (await tab.page.evaluate(() => document.activeElement.role === "tab")) break;
+    await tab.page.keyboard.press("Tab");
+  }
+  await reach(tab, `tab-${name}`, "ArrowDown");
+  await tab.settle();
+}
+
+/** Goes to the list of elements. */
+async function toList(tab) {
+  for (let k = 0; k < 4; ++k) {
+    if (await tab.page.evaluate(() => document.activeElement.role === "listbox")) return;
+    await tab.press("F6");
+  }
+  throw new Error("F6 does not reach the list");
+}
+
+async function toPlan(tab) {
+  for (let k = 0; k < 4; ++k) {
+    if (await tab.page.evaluate(() => document.activeElement.className === "surface")) return;
+    await tab.press("F6");
+  }
+  throw new Error("F6 does not reach the plan");
+}
+
+/** Runs a command of the list of commands. */
+async function run(tab, name) {
+  await tab.press("Control+k");
+  await tab.page.keyboard.type(name);
+  await tab.until((of) => document.querySelector(".results li span")?.textContent === of, name);
+  await tab.press("Enter");
+}
+
+async function find(tab, name) {
+  await tab.press("Control+f");
+  await tab.page.keyboard.type(name);
+  await tab.until((of) => document.querySelector(".results li span")?.textContent === of, name);
+  await tab.press("Enter");
+}
+
+testPlanner("by keys: elements from the list, aligned, and dissolved", {}, async (tab) => {
+  await toList(tab);
+  await tab.press("Home", "ArrowDown", "ArrowDown");
+  equal(await tab.selected(), ["/fixtures/1"]);
+  await toPlan(tab);
+  await tab.press("Shift+ArrowRight");
+  await tab.steps(1);
+  await toList(tab);
+  await tab.press("Shift+ArrowDown", "Shift+ArrowDown");
+  equal(await tab.selected(), ["/fixtures/1", "/fixtures/2", "/fixtures/3"]);
+  await run(tab, "Align left");
+  await tab.steps(2);
+  equal(
+    tab.json.fixtures.slice(1, 4).map(({ at }) => at[0]),
+    [5, 5, 5],
+  );
+  equal((await tab.labels())[1], "Align 3 fixtures");
+  await toList(tab);
+  await tab.press("Home", ...Array(5).fill("ArrowDown"));
+  equal(await tab.selected(), ["/fixtures/4"]);
+  await run(tab, "Dissolve");
+  await tab.steps(3);
+  equal(
+    tab.json.fixtures.slice(4, 8).map(({ id }) => id),
+    ["A1-west", "A2-west", "A3-west", "A4-west"],
+  );
+});
+
+testPlanner("by keys: layers hidden and locked, and shown again", {}, async (tab) => {
+  await open(tab, "layers");
+  await reach(tab, "show-grid");
+  await tab.press("Space");
+  equal(await focusedKey(tab), "show-grid", "the focus stays");
+  await reach(tab, "lock-fixture", "Shift+Tab");
+  await tab.press("Enter");
+  await toPlan(tab);
+  await tab.press("Control+a");
+  equal(await tab.selected(), ["/transceivers/keep_out/0"]);
+  await run(tab, "Show all layers");
+  await tab.press("Control+a");
+  check((await tab.selected()).includes("/transceivers/grids/0"), "the grid is shown again");
+});
+
+testPlanner("by keys: types edited and given, and the history", {}, async (tab) => {
+  await open(tab, "types");
+  await reach(tab, "/label_types/standard");
+  await tab.press("Enter");
+  await reach(tab, "field/safety_factor");
+  await tab.page.keyboard.type("1.4");
+  await tab.press("Enter");
+  await tab.steps(1);
+  equal(tab.json.label_types.standard.safety_factor, 1.4);
+  await find(tab, "A3");
+  await tab.press("3");
+  await tab.steps(2);
+  equal(tab.json.fixtures[2].preset, "wall");
+  await open(tab, "history");
+  await reach(tab, "step1");
+  await tab.press("Enter");
+  await tab.steps(1);
+  equal(tab.json.fixtures[2].preset, "row");
+  equal(await tab.text(".history [aria-current]"), "Safety factor of standard");
+  await reach(tab, "step2", "Shift+Tab");
+  await tab.press("Space");
+  await tab.steps(2);
+});
+
+testPlanner("by keys: found, copied, pasted and deleted", { alone: true }, async (tab) => {
+  await find(tab, "F2");
+  equal(await tab.selected(), ["/fixtures/9"]);
+  await tab.press("Control+c");
+  says(await tab.text(".notice"), "Copied: F2");
+  await tab.press("Control+v");
+  await tab.steps(1);
+  equal([tab.json.fixtures.length, tab.json.fixtures[13].id], [14, "F3"]);
+  equal(await tab.selected(), ["/fixtures/13"]);
+  await tab.press("Delete");
+  await tab.steps(2);
+  equal(tab.json.fixtures.length, 13);
+});
+
+testPlanner("by keys: 3-D and back, the menu, and a measurement", {}, async (tab) => {
+  await find(tab, "A3");
+  const selected = await tab.selected();
+  await tab.press("d");
+  await tab.until(() => document.querySelector(".plan").classList.contains("space"));
+  await tab.press("+", "-", "Shift+ArrowUp");
+  await tab.steps(1);
+  await tab.press("d");
+  equal(await tab.selected(), selected);
+  await tab.press("Shift+F10");
+  await reach(tab, "duplicate", "ArrowDown");
+  await tab.press("Enter");
+  await tab.steps(2);
+  equal(await tab.page.$(".menu"), null);
+  await tab.press("m", "Enter", "Shift+ArrowRight", "Shift+ArrowRight", "Enter");
+  check(
+    /\d m$/.test((await tab.text(".overlay .reading")).replace(/\u00a0/g, " ")),
+    await tab.text(".overlay .reading"),
+  );
+  await tab.press("Escape", "Escape");
+  equal(await tab.page.$(".overlay .measure"), null);
+});
