@@ -19,6 +19,8 @@ import "./every_kind_test.mjs";
 import "./panel_test.mjs";
 import "./fields_test.mjs";
 import "./notices_test.mjs";
+import "./checks_test.mjs";
+import "./sources_test.mjs";
 import "./view_test.mjs";
 import "./tabs_test.mjs";
 import "./access_test.mjs";
