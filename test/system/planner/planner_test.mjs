@@ -21,6 +21,7 @@ import "./fields_test.mjs";
 import "./notices_test.mjs";
 import "./checks_test.mjs";
 import "./sources_test.mjs";
+import "./names_test.mjs";
 import "./view_test.mjs";
 import "./tabs_test.mjs";
 import "./access_test.mjs";
