@@ -110,6 +110,36 @@ testPlanner("labels and candidates of an element lead to it", {}, async (tab) =>
   equal(await tab.text(".properties h2"), "A3");
 });
 
+testPlanner("labels of a locked level cannot be selected", {}, async (tab) => {
+  await tab.push("#tab-layers");
+  const levels = await tab.page.evaluate(() => document.querySelectorAll('[data-key^="lock-level-"]').length);
+  check(levels > 1, `${levels} levels can be locked`);
+  await tab.point(11, 9.4);
+  for (let k = 0; k < 6; ++k) await tab.page.mouse.wheel(0, -200);
+  await tab.settle();
+  const isLabel = async () => {
+    await tab.click(11, 9.38);
+    return tab.page.evaluate(() => window.shelfbeamPlanner.planner.selection.items[0]?.kind === "device");
+  };
+  equal(await isLabel(), true);
+  for (let level = 0; level < levels; ++level) await tab.push(`[data-key="lock-level-${level}"]`);
+  equal(await isLabel(), false);
+  await tab.page.reload();
+  await tab.push("#tab-layers");
+  await tab.until(() => document.querySelector('[data-key="lock-level-0"][aria-pressed="true"]') !== null);
+});
+
+testPlanner("labels of a file name their place in it", { store: "market-hall" }, async (tab) => {
+  await tab.until(() => window.shelfbeamPlanner.planner.document.labels.count > 0);
+  await tab.page.evaluate(() => {
+    const { document: store, selection } = window.shelfbeamPlanner.planner;
+    const all = Array.from({ length: store.labels.count }, (_, index) => index);
+    const index = all.find((one) => store.labels.pathOf(one) === null);
+    selection.set([{ kind: "device", device: "label", index, path: null }]);
+  });
+  await tab.until(() => /planogram\.csv\D+\d/.test(document.querySelector(".properties dl")?.textContent ?? ""));
+});
+
 testPlanner("a listed label and a listed unit are elements", { store: "chiller" }, async (tab) => {
   await tab.click(0.9, 8.27);
   equal(await tab.selected(), ["/labels/0"]);

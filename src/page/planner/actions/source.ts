@@ -5,7 +5,7 @@ import { pointerTo } from "../document/json";
 import { elementAt, elementsOf, listOf } from "../elements/kinds";
 import { nameOf } from "../elements/names";
 import { say, text } from "../text";
-import { deviceItem, freePaths, itemOf } from "../view/hit";
+import { deviceItem, freePaths, isDeviceFree, itemOf } from "../view/hit";
 import type { Item } from "../view/selection";
 
 /** Selects the element that a copy or a device belongs to: the whole row. */
@@ -40,13 +40,11 @@ export async function dissolve({ document, selection }: Planner): Promise<void> 
 
 export function selectAll(planner: Planner): void {
   const { document, layers, selection } = planner;
-  const devices = [document.labels, document.units]
-    .filter(({ kind }) => layers.isFree(kind))
-    .flatMap((list) =>
-      Array.from({ length: list.count }, (_, index) => index)
-        .filter((index) => list.isListed(index))
-        .map((index) => deviceItem(list, index)),
-    );
+  const devices = [document.labels, document.units].flatMap((list) =>
+    Array.from({ length: list.count }, (_, index) => index)
+      .filter((index) => list.isListed(index) && isDeviceFree(list, index, layers))
+      .map((index) => deviceItem(list, index)),
+  );
   const elements = freePaths(document, layers).map((path): Item => ({ kind: "element", path }));
   selection.set([...elements, ...devices]);
 }

@@ -99,6 +99,13 @@ export class LayerList {
       ),
       element("span", { class: "name", text: name }),
       element("small", { text: grouped(count) }),
+      this.switchOf(
+        say(text.layers.lock, name),
+        `lock-level-${level}`,
+        state.isLevelLocked(level),
+        ["locked", "free"],
+        (locked) => state.lockLevel(level, locked),
+      ),
     );
   }
 }

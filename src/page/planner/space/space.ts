@@ -7,7 +7,7 @@ import { sceneryOf, type Scenery } from "../../data/scenery";
 import { colourOf } from "../../scene/palette";
 import type { Stage } from "../../scene/stage";
 import type { Part } from "../document/messages";
-import { deviceItem, itemOf } from "../view/hit";
+import { deviceItem, isDeviceFree, itemOf } from "../view/hit";
 import type { Item } from "../view/selection";
 import type { DeviceMarks } from "../plan/marks";
 import type { Planner } from "../planner";
@@ -100,7 +100,7 @@ export class Space {
     const box = stage.canvas.getBoundingClientRect();
     const [x, y] = [clientX - box.left, clientY - box.top];
     const mark = this.marks.named(stage.pick(x, y));
-    if (mark && planner.layers.isFree(mark.devices.kind)) return deviceItem(mark.devices, mark.index);
+    if (mark && isDeviceFree(mark.devices, mark.index, planner.layers)) return deviceItem(mark.devices, mark.index);
     const part = prismAt(planner.document.parts.all, stage.rayAt(x, y), planner.layers);
     return part && itemOf(part);
   }

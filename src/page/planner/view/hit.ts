@@ -29,8 +29,9 @@ export function deviceItem(devices: Devices, index: number): Item {
     : { kind: "device", device: devices.kind, index, path };
 }
 
-const isDeviceShown = (devices: Devices, index: number, layers: Layers): boolean =>
-  devices.kind !== "label" || layers.isLevelShown(devices.state[index]);
+/** Whether a label or unit can be selected. */
+export const isDeviceFree = ({ kind, state }: Devices, index: number, layers: Layers): boolean =>
+  layers.isFree(kind) && (kind !== "label" || layers.isLevelFree(state[index]));
 
 /** Marks that other elements make lie close together, and often above fixtures: they are found only from near. */
 const derivedShare = 0.5;
@@ -50,7 +51,7 @@ function nearestDevice(devices: Devices, point: Point, reach: number, { layers, 
     if (Math.abs(position[3 * index] - point[0]) > farthest) continue;
     if (Math.abs(position[3 * index + 1] - point[1]) > farthest) continue;
     const away = distance(fan.place(devices, index), point) / (devices.isListed(index) ? 1 : derivedShare);
-    if (away <= (found?.[1] ?? reach) && isDeviceShown(devices, index, layers)) found = [index, away];
+    if (away <= (found?.[1] ?? reach) && isDeviceFree(devices, index, layers)) found = [index, away];
   }
   return found;
 }
@@ -115,7 +116,7 @@ export function itemsWithin(document: StoreDocument, layers: Layers, bounds: Bou
       const found: Item[] = [];
       for (let index = 0; index < list.count; ++index) {
         const [x, y] = list.at(index);
-        if (list.isListed(index) && isWithin([x, y], bounds) && isDeviceShown(list, index, layers))
+        if (list.isListed(index) && isWithin([x, y], bounds) && isDeviceFree(list, index, layers))
           found.push(deviceItem(list, index));
       }
       return found;

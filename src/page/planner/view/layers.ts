@@ -24,12 +24,14 @@ interface Stored {
   hidden: Layer[];
   locked: Layer[];
   levels: number[];
+  lockedLevels: number[];
 }
 
 export class Layers {
   private hidden = new Set<Layer>();
   private locked = new Set<Layer>();
   private hiddenLevels = new Set<number>();
+  private lockedLevels = new Set<number>();
   private key = "";
 
   constructor(private readonly changes: Changes) {}
@@ -42,6 +44,7 @@ export class Layers {
       this.hidden = new Set(stored.hidden);
       this.locked = new Set(stored.locked);
       this.hiddenLevels = new Set(stored.levels);
+      this.lockedLevels = new Set(stored.lockedLevels);
     } catch {
       // Without a memory, everything is shown.
     }
@@ -65,6 +68,15 @@ export class Layers {
     return !this.hiddenLevels.has(level);
   }
 
+  isLevelLocked(level: number): boolean {
+    return this.lockedLevels.has(level);
+  }
+
+  /** Whether labels of a level can be selected. */
+  isLevelFree(level: number): boolean {
+    return this.isLevelShown(level) && !this.isLevelLocked(level);
+  }
+
   show(layer: Layer, shown: boolean): void {
     if (shown) this.hidden.delete(layer);
     else this.hidden.add(layer);
@@ -83,6 +95,12 @@ export class Layers {
     this.store();
   }
 
+  lockLevel(level: number, locked: boolean): void {
+    if (locked) this.lockedLevels.add(level);
+    else this.lockedLevels.delete(level);
+    this.store();
+  }
+
   showAll(): void {
     this.hidden.clear();
     this.hiddenLevels.clear();
@@ -90,7 +108,12 @@ export class Layers {
   }
 
   private store(): void {
-    const stored: Stored = { hidden: [...this.hidden], locked: [...this.locked], levels: [...this.hiddenLevels] };
+    const stored: Stored = {
+      hidden: [...this.hidden],
+      locked: [...this.locked],
+      levels: [...this.hiddenLevels],
+      lockedLevels: [...this.lockedLevels],
+    };
     try {
       localStorage.setItem(this.key, JSON.stringify(stored));
     } catch {

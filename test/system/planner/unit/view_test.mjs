@@ -64,7 +64,7 @@ test("the smallest outline at a point is found, and lines only at their lines", 
   const none = { kind: "label", count: 0, position: [] };
   const sight = (hidden = []) => ({
     document: { parts: { all }, labels: none, units: { ...none, kind: "unit" } },
-    layers: { isFree: (kind) => !hidden.includes(kind), isLevelShown: () => true },
+    layers: { isFree: (kind) => !hidden.includes(kind), isLevelFree: () => true },
     fan: { reach: 0 },
   });
   const at = (point, hidden) => itemAt(sight(hidden), point, 0.1)?.path ?? null;
