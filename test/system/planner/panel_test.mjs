@@ -76,6 +76,21 @@ testPlanner("a value that is being typed follows its element", {}, async (tab, g
   );
 });
 
+testPlanner("a typed component leaves the others as another tab made them", {}, async (tab, given) => {
+  const other = await given.tab(tab.server);
+  await tab.click(11, 14.4);
+  await tab.page.focus('[data-key="field/at/0"]');
+  await tab.page.keyboard.press("Control+a");
+  await tab.page.keyboard.insertText("7");
+  await other.click(11, 14.4);
+  await other.press("Shift+ArrowUp");
+  await other.steps(1);
+  await tab.steps(1);
+  await tab.press("Tab");
+  await tab.steps(2);
+  equal(tab.json.fixtures[8].at, [7, 14.3]);
+});
+
 testPlanner("alternatives replace each other", {}, async (tab) => {
   await tab.click(11, 14.4);
   await tab.choose("field/labels/alternative", "Count");

@@ -54,6 +54,7 @@ export class Properties {
     const isInside = focused instanceof HTMLElement && this.root.contains(focused);
     this.isStale = isInside && isTyping(focused);
     if (this.isStale) {
+      for (const target of this.targets) this.refresh(target);
       showProblems(this.root, this.problemsOf(this.targets));
       return;
     }
@@ -68,6 +69,14 @@ export class Properties {
     const again = this.root.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"]`);
     (again ?? this.root).focus({ preventScroll: true });
     if (again instanceof HTMLInputElement && again.type === "text") again.select();
+  }
+
+  /** A typed component of a place leaves the others as another tab made them. */
+  private refresh(target: Target): void {
+    const { document } = this.planner;
+    const context = contextOf(document, target.path);
+    const own = context?.value ?? valueAt(document.json, target.path);
+    if (isObject(own)) Object.assign(target, { own, effective: context?.effective ?? own });
   }
 
   private content(): Node[] {
