@@ -24,6 +24,7 @@ import "./sources_test.mjs";
 import "./names_test.mjs";
 import "./view_test.mjs";
 import "./tabs_test.mjs";
+import "./random_test.mjs";
 import "./access_test.mjs";
 import "./keyboard_test.mjs";
 

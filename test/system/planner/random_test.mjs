@@ -1,0 +1,118 @@
+// Tests two tabs that change the same store at the same time, at random, with a seed that a failure names.
+
+import { check, equal } from "../viewer/check.mjs";
+import { testPlanner } from "./opened.mjs";
+
+const edits = 40; // of each tab
+
+/** Numbers in 0..1 (mulberry32). */
+function randomFrom(seed) {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
+  };
+}
+
+/** Some are listed twice, because they shall happen more often. */
+const keys = [
+  ...["ArrowRight", "ArrowUp", "Shift+ArrowLeft", "Shift+ArrowDown", "r", "r", "Shift+R", "Shift+V", "Shift+H"],
+  ...["Control+d", "Control+d", "Delete", "2", "3", "Control+z", "Control+y"],
+];
+
+/** Selects one or two elements, and changes them by a key or by a value of their own. */
+async function changeSomething({ page }, random) {
+  const numbers = [random(), random(), random()];
+  const isValue = random() < 0.25;
+  await page.evaluate(
+    ([[first, second, third], setsValue]) => {
+      const { document: store, selection } = window.shelfbeamPlanner.planner;
+      const { fixtures } = store.json;
+      const paths = [first, second].map((share) => `/fixtures/${Math.floor(share * fixtures.length)}`);
+      selection.setPaths([...paths.slice(0, third < 0.3 ? 2 : 1), ...(third > 0.95 ? ["/transceivers/grids/0"] : [])]);
+      if (!setsValue || fixtures.length === 0) return;
+      const index = Math.floor(first * fixtures.length);
+      const before = fixtures[index].stocking;
+      const op = { path: `/fixtures/${index}/stocking`, after: Number((0.3 + 0.7 * third).toFixed(3)) };
+      void store.edit({ label: "Stocking", ops: [before === undefined ? op : { ...op, before }] });
+    },
+    [numbers, isValue],
+  );
+  if (!isValue) await page.keyboard.press(keys[Math.floor(random() * keys.length)]);
+}
+
+/** Until the server has answered everything that the tab has asked, also what follows from answers. */
+async function quiet(tab) {
+  for (let k = 0; k < 3; ++k) {
+    await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.request("find", { text: "A1" }));
+    await tab.settle();
+  }
+  await tab.until(() => window.shelfbeamPlanner.planner.document.saving.state !== "saving");
+}
+
+/** What a tab knows, with the keys of objects in order. */
+const stateOf = (tab) =>
+  tab.page.evaluate(() => {
+    const ordered = (value) =>
+      Array.isArray(value)
+        ? value.map(ordered)
+        : value !== null && typeof value === "object"
+          ? Object.fromEntries(
+              Object.keys(value)
+                .sort()
+                .map((key) => [key, ordered(value[key])]),
+            )
+          : value;
+    const { json, parts, problems, history, revision, labels, units } = window.shelfbeamPlanner.planner.document;
+    const rounded = (devices) => [...devices.position.slice(0, 3 * devices.count)].map((one) => one.toFixed(4)).join();
+    return ordered({
+      json,
+      parts: [...parts.all].sort((a, b) => (a.key < b.key ? -1 : 1)),
+      problems,
+      steps: history.steps.map(({ label }) => label),
+      position: history.position,
+      revision,
+      labels: rounded(labels),
+      units: rounded(units),
+    });
+  });
+
+/** Names the first difference, not the whole stores. */
+function same(found, expected, what) {
+  for (const key of Object.keys(expected)) equal(found[key], expected[key], `${what}, ${key}`);
+}
+
+for (const seed of [1, 2])
+  testPlanner(`two tabs that change the store at random agree, seed ${seed}`, {}, async (tab, given) => {
+    const other = await given.tab(tab.server);
+    const tabs = [tab, other];
+    await Promise.all(
+      tabs.map(async (one, k) => {
+        const random = randomFrom(10 * seed + k);
+        await one.page.focus(".surface");
+        for (let n = 0; n < edits; ++n) await changeSomething(one, random);
+      }),
+    );
+    for (const one of [...tabs, ...tabs]) await quiet(one);
+    const { revision } = await stateOf(tab);
+    await other.until((of) => window.shelfbeamPlanner.planner.document.revision >= of, revision);
+    const fresh = await given.tab(tab.server);
+    const expected = await stateOf(fresh);
+    check(expected.steps.length > edits, `${expected.steps.length} steps`);
+    for (const [k, one] of tabs.entries()) same(await stateOf(one), expected, `tab ${k + 1}`);
+    equal(await fresh.page.evaluate(() => window.shelfbeamPlanner.planner.document.json), tab.json, "the file");
+    const last = tab.server.text;
+    const { position } = expected;
+    await other.push("#tab-history");
+    await other.push('[data-key="step0"]');
+    for (const one of [...tabs, fresh]) await one.steps(0);
+    check(tab.server.text === tab.server.first, "undoing everything brings the first bytes back");
+    await other.push(`[data-key="step${position}"]`);
+    await tab.steps(position);
+    check(tab.server.text === last, "redoing everything brings the last bytes back");
+    await other.push('[data-key="step0"]');
+    await tab.steps(0);
+    equal(other.errors, [], "errors in the console of the other tab");
+  });
