@@ -43,8 +43,9 @@ const tables = {
   ],
   "market-hall": [
     ["room by its outline", "Room", "height", "4.3"],
-    // In the wing, the store would leave the room.
     ["zone", "bakery", "height", "2.9"],
+    // Its height is that of three points, which move with it.
+    ["zone", "wing", "id", "hall", { arrow: "Shift+ArrowLeft" }],
     ["wall", "bakery wall", "thickness", "0.2", { at: [6, 11] }],
     ["gondola", "A{n}", "repeat/count2", "4"],
     ["gondola against", "S{n}", "repeat/count", "6", { arrow: "Shift+ArrowRight", turns: stays.against }],

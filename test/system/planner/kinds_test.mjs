@@ -1,4 +1,4 @@
-// Tests each kind of element: moved, turned, edited, and undone.
+// Tests what is special about kinds of elements: their handles, and what follows others.
 
 import { check, equal } from "../viewer/check.mjs";
 import { placed, testPlanner } from "./opened.mjs";
@@ -11,42 +11,6 @@ async function find(tab, name) {
   await tab.settle();
   await tab.page.evaluate(() => document.querySelector(".surface").focus());
 }
-
-const market = [
-  ["bakery wall", "/room/inner_walls/0", "field/thickness", "0.2", ({ thickness }) => thickness === 0.2],
-  ["sign", "/fixtures/12", "field/material", null, () => true],
-  ["column", "/fixtures/11", "field/radius", "25cm", ({ radius }) => radius === 0.25],
-  ["rail", "/transceivers/rails/0", "field/spacing", "2*0.6", ({ spacing }) => spacing === 1.2],
-  ["Keep-out 1", "/transceivers/keep_out/0", "field/z/1", "4", ({ z }) => z[1] === 4],
-  ["Area 3", "/transceivers/areas/2", "field/z", "3.4", ({ z }) => z === 3.4],
-  // Last, because it then extends outside the room, which leaves nothing to resolve the others in.
-  ["wing", "/room/zones/1", "field/id", "hall", ({ id }) => id === "hall"],
-];
-
-testPlanner("every kind of element moves, turns and changes", { store: "market-hall" }, async (tab) => {
-  let steps = 0;
-  for (const [name, path, field, typed, isChanged] of market) {
-    const value = () =>
-      path
-        .split("/")
-        .slice(1)
-        .reduce((found, key) => found[key], tab.json);
-    await find(tab, name);
-    equal(await tab.selected(), [path]);
-    const before = JSON.stringify(value());
-    await tab.press("Shift+ArrowLeft"); // to the right, the wing would leave the room
-    await tab.steps(++steps);
-    check(JSON.stringify(value()) !== before, `${name} moves`);
-    const moved = JSON.stringify(value());
-    await tab.press("r");
-    await tab.steps(++steps);
-    check(JSON.stringify(value()) !== moved, `${name} turns`);
-    if (typed === null) continue;
-    await tab.fill(field, typed);
-    await tab.steps(++steps);
-    check(isChanged(value()), `${name}: ${JSON.stringify(value())}`);
-  }
-});
 
 testPlanner(
   "the outline of a room moves with its slopes; corners and edges are dragged",
