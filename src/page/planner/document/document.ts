@@ -230,6 +230,8 @@ export class StoreDocument {
   private settle(sent: Pending, accepted: boolean): boolean {
     if (!this.pending.includes(sent)) return false;
     this.pending = this.pending.filter((other) => other !== sent);
+    const { ops } = sent.edit;
+    if (!accepted && ops.some(isMoving)) this.onMoved(this.placesAfter(inverseOf(ops), this.json));
     this.rebase();
     sent.done(accepted);
     return true;

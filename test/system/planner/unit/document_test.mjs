@@ -123,6 +123,17 @@ test("a refused edit is taken back with the reason, and nothing counts as saved"
   assert.deepEqual(reasons, ["Move 1: disk is full"]);
 });
 
+test("places return when a removal is refused", async () => {
+  const { connection, document, remove } = opened();
+  let path = "/fixtures/2";
+  document.onMoved = (place) => (path = place(path));
+  const done = document.edit(remove(0));
+  assert.equal(path, "/fixtures/1");
+  connection.sent[0].reject(new Refused({ message: "disk is full" }));
+  assert.equal(await done, false);
+  assert.equal(path, "/fixtures/2");
+});
+
 test("another window's edit comes below those that wait", async () => {
   const { connection, document, move } = opened();
   void document.edit(move(0, 9));
