@@ -179,7 +179,7 @@ bool Project::edit(const std::string& label, const std::vector<EditOp>& ops, boo
     if (write(Change{utc_text(now), edit.label, edit.paths, joins, result.splices, content_hash(text_),
                      content_hash(result.text)},
               result.text)) {
-      last_edit_ = std::move(edit);
+      last_edit_ = join ? std::optional(std::move(edit)) : std::nullopt;
       return true;
     }
   }

@@ -53,6 +53,22 @@ testPlanner("no key changes the store in the middle of a gesture", { alone: true
   check((await tab.view()).scale < scale, "the view may change");
 });
 
+testPlanner("undo and redo in quick succession lose no step, and no nudge joins a drag", {}, async (tab) => {
+  await tab.drag([10, 9.85], [11, 10.35]);
+  await tab.press("Shift+ArrowRight");
+  await tab.steps(2);
+  const after = tab.server.text;
+  for (const count of [3, 4, 5]) {
+    await tab.press("r");
+    await tab.steps(count);
+  }
+  await tab.press(...Array(5).fill("Control+z"));
+  await tab.steps(0);
+  await tab.press("Control+y", "Control+y");
+  await tab.steps(2);
+  equal(tab.server.text, after);
+});
+
 testPlanner("arrows move by 1 cm, with Shift by 10, and nudges join", {}, async (tab) => {
   await tab.click(10, 9.85);
   await tab.press("ArrowRight", "ArrowRight", "ArrowRight");

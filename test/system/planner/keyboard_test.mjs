@@ -144,12 +144,15 @@ testPlanner("by keys: found, copied, pasted and deleted", { alone: true }, async
 testPlanner("by keys: 3-D and back, the menu, and a measurement", {}, async (tab) => {
   await find(tab, "A3");
   const selected = await tab.selected();
+  await tab.page.focus(".plan .surface");
   await tab.press("d");
   await tab.until(() => document.querySelector(".plan").classList.contains("space"));
+  await tab.until(() => document.activeElement.tagName === "CANVAS");
   await tab.press("+", "-", "Shift+ArrowUp");
   await tab.steps(1);
   await tab.press("d");
   equal(await tab.selected(), selected);
+  await tab.until(() => document.activeElement.classList.contains("surface"));
   await tab.press("Shift+F10");
   await reach(tab, "duplicate", "ArrowDown");
   await tab.press("Enter");

@@ -84,7 +84,7 @@ export class StoreDocument {
   private pending: Pending[] = [];
   private gesture: Preview = noPreview;
   private refusal: Refusal | null = null;
-  /** Steps that the server was asked to undo and has not answered; negative: to redo. */
+  /** Steps that the server was asked to undo and has not answered. */
   private undoing = 0;
 
   constructor(
@@ -114,11 +114,11 @@ export class StoreDocument {
   }
 
   get canUndo(): boolean {
-    return this.locked === null && this.history.position + this.pending.length > this.undoing;
+    return this.locked === null && this.history.position + this.pending.length > 0;
   }
 
   get canRedo(): boolean {
-    return this.locked === null && this.history.position - this.undoing < this.history.steps.length;
+    return this.locked === null && (this.history.position < this.history.steps.length || this.undoing > 0);
   }
 
   /** Shows the state of a gesture; null: none. */
@@ -161,21 +161,15 @@ export class StoreDocument {
   }
 
   undo(): Promise<boolean> {
-    return this.step("undo", 1);
+    ++this.undoing;
+    return this.ask("undo").finally(() => {
+      --this.undoing;
+      this.changes.note("status");
+    });
   }
 
   redo(): Promise<boolean> {
-    return this.step("redo", -1);
-  }
-
-  private async step(what: "undo" | "redo", steps: number): Promise<boolean> {
-    this.undoing += steps;
-    try {
-      return await this.ask(what);
-    } finally {
-      this.undoing -= steps;
-      this.changes.note("status");
-    }
+    return this.ask("redo");
   }
 
   /** Undoes or redoes steps until `position` are applied. */

@@ -199,8 +199,8 @@ export class Page {
     plan.classList.toggle("space", !planner.isPlan);
     plan.dataset.tool = planner.tool;
     canvas.tabIndex = planner.isPlan ? -1 : 0;
-    surface.hidden = !planner.isPlan;
     const hadFocus = document.activeElement === surface || document.activeElement === canvas;
+    surface.hidden = !planner.isPlan; // takes the focus from it
     stage.setPlan(planner.isPlan);
     this.follow();
     if (hadFocus) this.focusPlan();

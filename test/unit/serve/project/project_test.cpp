@@ -123,6 +123,9 @@ TEST_F(ProjectTest, QuickEditsOfTheSamePathsAreOneStep) {
     EXPECT_EQ(project.steps().size(), 5u) << "another path";
     project.edit("Nudge", {to_set("/b/0", 2, 3)});
     EXPECT_EQ(project.steps().size(), 6u) << "without `join`";
+    project.edit("Nudge", {to_set("/b/0", 3, 5)}, true);
+    EXPECT_EQ(project.steps().size(), 7u) << "after an edit without `join`";
+    project.undo();
     project.undo();
     project.edit("Nudge", {to_set("/b/0", 2, 4)}, true);
     EXPECT_EQ(project.steps().size(), 6u) << "after undo";
