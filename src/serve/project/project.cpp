@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/files/file_time.hpp"
 #include "shelfbeam/base/files/open_file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
@@ -23,11 +24,7 @@ constexpr std::size_t longest_label = 200;
 constexpr std::chrono::milliseconds joining_time{800};
 
 bool is_settled(const std::optional<FileStamp>& stamp) {
-  // File systems count time in steps of up to two seconds. Within one, a change keeps the time.
-  constexpr std::chrono::nanoseconds longest_step = std::chrono::seconds(2);
-  if (!stamp) return true;
-  const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
-  return now - std::chrono::nanoseconds(stamp->modified_ns) > longest_step;
+  return !stamp || shelfbeam::is_settled(stamp->modified_ns);
 }
 
 std::vector<std::string> paths_of(const std::vector<EditOp>& ops) {

@@ -8,19 +8,15 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/files/file_time.hpp"
 #include "shelfbeam/base/files/found_file.hpp"
 
 namespace shelfbeam::serve {
 
 namespace {
 
-std::int64_t ns_from(const timespec& time) {
-  constexpr std::int64_t ns_per_s = 1'000'000'000;
-  return time.tv_sec * ns_per_s + time.tv_nsec;
-}
-
 FileStamp stamp_from(const struct stat& state) {
-  return {state.st_ino, static_cast<std::uint64_t>(state.st_size), ns_from(state.st_mtim)};
+  return {state.st_ino, static_cast<std::uint64_t>(state.st_size), ns_of(state.st_mtim)};
 }
 
 }  // namespace
@@ -34,11 +30,11 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
 std::optional<std::int64_t> change_time(const std::filesystem::path& path) {
   struct stat state = {};
   if (::lstat(path.c_str(), &state) != 0) return std::nullopt;
-  return ns_from(state.st_ctim);
+  return ns_of(state.st_ctim);
 }
 
 std::optional<FileContent> read_regular_file(const std::filesystem::path& path, std::uint64_t max_bytes) {
-  FoundFile found = find_file_below("." / path.parent_path(), path.filename());
+  FoundFile found = find_file_itself(path);
   if (found.error == ENOENT) return std::nullopt;
   const auto fail = [&](const std::string& problem, const char* remedy) {
     throw InputError(path.string(), problem, remedy);

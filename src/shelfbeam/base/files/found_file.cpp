@@ -87,6 +87,10 @@ FoundFile find_file(const fs::path& path) {
   return found_at(AT_FDCWD, path.c_str(), Links::followed);
 }
 
+FoundFile find_file_itself(const fs::path& path) {
+  return find_file_below("." / path.parent_path(), path.filename());
+}
+
 FoundFile find_file_below(const fs::path& folder, const fs::path& path) {
   if (path.is_absolute()) return not_found(EXDEV);
   Way way(folder);

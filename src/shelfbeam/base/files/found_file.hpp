@@ -19,8 +19,11 @@ struct FoundFile {
   bool is_regular() const { return S_ISREG(state.st_mode); }
 };
 
-/// Precondition for both: the paths have no null character.
+/// Precondition for all: the paths have no null character.
 FoundFile find_file(const std::filesystem::path& path);
+
+/// The same, but not through a symbolic link in the place of the file (ELOOP). Its folder may be a link.
+FoundFile find_file_itself(const std::filesystem::path& path);
 
 /// The same for a path in a folder. No part of it may be a symbolic link (ELOOP), and it must not leave the
 /// folder (EXDEV), whatever other programs do in the folder meanwhile. The path of the folder itself may have

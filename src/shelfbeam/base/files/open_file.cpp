@@ -25,12 +25,12 @@ std::optional<std::string> read_open(int descriptor, std::uint64_t size) {
 }
 
 bool has_content(const std::filesystem::path& path, std::string_view content) {
-  const FoundFile found = find_file_below("." / path.parent_path(), path.filename());
+  const FoundFile found = find_file_itself(path);
   return found.file.is_open() && static_cast<std::uint64_t>(found.state.st_size) == content.size() &&
          read_open(found.file.number(), content.size()) == content;
 }
 
-bool names(const fs::path& path, int descriptor) {
+bool names(const std::filesystem::path& path, int descriptor) {
   struct stat open = {}, named = {};
   return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 &&
          open.st_dev == named.st_dev && open.st_ino == named.st_ino;

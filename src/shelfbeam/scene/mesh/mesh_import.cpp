@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cstdint>
 #include <set>
 #include <unordered_map>
@@ -11,6 +10,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/files/file_time.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/mesh/mesh_formats.hpp"
 #include "shelfbeam/scene/mesh/read_cache.hpp"
@@ -84,20 +84,12 @@ void expect_few_comparisons(const MeshTriangles& triangles,
                    "add an entry for each, e.g. \"*\"");
 }
 
-std::int64_t ns_of(const timespec& time) {
-  constexpr std::int64_t ns_per_s = 1'000'000'000;
-  return time.tv_sec * ns_per_s + time.tv_nsec;
-}
-
-// What a mesh is made from. Empty if the file has just changed: file systems count time in steps of up to two
-// seconds, so it may change again unnoticed.
+// The file, settings and materials of a mesh. Empty if the file may change again unnoticed.
 std::string description_of(const InputFile& input, std::optional<bool> y_is_up,
                            const std::vector<std::pair<std::string, MaterialId>>& materials) {
-  constexpr std::chrono::nanoseconds longest_step = std::chrono::seconds(2);
   const struct stat& state = input.state();
   const std::int64_t modified = ns_of(state.st_mtim), changed = ns_of(state.st_ctim);
-  const std::chrono::nanoseconds now = std::chrono::system_clock::now().time_since_epoch();
-  if (now - std::chrono::nanoseconds(modified) <= longest_step) return "";
+  if (!is_settled(modified)) return "";
   std::string text = fmt::format("{} {} {} {} {} {} {}", state.st_dev, state.st_ino, state.st_size, modified,
                                  changed, y_is_up ? static_cast<int>(*y_is_up) : -1, in_quotes(input.name()));
   for (const auto& [pattern, material] : materials)
