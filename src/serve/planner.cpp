@@ -179,7 +179,7 @@ struct Planner::State {
               {"parts", shop.parts()}};
     json["problems"] = shop.problems();
     json["shared"] = shop.names();
-    add_state(json, 0);
+    add_state(json, project.steps());
     server.send(tab, http::Message::text(with_document(json)));
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
     if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
@@ -200,10 +200,9 @@ struct Planner::State {
     return text + R"(,"json":)" + text_of(shop.json()) + "}";
   }
 
-  // With the steps of the history from the first one that the pages do not know.
-  void add_state(Json& json, std::size_t from) const {
+  // `from`: the first step of the history that the pages do not know.
+  void add_state(Json& json, const std::vector<Step>& all, std::size_t from = 0) const {
     Json rest = Json::array();
-    const std::vector<Step> all = project.steps();
     for (const Step& step : std::span(all).subspan(from))
       rest.push_back({{"label", step.label}, {"time", step.time}});
     json["revision"] = project.revision();
@@ -306,7 +305,7 @@ struct Planner::State {
     add_new("problems", shop.problems(), problems);
     add_new("shared", shop.names(), names);
     std::vector<Step> all = project.steps();
-    add_state(json, static_cast<std::size_t>(std::ranges::mismatch(steps, all).in1 - steps.begin()));
+    add_state(json, all, static_cast<std::size_t>(std::ranges::mismatch(steps, all).in1 - steps.begin()));
     steps = std::move(all);
     ops.reset();
     send_to_all(http::Message::text(is_edit ? text_of(json) : with_document(json)));

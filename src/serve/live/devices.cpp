@@ -12,6 +12,8 @@
 #include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
 
+#include "serve/live/place.hpp"
+
 namespace shelfbeam::serve {
 
 namespace {
@@ -24,18 +26,16 @@ constexpr auto unit_lists =
 
 // `where`: "store.json: labels[17]". Elements of other files have the kind behind all lists.
 template <std::size_t size>
-void add_source(DeviceArrays& devices, std::string_view where, const std::string& file,
+void add_source(DeviceArrays& devices, const std::string& where, const std::string& file,
                 const std::array<std::string_view, size>& lists) {
   std::uint8_t kind = size;
   std::uint32_t index = 0;
-  if (where.starts_with(file) && where.substr(file.size()).starts_with(": ")) {
-    where.remove_prefix(file.size() + 2);
+  if (const auto path = path_in(where, file))
     for (std::uint8_t k = 0; k < size; ++k)
-      if (where.starts_with(lists[k])) {
+      if (path->starts_with(lists[k])) {
         kind = k;
-        std::from_chars(where.data() + lists[k].size(), where.data() + where.size(), index);
+        std::from_chars(path->data() + lists[k].size(), path->data() + path->size(), index);
       }
-  }
   devices.kind.push_back(kind);
   devices.source.push_back(index);
 }

@@ -16,21 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string escaped(std::string_view key) {
-  std::string text;
-  for (const char c : key) text += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  return text;
-}
-
 // The number in "[17]" at the beginning of a path, and the rest.
 std::optional<std::size_t> take_index(std::string_view& path) {
   const std::size_t end = path.find(']');
   if (!path.starts_with('[') || end == std::string_view::npos) return {};
-  std::size_t index = 0;
-  for (const char c : path.substr(1, end - 1)) {
-    if (c < '0' || c > '9' || index > UINT32_MAX) return {};
-    index = 10 * index + static_cast<std::size_t>(c - '0');
-  }
+  const auto index = to_whole_number(path.substr(1, end - 1), UINT32_MAX);
   path.remove_prefix(end + 1);
   return index;
 }
@@ -49,24 +39,29 @@ const std::string* longest_key(const Json& object, std::string_view path) {
 }  // namespace
 
 std::string pointer_of(std::string_view path, const Json& store) {
-  std::string pointer;
+  Json::json_pointer pointer;
   const Json* here = &store;
   while (!path.empty()) {
     if (path.starts_with('.')) path.remove_prefix(1);
     if (here->is_array()) {
       const auto index = take_index(path);
       if (!index || *index >= here->size()) break;
-      pointer += "/" + std::to_string(*index);
+      pointer /= *index;
       here = &(*here)[*index];
     } else {
       const std::string* const key = here->is_object() ? longest_key(*here, path) : nullptr;
       if (key == nullptr) break;
-      pointer += "/" + escaped(*key);
+      pointer /= *key;
       path.remove_prefix(key->size());
       here = &here->at(*key);
     }
   }
-  return pointer;
+  return pointer.to_string();
+}
+
+std::optional<std::string_view> path_in(std::string_view where, const std::string& file) {
+  if (!where.starts_with(file) || !where.substr(file.size()).starts_with(": ")) return {};
+  return where.substr(file.size() + 2);
 }
 
 std::string copy_note(const std::string& id) {
@@ -75,12 +70,10 @@ std::string copy_note(const std::string& id) {
 }
 
 std::string entry_of(const std::string& where, const std::string& file) {
-  std::string_view path = where;
-  if (!path.starts_with(file) || !path.substr(file.size()).starts_with(": ")) return {};
-  path.remove_prefix(file.size() + 2);
-  path = path.substr(0, path.find(" ("));  // notes about presets and copies
+  const auto path = path_in(where, file);
+  if (!path) return {};
   std::string pointer = "/";
-  for (const char c : path)
+  for (const char c : path->substr(0, path->find(" (")))  // without notes about presets and copies
     if (c == '[' || c == '.')
       pointer += '/';
     else if (c != ']')

@@ -126,7 +126,6 @@ ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
   changes.labels = devices_frame("labels", revision, labels_, labels);
   changes.units = devices_frame("units", revision, units_, units);
 
-  text_ = text;
   document_ = std::move(document);
   draft_ = std::move(draft);
   parts_ = std::move(parts);
@@ -187,7 +186,7 @@ CompletedFixture Shop::completed(const std::string& pointer) const {
   const std::string number = pointer.starts_with(list) ? pointer.substr(list.size()) : "";
   const auto index = to_whole_number(number, std::numeric_limits<std::uint32_t>::max());
   if (!index) throw InputError(pointer, "is no fixture", "choose an element of 'fixtures'");
-  return completed_fixture(text_, draft_.store.file, file_.parent_path(), *index, limits());
+  return completed_fixture(document_, file_.parent_path(), *index, limits());
 }
 
 std::vector<EditOp> Shop::dissolved(const std::string& pointer) const {

@@ -75,7 +75,6 @@ class Shop {
   std::filesystem::path file_;
   const CancelToken* cancel_;
   std::shared_ptr<ReadCache> cache_;
-  std::string text_;
   JsonCursor document_;
   Draft draft_;
   std::vector<Part> parts_;

@@ -11,7 +11,6 @@
 #include "shelfbeam/base/text.hpp"
 
 #include "serve/text/gap.hpp"
-#include "serve/text/json_pointer.hpp"
 #include "serve/text/layout.hpp"
 #include "serve/text/text_tree.hpp"
 #include "serve/text/tree_edit.hpp"
@@ -30,6 +29,17 @@ std::string quoted(const Json& value) {
   return shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace), most);
 }
 
+std::vector<std::string> steps_of(const std::string& path) {
+  std::vector<std::string> steps;
+  try {
+    for (Json::json_pointer rest(path); !rest.empty(); rest.pop_back()) steps.push_back(rest.back());
+  } catch (const Json::parse_error&) {
+    throw EditConflict(path, "is not a JSON pointer");
+  }
+  std::reverse(steps.begin(), steps.end());
+  return steps;
+}
+
 // Applies operations to the value and to the text alike.
 class Editor {
  public:
@@ -37,29 +47,28 @@ class Editor {
       : value_(parse_json(text, text_name)), tree_(text), layout_(layout_of(text)) {}
 
   void apply(const EditOp& op) {
-    const auto steps = pointer_steps(op.path);
-    if (!steps) throw EditConflict(op.path, "is not a JSON pointer");
+    const std::vector<std::string> steps = steps_of(op.path);
     if (!op.before && !op.after) throw EditConflict(op.path, "has neither an old nor a new value");
     if (op.after)
-      if (const std::string problem = value_problem(*op.after, steps->size()); !problem.empty())
+      if (const std::string problem = value_problem(*op.after, steps.size()); !problem.empty())
         throw EditConflict(op.path, problem);
     Place place{&value_, &tree_.root(), ""};
-    for (std::size_t k = 0; k + 1 < steps->size(); ++k)
-      if (!enter(place, (*steps)[k])) throw EditConflict(op.path, "does not exist");
+    for (std::size_t k = 0; k + 1 < steps.size(); ++k)
+      if (!enter(place, steps[k])) throw EditConflict(op.path, "does not exist");
     if (!op.before) {
-      insert_at(place, *steps, op);
+      insert_at(place, steps, op);
       return;
     }
     const Place around = place;
-    if (!steps->empty() && !enter(place, steps->back())) throw EditConflict(op.path, "does not exist");
+    if (!steps.empty() && !enter(place, steps.back())) throw EditConflict(op.path, "does not exist");
     if (!same_value(*place.value, *op.before))
       throw EditConflict(op.path, fmt::format("is {}, not {}", quoted(*place.value), quoted(*op.before)));
     if (op.after)
       set(place, *op.after);
-    else if (steps->empty())
+    else if (steps.empty())
       throw EditConflict(op.path, "cannot be removed");
     else
-      remove_at(around, steps->back());
+      remove_at(around, steps.back());
   }
 
   Json& value() { return value_; }

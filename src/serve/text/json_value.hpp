@@ -15,8 +15,8 @@ inline constexpr std::size_t max_document = 100'000'000;
 /// Whether two values are equal as JSON: the order of keys does not matter, and 1 equals 1.0.
 bool same_value(const Json& a, const Json& b);
 
-/// What prevents a value from being written to a JSON text of which it is `level` brackets deep ("has a
-/// number that is not finite"); empty if nothing does.
+/// The reason why a value cannot be written to a JSON text of which it is `level` brackets deep ("has a
+/// number that is not finite"); empty if it can.
 std::string value_problem(const Json& value, std::size_t level);
 
 /// A number, a text, true, false or null as JSON. Numbers have as few digits as read back exactly.

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/length_unit.hpp"
 #include "shelfbeam/scene/read_scene.hpp"
 
@@ -23,9 +24,9 @@ struct CompletedFixture {
   FixtureKeys whole;
   FixtureKeys inherited;  ///< those of the presets alone
 };
-/// Throws InputError if there is no such fixture, or if its presets have problems. `index`: in "fixtures".
-CompletedFixture completed_fixture(const std::string& text, const std::string& name,
-                                   const std::filesystem::path& folder, std::size_t index,
-                                   const StoreLimits& limits = {});
+/// `document`: a store file; `index`: in its "fixtures". Throws InputError if there is no such fixture, or if
+/// its presets have problems.
+CompletedFixture completed_fixture(const JsonCursor& document, const std::filesystem::path& folder,
+                                   std::size_t index, const StoreLimits& limits = {});
 
 }  // namespace shelfbeam

@@ -227,12 +227,11 @@ Store parse_store(const JsonCursor& document, const std::filesystem::path& folde
   return store_of([&] { return document; }, document.file(), StoreFolder(folder, trust), problems);
 }
 
-CompletedFixture completed_fixture(const std::string& text, const std::string& name,
-                                   const std::filesystem::path& folder, std::size_t index,
-                                   const StoreLimits& limits) {
-  const JsonCursor root = in_its_unit(JsonCursor::parse(text, name));
+CompletedFixture completed_fixture(const JsonCursor& document, const std::filesystem::path& folder,
+                                   std::size_t index, const StoreLimits& limits) {
+  const JsonCursor root = in_its_unit(document);
   const StoreFolder files(folder, limits);
-  Problems problems(name);
+  Problems problems(document.file());
   Presets presets;
   for (const JsonCursor& file : read_catalogues(root, files))
     if (const auto section = file.find("presets")) presets.add(*section, problems);
