@@ -30,7 +30,7 @@ export interface Place {
   around: Surroundings;
   isDisabled: boolean;
   isRequired: boolean;
-  /** The id of the text that says what is wrong. */
+  /** The id of the error text. */
   problemId: string;
 }
 
@@ -145,6 +145,10 @@ function componentsOf(key: string, size: number): string[] {
   return named?.length === size ? named : text.components.position.slice(0, size);
 }
 
+/** One number of a vector, with its name. */
+export const component = (name: string, input: HTMLElement): HTMLElement =>
+  element("span", { class: "component" }, element("span", { class: "axis", text: name, "aria-hidden": "true" }), input);
+
 function vectorInput(place: Place, size: number, measure: Measure, shown: Shown, commit: Commit): HTMLElement {
   const { unit } = place.around;
   const names = componentsOf(place.key, size);
@@ -153,10 +157,8 @@ function vectorInput(place: Place, size: number, measure: Measure, shown: Shown,
     "span",
     { class: "vector" },
     ...names.map((name, k) =>
-      element(
-        "span",
-        { class: "component" },
-        element("span", { class: "axis", text: name, "aria-hidden": "true" }),
+      component(
+        name,
         entry(place, {
           id: `${place.id}/${k}`,
           label: say(text.form.component, place.label, name),

@@ -8,6 +8,7 @@ import type { Point } from "../document/messages";
 import { moved, movedVector, type Motion } from "../geometry/rigid";
 import type { Planner } from "../planner";
 import { lift } from "../view/fan";
+import { levelOf } from "../view/layers";
 
 /** The labels of one shelf level, or the units. */
 interface Layer {
@@ -99,7 +100,7 @@ export class DeviceMarks {
     const { spread } = planner.fan;
     for (const { devices, level, indices, marks } of this.layers) {
       const isUnit = devices.kind === "unit";
-      marks.mesh.visible = planner.layers.isShown(devices.kind) && (isUnit || planner.layers.isLevelShown(level));
+      marks.mesh.visible = planner.layers.isShown(devices.kind) && (isUnit || planner.layers.isShown(levelOf(level)));
       marks.uniform("spread").value = isUnit ? 0 : spread;
       indices.forEach((index, mark) => {
         const isChosen = chosen[devices.kind].has(index);

@@ -6,7 +6,7 @@ import { icon } from "../access/icons";
 import { elementsOf } from "../elements/kinds";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
-import { layers, type Layer } from "../view/layers";
+import { layers, levelOf, type Layer } from "../view/layers";
 
 export class LayerList {
   private readonly kinds = element("ul", { class: "layers" });
@@ -35,7 +35,7 @@ export class LayerList {
       this.kinds,
       layers
         .filter((layer) => layer === "names" || counts.get(layer))
-        .map((layer) => this.layer(layer, counts.get(layer))),
+        .map((layer) => this.layer(layer, text.layers.names[layer], counts.get(layer))),
     );
     const byLevel = new Map<number, number>();
     for (const level of document.labels.state) byLevel.set(level, (byLevel.get(level) ?? 0) + 1);
@@ -63,14 +63,13 @@ export class LayerList {
     return made;
   }
 
-  private layer(layer: Layer, count: number | undefined): HTMLElement {
+  private layer(layer: Layer, name: string, count: number | undefined, showKey = `show-${layer}`): HTMLElement {
     const { layers: state } = this.planner;
-    const name = text.layers.names[layer];
     const isShown = state.isShown(layer);
     return element(
       "li",
       { class: isShown ? "" : "off" },
-      this.switchOf(say(text.layers.show, name), `show-${layer}`, isShown, ["shown", "hidden"], (shown) =>
+      this.switchOf(say(text.layers.show, name), showKey, isShown, ["shown", "hidden"], (shown) =>
         state.show(layer, shown),
       ),
       element("span", { class: "name", text: name }),
@@ -88,24 +87,7 @@ export class LayerList {
   }
 
   private level(level: number, count: number): HTMLElement {
-    const { layers: state } = this.planner;
-    const name = say(text.layers.level, level + 1);
-    const isShown = state.isLevelShown(level);
-    return element(
-      "li",
-      { class: isShown ? "" : "off" },
-      this.switchOf(say(text.layers.show, name), `level-${level}`, isShown, ["shown", "hidden"], (shown) =>
-        state.showLevel(level, shown),
-      ),
-      element("span", { class: "name", text: name }),
-      element("small", { text: grouped(count) }),
-      this.switchOf(
-        say(text.layers.lock, name),
-        `lock-level-${level}`,
-        state.isLevelLocked(level),
-        ["locked", "free"],
-        (locked) => state.lockLevel(level, locked),
-      ),
-    );
+    const layer = levelOf(level);
+    return this.layer(layer, say(text.layers.level, level + 1), count, layer);
   }
 }

@@ -2,7 +2,7 @@
 
 import { element } from "../../panel/dom";
 import { shiftElements, turnElements } from "../actions/move";
-import { entry, type Place } from "../form/inputs";
+import { component, entry, type Place } from "../form/inputs";
 import { numberFrom, unitText } from "../form/parse";
 import { lengthText, tidy } from "../geometry/units";
 import type { StoreElement } from "../elements/kinds";
@@ -27,11 +27,9 @@ export function placeRows(
     isRequired: true,
     problemId: "",
   };
-  const coordinate = (axis: 0 | 1) => {
-    return element(
-      "span",
-      { class: "component" },
-      element("span", { class: "axis", text: text.components.position[axis], "aria-hidden": "true" }),
+  const coordinate = (axis: 0 | 1) =>
+    component(
+      text.components.position[axis],
       entry(place, {
         id: `place/${axis}`,
         label: [text.place.x, text.place.y][axis],
@@ -48,7 +46,6 @@ export function placeRows(
         },
       }),
     );
-  };
   const turn = entry(place, {
     id: "place/turn",
     label: text.place.turn,

@@ -8,7 +8,7 @@ import { isWithin } from "../geometry/bounds";
 import { area, contains, distanceTo, isInside, touches } from "../geometry/polygon";
 import { distance } from "../geometry/vector";
 import type { Fan } from "./fan";
-import type { Layers } from "./layers";
+import { levelOf, type Layers } from "./layers";
 import type { Item } from "./selection";
 
 /** Kinds that are found at their lines only, because other elements lie inside them. */
@@ -31,7 +31,7 @@ export function deviceItem(devices: Devices, index: number): Item {
 
 /** Whether a label or unit can be selected. */
 export const isDeviceFree = ({ kind, state }: Devices, index: number, layers: Layers): boolean =>
-  layers.isFree(kind) && (kind !== "label" || layers.isLevelFree(state[index]));
+  layers.isFree(kind) && (kind !== "label" || layers.isFree(levelOf(state[index])));
 
 /** Marks that other elements make lie close together, and often above fixtures: they are found only from near. */
 const derivedShare = 0.5;

@@ -3,9 +3,15 @@
 import type { Changes } from "../changes";
 import type { ElementKind } from "../elements/kinds";
 
-export type Layer = ElementKind | "names";
+/** A shelf level of labels. */
+export type Level = `level-${number}`;
+export type Layer = ElementKind | "names" | Level;
 
-export const layers: Layer[] = [
+/** A level by its number from 0, the lowest first. */
+export const levelOf = (number: number): Level => `level-${number}`;
+
+/** All but the levels, which depend on the store. */
+export const layers: Exclude<Layer, Level>[] = [
   "names",
   "unit",
   "label",
@@ -23,15 +29,11 @@ export const layers: Layer[] = [
 interface Stored {
   hidden: Layer[];
   locked: Layer[];
-  levels: number[];
-  lockedLevels: number[];
 }
 
 export class Layers {
   private hidden = new Set<Layer>();
   private locked = new Set<Layer>();
-  private hiddenLevels = new Set<number>();
-  private lockedLevels = new Set<number>();
   private key = "";
 
   constructor(private readonly changes: Changes) {}
@@ -43,8 +45,6 @@ export class Layers {
       const stored = JSON.parse(localStorage.getItem(this.key) ?? "{}") as Partial<Stored>;
       this.hidden = new Set(stored.hidden);
       this.locked = new Set(stored.locked);
-      this.hiddenLevels = new Set(stored.levels);
-      this.lockedLevels = new Set(stored.lockedLevels);
     } catch {
       // Without a memory, everything is shown.
     }
@@ -59,22 +59,9 @@ export class Layers {
     return this.locked.has(layer);
   }
 
-  /** Whether elements of a kind can be selected. */
-  isFree(kind: ElementKind): boolean {
-    return this.isShown(kind) && !this.isLocked(kind);
-  }
-
-  isLevelShown(level: number): boolean {
-    return !this.hiddenLevels.has(level);
-  }
-
-  isLevelLocked(level: number): boolean {
-    return this.lockedLevels.has(level);
-  }
-
-  /** Whether labels of a level can be selected. */
-  isLevelFree(level: number): boolean {
-    return this.isLevelShown(level) && !this.isLevelLocked(level);
+  /** Whether elements of a kind, or labels of a level, can be selected. */
+  isFree(layer: Layer): boolean {
+    return this.isShown(layer) && !this.isLocked(layer);
   }
 
   show(layer: Layer, shown: boolean): void {
@@ -89,31 +76,13 @@ export class Layers {
     this.store();
   }
 
-  showLevel(level: number, shown: boolean): void {
-    if (shown) this.hiddenLevels.delete(level);
-    else this.hiddenLevels.add(level);
-    this.store();
-  }
-
-  lockLevel(level: number, locked: boolean): void {
-    if (locked) this.lockedLevels.add(level);
-    else this.lockedLevels.delete(level);
-    this.store();
-  }
-
   showAll(): void {
     this.hidden.clear();
-    this.hiddenLevels.clear();
     this.store();
   }
 
   private store(): void {
-    const stored: Stored = {
-      hidden: [...this.hidden],
-      locked: [...this.locked],
-      levels: [...this.hiddenLevels],
-      lockedLevels: [...this.lockedLevels],
-    };
+    const stored: Stored = { hidden: [...this.hidden], locked: [...this.locked] };
     try {
       localStorage.setItem(this.key, JSON.stringify(stored));
     } catch {
