@@ -81,18 +81,13 @@ def named_options(page):
             yield from re.findall(r"(?<!\S)--[a-z-]+", code)
 
 
+# All output of a program without input.
+STREAMS = {"text": True, "stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+
+
 def run(kind, body, folder, environment):
     """The exit code of a block, and its output."""
-    done = subprocess.run(
-        [*INTERPRETERS[kind], body],
-        cwd=folder,
-        env=environment,
-        text=True,
-        check=False,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-    )
+    done = subprocess.run([*INTERPRETERS[kind], body], cwd=folder, env=environment, check=False, **STREAMS)
     return done.returncode, done.stdout
 
 
@@ -101,14 +96,7 @@ def serve(body, folder, environment):
     without_desktop = {key: environment[key] for key in environment if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
     output, is_page = "", False
     with subprocess.Popen(
-        [*INTERPRETERS["sh"], body],
-        cwd=folder,
-        env=without_desktop,
-        text=True,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        start_new_session=True,
+        [*INTERPRETERS["sh"], body], cwd=folder, env=without_desktop, start_new_session=True, **STREAMS
     ) as server:
         for line in server.stdout:
             output += line

@@ -11,6 +11,7 @@
 
 #include "serve/live/shop.hpp"
 #include "support/temp_folder.hpp"
+#include "unit/serve/live/examples.hpp"
 
 namespace shelfbeam::serve {
 namespace {
@@ -27,7 +28,7 @@ std::map<std::string, Vec3> labels_of(const Shop& shop) {
 TEST(Dissolved, FixturesAreWhereTheyWere) {
   int dissolved = 0;
   for (const char* name : {"grocery", "market-hall", "chiller", "supermarket"}) {
-    const fs::path file = fs::path(SHELFBEAM_SOURCE_DIR "/examples") / name / "store.json";
+    const fs::path file = test::example(name);
     Shop shop(file);
     std::string text = read_file(file);
     shop.update(text, 1);

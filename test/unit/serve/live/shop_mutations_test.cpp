@@ -17,12 +17,15 @@
 #include "shelfbeam/base/json_parser.hpp"
 
 #include "serve/live/shop.hpp"
+#include "unit/serve/live/examples.hpp"
 
 namespace shelfbeam::serve {
 namespace {
 
 namespace fs = std::filesystem;
 
+using test::example;
+using test::example_json;
 using Random = std::mt19937_64;
 
 std::size_t below(std::size_t count, Random& random) {
@@ -87,9 +90,8 @@ void use(const Shop& shop) {
 void expect_any_store_is_shown(int count, std::uint64_t seed) {
   Random random(seed);
   for (const char* name : {"grocery", "chiller", "market-hall"}) {
-    const fs::path file = fs::path(SHELFBEAM_SOURCE_DIR "/examples") / name / "store.json";
-    const Json whole = parse_json(read_file(file), name);
-    Shop shop(file);
+    const Json whole = example_json(name);
+    Shop shop(example(name));
     for (int k = 0; k < count; ++k) {
       Json store = whole;
       for (std::size_t m = 0; m <= below(3, random); ++m) mutate(store, random);
@@ -111,7 +113,7 @@ TEST(SlowShopMutations, AreShown) {
 }
 
 TEST(Shop, ShowsWhatCannotBeResolvedAsAProblem) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  Shop shop(example("grocery"));
   shop.update(R"({"fixtures": [{"type": "box", "id": "a{n}", "at": [0, 0, 0], "size": [1, 1, 1],
                                 "material": "w", "repeat": {"count": 10000, "step": [0.001, 0]}},
                                {"type": "box", "id": "b{n}", "at": [0, 0, 0], "size": [1, 1, 1],
@@ -126,7 +128,7 @@ TEST(Shop, ShowsWhatCannotBeResolvedAsAProblem) {
 }
 
 TEST(Shop, KnowsTheFixturesBehindOneThatIsWrong) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  Shop shop(example("grocery"));
   shop.update(R"({"materials": {"w": {"type": "lambertian", "reflectance": 0.5}}, "fixtures": [
       {"type": "box", "id": "a", "at": [1, 1, 0], "size": [1, 1, 1], "material": "w"},
       {"type": "box", "id": "a", "at": [2, 2, 0], "size": [1, 1, 1], "material": "w"},
@@ -140,8 +142,8 @@ TEST(Shop, KnowsTheFixturesBehindOneThatIsWrong) {
 
 // Both the limits of candidates and of memory leave out these candidates alone.
 TEST(Shop, ShowsAShopWithNarrowSpacings) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"));
-  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"), "store.json");
+  Shop shop(example("market-hall"));
+  Json store = example_json("market-hall");
   shop.update(store.dump(), 1);
   const std::size_t parts = shop.parts().size(), units = shop.unit_count();
   store["transceivers"]["areas"][0]["spacing"] = 0.001;
@@ -160,8 +162,8 @@ TEST(Shop, ShowsAShopWithNarrowSpacings) {
 }
 
 TEST(Shop, ShowsTheCandidatesOfAShopWithManyProblems) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
-  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  Shop shop(example("grocery"));
+  Json store = example_json("grocery");
   shop.update(store.dump(), 1);
   const std::size_t units = shop.unit_count();
   for (int k = 0; k < 150; ++k)
@@ -175,8 +177,8 @@ TEST(Shop, ShowsTheCandidatesOfAShopWithManyProblems) {
 }
 
 TEST(Shop, ShowsUnitsOutsideTheRoom) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
-  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  Shop shop(example("grocery"));
+  Json store = example_json("grocery");
   shop.update(store.dump(), 1);
   const std::size_t units = shop.unit_count();
   for (int k = 0; k < 300; ++k)
@@ -189,8 +191,8 @@ TEST(Shop, ShowsUnitsOutsideTheRoom) {
 
 // A preset's name stands in the locations of messages.
 TEST(Shop, LocksNoFixtureBecauseOfTheNameOfItsPreset) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
-  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  Shop shop(example("grocery"));
+  Json store = example_json("grocery");
   store["presets"]["a (copy 1"] = store["presets"]["row"];
   store["fixtures"][0]["preset"] = "a (copy 1";
   shop.update(store.dump(), 1);
@@ -203,15 +205,14 @@ TEST(Shop, LocksNoFixtureBecauseOfTheNameOfItsPreset) {
 }
 
 TEST(Shop, RefusesDetailsOfAPresetThatIsMissing) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
+  Shop shop(example("grocery"));
   shop.update(R"({"fixtures": [{"id": "a", "preset": "row", "at": [1, 1]}]})", 1);
   EXPECT_THROW(shop.details("/fixtures/0"), InputError);
 }
 
 TEST(Shop, OutlinesTheFacesOfCandidates) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"));
-  const Json store =
-      parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/market-hall/store.json"), "store.json");
+  Shop shop(example("market-hall"));
+  const Json store = example_json("market-hall");
   shop.update(store.dump(), 1);
   const Json parts = shop.parts();
   EXPECT_EQ(static_cast<std::size_t>(
@@ -220,8 +221,8 @@ TEST(Shop, OutlinesTheFacesOfCandidates) {
 }
 
 TEST(Shop, OutlinesFixturesByAWallThatIsMissing) {
-  Shop shop(fs::path(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"));
-  Json store = parse_json(read_file(SHELFBEAM_SOURCE_DIR "/examples/grocery/store.json"), "store.json");
+  Shop shop(example("grocery"));
+  Json store = example_json("grocery");
   for (const Json& wall : {Json(99), Json(-1), Json("x"), Json(0.5)}) {
     store["fixtures"] = Json::array(
         {{{"type", "gondola"}, {"id", "g"}, {"length", 2}, {"depth", 1}, {"against", {{"wall", wall}}}}});

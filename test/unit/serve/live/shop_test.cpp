@@ -13,17 +13,16 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json_parser.hpp"
 
+#include "unit/serve/live/examples.hpp"
+
 namespace shelfbeam::serve {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+using test::example;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-fs::path example(const char* name) {
-  return fs::path(SHELFBEAM_SOURCE_DIR "/examples") / name / "store.json";
-}
 
 // What a page keeps of the devices, changed by frames as a page does.
 class Devices {
