@@ -35,7 +35,7 @@ void open_browser(const std::string& address, const std::filesystem::path& folde
       fmt::format("<!doctype html><meta charset=\"utf-8\"><meta name=\"referrer\" content=\"no-referrer\">"
                   "<meta http-equiv=\"refresh\" content=\"0;url={}\"><title>shelfbeam</title>\n",
                   address));
-  // The browser must not end with this program, so it is no child of it.
+  // The browser outlives this program, so it is no child of it.
   const pid_t first = ::fork();
   if (first == 0) {
     ::setsid();

@@ -1,4 +1,4 @@
-// Tells the parts of the page what has changed, at most once per frame of the screen.
+// Notifies the parts of the page of changes, at most once per frame of the screen.
 
 export type Topic =
   | "document"

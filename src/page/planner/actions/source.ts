@@ -1,4 +1,4 @@
-// From a copy, a label or a unit to the element that it comes from; and views of what is selected.
+// From a copy, a label or a unit to the element that it comes from; and views of the selection.
 
 import type { Planner } from "../planner";
 import { pointerTo } from "../document/json";

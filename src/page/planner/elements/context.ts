@@ -14,7 +14,7 @@ export interface Context extends StoreElement {
   unit: LengthUnit;
 }
 
-/** Null if there is no such element. Without the keys of presets that the page does not know yet. */
+/** Null for a missing element. Lacks the keys of presets that the page has not received yet. */
 export function contextOf(document: StoreDocument, path: string): Context | null {
   const element = elementAt(document.json, path);
   if (!element) return null;

@@ -1,4 +1,4 @@
-// The panel of what is selected: elements, a copy, a label or unit, a type of the project, or the store itself.
+// The panel of the selection: elements, a copy, a label or unit, a type of the project, or the store itself.
 
 import { button, element } from "../../panel/dom";
 import { counted } from "../../data/format";
