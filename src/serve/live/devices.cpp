@@ -31,9 +31,9 @@ void add_source(DeviceArrays& devices, const std::string& where, const std::stri
   std::uint8_t kind = size;
   std::uint32_t index = 0;
   if (const auto path = path_in(where, file))
-    for (std::uint8_t k = 0; k < size; ++k)
+    for (std::size_t k = 0; k < size; ++k)
       if (path->starts_with(lists[k])) {
-        kind = k;
+        kind = static_cast<std::uint8_t>(k);
         std::from_chars(path->data() + lists[k].size(), path->data() + path->size(), index);
       }
   devices.kind.push_back(kind);

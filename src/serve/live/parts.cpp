@@ -65,7 +65,7 @@ class PartList {
   }
 
  private:
-  void add(std::string_view kind, const std::string& pointer, Json json) {
+  void add(std::string_view kind, const std::string& pointer, const Json& json) {
     Json part{{"key", pointer.substr(1)}, {"path", pointer}, {"kind", kind}, {"locked", nullptr}};
     part.update(json);
     parts_.push_back({part["key"].get<std::string>(), std::move(part)});
