@@ -73,3 +73,16 @@ testPlanner("what follows something else says so", { store: "market-hall" }, asy
   await tab.until(() => document.querySelector(".notice").textContent.includes("no place of its own"));
   check(await tab.isUntouched(), "the store is untouched");
 });
+
+testPlanner("the whole drawing moves, with its room", { store: "market-hall" }, async (tab) => {
+  const { outline } = tab.json.room;
+  const [fixture] = tab.json.fixtures.filter(({ at }) => at);
+  await tab.press("Control+a", "Shift+ArrowRight");
+  await tab.steps(1);
+  equal(await tab.selected().then((paths) => paths.includes("/room")), true);
+  outline.forEach(([x, y], k) => placed(tab.json.room.outline[k], [x + 0.1, y]));
+  placed(tab.json.fixtures.find(({ id }) => id === fixture.id).at, [fixture.at[0] + 0.1, fixture.at[1]]);
+  await tab.press("Control+z");
+  await tab.steps(0);
+  check(await tab.isUntouched(), "the store is untouched");
+});

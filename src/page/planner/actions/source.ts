@@ -38,15 +38,22 @@ export async function dissolve({ document, selection }: Planner): Promise<void> 
   selection.setPaths(made.map((index) => pointerTo(listOf(element.kind), index)));
 }
 
-export function selectAll(planner: Planner): void {
-  const { document, layers, selection } = planner;
-  const devices = [document.labels, document.units].flatMap((list) =>
+/** The labels and units that are elements of the store. */
+function freeDevices({ document, layers }: Planner): Item[] {
+  return [document.labels, document.units].flatMap((list) =>
     Array.from({ length: list.count }, (_, index) => index)
       .filter((index) => list.isListed(index) && isDeviceFree(list, index, layers))
       .map((index) => deviceItem(list, index)),
   );
-  const elements = freePaths(document, layers).map((path): Item => ({ kind: "element", path }));
-  selection.set([...elements, ...devices]);
+}
+
+/** The room is among them if it has an outline, so that the whole drawing can move. */
+export function selectAll(planner: Planner): void {
+  const { document, layers, selection } = planner;
+  const room = elementAt(document.json, "/room");
+  const withRoom = room?.value.outline !== undefined && layers.isFree("room") ? [room.path] : [];
+  const paths = [...withRoom, ...freePaths(document, layers)];
+  selection.set([...paths.map((path): Item => ({ kind: "element", path })), ...freeDevices(planner)]);
 }
 
 export function showAll({ viewport, wholeBounds }: Planner): void {
@@ -57,10 +64,11 @@ export function showSelection({ viewport, selectionBounds }: Planner): void {
   viewport.fit(selectionBounds, 120);
 }
 
-/** Selects the next or previous outline in the order of the list. */
+/** Selects the next or previous outline, label or unit in the order of the list. */
 export function nextItem(planner: Planner, step: 1 | -1): void {
   const { document, layers, selection } = planner;
-  const items = document.parts.all.filter(({ kind }) => layers.isFree(kind)).map(itemOf);
+  const outlines = document.parts.all.filter(({ kind }) => layers.isFree(kind)).map(itemOf);
+  const items = [...outlines, ...freeDevices(planner)];
   if (items.length === 0) return;
   const at = items.findIndex((item) => selection.has(item));
   const next = items[(at < 0 ? (step > 0 ? 0 : items.length - 1) : at + step + items.length) % items.length];
