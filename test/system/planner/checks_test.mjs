@@ -59,19 +59,39 @@ testPlanner("a warning is on its shape, in both lists, and in the panel", {}, as
   equal(await tab.page.evaluate(() => document.querySelector(".rail .badge").hidden), true);
 });
 
-testPlanner("a warning about a listed label is in both lists, and leads to it", { store: "chiller" }, async (tab) => {
-  const { length } = await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.warnings);
-  await tab.click(0.9, 8.27);
-  equal(await tab.selected(), ["/labels/0"]);
-  // Into the counter.
-  await tab.fill("field/position/1", "8.6");
-  await tab.steps(1);
-  await tab.until((before) => window.shelfbeamPlanner.planner.document.warnings.length > before, length);
-  await tab.press("Escape", "Escape");
-  equal(await stateInList(tab, "coffee-cup"), "warning");
-  await tab.push("#tab-problems");
-  says(await tab.text(".problem-list"), "labels[0]", "inside");
-  await tab.page.click('.problem-list li:has-text("labels[0]") button');
-  await tab.settle();
-  equal(await tab.selected(), ["/labels/0"]);
-});
+testPlanner(
+  "a warning about a listed label is on its mark, in both lists, and leads to it",
+  { store: "chiller" },
+  async (tab) => {
+    const { length } = await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.warnings);
+    await tab.click(0.9, 8.27);
+    equal(await tab.selected(), ["/labels/0"]);
+    // Into the counter.
+    await tab.press("Escape", "Escape");
+    const rings = () =>
+      tab.page.evaluate(() => {
+        const { left, top } = document.querySelector(".plan .surface").getBoundingClientRect();
+        return [...document.querySelectorAll(".overlay .doubtful")].map((ring) => [
+          Number(ring.getAttribute("cx")) + left,
+          Number(ring.getAttribute("cy")) + top,
+        ]);
+      });
+    equal(await rings(), []);
+    await tab.click(0.9, 8.27);
+    await tab.fill("field/position/1", "8.6");
+    await tab.steps(1);
+    await tab.until((before) => window.shelfbeamPlanner.planner.document.warnings.length > before, length);
+    await tab.press("Escape", "Escape");
+    await tab.click(5, 1);
+    const [ring, ...others] = await rings();
+    const place = await tab.at(0.9, 8.6);
+    // Places of the pointer are whole pixels.
+    check(Math.hypot(ring[0] - place[0], ring[1] - place[1]) < 2 && others.length === 0, `${ring} around ${place}`);
+    equal(await stateInList(tab, "coffee-cup"), "warning");
+    await tab.push("#tab-problems");
+    says(await tab.text(".problem-list"), "labels[0]", "inside");
+    await tab.page.click('.problem-list li:has-text("labels[0]") button');
+    await tab.settle();
+    equal(await tab.selected(), ["/labels/0"]);
+  },
+);

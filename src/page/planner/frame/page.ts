@@ -152,7 +152,9 @@ export class Page {
     changes.listen(["devices"], () => this.marks.rebuild());
     changes.listen(["preview"], () => this.marks.displace());
     changes.listen(["selection", "layers", "viewport", "tool"], () => this.marks.update());
-    changes.listen(["document", "preview", "selection", "viewport", "tool", "devices"], () => this.overlay.update());
+    changes.listen(["document", "preview", "selection", "viewport", "tool", "devices", "layers", "warnings"], () =>
+      this.overlay.update(),
+    );
     changes.listen(["viewport", "document", "tool"], () => this.scaleBar.update());
     changes.listen(["tool"], () => this.showTool());
     changes.listen(["document", "tool"], () => this.space.update());

@@ -1,4 +1,5 @@
-// What lies above the plan, in pixels: the selection, its handles, the marquee, measurements and readings.
+// The drawing above the plan, in pixels: the selection, its handles, the marquee, measurements and readings; rings around
+// labels and units with problems or warnings.
 
 import type { Part, Point } from "../document/messages";
 import { moveReadout, sizeReadout, turnReadout } from "../gesture/drags";
@@ -8,8 +9,9 @@ import { rectangle } from "../geometry/bounds";
 import { lengthText } from "../geometry/units";
 import { between, distance, directionOf, minus, unitAt } from "../geometry/vector";
 import type { Planner } from "../planner";
-import { isOpenLine } from "../view/hit";
+import { deviceItem, isOpenLine } from "../view/hit";
 import type { Item } from "../view/selection";
+import { markedOf } from "./shapes";
 import { pathOf, svg } from "./svg";
 
 const gripSize = 8; // pixels
@@ -30,6 +32,7 @@ export class Overlay {
     const { scope } = this.gestures;
     const isBusy = scope.kind === "moving" || scope.kind === "rotating";
     return [
+      ...this.flawed(),
       ...this.hovered(),
       ...this.selected(),
       ...(isBusy || scope.kind === "marquee" ? [] : this.grips()),
@@ -45,6 +48,20 @@ export class Overlay {
 
   private outline(part: Part, className: string): SVGPathElement {
     return svg("path", { class: className, d: pathOf(this.screen(part.outline), isOpenLine(part)) });
+  }
+
+  private flawed(): Node[] {
+    const { document, layers } = this.planner;
+    const { problems, warnings } = markedOf(this.planner);
+    const ring = (path: string, className: string) =>
+      [document.labels, document.units].flatMap((devices) => {
+        const index = layers.isShown(devices.kind) ? devices.withPath(path) : undefined;
+        return index === undefined ? [] : this.dots(deviceItem(devices, index), className);
+      });
+    return [
+      ...[...warnings].flatMap((path) => ring(path, "doubtful")),
+      ...[...problems].flatMap((path) => ring(path, "wrong")),
+    ];
   }
 
   private hovered(): Node[] {

@@ -136,14 +136,17 @@ export class Properties {
   /** By the pointer relative to the element; "" for those of the element as a whole. */
   private problemsOf(targets: readonly Target[]): Map<string, string> {
     const found = new Map<string, string>();
+    const add = (at: string, sentence: string) => {
+      const before = found.get(at);
+      found.set(at, before === undefined ? sentence : `${sentence}\n${before}`);
+    };
     const { problems, warnings, file } = this.planner.document;
     for (const problem of [...warnings, ...problems])
       for (const target of targets) {
         const full = pointerOfPath(problem.path);
         const sentence = withoutPlace(problem, file);
-        if (full.startsWith(`${target.path}/`)) found.set(full.slice(target.path.length), sentence);
-        else if (full === target.path || (problem.pointer === target.path && target.path !== ""))
-          found.set("", sentence);
+        if (full.startsWith(`${target.path}/`)) add(full.slice(target.path.length), sentence);
+        else if (full === target.path || (problem.pointer === target.path && target.path !== "")) add("", sentence);
       }
     return found;
   }
