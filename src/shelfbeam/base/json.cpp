@@ -132,7 +132,8 @@ bool JsonCursor::is_number() const {
 }
 
 void JsonCursor::expect_keys(std::span<const std::string_view> known) const {
-  for (const JsonError& error : unknown_keys(known)) throw error;
+  const std::vector<JsonError> errors = unknown_keys(known);
+  if (!errors.empty()) throw JsonError(errors.front());
 }
 
 std::vector<JsonError> JsonCursor::unknown_keys(std::span<const std::string_view> known) const {
