@@ -145,12 +145,14 @@ ImportedMesh import_mesh(const std::filesystem::path& name, const StoreFolder& f
                          const std::vector<std::pair<std::string, MaterialId>>& materials,
                          const std::string& where) {
   const InputFile input = folder.find(name, where, "mesh");
+  const auto read = [&] { return read_mesh(input, name, folder, y_is_up, materials, where); };
   ReadCache* const cache = folder.cache();
-  const std::string description = cache == nullptr ? "" : description_of(input, y_is_up, materials);
-  if (!description.empty())
-    if (const ImportedMesh* const known = cache->mesh(description)) return *known;
-  ImportedMesh mesh = read_mesh(input, name, folder, y_is_up, materials, where);
-  if (!description.empty() && mesh.is_whole) cache->store(description, mesh);
+  if (cache == nullptr) return read();
+  const std::string description = description_of(input, y_is_up, materials);
+  if (description.empty()) return read();
+  if (const ImportedMesh* const known = cache->mesh(description)) return *known;
+  ImportedMesh mesh = read();
+  if (mesh.is_whole) cache->store(description, mesh);
   return mesh;
 }
 
