@@ -30,6 +30,7 @@ Draft draft_of(const Json& store, SceneDetail detail = SceneDetail::outlines) {
 
 std::vector<std::string> ids(const std::vector<FixtureOutline>& fixtures) {
   std::vector<std::string> all;
+  all.reserve(fixtures.size());
   for (const FixtureOutline& fixture : fixtures) all.push_back(fixture.id);
   return all;
 }
