@@ -108,7 +108,7 @@ TEST(ShopMutations, AreShown) {
   expect_any_store_is_shown(40, 1);
 }
 
-TEST(SlowShopMutations, AreShown) {
+TEST(LongShopMutations, AreShown) {
   expect_any_store_is_shown(400, 2);
 }
 

@@ -126,11 +126,11 @@ TEST(KilledProcess, LosesNoAcknowledgedEdit) {
   expect_nothing_lost(20, 1);
 }
 
-TEST(SlowKilledProcess, LosesNoAcknowledgedEdit) {
+TEST(LongKilledProcess, LosesNoAcknowledgedEdit) {
   expect_nothing_lost(100, 2);
 }
 
-TEST(SlowKilledProcess, LosesNothingWhileItShortensTheHistory) {
+TEST(LongKilledProcess, LosesNothingWhileItShortensTheHistory) {
   expect_nothing_lost(100, 3, 5);
 }
 

@@ -86,7 +86,7 @@ TEST(RandomEdits, AgreeWithAModel) {
   EXPECT_EQ(first_mistake(edited, 10'000, 1), "");
 }
 
-TEST(SlowRandomEdits, AgreeWithAModel) {
+TEST(LongRandomEdits, AgreeWithAModel) {
   EXPECT_EQ(first_mistake(edited, 100'000, 2), "");
 }
 
