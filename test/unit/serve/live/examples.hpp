@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json_parser.hpp"
 

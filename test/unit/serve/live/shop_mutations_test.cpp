@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <iterator>
 #include <random>
 #include <set>
@@ -21,8 +20,6 @@
 
 namespace shelfbeam::serve {
 namespace {
-
-namespace fs = std::filesystem;
 
 using test::example;
 using test::example_json;
