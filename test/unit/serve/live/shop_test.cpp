@@ -1,7 +1,6 @@
 #include "serve/live/shop.hpp"
 
 #include <cstring>
-#include <filesystem>
 #include <map>
 #include <random>
 #include <string>
@@ -18,10 +17,8 @@
 namespace shelfbeam::serve {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using test::example;
-using testing::ElementsAre;
 using testing::IsEmpty;
 
 // What a page keeps of the devices, changed by frames as a page does.

@@ -17,7 +17,7 @@ using Clock = WarningFinder::Clock;
 
 // A program that answers as `inspect --json` does, and writes down each of its runs.
 std::filesystem::path program(const test::TempFolder& folder, const std::string& answer) {
-  const std::filesystem::path path = folder.path() / "program";
+  std::filesystem::path path = folder.path() / "program";
   std::ofstream(path) << "#!/bin/sh\necho run >> '" << (folder.path() / "runs").string() << "'\necho '"
                       << answer << "'\n";
   std::filesystem::permissions(path, std::filesystem::perms::owner_all);
