@@ -26,10 +26,12 @@ void fuzz_device_csv(std::string_view bytes) {
 }
 
 std::vector<std::string> device_csv_seeds() {
-  return {"id,x,y,z,nx,ny,nz,type\nP,5,0.01,1.5,0,1,0,standard\n\"Q, 1\",1,2,3,1e-300,0,-1,standard\n",
-          "id;x;y;z;nx;ny;nz;type\r\nP;5;0,01;1,5;0;1;0;standard\r\n",
-          "ID,X,Y,Z,NX,NY,NZ,Type\n4.00638E+12,5,0.01,1.5,0,1,0,standard\n1.0,5,0.01,1.5,0,1,0,standard\n",
-          "id,x,y,z,ax,ay,az,roll_deg,type,cost\ntill,6,5,2.9,0,0,-1,90,ceiling,1\n"};
+  return {
+      "id,x,y,z,nx,ny,nz,type,note,name\nP,5,0.01,1.5,0,1,0,standard,x,Offers\n\"Q, "
+      "1\",1,2,3,1e-300,0,-1,standard\n",
+      "id;x;y;z;nx;ny;nz;type\r\nP;5;0,01;1,5;0;1;0;standard\r\n",
+      "ID,X,Y,Z,NX,NY,NZ,Type\n4.00638E+12,5,0.01,1.5,0,1,0,standard\n1.0,5,0.01,1.5,0,1,0,standard\n",
+      "id,x,y,z,ax,ay,az,roll_deg,type,cost\ntill,6,5,2.9,0,0,-1,90,ceiling,1\n"};
 }
 
 }  // namespace

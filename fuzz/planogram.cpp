@@ -31,6 +31,7 @@ std::vector<std::string> planogram_seeds() {
       "article,fixture,face,level,x,facings\r\n\"Milk, 1 l\",A,front,3,1.5,2\r\n\"Milk, 1 "
       "l\",F,left,1,0.1,1\r\n",
       "Article;Fixture;FACE;Level;Position\n4,00638E+12;A;Front;2;1\n01.02.2024;A;front;2;2\n",
+      "Name,article,description,fixture,face,level,x\nx,1,\"Rye\n bread\u202e\",A,back,1,2\n,2,,F,left,1,2\n",
       "article;fixture;face;level;x\nA;A;front;1;0,25\nB;F;right;1;2,5\n"};
 }
 

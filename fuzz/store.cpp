@@ -82,7 +82,7 @@ constexpr const char* shapes = R"({
     { "type": "prism", "id": "P", "polygon": [[7, 10], [9, 10], [9, 12], [8, 10.4], [7, 11]], "bottom": 0.1, "top": 1.1, "material": "white" },
     { "type": "cylinder", "id": "C", "at": [10, 7], "radius": 0.25, "top": "ceiling", "material": "red" },
     { "type": "panel", "id": "S", "corners": [[1, 1, 2.2], [3, 1, 2.2], [3, 1.3, 2.8]], "material": "white" } ],
-  "labels": [ { "id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "l" } ],
+  "labels": [ { "id": "L", "description": "Offers", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "l" } ],
   "planogram": { "file": "planogram.csv", "type": "m" },
   "transceivers": {
     "areas": [ { "type": "t", "area": "room", "spacing": 3, "below_ceiling": 0.05, "axes": [[0, 0, -1], [0.5, 0, -0.866]], "roll_deg": 3 },
@@ -120,8 +120,9 @@ const std::filesystem::path& folder() {
     scratch().write("chain.json",
                     R"({ "units": "m", "materials": { "red": { "type": "lambertian", "reflectance": 0.3 } },
       "presets": { "chest": { "type": "freezer", "length": 2, "depth": 0.8, "height": 0.9, "material": "red" } } })");
-    scratch().write("planogram.csv",
-                    "article,fixture,face,level,position\n1,A3,front,2,1\n2,A3,front,2,3\n1,F,left,1,1\n");
+    scratch().write(
+        "planogram.csv",
+        "article,fixture,face,level,position,name\n1,A3,front,2,1,Jam\n2,A3,front,2,3\n1,F,left,1,1,\n");
     scratch().write("units.csv", "id,x,y,z,ax,ay,az,roll_deg,type\ntill,6,5,2.9,0,0,-1,0,v\n");
     return scratch().path();
   }();

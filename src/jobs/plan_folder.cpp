@@ -28,7 +28,7 @@ bool is_old_plan(const fs::path& folder) {
     const JsonCursor json = JsonCursor::parse_file(folder / placement_name);
     return json.find("format") && json.find("selected") &&
            read_signal_file(folder / signal_name).provenance.store_hash ==
-               content_hash(read_file(folder / store_name));
+               hash_of_resolved(read_file(folder / store_name));
   } catch (const InputError&) {
     return false;
   }

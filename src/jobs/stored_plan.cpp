@@ -22,7 +22,7 @@ namespace shelfbeam::jobs {
 namespace {
 
 void add_light(StoredSignals& signals, const std::filesystem::path& store) {
-  if (signals.provenance.store_hash != content_hash(read_file(store))) return;
+  if (signals.provenance.store_hash != hash_of_resolved(read_file(store))) return;
   const Scene scene = make_scene(read_store(store));
   if (scene.labels.size() == signals.rows() && scene.transceivers.size() == signals.columns())
     detail::set_light(signals, scene);
@@ -36,7 +36,7 @@ StoredPlan read_stored_plan(const std::filesystem::path& folder) {
   const std::string signal = (folder / signal_name).string();
   SignalMatrix matrix = read_signal_file(signal);
   // The hash is of the bytes that `plan` wrote; this version might write the same store differently.
-  if (matrix.provenance.store_hash != content_hash(read_file(folder / store_name)))
+  if (matrix.provenance.store_hash != hash_of_resolved(read_file(folder / store_name)))
     throw InputError(signal, "does not belong to the store file in this folder", "plan the store again");
   SignalTable table = table_without_signals(scene);
   table.mounts = shared_mounts(matrix);

@@ -13,6 +13,7 @@
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/math/vec3.hpp"
+#include "shelfbeam/scene/label/label_place.hpp"
 #include "shelfbeam/scene/room_shape.hpp"
 
 namespace shelfbeam {
@@ -23,6 +24,8 @@ struct Label {
   Vec3 normal;    ///< unit length
   LabelTypeId type;
   double relative_sensitivity = 1;  ///< to that of its type
+  std::string description = {};     ///< of its article ("Rye bread"); may be empty
+  LabelPlace place = {};
 };
 
 struct Transceiver {
@@ -96,7 +99,7 @@ struct FixtureOutline {
 
 /// The complete, checked input of a simulation. `make_scene` constructs it; from then on it is const.
 struct Scene {
-  /// content_hash of the resolved store. Empty for a scene from other sources; clear it when you change a
+  /// hash_of_resolved of the resolved store. Empty for a scene from other sources; clear it when you change a
   /// scene.
   std::string store_hash;
   std::string name;

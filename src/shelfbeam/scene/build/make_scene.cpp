@@ -11,12 +11,12 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/fields/problems.hpp"
 #include "shelfbeam/base/memory.hpp"
-#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/scene/build/draft.hpp"
 #include "shelfbeam/scene/build/given_units.hpp"
+#include "shelfbeam/scene/build/label_places.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
 #include "shelfbeam/scene/build/mount_points.hpp"
 #include "shelfbeam/scene/build/scene_size.hpp"
@@ -100,7 +100,7 @@ class SceneMaker {
     warn_of_misplaced(scene_, sources_, warnings_, store_.cancel);
     scene_.warnings = warnings_.findings();
     scene_.ignored_warnings = warnings_.ignored();
-    scene_.store_hash = content_hash(resolved_store_json(store_, scene_));
+    scene_.store_hash = hash_of_resolved(resolved_store_json(store_, scene_));
   }
 
   // Throws the InputError of a step or, for a draft, keeps it. Returns whether the step succeeded.
@@ -271,6 +271,7 @@ class SceneMaker {
       scene_.labels.push_back(label);
       sources_.labels.push_back(where);
     }
+    find_label_places(store_, scene_);
     attempt([&] {
       if (is_read_ && scene_.labels.empty())
         fail("has no labels", "add 'labels' to the store or to a fixture");

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/field_writer.hpp"
 #include "shelfbeam/scene/read_values.hpp"
@@ -48,6 +51,18 @@ void append_list(std::string& text, std::size_t level, const Items& items, const
 }
 
 }  // namespace
+
+std::string hash_of_resolved(std::string_view text) {
+  // A line of a label. Elsewhere, this level of nesting has no key of this name.
+  constexpr std::string_view line = "\n   \"description\": ";
+  std::string kept;
+  std::size_t begin = 0;
+  for (std::size_t at; (at = text.find(line, begin)) != std::string_view::npos;) {
+    kept.append(text.substr(begin, at - begin));
+    begin = std::min(text.find('\n', at + 1), text.size());
+  }
+  return content_hash(begin == 0 ? text : kept.append(text.substr(begin)));
+}
 
 std::string resolved_store_json(const Store& store, const Scene& scene) {
   const StoreLists lists{store.materials, store.label_types, store.transceiver_types};

@@ -88,6 +88,12 @@ void describe(ArticleLabels& labels, Fields& f) {
 
 void describe(Label& label, Fields& f) {
   f.text("id", label.id, {.says = "id of the label", .is_name = true});
+  f.text("description", label.description,
+         {.says = "description of its article, for reports",
+          .is_name = true,
+          .is_optional = true,
+          .otherwise = "none",
+          .is_written = !label.description.empty()});
   describe_point(f, "position", label.position, {.says = "`[x, y, z]`"});
   describe_direction(f, "normal", label.normal, {.says = "direction that the label faces"});
   f.label_type("type", label.type, {.says = "label type"});

@@ -289,8 +289,8 @@ class FixtureList {
       label.id = fmt::format("{}-{}", id_of(fixture), label.id);
       label.position = frame->at + in_store(label.position, frame->rotation_deg);
       label.normal = in_store(label.normal, frame->rotation_deg);
-      const std::string where = is_copy ? copy_of(json, id_of(fixture)) : json.where();
-      store_.labels.push_back({std::move(label), where});
+      label.place.fixture = id_of(fixture);
+      store_.labels.push_back({std::move(label), is_copy ? copy_of(json, id_of(fixture)) : json.where()});
     }
   }
 

@@ -20,6 +20,7 @@
 #include "shelfbeam/scene/fixture/edge_place.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
+#include "shelfbeam/scene/label/description_column.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
@@ -31,7 +32,7 @@ namespace {
 
 /// A place on the edge of a board.
 struct Place {
-  std::string article, where;
+  std::string article, where, description;
   LabelTypeId type;
   std::size_t fixture = 0;
   Face face = Face::front;
@@ -70,7 +71,7 @@ class Planogram {
   // The fields of a record.
   struct Columns {
     std::size_t article = 0, fixture = 0, face = 0, level = 0, place = 0;
-    std::optional<std::size_t> type;
+    std::optional<std::size_t> type, description;
     bool by_x = false;  ///< whether `place` is x instead of a position
     std::size_t required = 0, width = 0;
   };
@@ -109,6 +110,7 @@ class Planogram {
       csv.fail("has both columns 'x' and 'position'", "remove one of the two");
     columns.place = column(columns.by_x ? "x" : "position");
     if (find("type") < fields.size()) columns.type = column("type");
+    columns.description = description_column(csv);
     return columns;
   }
 
@@ -122,6 +124,8 @@ class Planogram {
     Place place;
     place.article = csv.id(at.article);
     place.where = csv.where();
+    if (at.description && *at.description < csv.fields().size())
+      place.description = description_of(csv.text(*at.description));
     const auto found = index_.find(csv.text(at.fixture));
     if (found == index_.end()) expect_fixtures(problems_, csv.text(at.fixture));
     if (found == index_.end())
@@ -195,6 +199,8 @@ class Planogram {
     label.position = {one.at[0] + from_origin[0], one.at[1] + from_origin[1], z};
     label.normal = {direction[0], direction[1], normal.z};
     label.type = place.type;
+    label.description = place.description;
+    label.place = {.fixture = id_of(fixture), .face = place.face, .board = place.level, .along = along};
     return label;
   }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/scene/field_reader.hpp"
 #include "shelfbeam/scene/fixture/fixture_builder.hpp"
+#include "shelfbeam/scene/label/description_column.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/scene_memory.hpp"
@@ -76,7 +79,8 @@ constexpr Columns unit_columns{"id,x,y,z,ax,ay,az,roll_deg,type", "cost,installe
 struct Record {
   CsvReader& csv;
   LengthUnit unit;
-  double farthest = 0;  // the largest coordinate of the file so far, m
+  std::optional<std::size_t> description;  // its column
+  double farthest = 0;                     // the largest coordinate of the file so far, m
 
   Vec3 vector(std::size_t first) const {
     return {csv.number(first), csv.number(first + 1), csv.number(first + 2)};
@@ -120,7 +124,8 @@ void each_record(const InputFile& file, const Columns& known, Store& store, Prob
   if (!csv.next()) throw InputError(file.name(), "is empty", expected);
   if (!continues_with(csv, 0, header)) csv.fail("has an unknown header", expected);
   const std::size_t required = split(header, ',').size(), width = csv.fields().size();
-  Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : store.unit};
+  Record record{csv, continues_with(csv, required, ours) ? LengthUnit::m : store.unit,
+                description_column(csv, required)};
   const std::string meaning = fmt::format(": {}", header);
   SceneMemory memory(store.memory);
   while (csv.next()) {
@@ -185,6 +190,8 @@ void read_labels_csv(const InputFile& file, const StoreNames& names, Store& stor
     label.position = record.point(1);
     label.normal = unit_direction(record.vector(4), csv.where());
     label.type = names.label_type(csv.text(7), csv.where());
+    if (record.description && *record.description < csv.fields().size())
+      label.description = description_of(csv.text(*record.description));
     store.labels.push_back({std::move(label), csv.where()});
   });
 }

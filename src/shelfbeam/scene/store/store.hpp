@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/base/ids.hpp"
@@ -101,7 +102,10 @@ Scene make_scene(const Store& store, DeviceSources* sources = nullptr);
 Store store_with_units(Store store, const std::filesystem::path& csv);
 
 /// The store without references: labels and candidates are listed, meshes are inlined. Reading it back gives
-/// the same scene to the bit. Its content hash identifies the store in result files.
+/// the same scene to the bit. hash_of_resolved identifies the store in result files.
 std::string resolved_store_json(const Store& store, const Scene& scene);
+
+/// The content hash of a resolved store without the descriptions of its labels, on which no result depends.
+std::string hash_of_resolved(std::string_view text);
 
 }  // namespace shelfbeam
