@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "shelfbeam/math/compass.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/fixture/turn.hpp"
 
@@ -149,7 +150,7 @@ class PartList {
       if (room != nullptr || std::holds_alternative<Polygon>(mount.area))
         add("area", pointer(where), {{"id", ""}, {"outline", points(polygon_of(mount.area, room))}});
     for (const auto& [mount, where] : store.faces)
-      if (const auto line = line_of(mount.on); !line.empty())
+      if (const auto line = line_of(mount); !line.empty())
         add("faces", pointer(where), {{"id", mount.id}, {"outline", points(line)}, {"height", mount.z}});
     for (const auto& [rail, where] : store.rails) {
       std::vector<Vec2> line;
@@ -159,19 +160,29 @@ class PartList {
     }
   }
 
-  // The faces of a fixture or a wall; empty if it could not be built.
-  std::vector<Vec2> line_of(const std::variant<std::string, std::size_t>& on) const {
+  // The faces of a fixture or a wall; empty if it could not be built or has no such face. Of separate faces
+  // that look to the same side, the first.
+  std::vector<Vec2> line_of(const MountFaces& mount) const {
     const auto& room = draft_.scene.room;
-    if (const auto* k = std::get_if<std::size_t>(&on)) {
+    if (const auto* k = std::get_if<std::size_t>(&mount.on)) {
       if (!room || *k >= room->outline.size()) return {};
       const auto [from, to, inward] = room->wall(*k);
       return {from, to};
     }
     const auto& fixtures = draft_.scene.fixtures;
-    const auto fixture = std::ranges::find(fixtures, std::get<std::string>(on), &FixtureOutline::id);
+    const auto fixture = std::ranges::find(fixtures, std::get<std::string>(mount.on), &FixtureOutline::id);
     if (fixture == fixtures.end() || fixture->footprint.empty()) return {};
-    std::vector<Vec2> line = fixture->footprint;
-    line.push_back(line.front());
+    const Polygon& footprint = fixture->footprint;
+    std::vector<Vec2> line = footprint;
+    if (mount.face) {
+      const auto runs = edges_towards(footprint, *mount.face);
+      if (runs.empty()) return {};
+      line.clear();
+      for (const std::size_t edge : runs.front()) line.push_back(footprint[edge]);
+      line.push_back(footprint[(runs.front().back() + 1) % footprint.size()]);
+    } else {
+      line.push_back(line.front());
+    }
     return line;
   }
 

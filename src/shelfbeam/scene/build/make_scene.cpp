@@ -141,12 +141,14 @@ class SceneMaker {
   void expect_memory_of_mounts() {
     for (const MountCount& mount : candidate_counts(store_, scene_)) {
       constexpr std::size_t max_candidates = 1'000'000;
-      const bool has_few = attempt([&] {
+      const bool is_right = attempt([&] {
+        if (!mount.fault.empty())
+          throw InputError(mount.where + ".face", mount.fault, "name another face, or remove the key");
         if (mount.candidates > max_candidates)
           throw InputError(mount.where + ".spacing", fmt::format("produces {} candidates", mount.candidates),
                            "use a wider spacing");
       });
-      if (has_few)
+      if (is_right)
         expect_memory(mount.bytes, mount.where);
       else
         crowded_.insert(mount.where);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <string_view>
 #include <unordered_map>
@@ -80,10 +81,14 @@ class Path {
   std::vector<double> ends_{0};  // by point
 };
 
-// The path of candidates on the faces of a fixture or a wall, one piece per face.
-struct FacePath {
-  Path path;
-  std::vector<Vec2> outward;                  // by piece; unit length
+// The paths of candidates on the faces of a fixture or a wall, one piece per face. There are several paths if
+// only some faces have candidates.
+struct FacePaths {
+  struct Run {
+    Path path;
+    std::vector<Vec2> outward;  // by piece; unit length
+  };
+  std::vector<Run> runs;
   double bottom = -HUGE_VAL, top = HUGE_VAL;  // m
   std::span<const Part> wall_parts;           // of an inner wall, which may have openings
 
@@ -114,7 +119,7 @@ class Generator {
   std::vector<MountCount> counts() const {
     std::vector<MountCount> result;
     const auto add = [&](std::size_t count, std::string_view id, const std::string& where) {
-      result.push_back({count, static_cast<double>(count) * device_bytes_of(id), where});
+      result.push_back({count, static_cast<double>(count) * device_bytes_of(id), where, {}});
     };
     for (const auto& [mount, where] : store_.areas) {
       const auto [x, y] = cells(mount);
@@ -124,8 +129,13 @@ class Generator {
       add((steps(Path(rail.points).length(), rail.spacing) + 1) * rail.unit.axes.size(), rail.id, where);
     for (const auto& [faces, where] : store_.faces) {
       if (!is_built(faces)) continue;
-      const std::size_t points = count_along(faces, face_path(faces).path);
+      const FacePaths paths = face_paths(faces);
+      std::size_t points = 0;
+      for (const auto& run : paths.runs) points += count_along(faces, run.path);
       add(points * faces.tilts_deg.size(), faces.id, where);
+      if (paths.runs.empty())
+        result.back().fault = fmt::format("is {}, but all faces of {} look 45 degrees or more away from it",
+                                          to_text(*faces.face), in_quotes(std::get<std::string>(faces.on)));
     }
     return result;
   }
@@ -257,26 +267,16 @@ class Generator {
     return id == nullptr || fixture_index_.contains(*id);
   }
 
-  FacePath face_path(const MountFaces& mount) const {
+  FacePaths face_paths(const MountFaces& mount) const {
     if (const auto* k = std::get_if<std::size_t>(&mount.on)) {
       const auto [from, to, inward] = scene_.room->wall(*k);
       Path path({{from[0], from[1], mount.z}, {to[0], to[1], mount.z}});
-      return {std::move(path), {inward}, -HUGE_VAL, HUGE_VAL, {}};
+      return {{{std::move(path), {inward}}}, -HUGE_VAL, HUGE_VAL, {}};
     }
     const auto index = static_cast<std::uint32_t>(fixture_index_.at(std::get<std::string>(mount.on)));
     const FixtureOutline& fixture = scene_.fixtures[index];
-    const std::vector<Vec2>& footprint = fixture.footprint;
-    const double side = signed_area(footprint) > 0 ? 1 : -1;
-    std::vector<Vec3> points;
-    std::vector<Vec2> outward;
-    for (std::size_t k = 0; k < footprint.size(); ++k) {
-      const Vec2 &from = footprint[k], &to = footprint[(k + 1) % footprint.size()];
-      const double x = to[0] - from[0], y = to[1] - from[1], extent = std::hypot(x, y);
-      if (points.empty()) points.push_back({from[0], from[1], mount.z});
-      points.push_back({to[0], to[1], mount.z});
-      outward.push_back({side * y / extent, -side * x / extent});
-    }
-    FacePath face{Path(std::move(points)), std::move(outward), HUGE_VAL, -HUGE_VAL, {}};
+    FacePaths face{{}, HUGE_VAL, -HUGE_VAL, {}};
+    add_runs(fixture.footprint, mount, face.runs);
     Part sought;
     sought.fixture = index;
     const auto [first, last] =
@@ -291,31 +291,59 @@ class Generator {
     return face;
   }
 
+  // All around a footprint, or along its edges towards a direction.
+  static void add_runs(const Polygon& footprint, const MountFaces& mount, std::vector<FacePaths::Run>& runs) {
+    std::vector<std::vector<std::size_t>> edges;
+    if (mount.face) {
+      edges = edges_towards(footprint, *mount.face);
+    } else {
+      edges.emplace_back(footprint.size());
+      std::iota(edges.front().begin(), edges.front().end(), std::size_t{0});
+    }
+    const std::vector<Vec2> normals = outward_normals(footprint);
+    const auto corner = [&](std::size_t k) {
+      const Vec2& p = footprint[k % footprint.size()];
+      return Vec3{p[0], p[1], mount.z};
+    };
+    for (const auto& run : edges) {
+      std::vector<Vec3> points{corner(run.front())};
+      std::vector<Vec2> outward;
+      for (const std::size_t k : run) {
+        points.push_back(corner(k + 1));
+        outward.push_back(normals[k]);
+      }
+      runs.push_back({Path(std::move(points)), std::move(outward)});
+    }
+  }
+
   static std::size_t count_along(const MountFaces& mount, const Path& path) {
     return path.length() > 0 ? steps(path.length(), mount.spacing) : 0;
   }
 
   Outcome add_faces(const MountFaces& mount, const std::string& where, const UseCandidate& use) const {
-    const FacePath face = face_path(mount);
-    const Path& path = face.path;
-    const std::size_t count = count_along(mount, path);
+    const FacePaths face = face_paths(mount);
     Outcome outcome;
-    for (std::size_t n = 0; n < count; ++n) {
-      const auto [point, piece] =
-          path.at(path.length() * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
-      const Vec3 away{face.outward[piece][0], face.outward[piece][1], 0};
-      const Vec3 at = point + away * std::max(mount.offset, contact);
-      if (const std::string obstacle =
-              face.has_face(point - away * contact) ? obstacle_at(at) : "not in front of a face";
-          !obstacle.empty()) {
-        outcome.omit(at, obstacle);
-        continue;
+    std::size_t number = 0;
+    for (const auto& [path, outward] : face.runs) {
+      const std::size_t count = count_along(mount, path);
+      for (std::size_t n = 0; n < count; ++n) {
+        ++number;
+        const auto [point, piece] =
+            path.at(path.length() * (static_cast<double>(n) + 0.5) / static_cast<double>(count));
+        const Vec3 away{outward[piece][0], outward[piece][1], 0};
+        const Vec3 at = point + away * std::max(mount.offset, contact);
+        if (const std::string obstacle =
+                face.has_face(point - away * contact) ? obstacle_at(at) : "not in front of a face";
+            !obstacle.empty()) {
+          outcome.omit(at, obstacle);
+          continue;
+        }
+        MountedType unit{mount.type, {}, mount.roll_deg};
+        for (const double tilt : mount.tilts_deg)
+          unit.axes.push_back(away * std::cos(radians(tilt)) - Vec3{0, 0, std::sin(radians(tilt))});
+        add(unit, fmt::format("{}-{}", mount.id, number), at, where, use);
+        outcome.has_candidates = true;
       }
-      MountedType unit{mount.type, {}, mount.roll_deg};
-      for (const double tilt : mount.tilts_deg)
-        unit.axes.push_back(away * std::cos(radians(tilt)) - Vec3{0, 0, std::sin(radians(tilt))});
-      add(unit, fmt::format("{}-{}", mount.id, n + 1), at, where, use);
-      outcome.has_candidates = true;
     }
     if (outcome.obstacle.empty()) outcome.obstacle = "the fixture has no faces";
     return outcome;

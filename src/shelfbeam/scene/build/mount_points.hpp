@@ -16,6 +16,7 @@ struct MountCount {
   std::size_t candidates = 0;
   double bytes = 0;
   const std::string& where;  ///< in the store
+  std::string fault;         ///< of its key `face`
 };
 std::vector<MountCount> candidate_counts(const Store& store, const Scene& scene);
 

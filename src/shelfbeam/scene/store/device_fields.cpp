@@ -1,5 +1,6 @@
 #include "shelfbeam/scene/store/device_fields.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -175,7 +176,7 @@ void describe(MountFaces& mount, Fields& f) {
                   "rail and no other member may have the same id",
           .is_name = true,
           .is_optional = true,
-          .otherwise = "`<fixture>`, `<inner wall>` or `wall-<wall>`"});
+          .otherwise = "`<fixture>`, `<inner wall>` or `wall-<wall>`; with a `face`, `<fixture>-<face>`"});
   const std::string_view one_of_them = "*required*, one of the three";
   f.one_of({"fixture", "wall", "inner_wall"});
   std::string name;
@@ -192,6 +193,12 @@ void describe(MountFaces& mount, Fields& f) {
   if (f.text("inner_wall", name,
              {.says = "id of an inner wall", .is_optional = true, .otherwise = one_of_them}))
     mount.on = name;
+  std::vector<std::string_view> face;
+  if (f.choices("face", face, compass_names, true,
+                {.says = "with `fixture` or `inner_wall`: only [the face that looks there](#faces-by-the-compass)",
+                 .is_optional = true,
+                 .otherwise = "all around"}))
+    mount.face = static_cast<Compass>(std::ranges::find(compass_names, face.front()) - compass_names.begin());
   f.scalar("z", Scalar::coordinate, mount.z, {.says = "height"});
   // Small columns may have a narrow spacing.
   f.length("spacing", mount.spacing, {.says = "distance between neighbours, adjusted slightly"});

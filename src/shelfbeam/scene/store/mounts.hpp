@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/math/compass.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/room_shape.hpp"
 
@@ -43,6 +44,7 @@ struct MountFaces {
   TransceiverTypeId type;
   std::string id;                             ///< the candidates are named after it
   std::variant<std::string, std::size_t> on;  ///< id of the fixture or inner wall, or number of the wall
+  std::optional<Compass> face;                ///< of a fixture or inner wall; all around without it
   double z = 0, spacing = 1, offset = 0.02;   ///< m; `offset` from the surface
   std::vector<double> tilts_deg{0};           ///< downwards from horizontal
   double roll_deg = 0;

@@ -52,6 +52,11 @@ class MountReader {
     const JsonCursor& json = reader.json();
     const bool has_id = reader.is_given("id");
     reader.rule({"fixture", "wall", "inner_wall"}, [&] { complete_surface(reader, mount, has_id); });
+    reader.rule({"face"}, [&] {
+      if (mount.face && reader.is_given("wall"))
+        json["face"].fail("has no effect beside 'wall', which has one face", "remove it");
+      if (mount.face && !has_id && !mount.id.empty()) mount.id += fmt::format("-{}", to_text(*mount.face));
+    });
     reader.rule({"id"}, [&] {
       if (has_id)
         expect_new_id(mount.id, json["id"], "is", "rename one of the two");

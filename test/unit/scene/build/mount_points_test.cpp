@@ -152,6 +152,73 @@ TEST(MountPoints, AreOnlyWhereThereIsAFace) {
   EXPECT_EQ(on_wall("1.5"), "W-1 W-4 W-5 W-6 W-9 T ") << "beside the door";
 }
 
+// The mean position of candidates.
+Vec3 middle_of(const std::vector<Transceiver>& units) {
+  Vec3 sum;
+  for (const Transceiver& unit : units) sum = sum + unit.position;
+  return sum / static_cast<double>(units.size());
+}
+
+TEST(MountPoints, OnAFaceByTheCompassLookThere) {
+  struct Face {
+    const char* name;
+    Vec3 outward;
+  };
+  for (const auto& [name, outward] : std::vector<Face>{
+           {"north", {0, 1, 0}}, {"east", {1, 0, 0}}, {"south", {0, -1, 0}}, {"west", {-1, 0, 0}}}) {
+    const auto on = [face = std::string(name)](const std::string& members) {
+      return units_of(R"({"on": [{"type": "down", "z": 2, "offset": 0.01, "face": ")" + face + "\", " +
+                      members + "}]}");
+    };
+    const auto column = on(R"("fixture": "C", "spacing": 0.1)");
+    const std::string id = std::string("C-") + name;
+    EXPECT_EQ(ids_of(column), id + "-1 " + id + "-2 " + id + "-3 " + id + "-4 ")
+        << "a quarter of its girth is 0.39 m";
+    for (const Transceiver& unit : column) EXPECT_GT(dot(unit.axis, outward), std::sqrt(0.5)) << unit.id;
+    const Vec3 offset = middle_of(column) - Vec3{2, 3, 2};
+    EXPECT_GT(dot(offset, outward), 0.23);
+    // At corners of the outline, either neighbour decides where a candidate is.
+    EXPECT_NEAR(length(offset - outward * dot(offset, outward)), 0, 2e-3) << "symmetrical about " << name;
+    // Negative control: those around the column look to the other side, too.
+    const auto all = units_of(R"({"on": [{"type": "down", "fixture": "C", "z": 2, "spacing": 0.1}]})");
+    EXPECT_TRUE(std::ranges::any_of(
+        all, [&, &away = outward](const Transceiver& unit) { return dot(unit.axis, away) < 0; }));
+  }
+}
+
+TEST(MountPoints, OnAFaceByTheCompassFollowTurnedAndConcaveOutlines) {
+  const auto on_box = [](const std::string& rotation_deg) {
+    return units_on(R"({"type": "down", "fixture": "B", "face": "south", "spacing": 1, "z": 0.5})",
+                    R"({"type": "box", "id": "B", "at": [1.5, 1.5, 0], "size": [2, 1, 1], "material": "white",
+                        "rotation_deg": )" +
+                        rotation_deg + "}");
+  };
+  const auto straight = on_box("0");
+  ASSERT_EQ(ids_of(straight), "B-south-1 B-south-2 T ");
+  EXPECT_EQ(straight[0].position, (Vec3{2, 1.48, 0.5}));
+  EXPECT_EQ(straight[1].axis, (Vec3{0, -1, 0}));
+  const auto turned = on_box("30");
+  ASSERT_EQ(ids_of(turned), "B-south-1 B-south-2 T ");
+  EXPECT_NEAR(turned[0].axis.x, 0.5, 1e-12);
+  // Beyond 45 degrees, the south face is the short side.
+  EXPECT_EQ(ids_of(on_box("60")), "B-south-1 T ");
+  EXPECT_EQ(ids_of(on_box("-60")), "B-south-1 T ");
+
+  for (const char* polygon : {"[[1, 1], [3, 1], [3, 2], [2, 2], [2, 5], [1, 5]]",
+                              "[[1, 5], [2, 5], [2, 2], [3, 2], [3, 1], [1, 1]]"}) {
+    const auto units = units_on(
+        R"({"type": "down", "fixture": "P", "face": "north", "spacing": 1, "z": 1, "offset": 0.1})",
+        std::string(R"({"type": "prism", "id": "P", "top": 1.5, "material": "white", "polygon": )") +
+            polygon + "}");
+    ASSERT_EQ(units.size(), 3u) << "two separate parts, and T";
+    EXPECT_NEAR(length(middle_of({units[0], units[1]}) - Vec3{2, 3.6, 1}), 0, 1e-12);
+  }
+  const auto wall = units_of(R"({"on": [{"type": "down", "inner_wall": "W", "face": "west", "z": 2,
+    "spacing": 1}]})");
+  ASSERT_EQ(ids_of(wall), "W-west-1 W-west-2 ");
+  EXPECT_NEAR(wall[0].position.x, 5.68, 1e-12);
+}
+
 TEST(MountPoints, OnFacesHaveSeveralTiltsAndAnId) {
   const auto units = units_of(R"({"on": [
     {"type": "down", "fixture": "C", "z": 2.4, "spacing": 2, "tilt_deg": [0, 90]},
@@ -241,6 +308,13 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
           {R"({"on": [{"type": "down", "fixture": "D", "z": 2, "spacing": 1}]})",
            "transceivers.on[0].fixture: names an unknown fixture"},
           {R"({"on": [{"type": "down", "wall": 6, "z": 2, "spacing": 1}]})", "transceivers.on[0].wall: is 6"},
+          {R"({"on": [{"type": "down", "wall": 1, "face": "north", "z": 2, "spacing": 1}]})",
+           "transceivers.on[0].face: has no effect beside 'wall'"},
+          {R"({"on": [{"type": "down", "fixture": "C", "face": "up", "z": 2, "spacing": 1}]})",
+           "transceivers.on[0].face: has the unknown value 'up'; known: north, east, south, west"},
+          {R"({"on": )" +
+               repeated(R"({"type": "down", "fixture": "C", "face": "east", "z": 2, "spacing": 1})", 2) + "}",
+           "transceivers.on[1]: has candidates named after 'C-east'"},
           {R"({"areas": [{"type": "down", "area": "room", "spacing": 1, "below_ceiling": 4}]})",
            "transceivers.areas[0]: has no candidates: the point (0.5, 0.5, -0.8) is below the floor"},
           {R"({"on": [{"type": "down", "z": 2, "spacing": 1}]})", "transceivers.on[0]: must have one of"},
@@ -264,6 +338,19 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
           {R"({"keep_out": [{"polygon": [[0, 0], [1, 0], [1, 1]], "z": [3, 2]}]})",
            "transceivers.keep_out[0].z: has its second height below its first"}})
     test::expect_input_error([&, &json = transceivers] { units_of(json); }, std::string_view(message));
+}
+
+TEST(MountPoints, RefuseAFaceThatTheOutlineDoesNotHave) {
+  const std::string square = R"({"type": "box", "id": "B", "at": [2, 1, 0], "size": [1, 1, 1],
+    "material": "white", "rotation_deg": )";
+  for (const char* face : {"north", "east", "south", "west"}) {
+    const std::string member =
+        std::string(R"({"type": "down", "fixture": "B", "spacing": 1, "z": 0.5, "face": ")") + face + "\"}";
+    test::expect_input_error([&] { units_on(member, square + "45}"); },
+                             "transceivers.on[0].face: is " + std::string(face) +
+                                 ", but all faces of 'B' look 45 degrees or more away from it; name another");
+    EXPECT_EQ(units_on(member, square + "44.9}").size(), 2u) << "negative control";
+  }
 }
 
 // Candidates count before they are allocated.
