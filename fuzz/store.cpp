@@ -86,7 +86,7 @@ constexpr const char* shapes = R"({
   "planogram": { "file": "planogram.csv", "type": "m" },
   "transceivers": {
     "areas": [ { "type": "t", "area": "room", "spacing": 3, "below_ceiling": 0.05, "axes": [[0, 0, -1], [0.5, 0, -0.866]], "roll_deg": 3 },
-               { "type": "t", "area": "low", "spacing": 2, "z": 2.5 }, { "type": "t", "area": [[13, 11], [15, 11], [15, 13]], "spacing": 1, "z": 3 } ],
+               { "type": "t", "area": "low", "spacing": 2, "z": 2.5 }, { "type": "t", "area": "room without zones", "spacing": 4, "z": 2.4 }, { "type": "t", "area": [[13, 11], [15, 11], [15, 13]], "spacing": 1, "z": 3 } ],
     "rails": [ { "id": "R", "type": "t", "points": [[1, 1, 2.8], [3, 1, 2.8], [3, 5, 2.5]], "spacing": 0.8, "axes": [[0, 1, -1]] } ],
     "on": [ { "type": "t", "fixture": "C", "z": 2.4, "spacing": 0.8, "tilt_deg": 30, "offset": 0.05, "roll_deg": 9 },
             { "type": "t", "wall": 2, "z": 2, "spacing": 2 }, { "type": "t", "inner_wall": "W1", "z": 2.3, "spacing": 2, "offset": 0.01 },

@@ -28,7 +28,8 @@ std::string number_text(const StandingBoxes& boxes) {
 std::string area_text(const PlanArea& area) {
   const auto* name = std::get_if<std::string>(&area);
   if (name == nullptr) return "in an area";
-  return *name == "room" ? "in the whole room" : "in " + in_quotes(*name);
+  if (*name == room_without_zones) return "in the room outside its zones";
+  return *name == whole_room ? "in the whole room" : "in " + in_quotes(*name);
 }
 
 }  // namespace

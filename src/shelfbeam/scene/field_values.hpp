@@ -25,7 +25,7 @@ inline bool describe_point(Fields& f, std::string_view key, Vec3& value, const F
 bool describe_direction(Fields& f, std::string_view key, Vec3& direction, const Field& field);
 /// A share, or a range of shares.
 bool describe_share_range(Fields& f, std::string_view key, Range& range, const Field& field);
-/// "room", the id of a zone, or a polygon. The reader does not look up the id.
+/// "room", "room without zones", the id of a zone, or a polygon. The reader does not look up the id.
 bool describe_plan_area(Fields& f, PlanArea& area, std::string_view says);
 
 }  // namespace shelfbeam

@@ -210,10 +210,15 @@ RoomShape RoomShape::scaled(double factor) const {
 const Polygon& polygon_of(const PlanArea& area, const RoomShape* room) {
   if (const auto* polygon = std::get_if<Polygon>(&area)) return *polygon;
   const std::string& name = std::get<std::string>(area);
-  if (name == "room") return room->outline;
+  if (name == whole_room || name == room_without_zones) return room->outline;
   return std::find_if(room->zones.begin(), room->zones.end(),
                       [&](const CeilingZone& zone) { return zone.id == name; })
       ->polygon;
+}
+
+bool leaves_out_zones(const PlanArea& area) {
+  const auto* name = std::get_if<std::string>(&area);
+  return name != nullptr && *name == room_without_zones;
 }
 
 }  // namespace shelfbeam

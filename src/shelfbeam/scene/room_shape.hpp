@@ -27,7 +27,7 @@ struct CeilingZone {
   CeilingHeight height;
 };
 
-/// A part of the plan: "room" for all of it, the id of a zone, or a polygon.
+/// A part of the plan: "room" for all of it, "room without zones", the id of a zone, or a polygon.
 using PlanArea = std::variant<std::string, Polygon>;
 
 /// A wall of the outline, in plan.
@@ -91,7 +91,13 @@ struct RoomShape {
   RoomShape scaled(double factor) const;
 };
 
-/// The polygon of an area. A name requires a room and is that of one of its zones, or "room".
+inline constexpr const char *whole_room = "room", *room_without_zones = "room without zones";
+
+/// The polygon of an area, with all zones. A name requires a room and is that of one of its zones or of the
+/// room.
 const Polygon& polygon_of(const PlanArea& area, const RoomShape* room);
+
+/// Whether the zones in the polygon of an area do not belong to it.
+bool leaves_out_zones(const PlanArea& area);
 
 }  // namespace shelfbeam

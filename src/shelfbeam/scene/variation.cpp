@@ -62,7 +62,8 @@ void StandingBoxes::fields(Fields& f) {
           .is_name = true,
           .is_optional = is_person,
           .otherwise = is_person ? "`person`" : ""});
-  describe_plan_area(f, area, "`\"room\"`, the id of a [zone](room.md#ceilings), or a polygon");
+  describe_plan_area(
+      f, area, "`\"room\"`, `\"room without zones\"`, the id of a [zone](room.md#ceilings), or a polygon");
   describe_triple(f, "size", Scalar::length, size, {.says = "`[length, width, height]`"});
   f.material("material", material, {.says = "material of the surface"});
   if (!is_person) {

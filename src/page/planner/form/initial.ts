@@ -16,6 +16,9 @@ export interface Surroundings {
   part: Part | null;
 }
 
+/** The area of the room outside its zones. */
+export const roomWithoutZones = "room without zones";
+
 /** The names that a value can have. */
 export function namesIn(json: Json, of: NameList, shared: SharedNames = {}): string[] {
   const keysOf = (pointer: string) => {
@@ -30,7 +33,10 @@ export function namesIn(json: Json, of: NameList, shared: SharedNames = {}): str
   };
   if (of === "fixtures") return idsOf("/fixtures");
   if (of === "walls") return idsOf("/room/inner_walls");
-  if (of === "areas") return ["room", ...idsOf("/room/zones")];
+  if (of === "areas") {
+    const zones = idsOf("/room/zones");
+    return ["room", ...(zones.length > 0 ? [roomWithoutZones] : []), ...zones];
+  }
   return [...new Set([...keysOf(`/${of}`), ...(shared[of] ?? [])])];
 }
 

@@ -4,7 +4,7 @@ import { element } from "../../panel/dom";
 import type { Json } from "../document/json";
 import { say, text } from "../text";
 import type { FieldType, Measure, NameList } from "./field";
-import { initialValue, namesIn, type Surroundings } from "./initial";
+import { initialValue, namesIn, roomWithoutZones, type Surroundings } from "./initial";
 import {
   jsonFrom,
   numberFrom,
@@ -327,7 +327,11 @@ export function leafInput(place: Place, type: FieldType, shown: Shown, commit: C
       return choiceInput(place, type.values, shown, commit, optionName);
     case "name":
       return choiceInput(place, names(type.of), shown, commit, (name) =>
-        type.of === "areas" && name === "room" ? text.kinds.room : name,
+        type.of === "areas" && name === "room"
+          ? text.kinds.room
+          : type.of === "areas" && name === roomWithoutZones
+            ? text.form.room_without_zones
+            : name,
       );
     case "set":
       return setInput(place, type.values, shown, commit);

@@ -231,12 +231,14 @@ class Generator {
   Outcome add_area(std::size_t index, const UseCandidate& use) const {
     const auto& [mount, where] = store_.areas[index];
     const Polygon& polygon = polygon_of(mount.area, &*scene_.room);
+    const bool leaves_zones = leaves_out_zones(mount.area);
     const auto [x, y] = cells(mount);
     Outcome outcome;
     for (std::size_t iy = y.begin; iy < y.end; ++iy)
       for (std::size_t ix = x.begin; ix < x.end; ++ix) {
         const Vec2 p{x.middle(ix), y.middle(iy)};
         if (!contains(polygon, p) || !scene_.room->covers(p)) continue;
+        if (leaves_zones && scene_.room->zone_over(p) != nullptr) continue;
         const double z = mount.z.value_or(scene_.room->ceiling_over(p).at(p) - mount.below_ceiling);
         const Vec3 at{p[0], p[1], z};
         if (const std::string obstacle = obstacle_at(at); !obstacle.empty()) {

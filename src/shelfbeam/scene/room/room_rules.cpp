@@ -159,7 +159,8 @@ class RoomRules {
   void check_zone(const JsonCursor& json, std::size_t k) {
     const CeilingZone& zone = shape_.zones[k];
     expect_new_id(json["id"], zone.id);
-    if (zone.id == "room") json["id"].fail("is the name of the whole room", "use another name");
+    if (zone.id == whole_room || zone.id == room_without_zones)
+      json["id"].fail("is the name of an area in every room", "use another name");
     if (!has_plan_) return;
     const JsonCursor polygon = json["polygon"];
     expect_within_outline(polygon, zone.polygon, shape_, effort_);

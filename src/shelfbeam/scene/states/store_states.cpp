@@ -189,6 +189,7 @@ class StoreStates::Drawing {
   void stand(const StandingBoxes& boxes) {
     const Scene& scene = states_.scene_;
     const Polygon& area = polygon_of(boxes.area, scene.room ? &*scene.room : nullptr);
+    const bool leaves_zones = leaves_out_zones(boxes.area);
     const PlanBounds bounds = bounds_of(area);
     constexpr std::size_t edges_per_effort = 400;
     const std::size_t room_edges = scene.room ? scene.room->outline.size() : 0;
@@ -208,7 +209,7 @@ class StoreStates::Drawing {
                                         (bounds.high[axis] - bounds.low[axis]);
         };
         const Vec2 middle{within(0), within(1)};
-        if (!contains(area, middle)) continue;
+        if (!contains(area, middle) || (leaves_zones && scene.room->zone_over(middle) != nullptr)) continue;
         const double rotation_deg = rounded(360 * draws.uniform(4 * a + 2), 10);
         const Vec2 half = turned({boxes.size.x / 2, boxes.size.y / 2}, rotation_deg);
         const Vec2 at{rounded(middle[0] - half[0], 1e3), rounded(middle[1] - half[1], 1e3)};

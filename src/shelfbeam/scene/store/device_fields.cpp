@@ -127,8 +127,8 @@ void describe(MountArea& mount, Fields& f) {
   describe_type(f, mount.unit.type);
   describe_plan_area(
       f, mount.area,
-      "`\"room\"` for the whole room, the id of a [zone](room.md#ceilings), or a polygon: corners "
-      "`[x, y]` in order");
+      "`\"room\"` for the whole room, `\"room without zones\"` for its part outside all zones, the id of a "
+      "[zone](room.md#ceilings), or a polygon: corners `[x, y]` in order");
   describe_spacing(f, mount.spacing,
                    "distance between neighbours, adjusted slightly where it does not divide the bounds");
   f.either(
@@ -194,10 +194,11 @@ void describe(MountFaces& mount, Fields& f) {
              {.says = "id of an inner wall", .is_optional = true, .otherwise = one_of_them}))
     mount.on = name;
   std::vector<std::string_view> face;
-  if (f.choices("face", face, compass_names, true,
-                {.says = "with `fixture` or `inner_wall`: only [the face that looks there](#faces-by-the-compass)",
-                 .is_optional = true,
-                 .otherwise = "all around"}))
+  if (f.choices(
+          "face", face, compass_names, true,
+          {.says = "with `fixture` or `inner_wall`: only [the face that looks there](#faces-by-the-compass)",
+           .is_optional = true,
+           .otherwise = "all around"}))
     mount.face = static_cast<Compass>(std::ranges::find(compass_names, face.front()) - compass_names.begin());
   f.scalar("z", Scalar::coordinate, mount.z, {.says = "height"});
   // Small columns may have a narrow spacing.

@@ -113,9 +113,10 @@ void complete_plan_area(const JsonCursor& json, const PlanArea& area, const Stor
   problems.expect_complete("room");
   if (!store.room) json.fail("requires a room", "add a room, or give a polygon");
   const auto& zones = store.room->shape.zones;
-  if (*name != "room" &&
+  if (*name != whole_room && *name != room_without_zones &&
       std::none_of(zones.begin(), zones.end(), [&](const CeilingZone& zone) { return zone.id == *name; }))
-    json.fail("is neither 'room' nor the id of a zone", "correct it, or give a polygon");
+    json.fail("is neither 'room' nor 'room without zones' nor the id of a zone",
+              "correct it, or give a polygon");
 }
 
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store, Problems& problems) {

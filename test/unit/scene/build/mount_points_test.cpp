@@ -76,6 +76,20 @@ TEST(MountPoints, OfAZoneOrAPolygonHaveSeveralAxesAndLeaveInnerWallsOut) {
       << "the third column is in the wall";
 }
 
+TEST(MountPoints, OfTheRoomWithoutZonesAreThoseOfTheRoomOutsideThem) {
+  const auto of_area = [](const std::string& area) {
+    return units_of(R"({"areas": [{"type": "down", "spacing": 2, "below_ceiling": 0.1, "area": ")" + area +
+                    "\"}]}");
+  };
+  std::vector<Transceiver> outside;
+  for (const Transceiver& unit : of_area("room"))
+    if (unit.position.y < 6) outside.push_back(unit);
+  ASSERT_EQ(outside.size(), 10u) << "negative control: 4 of 14 are in the zone";
+  const auto units = of_area("room without zones");
+  EXPECT_EQ(ids_of(units), ids_of(outside));
+  for (const Transceiver& unit : units) EXPECT_NEAR(unit.position.z, 3.1, 1e-12) << unit.id;
+}
+
 TEST(MountPoints, OfAnAreaBeyondTheRoomAreOnlyThoseInTheRoom) {
   const auto units = units_of(R"({"areas": [{"type": "down", "spacing": 2, "z": 2,
     "area": [[-9e3, -9e3], [9e3, -9e3], [9e3, 9e3], [-9e3, 9e3]]}]})");
@@ -206,10 +220,10 @@ TEST(MountPoints, OnAFaceByTheCompassFollowTurnedAndConcaveOutlines) {
 
   for (const char* polygon : {"[[1, 1], [3, 1], [3, 2], [2, 2], [2, 5], [1, 5]]",
                               "[[1, 5], [2, 5], [2, 2], [3, 2], [3, 1], [1, 1]]"}) {
-    const auto units = units_on(
-        R"({"type": "down", "fixture": "P", "face": "north", "spacing": 1, "z": 1, "offset": 0.1})",
-        std::string(R"({"type": "prism", "id": "P", "top": 1.5, "material": "white", "polygon": )") +
-            polygon + "}");
+    const auto units =
+        units_on(R"({"type": "down", "fixture": "P", "face": "north", "spacing": 1, "z": 1, "offset": 0.1})",
+                 std::string(R"({"type": "prism", "id": "P", "top": 1.5, "material": "white", "polygon": )") +
+                     polygon + "}");
     ASSERT_EQ(units.size(), 3u) << "two separate parts, and T";
     EXPECT_NEAR(length(middle_of({units[0], units[1]}) - Vec3{2, 3.6, 1}), 0, 1e-12);
   }
@@ -286,7 +300,7 @@ TEST(MountPoints, RefuseFaultsWithTheirPlace) {
   for (
       const auto& [transceivers, message] : std::vector<Fault>{
           {R"({"areas": [{"type": "down", "area": "high", "spacing": 1, "z": 2}]})",
-           "transceivers.areas[0].area: is neither 'room' nor the id of a zone"},
+           "transceivers.areas[0].area: is neither 'room' nor 'room without zones' nor the id of a zone"},
           {R"({"areas": [{"type": "down", "area": "room", "spacing": 0.001, "z": 2}]})",
            "transceivers.areas[0].spacing: produces 80000000 candidates"},
           {R"({"areas": [{"type": "down", "area": [[-9e3, 0], [9e3, 0], [9e3, 9e3]], "spacing": 0.004, "z": 2}]})",

@@ -244,7 +244,7 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
             "room.outline: has two consecutive corners less than 0.1 mm apart at (0, 0) m"},
            {"/room/outline", "[[0, 0], [12, 0], [6, 1e-8]]", "room.outline: has an area below 1 mm^2"},
            {"/room/height", "[[0, 0, 3], [20, 0, 3], [0, 14, 1500]]", "room.height: is 1500 m at (20, 14)"},
-           {"/room/zones/1/id", R"("room")", "room.zones[1].id: is the name of the whole room"},
+           {"/room/zones/1/id", R"("room")", "room.zones[1].id: is the name of an area in every room"},
            {"/room/inner_walls/0/openings/0/top", "3.3",
             "room.inner_walls[0].openings[0].top: is above the ceiling of 3.2 m"},
            {"/room/inner_walls/2/openings", R"([{"at": 7.5, "width": 1, "top": 2.95}])",

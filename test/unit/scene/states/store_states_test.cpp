@@ -199,6 +199,30 @@ TEST(StoreStates, OmitPeopleWithoutAPlace) {
   EXPECT_LT(time.seconds(), 20);  // 0.5 s; 60 s when each draw divided the plan
 }
 
+// Whether people stand in a zone in front of the first wall.
+bool stand_in_zone(const char* area) {
+  Json divided = shop();
+  divided["room"]["zones"] = Json::parse(R"([{"id": "door", "polygon": [[0, 0], [7, 0], [7, 1.5], [0, 1.5]],
+    "height": 2.9}])");
+  divided["variation"]["people"][0]["number"] = 60;
+  divided["variation"]["people"][0]["area"] = area;
+  const Shop one(divided);
+  const Store state = one.states.state(0);
+  std::size_t people = 0, in_zone = 0;
+  for (const auto& [fixture, where] : state.fixtures)
+    if (const auto footing = footing_of(fixture); footing && id_of(fixture).starts_with("person")) {
+      ++people;
+      if (footing->at[0] < 6.5 && footing->at[1] < 1) ++in_zone;
+    }
+  EXPECT_GT(people, 30u);
+  return in_zone > 0;
+}
+
+TEST(StoreStates, KeepPeopleOutOfZonesInTheRoomWithoutThem) {
+  EXPECT_FALSE(stand_in_zone("room without zones"));
+  EXPECT_TRUE(stand_in_zone("room")) << "negative control";
+}
+
 // Objects behind people who do not fit still have a place.
 TEST(StoreStates, OverfullAreasTakeLimitedTime) {
   Json full = shop();
@@ -268,7 +292,8 @@ TEST(Variation, RefusesFaultsWithTheirPlace) {
            {"/variation/people/0/number", R"({"poisson": 3, "uniform": [0, 1]})",
             "variation.people[0].number: must have one of 'poisson' and 'uniform'"},
            {"/variation/people/0/number", R"({"uniform": [3, 1]})", "has its second number below its first"},
-           {"/variation/people/0/area", R"("bakery")", "is neither 'room' nor the id of a zone"},
+           {"/variation/people/0/area", R"("bakery")",
+            "is neither 'room' nor 'room without zones' nor the id of a zone"},
            {"/variation/stocking", R"({"uniform": [0.9, 0.4]})",
             "variation.stocking.uniform: has its second"},
            {"/variation/objects/0/id", R"("person")",
