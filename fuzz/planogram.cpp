@@ -8,7 +8,8 @@ namespace shelfbeam::fuzz {
 namespace {
 
 constexpr const char* planogram_store = R"({
-  "units": "ft", "planogram": { "file": "planogram.csv", "type": "l" },
+  "units": "ft", "planogram": { "file": "planogram.csv", "type": "l",
+    "fixtures": [ { "fixtures": "?", "hook": 0.1 }, { "fixtures": "F*", "type": "l", "tilt_deg": 30 } ] },
   "materials": { "m": { "type": "lambertian", "reflectance": 0.5 } }, "label_types": { "l": { "threshold": 0.02 } },
   "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },
   "fixtures": [
@@ -32,6 +33,8 @@ std::vector<std::string> planogram_seeds() {
       "l\",F,left,1,0.1,1\r\n",
       "Article;Fixture;FACE;Level;Position\n4,00638E+12;A;Front;2;1\n01.02.2024;A;front;2;2\n",
       "Name,article,description,fixture,face,level,x\nx,1,\"Rye\n bread\u202e\",A,back,1,2\n,2,,F,left,1,2\n",
+      "article,fixture,face,level,x,y,hook,tilt_deg,type\n1,B,top,1,1,0.5,,30,l\n2,B,left,1,2,,0.1,-9,\n3,A,"
+      "back,1,1\n",
       "article;fixture;face;level;x\nA;A;front;1;0,25\nB;F;right;1;2,5\n"};
 }
 

@@ -83,7 +83,8 @@ constexpr const char* shapes = R"({
     { "type": "cylinder", "id": "C", "at": [10, 7], "radius": 0.25, "top": "ceiling", "material": "red" },
     { "type": "panel", "id": "S", "corners": [[1, 1, 2.2], [3, 1, 2.2], [3, 1.3, 2.8]], "material": "white" } ],
   "labels": [ { "id": "L", "description": "Offers", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "l" } ],
-  "planogram": { "file": "planogram.csv", "type": "m" },
+  "planogram": { "file": "planogram.csv", "type": "m", "hook": 0.02, "tilt_deg": 9,
+    "fixtures": [ { "fixtures": "A*", "type": "l", "hook": 0.1 }, { "fixtures": "F", "tilt_deg": 30 } ] },
   "transceivers": {
     "areas": [ { "type": "t", "area": "room", "spacing": 3, "below_ceiling": 0.05, "axes": [[0, 0, -1], [0.5, 0, -0.866]], "roll_deg": 3 },
                { "type": "t", "area": "low", "spacing": 2, "z": 2.5 }, { "type": "t", "area": "room without zones", "spacing": 4, "z": 2.4 }, { "type": "t", "area": [[13, 11], [15, 11], [15, 13]], "spacing": 1, "z": 3 } ],

@@ -51,9 +51,8 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
-  tested["store/variation.md"] = tested["store/room.md"] = tested["store/fixtures.md"] =
-      tested["store/labels.md"] = 1;
-  tested["store/transceivers.md"] = 2;
+  tested["store/variation.md"] = tested["store/room.md"] = tested["store/fixtures.md"] = 1;
+  tested["store/transceivers.md"] = tested["store/labels.md"] = 2;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 1}}));
 }
@@ -192,7 +191,7 @@ TEST(Documentation, ExampleOfAPlanogramIsAccepted) {
   folder.write("planogram.csv", fenced_blocks("store/labels.md", "csv").at(0));
   Json store = Json::parse(example_store(), nullptr, true, true);
   store["planogram"] = {{"file", "planogram.csv"}, {"type", "standard"}};
-  const Scene scene = test::scene_of(store, folder.path());
+  Scene scene = test::scene_of(store, folder.path());
   const auto find = [&](const std::string& id) {
     return std::find_if(scene.labels.begin(), scene.labels.end(),
                         [&](const Label& label) { return label.id == id; });
@@ -203,6 +202,11 @@ TEST(Documentation, ExampleOfAPlanogramIsAccepted) {
   EXPECT_EQ(find("4006381333948")->position, (Vec3{5, 1.99, 0.9}));
   EXPECT_NEAR(find("4006381333931/2")->position.y, 2.91, 1e-12);
   EXPECT_EQ(find("4006381333931/2")->normal, (Vec3{0, 1, 0}));
+  store["planogram"] =
+      Json::parse(fenced_blocks("store/labels.md", "jsonc").at(1), nullptr, true, true)["planogram"];
+  store["fixtures"][1]["id"] = "F1";
+  scene = test::scene_of(store, folder.path());
+  EXPECT_EQ(find("4006381333931")->position, (Vec3{3, 1.75, 0.9}));
 }
 
 TEST(Documentation, ErrorsAreAsShown) {

@@ -79,14 +79,6 @@ void describe(NamedMaterial& named, Fields& f, double wavelength_nm) {
   named.reflectance_range = keys.range;
 }
 
-void describe(ArticleLabels& labels, Fields& f) {
-  f.text("file", labels.file, {.says = "the CSV file", .fewest = 1});
-  f.label_type("type", labels.type, {.says = "label type of records without one"});
-  f.length("hook", labels.hook, {.says = "distance of the labels in front of the edge", .is_optional = true});
-  f.scalar("tilt_deg", Scalar::degrees, labels.tilt_deg,
-           {.says = "upward tilt of the labels", .least = -89, .most = 89, .is_optional = true});
-}
-
 void describe(Label& label, Fields& f) {
   f.text("id", label.id, {.says = "id of the label", .is_name = true});
   f.text("description", label.description,

@@ -8,14 +8,6 @@ namespace shelfbeam {
 
 // The keys of labels, units and candidates in the store file.
 
-/// The key `planogram`: the labels of all articles, except where a record has its own type.
-struct ArticleLabels {
-  std::string file;
-  LabelTypeId type;
-  double hook = FixtureLabels{}.hook;
-  double tilt_deg = 0;
-};
-
 /// What the values of types refer to, for the reader.
 struct TypeSource {
   const Store& store;
@@ -28,7 +20,6 @@ struct TypeSource {
 void describe(NamedMaterial& named, Fields& f, double wavelength_nm = 940);
 void describe(LabelType& type, Fields& f, const TypeSource* source = nullptr);
 void describe(TransceiverType& type, Fields& f, const TypeSource* source = nullptr);
-void describe(ArticleLabels& labels, Fields& f);
 void describe(Label& label, Fields& f);
 void describe(Transceiver& unit, Fields& f);
 void describe(TransceiverGrid& grid, Fields& f);

@@ -191,11 +191,10 @@ class FixtureList {
   static double label_count(const Fixture& fixture) {
     const Shelving* shelves = shelving_of(fixture);
     if (shelves == nullptr || !shelves->labels) return 0;
-    const auto levels = static_cast<double>(label_edges(fixture)->heights.size());
-    double count = 0;
+    std::size_t count = 0;
     for (const Face face : shelves->labels->faces)
-      count += levels * static_cast<double>(shelves->labels->along(edge_length(*shelves, face)).size());
-    return count;
+      count += shelves->labels->along(edge_length(shelves->footing(), face)).size();
+    return static_cast<double>(count * label_edges(fixture)->heights.size());
   }
 
   // "store.json: fixtures[2] (copy 'A3')": all copies have one place in the file.

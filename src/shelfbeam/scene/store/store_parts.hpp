@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,8 +29,8 @@ void read_label_types(const JsonCursor& section, const StoreFolder& folder, Stor
 /// Completes presets, expands repeats, and places fixtures against walls and others. Requires the room.
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                    Presets& presets, Store& store, Problems& problems);
-/// Adds a label per row of a CSV with the columns `article`, `fixture`, `face`, `level`, and `x` or
-/// `position`, in any order and among others. Requires the fixtures.
+/// Adds a label per record of a CSV file with the places of articles (scene/planogram). Requires the
+/// fixtures.
 void read_planogram(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                     Store& store, Problems& problems);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store,
@@ -67,6 +68,10 @@ void read_list(const JsonCursor& list, const StoreNames& names, Problems& proble
     }
   }
 }
+/// Each pattern is compared with each id, in a time of up to the product of their lengths. Throws InputError
+/// at the list of the patterns if that takes long.
+void expect_few_comparisons(const JsonCursor& list, const std::vector<std::string_view>& ids,
+                            const std::vector<std::string_view>& patterns);
 /// Throws Consequence if the fixture with this id may be one that has problems.
 inline void expect_fixtures(const Problems& problems, std::string_view id) {
   problems.expect_complete("fixture");

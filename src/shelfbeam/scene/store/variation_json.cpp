@@ -68,11 +68,12 @@ class VariationRules {
   void check_doors() const {
     if (variation_.doors.empty()) return;
     const JsonCursor list = reader_.json()["doors"];
-    std::vector<std::string_view> ids;
+    std::vector<std::string_view> ids, patterns;
+    for (const OpenDoors& one : variation_.doors) patterns.push_back(one.fixtures);
     for (const auto& [fixture, where] : store_.fixtures)
       if (const Shelving* shelves = shelving_of(fixture); shelves != nullptr && shelves->doors)
         ids.push_back(shelves->id);
-    expect_few_comparisons(list, ids, variation_.doors);
+    expect_few_comparisons(list, ids, patterns);
     for (std::size_t k = 0; k < variation_.doors.size(); ++k) {
       expect_running(store_.cancel);
       if (std::any_of(ids.begin(), ids.end(),
@@ -85,21 +86,6 @@ class VariationRules {
     }
   }
 
-  // Each pattern is compared with each id, in a time of up to the product of their lengths.
-  static void expect_few_comparisons(const JsonCursor& list, const std::vector<std::string_view>& ids,
-                                     const std::vector<OpenDoors>& doors) {
-    constexpr std::size_t most = 100'000'000;
-    std::size_t patterns = 0, names = 0;
-    for (const OpenDoors& one : doors) patterns += one.fixtures.size() + 1;
-    for (const std::string_view id : ids) names += id.size() + 1;
-    if (names > 0 && patterns > most / names)
-      list.fail(
-          fmt::format("has patterns with {} characters for the {} characters of the ids of fixtures with "
-                      "doors",
-                      grouped(patterns), grouped(names)),
-          fmt::format("the product of both is at most {}", grouped(most)));
-  }
-
   FieldReader& reader_;
   StoreVariation& variation_;
   const Store& store_;
@@ -107,6 +93,21 @@ class VariationRules {
 };
 
 }  // namespace
+
+void expect_few_comparisons(const JsonCursor& list, const std::vector<std::string_view>& ids,
+                            const std::vector<std::string_view>& patterns) {
+  constexpr std::size_t most = 100'000'000;
+  const auto size_of = [](const std::vector<std::string_view>& texts) {
+    std::size_t size = 0;
+    for (const std::string_view text : texts) size += text.size() + 1;
+    return size;
+  };
+  const std::size_t characters = size_of(patterns), names = size_of(ids);
+  if (names > 0 && characters > most / names)
+    list.fail(fmt::format("has patterns with {} characters for the {} characters of the ids of fixtures",
+                          grouped(characters), grouped(names)),
+              fmt::format("the product of both is at most {}", grouped(most)));
+}
 
 StoreVariation read_variation(const JsonCursor& json, const StoreNames& names, const Store& store,
                               Problems& problems) {

@@ -9,6 +9,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/scene/fixture/fixture.hpp"
+#include "shelfbeam/scene/planogram/article_labels.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
 
 #include "unit/scene/fields/schema_fields.hpp"
@@ -172,6 +173,7 @@ TEST(Description, TablesAreUpToDate) {
   replace_table(labels, "## Labels of a fixture",
                 [](Fields& fields) { FixtureLabels{}.fields(fields, true); });
   replace_table(labels, "## Labels of articles", fields_of(ArticleLabels{}));
+  replace_table(labels, "### Mounting of labels of articles", fields_of(StyledFixtures{}));
   replace_table(labels, "## Other labels", fields_of(Label{}));
   expect_file(pages + "labels.md", labels);
   std::string transceivers = read_file(pages + "transceivers.md");

@@ -328,7 +328,7 @@ TEST(Variation, LimitsPeopleAndPatterns) {
   test::expect_input_error(
       [&] { test::read_text(store.dump()); },
       std::string_view("variation.doors: has patterns with 1,110 characters for the 100,006 "
-                       "characters of the ids of fixtures with doors"));
+                       "characters of the ids of fixtures"));
   EXPECT_LT(time.seconds(), 2);
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -75,7 +76,8 @@ TEST(Planogram, RefusesFaultsWithTheirLine) {
   Json store =
       store_with(R"([{"type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
     "material": "steel", "shelves": [0.4, 0.9], "faces": ["front"]},
-    {"type": "box", "id": "B", "min": [1, 1, 0], "max": [2, 2, 1], "material": "steel"},
+    {"type": "cylinder", "id": "B", "at": [2, 2], "radius": 0.3, "top": 2, "material": "steel"},
+    {"type": "box", "id": "T", "min": [8, 1, 0], "max": [9, 3, 1], "material": "steel"},
     {"type": "gondola", "id": "D", "at": [5, 9], "length": 3, "depth": 0.9, "height": 1.8, "material": "steel",
      "shelves": []}])");
   store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
@@ -87,6 +89,10 @@ TEST(Planogram, RefusesFaultsWithTheirLine) {
            {"1,A,front,3,0.5", "use a whole number from 1 to 2"},
            {"1,A,front,1.5,0.5", "use a whole number from 1 to 2"},
            {"1,A,front,1,3.5", "the edge extends from 0 to 3 m"},
+           {"1,T,below,1,0.5", "is 'below'; use a face of the fixture: front, back, left, right, top"},
+           {"1,A,top,1,0.5", "is 'top'; use a face of the fixture: front"},
+           {"1,T,front,2,0.5", "use a whole number from 1 to 1"},
+           {"1,T,left,1,2.5", "the edge extends from 0 to 2 m"},
            {"1,A,front,1", "5 are expected"}}) {
     folder.write("p.csv", "article,fixture,face,level,x,facings\n0,A,front,2,0,3\n" + row + "\n");
     test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("p.csv: line 3"),
@@ -146,6 +152,90 @@ TEST(Planogram, LabelsHaveTheirTypeHookAndTilt) {
   EXPECT_EQ(scene.label_types[scene.labels[1].type.value].name, "small");
   EXPECT_NEAR(length(scene.labels[0].position - Vec3{6, 4.8, 0.9}), 0, 1e-12);
   EXPECT_NEAR(length(scene.labels[0].normal - Vec3{0, -std::cos(radians(30)), 0.5}), 0, 1e-12);
+}
+
+TEST(Planogram, LabelsHaveTheStyleOfRecordFixtureOrPlanogram) {
+  const TempFolder folder;
+  const char* const shelf =
+      R"("type": "gondola", "length": 3, "depth": 0.9, "height": 1.8, "material": "steel",
+    "shelves": [0.4, 0.9], "faces": ["front"])";
+  Json store = store_with(std::string("[{\"id\": \"A1\", \"at\": [5, 5], ") + shelf +
+                          "}, {\"id\": \"A2\", \"at\": [5, 9], " + shelf + "}]");
+  store["labels"] = Json::array();
+  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}, {"hook", 0.2}, {"tilt_deg", 30}};
+  store["planogram"]["fixtures"] = Json::parse(R"([{"fixtures": "A?", "hook": 0.1},
+    {"fixtures": "A2", "type": "large", "tilt_deg": -30}])");
+  const auto labels = [&] { return make_scene(read(store, folder.path())).labels; };
+  folder.write(
+      "p.csv",
+      "article,fixture,face,level,x,type,hook,tilt_deg\n1,A1,front,2,1,large,0.3,0\n2,A1,front,2,1,,,\n"
+      "3,A2,front,2,1,\n4,A2,front,2,1,small,,60\n");
+  const auto expect = [&](const Label& label, double hook, double tilt_deg, std::uint32_t type, double y) {
+    EXPECT_NEAR(length(label.position - Vec3{6, y - hook, 0.9}), 0, 1e-12) << label.id;
+    EXPECT_NEAR(length(label.normal - Vec3{0, -std::cos(radians(tilt_deg)), std::sin(radians(tilt_deg))}), 0,
+                1e-12)
+        << label.id;
+    EXPECT_EQ(label.type.value, type) << label.id;
+  };
+  const std::vector<Label> all = labels();
+  ASSERT_EQ(all.size(), 4U);
+  expect(all[0], 0.3, 0, 1, 5);
+  expect(all[1], 0.1, 30, 0, 5);
+  expect(all[2], 0.1, -30, 1, 9);
+  expect(all[3], 0.1, 60, 0, 9);
+  for (const auto& [row, message] : std::vector<std::pair<const char*, const char*>>{
+           {"1,A1,front,2,1,,2000,", "p.csv: line 2, field 7: is 2000 m; use 0.001 m to 1000 m"},
+           {"1,A1,front,2,1,,0,", "field 7: is 0 m"},
+           {"1,A1,front,2,1,,,90", "p.csv: line 2, field 8: is 90; use a value from -89 to 89"},
+           {"1,A1,front,2,1,,x,", "field 7: "}}) {
+    folder.write("p.csv", std::string("article,fixture,face,level,x,type,hook,tilt_deg\n") + row + "\n");
+    test::expect_input_error(labels, std::string_view(message));
+  }
+  folder.write("p.csv", "article,fixture,face,level,x\n1,A1,front,2,1\n");
+  store["planogram"]["fixtures"] = Json::parse(R"([{"fixtures": "A*"}, {"fixtures": "B*", "hook": 0.1}])");
+  test::expect_input_error(labels, std::string_view("planogram.fixtures[1].fixtures: matches no fixture"));
+  store["planogram"]["fixtures"] = Json::parse(R"([{"fixtures": "A*", "hook": 0}])");
+  test::expect_input_error(labels, std::string_view("planogram.fixtures[0].hook: is 0"));
+}
+
+TEST(Planogram, LabelsStandOnBoxes) {
+  const TempFolder folder;
+  Json store = store_with(R"([
+    {"type": "box", "id": "T", "at": [5, 5, 0], "size": [1.2, 0.8, 0.75], "rotation_deg": 90, "material": "steel"},
+    {"type": "box", "id": "low", "min": [8, 8, 0.1], "max": [10, 9, 0.16], "material": "steel"}])");
+  store["labels"] = Json::array();
+  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}, {"hook", 0.02}, {"tilt_deg", 30}};
+  const auto labels = [&] { return make_scene(read(store, folder.path())).labels; };
+  folder.write("p.csv",
+               "article,fixture,face,level,x,y,hook,tilt_deg\n1,T,front,1,0.3,,,\n2,T,left,1,0.2,,0.05,0\n"
+               "3,T,top,1,0.3,,,\n4,T,Top,1,0.3,0.1,,45\n5,low,back,1,2,,,0\n");
+  const std::vector<Label> all = labels();
+  ASSERT_EQ(all.size(), 5U);
+  const auto expect = [&](std::size_t k, const Vec3& position, const Vec3& normal, const LabelPlace& place) {
+    EXPECT_NEAR(length(all[k].position - position), 0, 1e-12) << k;
+    EXPECT_NEAR(length(all[k].normal - normalized(normal)), 0, 1e-12) << k;
+    EXPECT_EQ(all[k].place.fixture, place.fixture);
+    EXPECT_EQ(all[k].place.face, place.face) << k;
+    EXPECT_EQ(all[k].place.on_top, place.on_top) << k;
+    EXPECT_EQ(all[k].place.board, 0) << k;
+    EXPECT_NEAR(all[k].place.along, place.along, 1e-12) << k;
+  };
+  expect(0, {5.02, 5.3, 0.7}, {std::cos(radians(30)), 0, 0.5},
+         {.fixture = "T", .face = Face::front, .along = 0.3});
+  expect(1, {4.8, 4.95, 0.7}, {0, -1, 0}, {.fixture = "T", .face = Face::left, .along = 0.2});
+  expect(2, {4.6, 5.3, 0.76}, {0, 0, 1}, {.fixture = "T", .on_top = true, .along = 0.3});
+  expect(3, {4.9, 5.3, 0.76}, {1, 0, 1}, {.fixture = "T", .on_top = true, .along = 0.3});
+  expect(4, {10, 9.02, 0.13}, {0, 1, 0}, {.fixture = "low", .face = Face::back, .along = 2});
+  for (const auto& [row, message] : std::vector<std::pair<const char*, const char*>>{
+           {"1,T,top,1,0.3,0.9,,", "p.csv: line 2, field 6: is 0.9 m; the top extends from 0 to 0.8 m"},
+           {"1,T,top,1,1.3,,,", "p.csv: line 2, field 5: is 1.3 m"},
+           {"1,T,top,2,0.3,,,", "p.csv: line 2, field 4: is 2; use a whole number from 1 to 1"},
+           {"1,T,top,1,0.3,,0.1,", "field 7: does not apply to labels on the top; leave it empty"}}) {
+    folder.write("p.csv", std::string("article,fixture,face,level,x,y,hook,tilt_deg\n") + row + "\n");
+    test::expect_input_error(labels, std::string_view(message));
+  }
+  folder.write("p.csv", "article,fixture,face,level,position\n1,T,top,1,1\n2,T,top,1,3\n");
+  EXPECT_NEAR(length(labels()[1].position - Vec3{4.6, 6, 0.76}), 0, 1e-12);
 }
 
 TEST(Planogram, CountsInTheMemoryOfTheScene) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "shelfbeam/base/csv.hpp"
+
+namespace shelfbeam {
+
+/// The columns of a planogram, by their indices in a record.
+struct PlanogramColumns {
+  std::size_t article = 0, fixture = 0, face = 0, level = 0;
+  std::size_t place = 0;  ///< `x` or `position`
+  bool by_x = false;
+  std::optional<std::size_t> y, type, hook, tilt_deg, description;
+  std::size_t required = 0, width = 0;  ///< fewest and most fields of a record
+};
+
+/// Reads the header of a file with this name. Throws InputError.
+PlanogramColumns read_planogram_header(CsvReader& csv, std::string_view file);
+
+/// Whether an optional column has a value in the current record.
+inline bool has_value(const CsvReader& csv, const std::optional<std::size_t>& column) {
+  return column && *column < csv.fields().size() && !csv.fields()[*column].empty();
+}
+
+}  // namespace shelfbeam
