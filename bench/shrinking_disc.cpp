@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/messages/light.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/transport/run/simulate.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
@@ -58,7 +59,7 @@ SignalMatrix simulate_with(Scene scene, double radius, std::uint64_t samples) {
 }
 
 void compare(const Scene& scene, std::initializer_list<double> radii, std::uint64_t samples) {
-  for (const std::string& light : light_texts(uncovered_light(scene), scene))
+  for (const std::string& light : light_texts(english(), uncovered_light(scene), scene))
     fmt::print("not covered: {}\n", light);
   const SignalMatrix points = simulate_with(scene, 0, samples);
   fmt::print(

@@ -53,7 +53,7 @@ constexpr const char* lists = R"({ // comments, too
 
 // Any outline, copies, presets, and candidates on surfaces.
 constexpr const char* shapes = R"({
-  "catalogues": ["chain.json"], "currency": "EUR",
+  "catalogues": ["chain.json"], "currency": "EUR", "language": "de",
   "materials": { "white": { "type": "lambertian", "reflectance": 0.8 }, "door": { "type": "thin_dielectric", "ior": 1.5 } },
   "label_types": { "l": { "threshold": 0.02 }, "m": { "threshold": 0.04 } },
   "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },

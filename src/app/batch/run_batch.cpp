@@ -18,6 +18,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/report/batch/batch_report.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "app/batch/database.hpp"
 #include "app/batch/own_files.hpp"
@@ -264,7 +265,7 @@ std::vector<StoreResult> batch_results(const BatchOptions& options, const std::v
 void write_results(const BatchOptions& options, const std::vector<StoreResult>& results) {
   replace_own_files(options.folder.path, {{database_name, database_of(results)},
                                           {table_name, batch_csv(results, options.safe_csv)},
-                                          {page_name, batch_html(results)}});
+                                          {page_name, batch_html(english(), results)}});
 }
 
 }  // namespace shelfbeam::app

@@ -16,6 +16,7 @@
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/report/messages/light.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/transport/world/coverage.hpp"
 
 #include "app/text/style.hpp"
@@ -179,7 +180,7 @@ void print_warnings(const CommonOptions& common, const std::vector<Finding>& war
 void print_warnings(const CommonOptions& common, const Scene& scene, Strategy strategy) {
   if (common.json || common.quiet) return;
   print_warnings(scene);
-  for (const std::string& light : light_texts(chance_light(scene, strategy), scene))
+  for (const std::string& light : light_texts(english(), chance_light(scene, strategy), scene))
     print_warning(light + " is hard to sample: use more samples and check the flagged entries");
 }
 
@@ -195,8 +196,9 @@ void print_summary(const Scene& scene, const std::string& written) {
   fmt::print("\n");
   print_transceiver_types(scene, counts);
   print_list("not simulated unless the transceiver type has a radius",
-             light_texts(uncovered_light(scene), scene));
-  print_list("hard to sample, with large standard errors", light_texts(chance_light(scene), scene));
+             light_texts(english(), uncovered_light(scene), scene));
+  print_list("hard to sample, with large standard errors",
+             light_texts(english(), chance_light(scene), scene));
 }
 
 nlohmann::ordered_json summary_json(const Scene& scene) {
@@ -248,8 +250,8 @@ nlohmann::ordered_json summary_json(const Scene& scene) {
            {"cost", type.cost}};
     if (!type.file.empty()) one["file"] = type.file;
   }
-  json["not_simulated"] = light_texts(uncovered_light(scene), scene);
-  json["found_by_chance"] = light_texts(chance_light(scene), scene);
+  json["not_simulated"] = light_texts(english(), uncovered_light(scene), scene);
+  json["found_by_chance"] = light_texts(english(), chance_light(scene), scene);
   json["warnings"] = sentences(scene.warnings);
   json["findings"] = to_json(scene.warnings);
   json["ignored_warnings"] = scene.ignored_warnings;

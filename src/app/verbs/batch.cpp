@@ -17,6 +17,7 @@
 #include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/report/batch/batch_report.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "app/batch/first_reading.hpp"
@@ -159,7 +160,7 @@ int print_results(const BatchArguments& options, const std::vector<StoreResult>&
     for (const auto& [name, status] : names_of<StoreStatus>) counts[std::string(name)] = count(status);
     print_json({{"results", (options.output / database_name).string()}, {"stores", counts}});
   } else if (!options.common.quiet) {
-    fmt::print("{}\nresults: {}\n", styled(Style::answer, batch_answer(results)),
+    fmt::print("{}\nresults: {}\n", styled(Style::answer, batch_answer(english(), results)),
                (options.output / page_name).string());
     if (count(StoreStatus::failed) > 0)
       fmt::print("  '--only failed' plans the failed stores again, after their files are corrected\n");

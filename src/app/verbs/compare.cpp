@@ -13,6 +13,7 @@
 #include "shelfbeam/report/comparison/comparison_report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/comparison.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/measured/comparison.hpp"
 #include "shelfbeam/signal/measured/measurements.hpp"
@@ -135,6 +136,7 @@ nlohmann::ordered_json summary(const ComparisonInput& input) {
 
 void print_pairs(const ComparisonInput& input, const std::string& heading,
                  const std::vector<std::size_t>& pairs) {
+  const Words words = english();
   fmt::print("{}\n", heading);
   std::vector<std::vector<std::string>> rows{{"label", "transceiver", "measured", "expected", "residual"}};
   for (std::size_t k = 0; k < std::min(pairs.size(), listed); ++k) {
@@ -142,14 +144,14 @@ void print_pairs(const ComparisonInput& input, const std::string& heading,
     const PairResult& result = input.comparison.pairs[pairs[k]];
     rows.push_back({input.matrix.labels[pair.label].id,
                     pair.transceiver ? input.matrix.transceivers[*pair.transceiver].id : "all",
-                    significant(pair.measured), significant(result.expected),
-                    result.residual ? decibels(*result.residual) : "-"});
+                    words.significant(pair.measured), words.significant(result.expected),
+                    result.residual ? words.decibels(*result.residual) : "-"});
   }
   print_table(rows, 2);
 }
 
 void print_text(const ComparisonInput& input, const Outputs& outputs) {
-  const std::vector<std::string> statements = comparison_statements(input.comparison);
+  const std::vector<std::string> statements = comparison_statements(english(), input.comparison);
   for (const std::string& statement : statements)
     fmt::print("{}\n", &statement == &statements.front() ? styled(Style::answer, statement) : statement);
   if (!outputs.page.empty()) fmt::print("report: {}\n", outputs.page.string());
@@ -163,7 +165,7 @@ void print_text(const ComparisonInput& input, const Outputs& outputs) {
                     ? fmt::format("{}, the first {}:", counted(c.outliers.size(), "outlier"), listed)
                     : counted(c.outliers.size(), "outlier") + ":",
                 c.outliers);
-  print_pairs(input, fmt::format("{}:", worst_pairs_heading(c)), c.worst);
+  print_pairs(input, fmt::format("{}:", worst_pairs_heading(english(), c)), c.worst);
 }
 
 int run_compare(const CompareArguments& options) {
@@ -181,7 +183,7 @@ int run_compare(const CompareArguments& options) {
                               options.safe_csv};
   prepare(options, outputs);
   if (!outputs.table.empty()) write_file(outputs.table, comparison_csv(input));
-  if (!outputs.page.empty()) write_file(outputs.page, comparison_html(input));
+  if (!outputs.page.empty()) write_file(outputs.page, comparison_html(english(), input));
   if (options.common.json) {
     nlohmann::ordered_json json = summary(input);
     if (!outputs.table.empty()) json["table"] = outputs.table.string();

@@ -13,7 +13,7 @@
 #include "shelfbeam/report/difference/difference_json.hpp"
 #include "shelfbeam/report/difference/difference_report.hpp"
 #include "shelfbeam/report/messages/difference.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "app/options/arguments.hpp"
 #include "app/text/style.hpp"
@@ -77,19 +77,21 @@ void print_rows(const std::string& heading, const TextTable& rows, std::size_t l
 }
 
 void print_difference(const DiffArguments& options, const DifferenceInput& input) {
+  const Words words = english();
   const PlanDifference& difference = input.difference;
-  fmt::print("{}\n", styled(Style::answer, difference_answer(input)));
+  fmt::print("{}\n", styled(Style::answer, difference_answer(words, input)));
   if (!options.output.empty()) fmt::print("report: {}\n", options.output.string());
   if (difference.is_empty()) return;
-  print_rows({}, difference_figures(input), 3);
-  print_rows(say("difference.units_heading", unit_counts(difference)), changed_units(input), 5);
+  print_rows({}, difference_figures(words, input), 3);
+  print_rows(words.say("difference.units_heading", unit_counts(words, difference)),
+             changed_units(words, input), 5);
   for (const LabelChange change : listed_changes)
-    print_rows(labels_heading(change, difference.count(change), listed_labels) + ":",
-               changed_labels(input, change, listed_labels), 1);
-  print_rows(say("difference.section.weakest") + ":", weakest_labels(input), 1);
-  fmt::print("{}\n", difference.store.empty() ? say("difference.section.no_store")
-                                              : say("difference.section.store") + ":");
-  for (const std::string& line : store_lines(difference)) fmt::print("  {}\n", line);
+    print_rows(labels_heading(words, change, difference.count(change), listed_labels) + ":",
+               changed_labels(words, input, change, listed_labels), 1);
+  print_rows(words.say("difference.section.weakest") + ":", weakest_labels(words, input), 1);
+  fmt::print("{}\n", difference.store.empty() ? words.say("difference.section.no_store")
+                                              : words.say("difference.section.store") + ":");
+  for (const std::string& line : store_lines(words, difference)) fmt::print("  {}\n", line);
 }
 
 int run_diff(const DiffArguments& options) {

@@ -11,6 +11,7 @@
 #include "shelfbeam/report/terminal/coverage_text.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/report/terminal/plan_text.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "app/options/arguments.hpp"
 #include "app/options/placement_options.hpp"
@@ -49,7 +50,8 @@ std::string additions(const PlanJob& job, const Plan& plan, const SignalTable& t
         fmt::format("  {}; 'place {} --at-most K' reports the number of labels that K transceivers reach\n",
                     no_curve, (job.folder / signal_name).string());
   if (plan.sensitivity)
-    text += fmt::format("sensitivity: {}\n", sensitivity_sentence(*plan.sensitivity, table.rows()));
+    text +=
+        fmt::format("sensitivity: {}\n", sensitivity_sentence(english(), *plan.sensitivity, table.rows()));
   else if (!job.plan.reflectance_error && placement.has_selection() && !job.selection)
     text += "  darker or lighter surfaces were not examined; '--sensitivity' examines them\n";
   else if (job.plan.reflectance_error)
@@ -64,15 +66,16 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
   const Plan& plan = end.plan;
   const SignalTable& table = end.table;
   PlanText text = plan_text(plan, table);
-  if (plan.certificate) text.answer = with_effort(text.answer, plan.certificate->open);
-  Remedy remedy = remedy_for(plan);
+  if (plan.certificate) text.answer = with_effort(english(), text.answer, plan.certificate->open);
+  Remedy remedy = remedy_for(english(), plan);
   remedy.advice = with_flags(remedy.advice, remedy.settings);
   text.open = remedy.after(text.open);
   if (!text.open.empty()) text.open += '\n';
   const SimulationSummary& summary = plan.simulation.summary;
   std::string simulated;
   if (plan.signals)
-    simulated = signals_text(*plan.signals, summary.labels, summary.candidates, job.signal->string());
+    simulated =
+        signals_text(english(), *plan.signals, summary.labels, summary.candidates, job.signal->string());
   if (!plan.signals || std::holds_alternative<MisfitReason>(*plan.signals))
     simulated += describe(summary, job.plan.follows_decision());
   simulated += '\n';

@@ -15,6 +15,7 @@
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/states/reflectance_ends.hpp"
 #include "shelfbeam/report/messages/light.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
@@ -121,7 +122,7 @@ int run_simulate(const SimulateArguments& options) {
     nlohmann::ordered_json json{{"signal", options.output.string()}};
     json.update(to_json(summary));
     json["warnings"] = sentences(scene.warnings);
-    json["found_by_chance"] = light_texts(chance_light(scene, simulation.rules().strategy), scene);
+    json["found_by_chance"] = light_texts(english(), chance_light(scene, simulation.rules().strategy), scene);
     print_json(json);
   } else if (!options.common.quiet) {
     fmt::print("{}\n", with_answer(fmt::format("{}{}: {}", options.output.string(), part_text(options.part),

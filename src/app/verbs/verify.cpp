@@ -21,6 +21,7 @@
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
@@ -179,7 +180,8 @@ int run_verify(const VerifyArguments& options) {
   if (options.common.json)
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
   else if (!options.common.quiet)
-    fmt::print("{}\n", styled(Style::answer, with_effort(certificate_sentence(verified), certificate.open)));
+    fmt::print("{}\n", styled(Style::answer, with_effort(english(), certificate_sentence(english(), verified),
+                                                         certificate.open)));
   if (certificate.count(Verdict::missed) > 0) return answer_is_no;
   return certificate.all_reached() ? done : stopped_early;
 }

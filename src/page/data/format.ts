@@ -1,9 +1,15 @@
-// Numbers as the report writes them (report/data/text_format.cpp).
+// Numbers as the report writes them (report/text/words.cpp).
 
 import { plural, say, type Plural } from "./text";
 
+const isGerman = globalThis.document?.documentElement.lang === "de";
+
+function localised(number: string): string {
+  return isGerman ? number.replace(/[.,]/g, (mark) => (mark === "." ? "," : ".")) : number;
+}
+
 export function grouped(count: number): string {
-  return count.toFixed(0).replace(/\B(?=(\d{3})+$)/g, ",");
+  return localised(count.toFixed(0).replace(/\B(?=(\d{3})+$)/g, ","));
 }
 
 /** The text for a count, which is its {0}. */
@@ -12,7 +18,7 @@ export function counted(texts: Plural, count: number, ...values: string[]): stri
 }
 
 export function fixed(value: number, decimals: number): string {
-  const text = Math.abs(value).toFixed(decimals);
+  const text = localised(Math.abs(value).toFixed(decimals));
   return value < 0 && /[1-9]/.test(text) ? `−${text}` : text;
 }
 
@@ -36,6 +42,6 @@ export function percentage(share: number): string {
 
 /** Up to six significant digits without trailing zeros. */
 export function plain(value: number): string {
-  const text = String(Number(Math.abs(value).toPrecision(6)));
+  const text = localised(String(Number(Math.abs(value).toPrecision(6))));
   return value < 0 && text !== "0" ? `−${text}` : text;
 }

@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/finding/finding.hpp"
 #include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/base/locale/language.hpp"
 #include "shelfbeam/device/device_types.hpp"
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/math/vec3.hpp"
@@ -103,6 +104,7 @@ struct Scene {
   /// scene.
   std::string store_hash;
   std::string name;
+  Language language = Language::english;  ///< of reports
   double wavelength_nm = 940;
   std::string currency;  ///< of the costs of transceivers; empty: not given
   std::optional<RoomShape> room;

@@ -20,7 +20,7 @@
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "system/claims/planned_stores.hpp"
 #include "system/claims/sentences.hpp"
@@ -259,17 +259,17 @@ TEST(Claims, NoticeExchangedBounds) {
   std::swap(placement.lower_bound, certificate.cost_lower_bound);
 
   const Truth truth(store);
-  const std::string least = money(placement.lower_bound, placement.price);
-  const std::string some = fmt::format(fmt::runtime(words("summary.bound.some.cheaper")), least);
+  const std::string least = money(english(), placement.lower_bound, placement.price);
+  const std::string some = fmt::format(fmt::runtime(english()("summary.bound.some.cheaper")), least);
   const std::string confidence = fmt::format("{} %", truth("confidence"));
   const auto faults = [&](const std::string& confirmed) {
-    return reader.faults(some + " " + say("summary.checked", confirmed), truth, Subject::signals);
+    return reader.faults(some + " " + english().say("summary.checked", confirmed), truth, Subject::signals);
   };
-  EXPECT_EQ(faults(say("summary.confirms.this", confidence)).size(), 1U);
+  EXPECT_EQ(faults(english().say("summary.confirms.this", confidence)).size(), 1U);
   const std::string all = fmt::format("all {} labels receive enough signal", truth("labels"));
-  EXPECT_EQ(faults(say("summary.confirms.part", confidence, all)), std::vector<std::string>());
-  EXPECT_EQ(faults(say("summary.confirms.part", confidence,
-                       say("summary.bound.confirmed_some.cheaper", least, all)))
+  EXPECT_EQ(faults(english().say("summary.confirms.part", confidence, all)), std::vector<std::string>());
+  EXPECT_EQ(faults(english().say("summary.confirms.part", confidence,
+                                 english().say("summary.bound.confirmed_some.cheaper", least, all)))
                 .size(),
             1U);
   EXPECT_EQ(reader.faults("At most 3 are needed.", truth, Subject::signals).size(), 1U) << "not in the table";

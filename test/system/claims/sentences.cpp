@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam::test {
 
@@ -19,9 +19,9 @@ constexpr std::string_view joint = " \n,.;:()";  // between the texts of the tab
 std::vector<std::string> texts_of(const std::string& key) {
   if (key.find(' ') != std::string::npos) return {key};
   try {
-    return {std::string(words(key))};
+    return {std::string(english()(key))};
   } catch (const std::logic_error&) {
-    return {std::string(words(key + ".one")), std::string(words(key + ".many"))};
+    return {std::string(english()(key + ".one")), std::string(english()(key + ".many"))};
   }
 }
 

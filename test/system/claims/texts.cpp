@@ -13,6 +13,7 @@
 #include "shelfbeam/report/messages/summary.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam::test {
 
@@ -76,9 +77,9 @@ std::vector<Text> alternatives_of(const ReportInput& input) {
 std::vector<Text> texts_of(const PlannedStore& store) {
   const CertifiedPlan& plan = store.plan;
   const Subject examined = plan.certificate ? Subject::certificate : Subject::signals;
-  std::vector<Text> texts{{certificate_sentence(plan), Subject::certificate},
-                          {open_bound(plan)},
-                          {remedy_for(plan).after("")},
+  std::vector<Text> texts{{certificate_sentence(english(), plan), Subject::certificate},
+                          {open_bound(english(), plan)},
+                          {remedy_for(english(), plan).after("")},
                           {describe(plan.alternatives, plan.placement, store.table)}};
   if (plan.availability) {
     texts.push_back({availability_answer(*plan.availability, plan.placement, store.table)});

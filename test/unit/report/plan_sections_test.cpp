@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/chart/charts.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/supermarket_report.hpp"
 
@@ -79,7 +80,7 @@ TEST(PlanSections, DrawMarginsOfNothing) {
   const std::string html = static_report(s.input);
   EXPECT_EQ(fault(html), "");
   for (const char* broken : {"nan\"", "inf\""}) EXPECT_EQ(html.find(broken), std::string::npos);
-  EXPECT_EQ(tornado_svg({}), "");
+  EXPECT_EQ(tornado_svg(english(), {}), "");
 }
 
 TEST(PlanSections, ShowTheCoverageOfFewerUnits) {

@@ -17,6 +17,7 @@ inline const std::vector<Mistake>& mistakes() {
       {"/name", "7", "name"},
       {"/wavelength_nm", "\"infrared\"", "wavelength_nm"},
       {"/currency", "\"\"", "currency"},
+      {"/language", "\"fr\"", "language"},
       {"/planet", "\"Mars\"", ""},
       {"/room/floor", "\"lava\"", "room.floor"},
       {"/room/size/1", "-6", "room.size[1]"},

@@ -259,7 +259,7 @@ export function groupOfType(list: TypeList, fixtureType: string): Group | null {
 
 /** The keys of the store itself. */
 export function groupOfStore(): Group {
-  const { name, currency, wavelength_nm } = schema.properties as unknown as JsonObject;
-  const part = { type: "object", properties: { name, currency, wavelength_nm } };
+  const { name, language, currency, wavelength_nm } = schema.properties as unknown as JsonObject;
+  const part = { type: "object", properties: { name, language, currency, wavelength_nm } };
   return cached("store", () => groupOf(part, false));
 }

@@ -1,4 +1,6 @@
-// The texts of the view, from the text catalogue of the report.
+// The texts of the view in the language of the page, which contains them.
 
-export { viewer as text } from "../../../shelfbeam/report/text/english.json";
+import type { viewer } from "../../../shelfbeam/report/text/english.json";
+
+export const text: typeof viewer = JSON.parse(document.querySelector("#viewer-texts")?.textContent ?? "{}");
 export { partsOf, plural, say } from "../../data/text";

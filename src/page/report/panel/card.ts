@@ -57,7 +57,7 @@ export class Card {
 
   private at(position: Float32Array, index: number): [number[], string] {
     const at = Array.from(position.subarray(3 * index, 3 * index + 3));
-    return [at, at.map((value) => fixed(value, 2)).join(", ") + "\u00a0m"];
+    return [at, say(text.card.place, ...at.map((value) => fixed(value, 2)))];
   }
 
   private showLabel(label: number): void {
@@ -159,7 +159,7 @@ export class Card {
       row.append(element("td", { text: "–", "data-fact": "direct" }));
     if (directShare !== null) {
       const bar = element("span", { class: "v3-bar", "aria-hidden": "true" });
-      bar.style.setProperty("--share", percent(directShare, 1).replace("\u00a0", ""));
+      bar.style.setProperty("--share", `${(100 * directShare).toFixed(1)}%`);
       row.append(
         element(
           "td",

@@ -15,7 +15,8 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/page/html.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/numbers.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -37,45 +38,47 @@ std::size_t count_of(Results results, std::string_view need) {
       results.begin(), results.end(), [&](const StoreResult& result) { return need_of(result) == need; }));
 }
 
-std::string optional_count(const std::optional<std::uint64_t>& count) {
-  return count ? grouped(*count) : "–";
+std::string optional_count(const Words& words, const std::optional<std::uint64_t>& count) {
+  return count ? words.grouped(*count) : "–";
 }
 
-std::string price_text(double price, const std::string& currency) {
-  const std::string amount = fixed(price, 2);
+std::string price_text(const Words& words, double price, const std::string& currency) {
+  const std::string amount = words.fixed(price, 2);
   return currency.empty() ? amount : fmt::format("{}\u00A0{}", amount, currency);
 }
 
-std::string duration_text(double seconds) {
-  if (seconds < 600) return say("batch.seconds", fixed(seconds, 1));
-  return seconds < 7200 ? say("batch.minutes", fixed(seconds / 60, 0))
-                        : say("batch.hours", fixed(seconds / 3600, 1));
+std::string duration_text(const Words& words, double seconds) {
+  if (seconds < 600) return words.say("batch.seconds", words.fixed(seconds, 1));
+  return seconds < 7200 ? words.say("batch.minutes", words.fixed(seconds / 60, 0))
+                        : words.say("batch.hours", words.fixed(seconds / 3600, 1));
 }
 
-std::string memory_text(std::uint64_t bytes) {
-  return say("batch.megabytes", grouped((bytes + 500'000) / 1'000'000));
+std::string memory_text(const Words& words, std::uint64_t bytes) {
+  return words.say("batch.megabytes", words.grouped((bytes + 500'000) / 1'000'000));
 }
 
 // The lower bound on the minimised value.
-std::string bound_text(const StoreResult& result) {
-  return result.price_lower_bound ? price_text(rounded_down(*result.price_lower_bound, 2), result.currency)
-                                  : optional_count(result.lower_bound);
+std::string bound_text(const Words& words, const StoreResult& result) {
+  return result.price_lower_bound
+             ? price_text(words, rounded_down(*result.price_lower_bound, 2), result.currency)
+             : optional_count(words, result.lower_bound);
 }
 
 // "north (8 to 11)": the bound and the value of planned stores that leave a gap, the first few of them.
-std::string open_stores(Results results) {
+std::string open_stores(const Words& words, Results results) {
   constexpr std::size_t shown = 5;
   std::vector<std::string> parts;
   std::size_t count = 0;
   for (const StoreResult& result : results) {
     if (!result.is_open() || ++count > shown) continue;
-    const std::string value =
-        result.price_lower_bound ? price_text(*result.price, result.currency) : optional_count(result.units);
-    parts.push_back(say("batch.range", result.name, bound_text(result), value));
+    const std::string value = result.price_lower_bound ? price_text(words, *result.price, result.currency)
+                                                       : optional_count(words, result.units);
+    parts.push_back(words.say("batch.range", result.name, bound_text(words, result), value));
   }
   if (count == 0) return {};
   const std::string list = fmt::format("{}", fmt::join(parts, ", "));
-  return " " + say_count("batch.open", count, count > shown ? say("summary.and_others", list) : list);
+  return " " +
+         words.say_count("batch.open", count, count > shown ? words.say("summary.and_others", list) : list);
 }
 
 // A path as an address relative to the page.
@@ -90,7 +93,7 @@ std::string address(std::string_view path) {
   return text;
 }
 
-std::vector<std::string> remarks(Results results) {
+std::vector<std::string> remarks(const Words& words, Results results) {
   double cpu_s = 0;
   std::uint64_t peak = 0;
   std::map<std::string, double> prices;
@@ -101,50 +104,56 @@ std::vector<std::string> remarks(Results results) {
     if (result.price) prices[result.currency] += *result.price;
     units += result.units.value_or(0);
   }
-  std::string text = say_count("batch.units", units);
-  for (const auto& [currency, price] : prices) text += " " + say("batch.price", price_text(price, currency));
-  return {text, say("batch.scope"), say("batch.effort", duration_text(cpu_s), memory_text(peak))};
+  std::string text = words.say_count("batch.units", units);
+  for (const auto& [currency, price] : prices)
+    text += " " + words.say("batch.price", price_text(words, price, currency));
+  return {text, words.say("batch.scope"),
+          words.say("batch.effort", duration_text(words, cpu_s), memory_text(words, peak))};
 }
 
-std::string need_section(Results results, std::string_view need) {
-  HtmlTable table({{say("batch.column.store"), false},
-                   {say("batch.column.units")},
-                   {say("batch.column.bound")},
-                   {say("batch.column.price")},
-                   {say("batch.column.answer"), false, true},
-                   {say("batch.column.cpu")},
-                   {say("batch.column.memory")}});
+std::string need_section(const Words& words, Results results, std::string_view need) {
+  HtmlTable table({{words.say("batch.column.store"), false},
+                   {words.say("batch.column.units")},
+                   {words.say("batch.column.bound")},
+                   {words.say("batch.column.price")},
+                   {words.say("batch.column.answer"), false, true},
+                   {words.say("batch.column.cpu")},
+                   {words.say("batch.column.memory")}});
   std::size_t count = 0;
   for (const StoreResult& result : results) {
     if (need_of(result) != need) continue;
     ++count;
     std::string answer = result.answer;
-    for (const Finding& warning : result.warnings) answer += " " + say("batch.warning", warning.sentence);
+    for (const Finding& warning : result.warnings)
+      answer += " " + words.say("batch.warning", warning.sentence);
     const bool has_run = result.effort.runs > 0;
-    table.add_row({result.name, optional_count(result.units), bound_text(result),
-                   result.price ? price_text(*result.price, result.currency) : "–", answer,
-                   has_run ? duration_text(result.effort.cpu_s) : "–",
-                   has_run ? memory_text(result.effort.peak_memory) : "–"},
+    table.add_row({result.name, optional_count(words, result.units), bound_text(words, result),
+                   result.price ? price_text(words, *result.price, result.currency) : "–", answer,
+                   has_run ? duration_text(words, result.effort.cpu_s) : "–",
+                   has_run ? memory_text(words, result.effort.peak_memory) : "–"},
                   address(result.report));
   }
   if (count == 0) return {};
-  return html_section(std::string(need),
-                      say("batch.title", words(fmt::format("batch.need.{}", need)), grouped(count)),
-                      paragraph(say(fmt::format("batch.todo.{}", need)), "note") + table.html());
+  return html_section(
+      std::string(need),
+      words.say("batch.title", words(fmt::format("batch.need.{}", need)), words.grouped(count)),
+      paragraph(words.say(fmt::format("batch.todo.{}", need)), "note") + table.html());
 }
 
 }  // namespace
 
-std::string batch_answer(Results results) {
-  std::string text = say_count("batch.answer", results.size(), grouped(count_of(results, "planned")));
+std::string batch_answer(const Words& words, Results results) {
+  std::string text =
+      words.say_count("batch.answer", results.size(), words.grouped(count_of(results, "planned")));
   std::string_view separator = words("batch.first_need");
   for (const std::string_view need : needs) {
     const std::size_t count = count_of(results, need);
     if (need == "planned" || count == 0) continue;
-    text += fmt::format("{}{} {}", separator, grouped(count), words(fmt::format("batch.short.{}", need)));
+    text +=
+        fmt::format("{}{} {}", separator, words.grouped(count), words(fmt::format("batch.short.{}", need)));
     separator = ", ";
   }
-  return text + "." + open_stores(results);
+  return text + "." + open_stores(words, results);
 }
 
 std::string batch_csv(Results results, bool safe) {
@@ -165,13 +174,13 @@ std::string batch_csv(Results results, bool safe) {
   return csv;
 }
 
-std::string batch_html(Results results) {
-  const std::string title = say("batch.page");
+std::string batch_html(const Words& words, Results results) {
+  const std::string title = words.say("batch.page");
   const bool is_fine = count_of(results, "planned") == results.size();
   std::string body = html_header({is_fine ? "yes" : "open", escape(words("batch.kicker")), title,
-                                  batch_answer(results), remarks(results)});
-  for (const std::string_view need : needs) body += need_section(results, need);
-  return html_page(title, "<main>\n" + body + "</main>\n");
+                                  batch_answer(words, results), remarks(words, results)});
+  for (const std::string_view need : needs) body += need_section(words, results, need);
+  return html_page(words, title, "<main>\n" + body + "</main>\n");
 }
 
 }  // namespace shelfbeam

@@ -6,6 +6,7 @@
 #include "shelfbeam/report/chart/svg.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -43,7 +44,7 @@ struct Axes {
 
 }  // namespace
 
-std::string histogram_svg(const HistogramChart& chart) {
+std::string histogram_svg(const Words& words, const HistogramChart& chart) {
   if (chart.bars.empty()) return {};
   double highest = 1;
   for (const auto& bar : chart.bars) highest = std::max(highest, bar.height);
@@ -55,7 +56,7 @@ std::string histogram_svg(const HistogramChart& chart) {
   const double floor = axes.y(0);
 
   for (const double value : multiples(0, axes.highest, step))
-    axes.draw_height(value, grouped(static_cast<std::uint64_t>(std::lround(value))));
+    axes.draw_height(value, words.grouped(static_cast<std::uint64_t>(std::lround(value))));
   for (const auto& bar : chart.bars) {
     if (bar.height <= 0) continue;
     // Even a bar for a single count stays visible.
@@ -74,14 +75,14 @@ std::string histogram_svg(const HistogramChart& chart) {
   return axes.svg(chart);
 }
 
-std::string curve_svg(const CurveChart& chart) {
+std::string curve_svg(const Words& words, const CurveChart& chart) {
   if (chart.points.size() < 2) return {};
   const double first = chart.points.front().x, last = chart.points.back().x;
   Axes axes{320, 16, first, last, 100, 10};
-  for (const double value : multiples(0, 100, 20)) axes.draw_height(value, plain(value));
+  for (const double value : multiples(0, 100, 20)) axes.draw_height(value, words.plain(value));
   axes.draw_floor();
   for (const double value : multiples(first, last, std::max(1.0, round_step((last - first) / 10))))
-    axes.draw_tick(value, plain(value));
+    axes.draw_tick(value, words.plain(value));
   for (std::size_t k = 1; k < chart.points.size(); ++k) {
     const auto &from = chart.points[k - 1], &to = chart.points[k];
     axes.canvas.line({axes.x(from.x), axes.y(from.high)}, {axes.x(to.x), axes.y(to.high)}, "mark");
@@ -94,7 +95,7 @@ std::string curve_svg(const CurveChart& chart) {
   return axes.svg(chart);
 }
 
-std::string tornado_svg(const TornadoChart& chart) {
+std::string tornado_svg(const Words& words, const TornadoChart& chart) {
   constexpr double left = 20, right = 20, top = 46, bottom = 58, row = 50, thickness = 16;
   if (chart.bars.empty()) return {};
   double low = std::min(chart.middle, chart.limit), high = std::max(chart.middle, chart.limit);
@@ -111,7 +112,7 @@ std::string tornado_svg(const TornadoChart& chart) {
   SvgCanvas canvas;
   for (const double at : multiples(low, high, round_step((high - low) / 6))) {
     canvas.line({x(at), top}, {x(at), floor}, "grid");
-    canvas.text({x(at), floor + 21}, plain(at), "t mid");
+    canvas.text({x(at), floor + 21}, words.plain(at), "t mid");
   }
   canvas.line({left, floor}, {width - right, floor}, "axis");
   // The texts are moved apart if there is space.

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/report/text/words.hpp"
+
 namespace shelfbeam {
 
 /// A histogram to draw. Positions are in the coordinate of the horizontal axis (for a log axis: log10).
@@ -24,7 +26,7 @@ struct HistogramChart {
   std::string x_title, y_title;
 };
 
-std::string histogram_svg(const HistogramChart& chart);
+std::string histogram_svg(const Words& words, const HistogramChart& chart);
 
 /// Lower and upper bounds of a value over a count, from 0 to 100 %.
 struct CurveChart {
@@ -37,7 +39,7 @@ struct CurveChart {
   std::string x_title, y_title;
 };
 
-std::string curve_svg(const CurveChart& chart);
+std::string curve_svg(const Words& words, const CurveChart& chart);
 
 /// Horizontal bars about a middle value, one per input: the value with that input at the low and at the high
 /// end of its range.
@@ -55,7 +57,7 @@ struct TornadoChart {
   std::string x_title;
 };
 
-std::string tornado_svg(const TornadoChart& chart);
+std::string tornado_svg(const Words& words, const TornadoChart& chart);
 
 /// Points on two logarithmic axes of equal scale, and the line of equality.
 struct ScatterChart {
@@ -72,9 +74,9 @@ struct ScatterChart {
   std::string x_title, y_title;
 };
 
-std::string scatter_svg(const ScatterChart& chart);
+std::string scatter_svg(const Words& words, const ScatterChart& chart);
 
 /// The marks and their meanings as a list; only marks that occur.
-std::string scatter_legend(const ScatterChart& chart);
+std::string scatter_legend(const Words& words, const ScatterChart& chart);
 
 }  // namespace shelfbeam

@@ -7,7 +7,7 @@
 
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/scale.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -35,7 +35,7 @@ double class_share(std::size_t k, const SignalScale& scale) {
 
 }  // namespace
 
-std::string_view MarginClass::name() const {
+std::string_view MarginClass::name(const Words& words) const {
   return words(key);
 }
 

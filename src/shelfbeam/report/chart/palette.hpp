@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/report/chart/svg.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -16,7 +17,7 @@ struct MarginClass {
   double from;  ///< dB
   const char* key;
 
-  std::string_view name() const;
+  std::string_view name(const Words& words) const;
 };
 
 inline constexpr std::array<MarginClass, 7> margin_classes{{{-1e300, "margin.class.far_short"},

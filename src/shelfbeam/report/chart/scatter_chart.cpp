@@ -10,7 +10,7 @@
 #include "shelfbeam/report/chart/svg.hpp"
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -53,7 +53,7 @@ std::vector<double> ticks(double low, double high) {
 
 }  // namespace
 
-std::string scatter_svg(const ScatterChart& chart) {
+std::string scatter_svg(const Words& words, const ScatterChart& chart) {
   if (chart.dots.empty()) return {};
   double low = 1e300, high = -1e300;
   for (const auto& dot : chart.dots) {
@@ -76,8 +76,8 @@ std::string scatter_svg(const ScatterChart& chart) {
   for (const double at : ticks(low, high)) {
     canvas.line({x(at), top_margin}, {x(at), top_margin + side}, "grid");
     canvas.line({left_margin, y(at)}, {left_margin + side, y(at)}, "grid");
-    canvas.text({x(at), top_margin + side + 21}, plain(std::pow(10, at)), "t mid");
-    canvas.text({left_margin - 8, y(at) + 4}, plain(std::pow(10, at)), "t end");
+    canvas.text({x(at), top_margin + side + 21}, words.plain(std::pow(10, at)), "t mid");
+    canvas.text({left_margin - 8, y(at) + 4}, words.plain(std::pow(10, at)), "t end");
   }
   canvas.line({left_margin, top_margin + side}, {left_margin + side, top_margin + side}, "axis");
   canvas.line({left_margin, top_margin}, {left_margin, top_margin + side}, "axis");
@@ -116,7 +116,7 @@ std::string scatter_svg(const ScatterChart& chart) {
                     chart.description, canvas.body());
 }
 
-std::string scatter_legend(const ScatterChart& chart) {
+std::string scatter_legend(const Words& words, const ScatterChart& chart) {
   std::string items;
   for (const Kind& kind : kinds) {
     const bool occurs = std::any_of(chart.dots.begin(), chart.dots.end(),

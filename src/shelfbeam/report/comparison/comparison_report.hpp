@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/signal/measured/comparison.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
@@ -21,6 +22,6 @@ struct ComparisonInput {
 std::string comparison_csv(const ComparisonInput& input);
 
 /// A self-contained page: the answer, the signals on two logarithmic axes, the residuals, the worst pairs.
-std::string comparison_html(const ComparisonInput& input);
+std::string comparison_html(const Words& words, const ComparisonInput& input);
 
 }  // namespace shelfbeam

@@ -7,27 +7,28 @@
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/data/walking_order.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-SignalUnit unit_of(const SignalMatrix& matrix) {
+SignalUnit unit_of(const Words& words, const SignalMatrix& matrix) {
   std::vector<double> requirements;
   for (const LabelRow& label : matrix.labels) requirements.push_back(label.requirement);
-  return signal_unit(quantile(requirements, 0.5));
+  return signal_unit(words, quantile(requirements, 0.5));
 }
 
 }  // namespace
 
 ReportData::ReportData(const ReportInput& report_input)
     : input(report_input),
+      words(words_of(input.scene)),
       outcome(outcome_of(input.matrix, input.plan.placement, input.plan.certificate)),
       sampling(sampling_summary(input.matrix)),
       uncertain(uncertain_labels(input.matrix, outcome)),
       mounting_points(distinct_positions(positions_of(input.matrix.transceivers)).count),
-      unit(unit_of(input.matrix)) {
+      unit(unit_of(words, input.matrix)) {
   std::vector<double> heights;
   for (const LabelRow& label : input.matrix.labels) heights.push_back(label.position.z);
   levels = shelf_levels(heights);
@@ -50,9 +51,9 @@ std::size_t ReportData::unit_number(std::uint32_t column) const {
          1;
 }
 
-std::string ShelfLevel::heights() const {
-  const std::string from = fixed(low, 2), to = fixed(high, 2);
-  return from == to ? say("coverage.one_height", from) : say("coverage.heights", from, to);
+std::string ShelfLevel::heights(const Words& words) const {
+  const std::string from = words.fixed(low, 2), to = words.fixed(high, 2);
+  return from == to ? words.say("coverage.one_height", from) : words.say("coverage.heights", from, to);
 }
 
 std::vector<ShelfLevel> shelf_levels(std::span<const double> heights) {

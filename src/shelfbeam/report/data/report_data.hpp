@@ -10,6 +10,7 @@
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -19,7 +20,7 @@ struct ShelfLevel {
   std::vector<std::uint32_t> labels;  ///< ascending
 
   /// "labels at 0.85 to 1.00 m"
-  std::string heights() const;
+  std::string heights(const Words& words) const;
 };
 
 /// The largest difference in height within a level, m.
@@ -36,6 +37,7 @@ struct ReportData {
   explicit ReportData(const ReportInput& report_input);
 
   const ReportInput& input;
+  Words words;      ///< in the language of the store
   Outcome outcome;  ///< units in walking order
   SamplingSummary sampling;
   std::size_t uncertain;  ///< labels whose verdict sampling error could change

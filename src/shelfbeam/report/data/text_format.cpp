@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/text.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -54,78 +54,21 @@ std::string escape(std::string_view text) {
   return out;
 }
 
-std::string fixed(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
-  const bool zero = text.find_first_not_of("0.") == std::string::npos;
-  return value < 0 && !zero ? "−" + text : text;
-}
-
-std::string significant(double value, int digits) {
-  if (value == 0) return "0";
-  if (!std::isfinite(value)) return value > 0 ? "∞" : value < 0 ? "−∞" : "–";
-  // Rounded first, so that 9.996 counts as 10.0 and not as 9.996 with two decimals.
-  const double rounded = std::stod(fmt::format("{:.{}e}", value, digits - 1));
-  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(rounded)) + 1e-12));
-  if (exponent < -4 || exponent > 6) {
-    const std::string mantissa = fixed(rounded / std::pow(10, exponent), digits - 1);
-    return fmt::format("{}·10^{}", mantissa, exponent);
-  }
-  return fixed(rounded, std::max(0, digits - 1 - exponent));
-}
-
-std::string decibels(double value, int decimals) {
-  if (std::isinf(value)) return say(value < 0 ? "margin.no_signal" : "margin.no_requirement");
-  // Two decimals for a small margin, which would otherwise read as 0.0 dB.
-  const std::string text = fixed(value, std::abs(value) < 0.095 ? std::max(decimals, 2) : decimals);
-  return (value > 0 && text != "0.00" ? "+" : "") + text + "\u00A0dB";
-}
-
-std::string percent(double share, int decimals) {
-  return fixed(100 * share, decimals) + "\u00A0%";
-}
-
-double rounded_down(double value, int decimals) {
-  constexpr double rounding = 1e-9;
-  const double scale = std::pow(10, decimals);
-  return std::floor(scale * value + rounding * std::max(1.0, std::abs(scale * value))) / scale;
-}
-
-double rounded_up(double value, int decimals) {
-  return -rounded_down(-value, decimals);
-}
-
-std::string plain_down(double value) {
-  constexpr int digits = 6;
-  if (value == 0 || !std::isfinite(value)) return plain(value);
-  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  return plain(rounded_down(value, digits - 1 - exponent));
-}
-
-std::string confidence_text(double confidence) {
-  constexpr int decimals = 4;
-  return plain(rounded_down(100 * confidence, decimals));
-}
-
 std::string with_joined_percent(std::string text) {
   for (std::size_t at = 0; (at = text.find(" %", at)) != std::string::npos;) text.replace(at, 2, "\u00A0%");
   return text;
-}
-
-std::string plain(double value) {
-  const std::string text = fmt::format("{:.6g}", std::abs(value));
-  return value < 0 && text != "0" ? "−" + text : text;
 }
 
 std::string csv_number(double value) {
   return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
 }
 
-SignalUnit signal_unit(double reference) {
+SignalUnit signal_unit(const Words& words, double reference) {
   constexpr std::array<std::pair<double, const char*>, 6> prefixes{
       {{1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}, {1e-12, "p"}}};
   for (const auto& [factor, prefix] : prefixes)
-    if (reference >= factor) return {factor, std::string(prefix) + "W/m²"};
-  return {};
+    if (reference >= factor) return {words, factor, std::string(prefix) + "W/m²"};
+  return {words};
 }
 
 std::vector<std::string> id_ranges(std::span<const std::string> ids) {

@@ -14,7 +14,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -41,7 +41,8 @@ LabelChange shown_change(const ComparedLabel& label) {
 class DifferenceMap {
  public:
   DifferenceMap(const DifferenceInput& input, const Scene& after)
-      : input_(input),
+      : words_(words_of(after)),
+        input_(input),
         scene_(after),
         view_(after),
         radius_(label_mark_radius(view_, positions_of(input.after.labels))) {}
@@ -62,7 +63,8 @@ class DifferenceMap {
     return fmt::format(
         "<figure class=\"overview\">\n<div class=\"map\">{}</div>\n<ul class=\"legend\">{}</ul>\n"
         "</figure>\n",
-        inline_svg(view_.width(), view_.height(), "m", say("difference.map.description"), canvas.body()),
+        inline_svg(view_.width(), view_.height(), "m", words_.say("difference.map.description"),
+                   canvas.body()),
         legend_);
   }
 
@@ -97,7 +99,7 @@ class DifferenceMap {
         canvas.use(mark.symbol, places[label.after->row], label_id(input_, label));
         is_used = true;
       }
-      if (is_used) legend_ += legend_item(mark.symbol, words(mark.text));
+      if (is_used) legend_ += legend_item(mark.symbol, words_(mark.text));
     }
   }
 
@@ -119,9 +121,10 @@ class DifferenceMap {
     }
     for (const auto& [name, change] : names_of<UnitChange>)
       if (input_.difference.count(change) > 0)
-        legend_ += legend_item(fmt::format("unit-{}", name), words(fmt::format("difference.map.{}", name)));
+        legend_ += legend_item(fmt::format("unit-{}", name), words_(fmt::format("difference.map.{}", name)));
   }
 
+  Words words_;
   const DifferenceInput& input_;
   const Scene& scene_;
   PlanView view_;

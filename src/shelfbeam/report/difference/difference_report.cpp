@@ -8,7 +8,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/difference/difference_map.hpp"
 #include "shelfbeam/report/page/html.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -29,35 +29,40 @@ const char* tone_of(const PlanDifference& difference) {
   return difference.figures.after.certificate == CertificateState::certified ? "yes" : "open";
 }
 
-std::string label_sections(const DifferenceInput& input) {
+std::string label_sections(const Words& words, const DifferenceInput& input) {
   std::string html;
   for (const LabelChange change : listed_changes)
     if (const std::size_t count = input.difference.count(change); count > 0)
-      html += html_section(fmt::format("labels-{}", to_text(change)), labels_heading(change, count, max_rows),
-                           table_html(changed_labels(input, change, max_rows)));
+      html += html_section(fmt::format("labels-{}", to_text(change)),
+                           labels_heading(words, change, count, max_rows),
+                           table_html(changed_labels(words, input, change, max_rows)));
   return html;
 }
 
 }  // namespace
 
 std::string difference_html(const DifferenceReport& report) {
+  const Words words = words_of(report.after);
   const DifferenceInput& input = report.input;
   const PlanDifference& difference = input.difference;
   const std::string title =
-      say("difference.title", printable(report.before_name), printable(report.after_name));
-  std::string body =
-      html_header({tone_of(difference), escape(words("difference.kicker")), title, difference_answer(input)});
-  body += html_section("figures", say("difference.section.figures"), table_html(difference_figures(input)));
-  body += html_section("map", say("difference.section.map"), difference_map(input, report.after));
-  const TextTable units = changed_units(input);
-  body += html_section("units", say("difference.section.units"),
-                       paragraph(unit_counts(difference)) + (units.size() > 1 ? table_html(units) : ""));
-  body += label_sections(input);
-  body += html_section("weakest", say("difference.section.weakest"), table_html(weakest_labels(input)));
-  body += html_section("store", say("difference.section.store"),
-                       difference.store.empty() ? paragraph(say("difference.section.no_store"))
-                                                : html_list(store_lines(difference)));
-  return html_page(title, "<main>\n" + body + "</main>\n");
+      words.say("difference.title", printable(report.before_name), printable(report.after_name));
+  std::string body = html_header(
+      {tone_of(difference), escape(words("difference.kicker")), title, difference_answer(words, input)});
+  body += html_section("figures", words.say("difference.section.figures"),
+                       table_html(difference_figures(words, input)));
+  body += html_section("map", words.say("difference.section.map"), difference_map(input, report.after));
+  const TextTable units = changed_units(words, input);
+  body +=
+      html_section("units", words.say("difference.section.units"),
+                   paragraph(unit_counts(words, difference)) + (units.size() > 1 ? table_html(units) : ""));
+  body += label_sections(words, input);
+  body += html_section("weakest", words.say("difference.section.weakest"),
+                       table_html(weakest_labels(words, input)));
+  body += html_section("store", words.say("difference.section.store"),
+                       difference.store.empty() ? paragraph(words.say("difference.section.no_store"))
+                                                : html_list(store_lines(words, difference)));
+  return html_page(words, title, "<main>\n" + body + "</main>\n");
 }
 
 }  // namespace shelfbeam

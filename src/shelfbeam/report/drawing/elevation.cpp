@@ -9,7 +9,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -85,6 +85,7 @@ std::optional<std::uint32_t> fixture_with_max_labels(const Scene& scene) {
 }
 
 double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index, double top, double width) {
+  const Words words = words_of(scene);
   constexpr double left = 52, right = 60, gap = 78, heading = 58, below = 30;
   const FixtureOutline& fixture = scene.fixtures[index];
   const Directions d(fixture.rotation_deg);
@@ -108,11 +109,12 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   const double end_left = left + outline.u.size() * scale + gap;
   const auto end_x = [&](double v) { return end_left + (v - outline.v.low) * scale; };
 
-  canvas.text({left, top + 16}, say("drawing.elevation.title", fixture.id), "title");
-  canvas.text({left, top + 38},
-              say("drawing.elevation.size", grouped(labels.size()), fixed(outline.u.size(), 2),
-                  fixed(outline.v.size(), 2), fixed(fixture.height, 2)),
-              "sub");
+  canvas.text({left, top + 16}, words.say("drawing.elevation.title", fixture.id), "title");
+  canvas.text(
+      {left, top + 38},
+      words.say("drawing.elevation.size", words.grouped(labels.size()), words.fixed(outline.u.size(), 2),
+                words.fixed(outline.v.size(), 2), words.fixed(fixture.height, 2)),
+      "sub");
   const auto draw = [&](const std::vector<Seen>& parts, const auto& x, const auto& across) {
     for (const Seen& seen : parts) {
       if (fixture.form == FixtureForm::sheet) {
@@ -145,7 +147,7 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   canvas.text({end_left + outline.v.size() * scale / 2, ground + 21}, words("drawing.elevation.end"),
               "t mid");
   canvas.text({left + outline.u.size() * scale / 2, ground + 21},
-              say("drawing.metres", fixed(outline.u.size(), 2)), "t mid");
+              words.say("drawing.metres", words.fixed(outline.u.size(), 2)), "t mid");
 
   // Heights of the labels between the two views, height of the fixture on the left.
   std::sort(heights.begin(), heights.end());
@@ -156,12 +158,12 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   for (const double z : heights) {
     canvas.line({right_edge + 3, up(z)}, {right_edge + 10, up(z)}, "tick");
     if (last - up(z) < 14) continue;
-    canvas.text({right_edge + 14, up(z) + 4}, say("drawing.metres", fixed(z, 2)), "t");
+    canvas.text({right_edge + 14, up(z) + 4}, words.say("drawing.metres", words.fixed(z, 2)), "t");
     last = up(z);
   }
   for (const double z : {0.0, fixture.height}) {
     canvas.line({left - 10, up(z)}, {left - 3, up(z)}, "tick");
-    canvas.text({left - 14, up(z) + 4}, fixed(z, 2), "t end");
+    canvas.text({left - 14, up(z) + 4}, words.fixed(z, 2), "t end");
   }
   return heading + fixture.height * scale + below;
 }

@@ -15,6 +15,7 @@
 #include "shelfbeam/report/drawing/store_layer.hpp"
 #include "shelfbeam/report/drawing/text_space.hpp"
 #include "shelfbeam/report/drawing/zone_names.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -184,6 +185,7 @@ void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own)
 
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene,
                       std::span<const Point> marks, const std::set<std::string>& referenced) {
+  const Words words = words_of(scene);
   constexpr double largest = 24, referenced_size = 20;  // drawing units
   const double smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();
   const std::vector<Look> looks = looks_of(scene);
@@ -191,7 +193,7 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
   for (const Point& mark : marks)
     obstacles.emplace_back(
         Rectangle{mark.x - mark_radius, mark.y - mark_radius, mark.x + mark_radius, mark.y + mark_radius});
-  if (scene.room) draw_zone_names(canvas, view, *scene.room, obstacles);
+  if (scene.room) draw_zone_names(words, canvas, view, *scene.room, obstacles);
   const auto draw = [&](const FixtureOutline& fixture, Look look, bool is_referenced) {
     const Extent e = extent_of(view, fixture);
     const double fits = std::min(0.66 * e.across, 0.92 * e.along / text_width(fixture.id, 1));

@@ -11,7 +11,7 @@
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -82,27 +82,31 @@ void draw_transceivers(SvgCanvas& canvas, const PlanView& view, const Scene& sce
 }
 
 std::string contents_of(const Scene& scene) {
+  const Words words = words_of(scene);
   const std::size_t walls = scene.inner_walls(), zones = scene.room ? scene.room->zones.size() : 0;
-  std::string text = say_count("noun.fixture", scene.fixtures.size() - walls);
-  if (walls > 0) text += " · " + say_count("noun.inner_wall", walls);
-  if (zones > 0) text += " · " + say_count("noun.zone", zones);
+  std::string text = words.say_count("noun.fixture", scene.fixtures.size() - walls);
+  if (walls > 0) text += " · " + words.say_count("noun.inner_wall", walls);
+  if (zones > 0) text += " · " + words.say_count("noun.zone", zones);
   return text;
 }
 
 std::string counts(const Scene& scene) {
+  const Words words = words_of(scene);
   const auto installed = std::count_if(scene.transceivers.begin(), scene.transceivers.end(),
                                        [](const Transceiver& t) { return t.installed; });
   const std::size_t points = distinct_positions(positions_of(scene.transceivers)).count;
   const Vec3 size = scene.room ? scene.room->upper() - scene.room->lower() : scene.upper - scene.lower;
-  std::string text = say("drawing.counts", plain(size.x), plain(size.y), plain(size.z), contents_of(scene),
-                         say_count("noun.label", scene.labels.size()),
-                         say_count("noun.candidate", scene.transceivers.size()));
-  if (points < scene.transceivers.size()) text = say_count("drawing.at_points", points, text);
-  if (installed > 0) text = say("drawing.of_which_installed", text, installed);
+  std::string text =
+      words.say("drawing.counts", words.plain(size.x), words.plain(size.y), words.plain(size.z),
+                contents_of(scene), words.say_count("noun.label", scene.labels.size()),
+                words.say_count("noun.candidate", scene.transceivers.size()));
+  if (points < scene.transceivers.size()) text = words.say_count("drawing.at_points", points, text);
+  if (installed > 0) text = words.say("drawing.of_which_installed", text, installed);
   return text;
 }
 
 void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
+  const Words words = words_of(scene);
   const bool installed = std::any_of(scene.transceivers.begin(), scene.transceivers.end(),
                                      [](const Transceiver& t) { return t.installed; });
   double x = 360;
@@ -126,8 +130,9 @@ void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
 }  // namespace
 
 std::string floor_plan_svg(const Scene& scene) {
+  const Words words = words_of(scene);
   constexpr double heading = 84, margin = 24;
-  const std::string title = scene.name.empty() ? say("summary.store") : scene.name;
+  const std::string title = scene.name.empty() ? words.say("summary.store") : scene.name;
   const PlanView view(scene, heading);
   SvgCanvas canvas;
   view.draw_floor(canvas, scene.room);

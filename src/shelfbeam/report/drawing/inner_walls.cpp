@@ -6,7 +6,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/wall_section.hpp"
 
 namespace shelfbeam {
@@ -33,6 +33,7 @@ void draw_panes(SvgCanvas& canvas, const PlanView& view, const InnerWall& wall) 
 }  // namespace
 
 void draw_inner_walls(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  const Words words = words_of(scene);
   if (!scene.room || scene.room->inner_walls.empty()) return;
   const std::vector<WallSection> sections = wall_sections(*scene.room, section_height);
   if (scene.inner_walls() != sections.size()) return;  // a scene whose fixtures were removed
@@ -41,7 +42,7 @@ void draw_inner_walls(SvgCanvas& canvas, const PlanView& view, const Scene& scen
     const FixtureOutline& fixture = scene.fixtures[first + w];
     if (!loops.empty())
       canvas.path(path_of(view, loops), css_class,
-                  say("drawing.fixture", fixture.id, fixture.type, fixed(fixture.height, 2)));
+                  words.say("drawing.fixture", fixture.id, fixture.type, words.fixed(fixture.height, 2)));
   };
   for (std::size_t w = 0; w < sections.size(); ++w) draw(w, sections[w].below, "wall-low");
   for (std::size_t w = 0; w < sections.size(); ++w) draw(w, sections[w].cut, "wall");

@@ -11,7 +11,7 @@
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -108,7 +108,7 @@ std::string Maps::definitions() const {
       if (const std::string nose = nose_of(unit); !nose.empty())
         canvas.raw(fmt::format("<g transform=\"translate({} {})\">{}</g>\n", coordinate(at.x),
                                coordinate(at.y), nose));
-      canvas.use(unit_symbol(unit), at, say("drawing.unit", k + 1, unit.id));
+      canvas.use(unit_symbol(unit), at, data_.words.say("drawing.unit", k + 1, unit.id));
       canvas.text(at, fmt::format("{}", k + 1), "num");
     }
   canvas.raw("</g>\n</defs></svg>\n");
@@ -140,8 +140,10 @@ std::string Maps::overview(const std::string& description) const {
   const std::vector<Point> at = positions(lost);
   SvgCanvas canvas;
   for (std::size_t k = 0; k < lost.size(); ++k) canvas.use("m0", at[k], data_.label(lost[k]).id);
-  const std::string lost_key =
-      lost.empty() ? "" : legend_item("m0", say("drawing.legend.out_of_reach", grouped(lost.size())));
+  const std::string lost_key = lost.empty()
+                                   ? ""
+                                   : legend_item("m0", data_.words.say("drawing.legend.out_of_reach",
+                                                                       data_.words.grouped(lost.size())));
   return fmt::format("<figure class=\"overview\">\n{}<ul class=\"legend\">{}{}</ul>\n</figure>\n",
                      picture(canvas.body(), "m", description), lost_key, unit_legend(false));
 }
@@ -162,14 +164,14 @@ std::string Maps::margin_map(std::size_t level_index) const {
     const double signal = data_.shown_signal(label);
     canvas.use(fmt::format("m{}", class_of(label)), at[k],
                fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal),
-                           decibels(margin_db(signal, data_.label(label).requirement))));
+                           data_.words.decibels(margin_db(signal, data_.label(label).requirement))));
     if (data_.outcome.labels[label].depends_on_flagged) canvas.use("hollow", at[k]);
     if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
   }
-  const std::string title =
-      say("drawing.level", level_index + 1, level.heights(), grouped(level.labels.size()));
+  const std::string title = data_.words.say("drawing.level", level_index + 1, level.heights(data_.words),
+                                            data_.words.grouped(level.labels.size()));
   return fmt::format("<figure class=\"plan\"><figcaption>{}</figcaption>\n{}{}</figure>\n", escape(title),
-                     picture(free_points + canvas.body(), "m", say("drawing.by_margin", title)),
+                     picture(free_points + canvas.body(), "m", data_.words.say("drawing.by_margin", title)),
                      margin_legend(level));
 }
 
@@ -190,10 +192,10 @@ std::string Maps::signal_maps(std::size_t level_index) const {
   const std::array<std::pair<const char*, double LabelOutcome::*>, 2> parts{
       {{"direct", &LabelOutcome::direct}, {"all", &LabelOutcome::signal}}};
   for (const auto& [key, part] : parts) {
-    const std::string title = say(fmt::format("drawing.light.{}", key));
-    html += fmt::format(
-        "<figure><figcaption>{}</figcaption>\n{}</figure>\n", title,
-        picture(free_points + marks(part), "m half", say("drawing.by_signal", title, level.heights())));
+    const std::string title = data_.words.say(fmt::format("drawing.light.{}", key));
+    html += fmt::format("<figure><figcaption>{}</figcaption>\n{}</figure>\n", title,
+                        picture(free_points + marks(part), "m half",
+                                data_.words.say("drawing.by_signal", title, level.heights(data_.words))));
   }
   return html + "</div>\n" + signal_legend();
 }
@@ -204,15 +206,17 @@ std::string Maps::margin_legend(const ShelfLevel& level) const {
   std::string html = "<ul class=\"legend\">";
   for (std::size_t k = 0; k < margin_classes.size(); ++k)
     if (k > 1 || counts[k] > 0)
-      html += legend_item(fmt::format("m{}", k),
-                          fmt::format("{}: {}", margin_classes[k].name(), grouped(counts[k])));
+      html += legend_item(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name(data_.words),
+                                                             data_.words.grouped(counts[k])));
   const auto hollow = static_cast<std::size_t>(
       std::count_if(level.labels.begin(), level.labels.end(),
                     [&](std::uint32_t label) { return data_.outcome.labels[label].depends_on_flagged; }));
-  if (hollow > 0) html += legend_item("hollow-key", say("drawing.legend.unreliable", grouped(hollow)));
+  if (hollow > 0)
+    html +=
+        legend_item("hollow-key", data_.words.say("drawing.legend.unreliable", data_.words.grouped(hollow)));
   if (data_.has_selection() &&
       std::binary_search(level.labels.begin(), level.labels.end(), data_.outcome.by_margin.front()))
-    html += legend_item("worst", say("drawing.legend.worst"));
+    html += legend_item("worst", data_.words.say("drawing.legend.worst"));
   return html + unit_legend(true) + "</ul>\n";
 }
 
@@ -224,27 +228,28 @@ std::string Maps::unit_legend(bool has_candidates) const {
       (data_.transceiver(unit.column).installed ? old : fresh) = true;
       leans |= !nose_of(data_.transceiver(unit.column)).empty();
     }
-  if (fresh) html += legend_item("unit", say("drawing.legend.unit"));
-  if (old) html += legend_item("unit-old", say("drawing.legend.installed"));
-  if (leans) html += legend_item("unit-aim", say("drawing.legend.aim"));
+  if (fresh) html += legend_item("unit", data_.words.say("drawing.legend.unit"));
+  if (old) html += legend_item("unit-old", data_.words.say("drawing.legend.installed"));
+  if (leans) html += legend_item("unit-aim", data_.words.say("drawing.legend.aim"));
   const std::vector<Look> looks = looks_of(data_.input.scene);
   if (std::find(looks.begin(), looks.end(), Look::overhead) != looks.end())
-    html += legend_item("overhead", say("drawing.legend.overhead"));
+    html += legend_item("overhead", data_.words.say("drawing.legend.overhead"));
   if (has_candidates)
-    html += legend_item(
-        "cross", say(data_.has_selection() ? "drawing.legend.not_chosen" : "drawing.legend.candidate"));
+    html += legend_item("cross", data_.words.say(data_.has_selection() ? "drawing.legend.not_chosen"
+                                                                       : "drawing.legend.candidate"));
   if (data_.input.plan.placement.problem.redundant)
-    html += fmt::format("<li>{}</li>", escape(words("drawing.legend.without_strongest")));
+    html += fmt::format("<li>{}</li>", escape(data_.words("drawing.legend.without_strongest")));
   return html;
 }
 
 std::string Maps::signal_legend() const {
-  std::string html = "<ul class=\"legend\">" + legend_item("gz", say("drawing.legend.none"));
+  std::string html = "<ul class=\"legend\">" + legend_item("gz", data_.words.say("drawing.legend.none"));
   for (std::size_t k = 0; k < scale_.classes(); ++k) {
     const std::string upper = data_.unit.round_number(scale_.edges[k + 1]) + "\u00A0" + data_.unit.name;
-    html += legend_item(fmt::format("g{}", k), k == 0 ? say("drawing.legend.below", upper)
-                                                      : say("drawing.legend.range",
-                                                            data_.unit.round_number(scale_.edges[k]), upper));
+    html += legend_item(
+        fmt::format("g{}", k),
+        k == 0 ? data_.words.say("drawing.legend.below", upper)
+               : data_.words.say("drawing.legend.range", data_.unit.round_number(scale_.edges[k]), upper));
   }
   return html + unit_legend(true) + "</ul>\n";
 }

@@ -5,7 +5,7 @@
 
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -15,7 +15,7 @@ constexpr double drawing_width = 1000, drawing_height = 1300;  // drawing units,
 
 }  // namespace
 
-PlanView::PlanView(const Scene& scene, double top) {
+PlanView::PlanView(const Scene& scene, double top) : words_(words_of(scene)) {
   const auto include = [this](const Vec3& p) {
     x_.add(p.x);
     y_.add(p.y);
@@ -56,8 +56,8 @@ void PlanView::draw_axes(SvgCanvas& canvas) const {
   const auto is_labelled = [&](double value) {
     return std::abs(value / labelled - std::round(value / labelled)) < 1e-6;
   };
-  const auto metres = [](double value) {
-    return fixed(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
+  const auto metres = [&](double value) {
+    return words_.fixed(value, std::abs(value - std::round(value)) < 0.05 ? 0 : 1);
   };
   for (const double x : multiples(x_.low, x_.high, step)) {
     const Point p = at(x, y_.low);
@@ -75,8 +75,8 @@ void PlanView::draw_axes(SvgCanvas& canvas) const {
   const double half = bar * scale_ / 2;
   canvas.rect(start, half, 7, "bar-full");
   canvas.rect({start.x + half, start.y}, half, 7, "bar-empty");
-  canvas.text({start.x + 2 * half + 10, start.y + 9}, say("drawing.scale", metres(bar)), "t");
-  canvas.text({width_ - right, start.y + 9}, words("drawing.axes"), "t end");
+  canvas.text({start.x + 2 * half + 10, start.y + 9}, words_.say("drawing.scale", metres(bar)), "t");
+  canvas.text({width_ - right, start.y + 9}, words_("drawing.axes"), "t end");
 }
 
 }  // namespace shelfbeam

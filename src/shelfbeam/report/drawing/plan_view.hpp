@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/report/chart/svg.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
@@ -45,6 +46,7 @@ class PlanView {
  private:
   static constexpr double left = 52, right = 16, below = 84;
 
+  Words words_;
   Span x_, y_;  // m
   double scale_ = 1, width_ = 0, height_ = 0, bottom_ = 0;
 };

@@ -11,7 +11,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -44,10 +44,12 @@ void draw_outline(SvgCanvas& canvas, const PlanView& view, const FixtureOutline&
 }
 
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) {
+  const Words words = words_of(scene);
   const std::vector<Look> looks = looks_of(scene);
   for (const std::uint32_t f : fixtures_by_height(scene)) {
     const FixtureOutline& fixture = scene.fixtures[f];
-    const std::string title = say("drawing.fixture", fixture.id, fixture.type, fixed(fixture.height, 2));
+    const std::string title =
+        words.say("drawing.fixture", fixture.id, fixture.type, words.fixed(fixture.height, 2));
     if (looks[f] == Look::overhead) {
       draw_outline(canvas, view, fixture, "fx-o", title);
       continue;

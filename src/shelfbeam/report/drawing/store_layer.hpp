@@ -8,6 +8,7 @@
 
 #include "shelfbeam/report/chart/svg.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
@@ -40,7 +41,7 @@ std::vector<Point> label_mark_positions(const PlanView& view, std::span<const Ve
 void draw_inner_walls(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
 
 /// The id of a zone and the height of its ceiling: "bakery, 2.6 m".
-std::string zone_name(const CeilingZone& zone);
+std::string zone_name(const Words& words, const CeilingZone& zone);
 
 /// The ids of the fixtures, along their long sides. The id of a small fixture is drawn beside it, clear of
 /// other fixtures, ids and label marks; without free space nearby, farther away with a leader line. The id of

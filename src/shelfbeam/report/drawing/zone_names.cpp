@@ -8,7 +8,7 @@
 
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -33,21 +33,21 @@ std::optional<Rectangle> position_within(const std::vector<Point>& zone, double 
 
 }  // namespace
 
-std::string zone_name(const CeilingZone& zone) {
+std::string zone_name(const Words& words, const CeilingZone& zone) {
   double low = zone.height.at(zone.polygon.front()), high = low;
   for (const Vec2& corner : zone.polygon) {
     low = std::min(low, zone.height.at(corner));
     high = std::max(high, zone.height.at(corner));
   }
   constexpr double level = 0.005;  // m
-  return high - low < level ? say("drawing.zone", zone.id, plain(low))
-                            : say("drawing.sloped_zone", zone.id, plain(low), plain(high));
+  return high - low < level ? words.say("drawing.zone", zone.id, words.plain(low))
+                            : words.say("drawing.sloped_zone", zone.id, words.plain(low), words.plain(high));
 }
 
-void draw_zone_names(SvgCanvas& canvas, const PlanView& view, const RoomShape& room,
+void draw_zone_names(const Words& words, SvgCanvas& canvas, const PlanView& view, const RoomShape& room,
                      std::vector<Obstacle>& obstacles) {
   for (const CeilingZone& zone : room.zones) {
-    const std::string name = zone_name(zone);
+    const std::string name = zone_name(words, zone);
     const std::vector<Point> outline = view.outline(zone.polygon);
     // The largest size for which there is space; without any, the smallest across fixtures or the border.
     double size = 0;

@@ -15,39 +15,40 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/availability.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-std::string units_clause(const PlanDifference& difference) {
+std::string units_clause(const Words& words, const PlanDifference& difference) {
   const auto& [before, after] = difference.figures;
-  if (!before.has_selection && !after.has_selection) return say("difference.units.no_selection");
-  if (!before.has_selection) return say_count("difference.units.first_selection", after.units);
-  if (!after.has_selection) return say_count("difference.units.lost_selection", before.units);
+  if (!before.has_selection && !after.has_selection) return words.say("difference.units.no_selection");
+  if (!before.has_selection) return words.say_count("difference.units.first_selection", after.units);
+  if (!after.has_selection) return words.say_count("difference.units.lost_selection", before.units);
   if (after.units < before.units)
-    return say_count("difference.units.fewer", before.units - after.units, grouped(after.units),
-                     grouped(before.units));
+    return words.say_count("difference.units.fewer", before.units - after.units, words.grouped(after.units),
+                           words.grouped(before.units));
   if (after.units > before.units)
-    return say_count("difference.units.more", after.units - before.units, grouped(after.units),
-                     grouped(before.units));
+    return words.say_count("difference.units.more", after.units - before.units, words.grouped(after.units),
+                           words.grouped(before.units));
   const std::size_t other = difference.count(UnitChange::added) + difference.count(UnitChange::changed);
-  if (other == 0) return say_count("difference.units.same", after.units);
-  return other == after.units ? say_count("difference.units.elsewhere", after.units)
-                              : say("difference.units.some_elsewhere", grouped(after.units), grouped(other));
+  if (other == 0) return words.say_count("difference.units.same", after.units);
+  return other == after.units
+             ? words.say_count("difference.units.elsewhere", after.units)
+             : words.say("difference.units.some_elsewhere", words.grouped(after.units), words.grouped(other));
 }
 
-std::string price_clause(const PlanDifference& difference) {
+std::string price_clause(const Words& words, const PlanDifference& difference) {
   const auto& [before, after] = difference.figures;
   if (!before.price || !after.price || before.price->currency != after.price->currency ||
       before.price->to_spend == after.price->to_spend)
     return {};
-  return say("difference.price", money(after.price->to_spend, after.price),
-             money(before.price->to_spend, before.price));
+  return words.say("difference.price", money(words, after.price->to_spend, after.price),
+                   money(words, before.price->to_spend, before.price));
 }
 
-std::string labels_clause(const PlanDifference& difference) {
+std::string labels_clause(const Words& words, const PlanDifference& difference) {
   const auto count = [&](LabelChange change) { return difference.count(change); };
   const std::size_t stay = count(LabelChange::stays_reached), gained = count(LabelChange::gained),
                     lost = count(LabelChange::lost), missed = count(LabelChange::stays_missed),
@@ -55,118 +56,123 @@ std::string labels_clause(const PlanDifference& difference) {
   std::string clause;
   const auto add = [&](std::string text) { clause += (clause.empty() ? "" : ", ") + std::move(text); };
   if (common > 0)
-    add(stay == common ? say_count("difference.labels.all", stay)
-                       : say_count("difference.labels.some", common, grouped(stay)));
-  if (gained > 0) add(say("difference.labels.gained", grouped(gained)));
-  if (lost > 0) add(say("difference.labels.lost", grouped(lost)));
-  if (missed > 0) add(say("difference.labels.missed", grouped(missed)));
+    add(stay == common ? words.say_count("difference.labels.all", stay)
+                       : words.say_count("difference.labels.some", common, words.grouped(stay)));
+  if (gained > 0) add(words.say("difference.labels.gained", words.grouped(gained)));
+  if (lost > 0) add(words.say("difference.labels.lost", words.grouped(lost)));
+  if (missed > 0) add(words.say("difference.labels.missed", words.grouped(missed)));
   if (const std::size_t added = count(LabelChange::added); added > 0) {
     const auto reached =
         std::count_if(difference.labels.begin(), difference.labels.end(),
                       [](const ComparedLabel& label) { return !label.before && label.after->reached; });
     add(static_cast<std::size_t>(reached) == added
-            ? say_count("difference.labels.new_reached", added)
-            : say_count("difference.labels.new_some", added, grouped(static_cast<std::uint64_t>(reached))));
+            ? words.say_count("difference.labels.new_reached", added)
+            : words.say_count("difference.labels.new_some", added,
+                              words.grouped(static_cast<std::uint64_t>(reached))));
   }
   if (const std::size_t removed = count(LabelChange::removed); removed > 0)
-    add(say_count("difference.labels.gone", removed));
+    add(words.say_count("difference.labels.gone", removed));
   return clause;
 }
 
-std::string certificate_text(const PlanFigures& figures) {
-  std::string state = say(fmt::format("difference.certificate.{}", to_text(figures.certificate)),
-                          grouped(figures.certified), grouped(figures.labels));
+std::string certificate_text(const Words& words, const PlanFigures& figures) {
+  std::string state = words.say(fmt::format("difference.certificate.{}", to_text(figures.certificate)),
+                                words.grouped(figures.certified), words.grouped(figures.labels));
   if (figures.certificate == CertificateState::none) return state;
   if (figures.worst_availability && figures.certificate == CertificateState::open)
-    return say("difference.certificate.open_states");
-  return say("difference.certificate.with", state, confidence_text(figures.confidence));
+    return words.say("difference.certificate.open_states");
+  return words.say("difference.certificate.with", state, words.confidence_text(figures.confidence));
 }
 
-std::string bound_text(const PlanFigures& figures, const Placement& placement) {
+std::string bound_text(const Words& words, const PlanFigures& figures, const Placement& placement) {
   const ValueBounds& bounds = figures.bounds;
   const bool is_certified = bounds.certified > 0;
   const double bound = is_certified ? bounds.certified : bounds.simulated;
-  if (!(bound > 0) || !std::isfinite(bound)) return say("difference.bound.none");
+  if (!(bound > 0) || !std::isfinite(bound)) return words.say("difference.bound.none");
   const bool is_price = placement.problem.combination == Combination::spend;
   const std::string value = !minimises_cost(placement.problem)
-                                ? plain_down(bound)
-                                : at_least(bound, is_price ? placement.price : std::nullopt);
+                                ? words.plain_down(bound)
+                                : at_least(words, bound, is_price ? placement.price : std::nullopt);
   const bool is_enough = is_certified ? figures.certificate == CertificateState::certified
                                       : figures.has_selection && figures.reached == figures.labels;
   const bool is_minimum = is_enough && bounds.is_minimum(bound);
   if (is_certified)
-    return say(is_minimum ? "difference.bound.certified_minimum" : "difference.bound.certified", value);
-  return say(is_minimum ? "difference.bound.simulated_minimum" : "difference.bound.simulated", value);
+    return words.say(is_minimum ? "difference.bound.certified_minimum" : "difference.bound.certified", value);
+  return words.say(is_minimum ? "difference.bound.simulated_minimum" : "difference.bound.simulated", value);
 }
 
-std::string margin_text(const LabelState& label) {
-  return decibels(margin_db(label.signal, label.requirement));
+std::string margin_text(const Words& words, const LabelState& label) {
+  return words.decibels(margin_db(label.signal, label.requirement));
 }
 
-std::string goal_of(const Placement& placement) {
-  if (!placement.partial) return say("difference.question.all");
+std::string goal_of(const Words& words, const Placement& placement) {
+  if (!placement.partial) return words.say("difference.question.all");
   const auto& [goal, value, reached, max_reached] = *placement.partial;
   if (goal == ReachGoal::at_most)
-    return say_count("difference.question.at_most", static_cast<std::uint64_t>(value));
-  return goal == ReachGoal::share ? say("difference.question.part", percent(value))
-                                  : say("difference.question.given");
+    return words.say_count("difference.question.at_most", static_cast<std::uint64_t>(value));
+  return goal == ReachGoal::share ? words.say("difference.question.part", words.percent(value))
+                                  : words.say("difference.question.given");
 }
 
-std::string setting_text(QuestionKey key, const CertifiedPlan& plan) {
+std::string setting_text(const Words& words, QuestionKey key, const CertifiedPlan& plan) {
   const PlacementProblem& problem = plan.placement.problem;
-  const auto none = [] { return say("difference.question.none"); };
+  const auto none = [&] { return words.say("difference.question.none"); };
   switch (key) {
     case QuestionKey::model:
-      return say(fmt::format("facts.placement.models.{}", to_text(problem.model)));
+      return words.say(fmt::format("facts.placement.models.{}", to_text(problem.model)));
     case QuestionKey::survives_failure:
-      return say(problem.redundant ? "difference.question.yes" : "difference.question.no");
+      return words.say(problem.redundant ? "difference.question.yes" : "difference.question.no");
     case QuestionKey::objective:
     case QuestionKey::combination:
-      return objective_name(problem);
+      return objective_name(words, problem);
     case QuestionKey::share:
-      return percent(problem.share, 0);
+      return words.percent(problem.share, 0);
     case QuestionKey::min_spacing:
-      return plan.placement.min_spacing > 0 ? say("drawing.metres", plain(plan.placement.min_spacing))
-                                            : none();
+      return plan.placement.min_spacing > 0
+                 ? words.say("drawing.metres", words.plain(plan.placement.min_spacing))
+                 : none();
     case QuestionKey::forbidden_pairs:
-      return grouped(plan.placement.forbidden_pairs);
+      return words.grouped(plan.placement.forbidden_pairs);
     case QuestionKey::partial:
-      return goal_of(plan.placement);
+      return goal_of(words, plan.placement);
     case QuestionKey::confidence:
-      return confidence_text(plan.availability ? plan.availability->confidence
-                                               : plan.certificate->confidence) +
+      return words.confidence_text(plan.availability ? plan.availability->confidence
+                                                     : plan.certificate->confidence) +
              " %";
     case QuestionKey::availability_rule:
     case QuestionKey::availability_goal:
-      return plan.availability ? goal_text(*plan.availability) : none();
+      return plan.availability ? goal_text(words, *plan.availability) : none();
   }
   return {};
 }
 
-void add_question(TextTable& table, const DifferenceInput& input) {
+void add_question(const Words& words, TextTable& table, const DifferenceInput& input) {
   std::set<std::vector<std::string>> said;  // two keys may share their text
   for (const QuestionKey key : input.difference.question) {
-    std::vector<std::string> row{say(fmt::format("difference.question.key.{}", to_text(key))),
-                                 setting_text(key, input.before.plan), setting_text(key, input.after.plan)};
+    std::vector<std::string> row{words.say(fmt::format("difference.question.key.{}", to_text(key))),
+                                 setting_text(words, key, input.before.plan),
+                                 setting_text(words, key, input.after.plan)};
     if (said.insert(row).second) table.push_back(std::move(row));
   }
 }
 
-std::vector<std::string> heading(const std::string& name) {
-  return {name, say("difference.column.before"), say("difference.column.after")};
+std::vector<std::string> heading(const Words& words, const std::string& name) {
+  return {name, words.say("difference.column.before"), words.say("difference.column.after")};
 }
 
-std::string unit_text(const TransceiverColumn& unit, bool has_axis, bool has_type) {
-  std::string text = say("difference.unit.at", fixed(unit.position.x, 2), fixed(unit.position.y, 2),
-                         fixed(unit.position.z, 2));
+std::string unit_text(const Words& words, const TransceiverColumn& unit, bool has_axis, bool has_type) {
+  std::string text = words.say("difference.unit.at", words.fixed(unit.position.x, 2),
+                               words.fixed(unit.position.y, 2), words.fixed(unit.position.z, 2));
   if (has_axis)
-    text += say("difference.unit.axis", fixed(unit.axis.x, 2), fixed(unit.axis.y, 2), fixed(unit.axis.z, 2));
-  return has_type ? text + say("difference.unit.type", unit.type) : text;
+    text += words.say("difference.unit.axis", words.fixed(unit.axis.x, 2), words.fixed(unit.axis.y, 2),
+                      words.fixed(unit.axis.z, 2));
+  return has_type ? text + words.say("difference.unit.type", unit.type) : text;
 }
 
-std::vector<std::string> label_row(const DifferenceInput& input, const ComparedLabel& label) {
-  const auto text = [](const std::optional<LabelState>& state) {
-    return state ? margin_text(*state) : std::string("–");
+std::vector<std::string> label_row(const Words& words, const DifferenceInput& input,
+                                   const ComparedLabel& label) {
+  const auto text = [&](const std::optional<LabelState>& state) {
+    return state ? margin_text(words, *state) : std::string("–");
   };
   return {label_id(input, label), text(label.before), text(label.after)};
 }
@@ -176,13 +182,13 @@ double ratio_after(const ComparedLabel& label) {
   return margin_db(state.signal, state.requirement);
 }
 
-TextTable label_table(const DifferenceInput& input, std::vector<const ComparedLabel*> labels,
-                      std::size_t most) {
+TextTable label_table(const Words& words, const DifferenceInput& input,
+                      std::vector<const ComparedLabel*> labels, std::size_t most) {
   std::stable_sort(labels.begin(), labels.end(),
                    [](const auto* a, const auto* b) { return ratio_after(*a) < ratio_after(*b); });
-  TextTable table{heading(say("column.label"))};
+  TextTable table{heading(words, words.say("column.label"))};
   for (std::size_t k = 0; k < std::min(most, labels.size()); ++k)
-    table.push_back(label_row(input, *labels[k]));
+    table.push_back(label_row(words, input, *labels[k]));
   return table;
 }
 
@@ -203,41 +209,43 @@ std::string value_text(std::string_view json) {
   return printable(shortened(text, longest));
 }
 
-std::string values_text(const std::vector<ValueChange>& values) {
+std::string values_text(const Words& words, const std::vector<ValueChange>& values) {
   constexpr std::size_t most = 4;
   std::string text;
   for (std::size_t k = 0; k < std::min(most, values.size()); ++k) {
     const auto& [key, before, after] = values[k];
     text += text.empty() ? "" : ", ";
     if (before.empty())
-      text += say("difference.store.key_added", key, value_text(after));
+      text += words.say("difference.store.key_added", key, value_text(after));
     else if (after.empty())
-      text += say("difference.store.key_removed", key, value_text(before));
+      text += words.say("difference.store.key_removed", key, value_text(before));
     else
-      text += say("difference.store.key_changed", key, value_text(after), value_text(before));
+      text += words.say("difference.store.key_changed", key, value_text(after), value_text(before));
   }
-  return values.size() > most ? say_count("difference.store.more_keys", values.size() - most, text) : text;
+  return values.size() > most ? words.say_count("difference.store.more_keys", values.size() - most, text)
+                              : text;
 }
 
-std::string ids_text(const std::vector<const StoreChange*>& changes) {
+std::string ids_text(const Words& words, const std::vector<const StoreChange*>& changes) {
   constexpr std::size_t most = 4;
   std::vector<std::string> ids;
   ids.reserve(changes.size());
   for (const StoreChange* change : changes) {
     const bool is_renamed =
         !change->before_id.empty() && !change->after_id.empty() && change->before_id != change->after_id;
-    ids.push_back(is_renamed ? say("difference.store.renamed", change->after_id, change->before_id)
+    ids.push_back(is_renamed ? words.say("difference.store.renamed", change->after_id, change->before_id)
                              : change->id());
   }
   const std::vector<std::string> ranges = id_ranges(ids);
   std::string text;
   for (std::size_t k = 0; k < std::min(most, ranges.size()); ++k)
     text += (text.empty() ? "" : ", ") + printable(ranges[k]);
-  return ranges.size() > most ? say("summary.and_others", text) : text;
+  return ranges.size() > most ? words.say("summary.and_others", text) : text;
 }
 
 // Of one part and one kind. Equal values are named once, and more than a few different ones not at all.
-void add_lines(std::vector<std::string>& lines, const std::vector<const StoreChange*>& changes) {
+void add_lines(const Words& words, std::vector<std::string>& lines,
+               const std::vector<const StoreChange*>& changes) {
   constexpr std::size_t most_values = 3;
   const StoreChange& first = *changes.front();
   std::vector<std::vector<const StoreChange*>> groups;
@@ -254,12 +262,12 @@ void add_lines(std::vector<std::string>& lines, const std::vector<const StoreCha
   const bool has_values =
       groups.size() == 1 ? groups.front().front()->values == changes.back()->values : true;
   for (const auto& group : groups) {
-    const std::string part = say(fmt::format("difference.store.part.{}", to_text(first.part)));
+    const std::string part = words.say(fmt::format("difference.store.part.{}", to_text(first.part)));
     const bool has_elements = !first.id().empty();
-    std::string line = has_elements ? say(fmt::format("difference.store.kind.{}", to_text(first.kind)), part,
-                                          grouped(group.size()), ids_text(group))
-                                    : say("difference.store.whole", part);
-    const std::string values = has_values ? values_text(group.front()->values) : "";
+    std::string line = has_elements ? words.say(fmt::format("difference.store.kind.{}", to_text(first.kind)),
+                                                part, words.grouped(group.size()), ids_text(words, group))
+                                    : words.say("difference.store.whole", part);
+    const std::string values = has_values ? values_text(words, group.front()->values) : "";
     if (has_elements) line += values.empty() ? "" : ": " + values;
     lines.push_back(has_elements ? line : line + values);
   }
@@ -267,49 +275,53 @@ void add_lines(std::vector<std::string>& lines, const std::vector<const StoreCha
 
 }  // namespace
 
-std::string difference_answer(const DifferenceInput& input) {
+std::string difference_answer(const Words& words, const DifferenceInput& input) {
   const PlanDifference& difference = input.difference;
-  if (difference.is_empty()) return say("difference.none");
-  std::string answer = units_clause(difference);
-  for (const std::string& clause : {price_clause(difference), labels_clause(difference)})
+  if (difference.is_empty()) return words.say("difference.none");
+  std::string answer = units_clause(words, difference);
+  for (const std::string& clause : {price_clause(words, difference), labels_clause(words, difference)})
     if (!clause.empty()) answer += "; " + clause;
   return answer + ".";
 }
 
-TextTable difference_figures(const DifferenceInput& input) {
+TextTable difference_figures(const Words& words, const DifferenceInput& input) {
   const PlanFigures &before = input.difference.figures.before, &after = input.difference.figures.after;
-  TextTable table{heading("")};
+  TextTable table{heading(words, "")};
   const auto row = [&](const char* name, const auto& text) {
-    table.push_back({say(fmt::format("difference.figure.{}", name)),
+    table.push_back({words.say(fmt::format("difference.figure.{}", name)),
                      text(before, input.before.plan.placement), text(after, input.after.plan.placement)});
   };
-  row("units", [](const PlanFigures& figures, const auto&) {
-    return figures.has_selection ? grouped(figures.units) : say("difference.figure.no_selection");
+  row("units", [&](const PlanFigures& figures, const auto&) {
+    return figures.has_selection ? words.grouped(figures.units) : words.say("difference.figure.no_selection");
   });
   if (before.installed + after.installed > 0)
-    row("installed", [](const PlanFigures& figures, const auto&) { return grouped(figures.installed); });
+    row("installed",
+        [&](const PlanFigures& figures, const auto&) { return words.grouped(figures.installed); });
   if (before.price || after.price)
-    row("price", [](const PlanFigures& figures, const auto&) {
-      return figures.price ? money(figures.price->to_spend, figures.price)
-                           : say("difference.figure.no_price");
+    row("price", [&](const PlanFigures& figures, const auto&) {
+      return figures.price ? money(words, figures.price->to_spend, figures.price)
+                           : words.say("difference.figure.no_price");
     });
-  row("labels", [](const PlanFigures& figures, const auto&) {
-    return say("facts.part", grouped(figures.reached), grouped(figures.labels));
+  row("labels", [&](const PlanFigures& figures, const auto&) {
+    return words.say("facts.part", words.grouped(figures.reached), words.grouped(figures.labels));
   });
   if (before.worst_availability || after.worst_availability)
-    row("availability", [](const PlanFigures& figures, const auto&) {
-      return figures.worst_availability ? percent(*figures.worst_availability) : std::string("–");
+    row("availability", [&](const PlanFigures& figures, const auto&) {
+      return figures.worst_availability ? words.percent(*figures.worst_availability) : std::string("–");
     });
-  row("certificate", [](const PlanFigures& figures, const auto&) { return certificate_text(figures); });
-  row("bound", bound_text);
-  add_question(table, input);
+  row("certificate",
+      [&](const PlanFigures& figures, const auto&) { return certificate_text(words, figures); });
+  row("bound", [&](const PlanFigures& figures, const Placement& placement) {
+    return bound_text(words, figures, placement);
+  });
+  add_question(words, table, input);
   return table;
 }
 
-TextTable changed_units(const DifferenceInput& input) {
-  TextTable table{heading(say("difference.column.unit"))};
+TextTable changed_units(const Words& words, const DifferenceInput& input) {
+  TextTable table{heading(words, words.say("difference.column.unit"))};
   table.front().insert(table.front().begin(),
-                       {say("difference.column.number"), say("difference.column.change")});
+                       {words.say("difference.column.number"), words.say("difference.column.change")});
   for (const ComparedUnit& unit : input.difference.units) {
     if (unit.change == UnitChange::kept) continue;
     const TransceiverColumn* old = unit.before ? &input.before.transceivers[*unit.before] : nullptr;
@@ -317,18 +329,19 @@ TextTable changed_units(const DifferenceInput& input) {
     const bool has_axis = old && now && old->axis != now->axis,
                has_type = old && now && old->type != now->type;
     table.push_back({fmt::format("{}", table.size()),
-                     say(fmt::format("difference.unit.{}", to_text(unit.change))), (now ? now : old)->id,
-                     old ? unit_text(*old, has_axis, has_type) : "–",
-                     now ? unit_text(*now, has_axis, has_type) : "–"});
+                     words.say(fmt::format("difference.unit.{}", to_text(unit.change))),
+                     (now ? now : old)->id, old ? unit_text(words, *old, has_axis, has_type) : "–",
+                     now ? unit_text(words, *now, has_axis, has_type) : "–"});
   }
   return table;
 }
 
-std::string unit_counts(const PlanDifference& difference) {
+std::string unit_counts(const Words& words, const PlanDifference& difference) {
   std::string text;
   for (const auto& [name, change] : names_of<UnitChange>)
     if (const std::size_t count = difference.count(change); count > 0)
-      text += (text.empty() ? "" : ", ") + say(fmt::format("difference.unit.count.{}", name), grouped(count));
+      text += (text.empty() ? "" : ", ") +
+              words.say(fmt::format("difference.unit.count.{}", name), words.grouped(count));
   return text;
 }
 
@@ -336,14 +349,15 @@ const std::string& label_id(const DifferenceInput& input, const ComparedLabel& l
   return label.after ? input.after.labels[label.after->row].id : input.before.labels[label.before->row].id;
 }
 
-TextTable changed_labels(const DifferenceInput& input, LabelChange change, std::size_t most) {
+TextTable changed_labels(const Words& words, const DifferenceInput& input, LabelChange change,
+                         std::size_t most) {
   std::vector<const ComparedLabel*> labels;
   for (const ComparedLabel& label : input.difference.labels)
     if (label.change() == change) labels.push_back(&label);
-  return label_table(input, std::move(labels), most);
+  return label_table(words, input, std::move(labels), most);
 }
 
-TextTable weakest_labels(const DifferenceInput& input) {
+TextTable weakest_labels(const Words& words, const DifferenceInput& input) {
   const auto& [before, after] = input.difference.figures;
   const auto has = [](const std::vector<std::uint32_t>& rows, const std::optional<LabelState>& label) {
     return label && std::find(rows.begin(), rows.end(), label->row) != rows.end();
@@ -351,22 +365,22 @@ TextTable weakest_labels(const DifferenceInput& input) {
   std::vector<const ComparedLabel*> labels;
   for (const ComparedLabel& label : input.difference.labels)
     if (has(before.weakest, label.before) || has(after.weakest, label.after)) labels.push_back(&label);
-  return label_table(input, std::move(labels), 2 * max_weakest);
+  return label_table(words, input, std::move(labels), 2 * max_weakest);
 }
 
-std::string labels_heading(LabelChange change, std::size_t count, std::size_t most) {
-  std::string heading = say_count(fmt::format("difference.label.{}", to_text(change)), count);
-  return count > most ? say("difference.first_of", heading, most) : heading;
+std::string labels_heading(const Words& words, LabelChange change, std::size_t count, std::size_t most) {
+  std::string heading = words.say_count(fmt::format("difference.label.{}", to_text(change)), count);
+  return count > most ? words.say("difference.first_of", heading, most) : heading;
 }
 
-std::vector<std::string> store_lines(const PlanDifference& difference) {
+std::vector<std::string> store_lines(const Words& words, const PlanDifference& difference) {
   std::vector<std::string> lines;
   for (const auto& part : names_of<StorePart>)
     for (const auto& kind : names_of<StoreChangeKind>) {
       std::vector<const StoreChange*> changes;
       for (const StoreChange& change : difference.store)
         if (change.part == part.value && change.kind == kind.value) changes.push_back(&change);
-      if (!changes.empty()) add_lines(lines, changes);
+      if (!changes.empty()) add_lines(words, lines, changes);
     }
   return lines;
 }

@@ -6,6 +6,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/plan/answer/certified_plan.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -14,7 +15,7 @@ namespace shelfbeam {
 /// "All 926 labels are certified, so the plan can be mounted as it is; whether fewer transceivers are enough
 /// is open: 8 to 11." Empty if nothing is open, if a label is missed or undecided, and for a shop that
 /// changes. Counts are those of new units if some of the selection are `installed`.
-std::string open_bound(const CertifiedPlan& plan, std::size_t installed = 0);
+std::string open_bound(const Words& words, const CertifiedPlan& plan, std::size_t installed = 0);
 
 /// An advice without a full stop, and the settings that it is about.
 struct Remedy {
@@ -28,6 +29,6 @@ struct Remedy {
 };
 
 /// The remedy for an open bound or, if labels are missed or undecided, for the end of their certificate.
-Remedy remedy_for(const CertifiedPlan& plan);
+Remedy remedy_for(const Words& words, const CertifiedPlan& plan);
 
 }  // namespace shelfbeam

@@ -11,7 +11,7 @@
 #include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -20,7 +20,8 @@ namespace {
 class ProofWriter {
  public:
   explicit ProofWriter(const ReportData& data)
-      : plan_(data.input.plan),
+      : words_(data.words),
+        plan_(data.input.plan),
         placement_(data.input.plan.placement),
         certificate_(plan_.has_verdicts() ? &*plan_.certificate : nullptr),
         bounds_(value_bounds(data.input.plan)),
@@ -32,8 +33,8 @@ class ProofWriter {
   std::string bound() const {
     if (!applies_) return {};
     if (is_certified()) return of_kind("summary.bound.certified.{}");
-    if (const std::string open = open_bound(plan_, installed_); !open.empty())
-      return remedy_for(plan_).after(open);
+    if (const std::string open = open_bound(words_, plan_, installed_); !open.empty())
+      return remedy_for(words_, plan_).after(open);
     if (is_proven()) return of_kind("summary.bound.proven.{}");
     if (placement_.status == Status::feasible) return of_kind("summary.bound.greedy.{}");
     if (bounds_.simulated > bounds_.certified * (1 + 1e-9))
@@ -42,11 +43,12 @@ class ProofWriter {
   }
 
   std::string confirmation() const {
-    if (certificate_ == nullptr) return say("summary.unchecked", words("certificate.lacking"));
+    if (certificate_ == nullptr) return words_.say("summary.unchecked", words_("certificate.lacking"));
     const bool is_all = certificate_->all_reached() && (is_certified() || bound().empty());
-    const std::string confidence = confidence_percent(certificate_->confidence);
-    return say("summary.checked", is_all ? say("summary.confirms.this", confidence)
-                                         : say("summary.confirms.part", confidence, confirmed()));
+    const std::string confidence = confidence_percent(words_, certificate_->confidence);
+    return words_.say("summary.checked", is_all
+                                             ? words_.say("summary.confirms.this", confidence)
+                                             : words_.say("summary.confirms.part", confidence, confirmed()));
   }
 
  private:
@@ -64,7 +66,7 @@ class ProofWriter {
   }
   template <class... Args>
   std::string of_kind(std::string_view pattern, const Args&... args) const {
-    return say(key_of_kind(pattern), args...);
+    return words_.say(key_of_kind(pattern), args...);
   }
 
   // With the bound in the words of the kind. Bounds on counts include installed units. Empty if installed
@@ -73,18 +75,19 @@ class ProofWriter {
   std::string amount(std::string_view pattern, double bound, const Args&... args) const {
     const std::string key = key_of_kind(pattern);
     if (placement_.problem.combination == Combination::spend)
-      return say(key, joined(at_least(bound, placement_.price)), args...);
+      return words_.say(key, joined(at_least(words_, bound, placement_.price)), args...);
     if (placement_.problem.combination == Combination::weighted)
-      return say(key, at_least(bound, std::nullopt), args...);
+      return words_.say(key, at_least(words_, bound, std::nullopt), args...);
     const double fresh = std::round(bound) - static_cast<double>(installed_);
-    return fresh < 1 ? std::string() : say_count(key, static_cast<std::uint64_t>(fresh), args...);
+    return fresh < 1 ? std::string() : words_.say_count(key, static_cast<std::uint64_t>(fresh), args...);
   }
 
   // "888 of 926 labels receive enough signal",
   // "all 12 labels receive enough signal and that at least 4 transceivers are necessary"
   std::string confirmed() const {
     const std::size_t reached = certificate_->count(Verdict::reached);
-    std::string labels = say_count("summary.confirms.labels", reached, labels_reached(reached, labels_));
+    std::string labels =
+        words_.say_count("summary.confirms.labels", reached, labels_reached(words_, reached, labels_));
     // A bound without labels needed no samples.
     if (!applies_ || certificate_->bound_labels == 0 || bounds_.certified == 0) return labels;
     if (is_certified()) return of_kind("summary.bound.confirmed.{}", labels);
@@ -92,6 +95,7 @@ class ProofWriter {
     return with_bound.empty() ? labels : with_bound;
   }
 
+  const Words& words_;
   const CertifiedPlan& plan_;
   const Placement& placement_;
   const Certificate* certificate_;  ///< null without verdicts
@@ -119,8 +123,8 @@ std::string joined(std::string text) {
   return text;
 }
 
-std::string confidence_percent(double confidence) {
-  return confidence_text(confidence) + "\u00A0%";
+std::string confidence_percent(const Words& words, double confidence) {
+  return words.confidence_text(confidence) + "\u00A0%";
 }
 
 }  // namespace shelfbeam

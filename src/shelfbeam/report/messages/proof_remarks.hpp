@@ -3,6 +3,7 @@
 #include <string>
 
 #include "shelfbeam/report/data/report_data.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -25,6 +26,6 @@ std::size_t new_units(const ReportData& data);
 std::string joined(std::string text);
 
 /// "99 %", on one line.
-std::string confidence_percent(double confidence);
+std::string confidence_percent(const Words& words, double confidence);
 
 }  // namespace shelfbeam

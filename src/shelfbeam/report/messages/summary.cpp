@@ -12,7 +12,7 @@
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -24,11 +24,11 @@ constexpr double close_share = 0.25;  ///< of its signal that a label with littl
 
 std::string verdict_of(const ReportData& data, Tone tone) {
   if ((data.input.plan.certificate && data.has_selection()) || data.input.plan.availability)
-    return say(fmt::format("verdict.certified.{}", key_of(tone)));
+    return data.words.say(fmt::format("verdict.certified.{}", key_of(tone)));
   if (tone == Tone::yes && data.uncertain > 0)
-    return say_count("verdict.uncertified.uncertain", data.uncertain);
+    return data.words.say_count("verdict.uncertified.uncertain", data.uncertain);
   const Tone shown = tone == Tone::open && data.has_selection() ? Tone::yes : tone;
-  return say(fmt::format("verdict.uncertified.{}", key_of(shown)));
+  return data.words.say(fmt::format("verdict.uncertified.{}", key_of(shown)));
 }
 
 // "label A1", "labels A1 to A3": the first few ranges of ids.
@@ -41,13 +41,17 @@ std::string named(const ReportData& data, const std::vector<std::uint32_t>& rows
   const bool is_cut = ranges.size() > max_ranges;
   ranges.resize(std::min(ranges.size(), max_ranges));
   const std::string list = fmt::format("{}", fmt::join(ranges, ", "));
-  return is_cut ? say("summary.and_others", list) : list;
+  return is_cut ? data.words.say("summary.and_others", list) : list;
 }
 
 class SummaryWriter {
  public:
   explicit SummaryWriter(const ReportData& data)
-      : data_(data), plan_(data.input.plan), placement_(plan_.placement), verified_(plan_.has_verdicts()) {}
+      : data_(data),
+        words_(data.words),
+        plan_(data.input.plan),
+        placement_(plan_.placement),
+        verified_(plan_.has_verdicts()) {}
 
   Summary with_selection() {
     summary_.answer = answer();
@@ -56,11 +60,11 @@ class SummaryWriter {
       add_availability(*plan_.availability);
       return std::move(summary_);
     }
-    if (placement_.partial) summary_.remarks.push_back(partial_sentence(placement_, labels()));
+    if (placement_.partial) summary_.remarks.push_back(partial_sentence(words_, placement_, labels()));
     ProofRemarks proof = proof_remarks(data_);
     if (!proof.bound.empty()) summary_.remarks.push_back(std::move(proof.bound));
     summary_.remarks.push_back(std::move(proof.confirmation));
-    if (!plan_.sensitivity) summary_.remarks.push_back(say("summary.not_examined"));
+    if (!plan_.sensitivity) summary_.remarks.push_back(words_.say("summary.not_examined"));
     add_achievements();
     add_risks();
     return std::move(summary_);
@@ -68,17 +72,17 @@ class SummaryWriter {
 
   Summary without_selection() {
     const bool is_infeasible = placement_.status == Status::infeasible;
-    summary_.answer = is_infeasible ? obstacle() : say("summary.none.not_found");
+    summary_.answer = is_infeasible ? obstacle() : words_.say("summary.none.not_found");
     if (const std::size_t bound = proven_count(placement_); !is_infeasible && bound > 0)
-      summary_.remarks.push_back(say_count("summary.none.bound", bound));
+      summary_.remarks.push_back(words_.say_count("summary.none.bound", bound));
     std::vector<std::uint32_t> rows, dark;
     for (const Unreachable& label : placement_.unreachable) {
       rows.push_back(label.label);
       if (label.max_signal <= 0 && !data_.is_heard(label.label)) dark.push_back(label.label);
     }
-    if (!rows.empty()) summary_.remarks.push_back(say("summary.none.labels", named(data_, rows)));
-    if (!dark.empty()) summary_.remarks.push_back(dark_labels(dark.size()));
-    summary_.remarks.push_back(say(is_infeasible ? "summary.none.remedies" : "summary.none.unknown"));
+    if (!rows.empty()) summary_.remarks.push_back(words_.say("summary.none.labels", named(data_, rows)));
+    if (!dark.empty()) summary_.remarks.push_back(dark_labels(words_, dark.size()));
+    summary_.remarks.push_back(words_.say(is_infeasible ? "summary.none.remedies" : "summary.none.unknown"));
     if (is_infeasible) summary_.remarks.push_back(confirmation_of_obstacle());
     return std::move(summary_);
   }
@@ -102,47 +106,50 @@ class SummaryWriter {
     const auto& availability = plan_.availability;
     const bool is_enough = availability ? availability->certified : reached() == labels();
     std::string mount =
-        fresh > 0 ? say_count("summary.answer.mount", fresh)
-                  : say_count(is_enough ? "summary.answer.nothing" : "summary.answer.keep", installed);
-    if (fresh > 0 && installed > 0) mount = say_count("summary.answer.beside", installed, mount);
-    const std::string failure = placement_.problem.redundant ? say("summary.answer.even_if") : std::string();
+        fresh > 0 ? words_.say_count("summary.answer.mount", fresh)
+                  : words_.say_count(is_enough ? "summary.answer.nothing" : "summary.answer.keep", installed);
+    if (fresh > 0 && installed > 0) mount = words_.say_count("summary.answer.beside", installed, mount);
+    const std::string failure =
+        placement_.problem.redundant ? words_.say("summary.answer.even_if") : std::string();
     if (availability)
       return with_joined_percent(
           availability->is_impossible()
-              ? availability_sentence(*availability, placement_, label_name())
-              : say(availability->certified ? "summary.answer.often" : "summary.answer.not_confirmed", mount,
-                    goal_text(*availability), failure));
+              ? availability_sentence(words_, *availability, placement_, label_name())
+              : words_.say(availability->certified ? "summary.answer.often" : "summary.answer.not_confirmed",
+                           mount, goal_text(words_, *availability), failure));
     if (!is_enough)
-      return say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount, grouped(reached()),
-                 say_count("noun.label", labels()), failure);
-    return say(labels() == 1 ? "summary.answer.reaches_all.one" : "summary.answer.reaches_all.many", mount,
-               grouped(labels()), failure);
+      return words_.say(verified_ ? "summary.answer.confirmed" : "summary.answer.reaches", mount,
+                        words_.grouped(reached()), words_.say_count("noun.label", labels()), failure);
+    return words_.say(labels() == 1 ? "summary.answer.reaches_all.one" : "summary.answer.reaches_all.many",
+                      mount, words_.grouped(labels()), failure);
   }
 
   std::string obstacle() const {
-    if (placement_.partial) return partial_sentence(placement_, labels());
-    if (!placement_.unreachable.empty()) return say("summary.none.out_of_reach", page_out_of_reach(data_));
-    const std::string why = conflict_reason(placement_, data_.has_options());
-    return why.empty() ? say("summary.none.infeasible")
-                       : say("summary.none.not_together", not_all_together(why));
+    if (placement_.partial) return partial_sentence(words_, placement_, labels());
+    if (!placement_.unreachable.empty())
+      return words_.say("summary.none.out_of_reach", page_out_of_reach(data_));
+    const std::string why = conflict_reason(words_, placement_, data_.has_options());
+    return why.empty() ? words_.say("summary.none.infeasible")
+                       : words_.say("summary.none.not_together", not_all_together(words_, why));
   }
 
   std::string confirmation_of_obstacle() const {
-    if (!verified_) return say("summary.unchecked", words("certificate.lacking"));
+    if (!verified_) return words_.say("summary.unchecked", words_("certificate.lacking"));
     const std::size_t missed = plan_.certificate->count(Verdict::missed);
-    return missed == 0
-               ? say("summary.none.undecided")
-               : say_count("summary.none.checked", missed, confidence_percent(plan_.certificate->confidence));
+    return missed == 0 ? words_.say("summary.none.undecided")
+                       : words_.say_count("summary.none.checked", missed,
+                                          confidence_percent(words_, plan_.certificate->confidence));
   }
 
   void add_price() {
     const std::size_t fresh = new_units(data_);
     if (!placement_.price || fresh == 0) return;
     const Price& price = *placement_.price;
-    const std::string spend = joined(money(price.to_spend, price));
-    summary_.remarks.push_back(fresh == placement_.count() ? say_count("summary.price", fresh, spend)
-                                                           : say_count("summary.price_both", fresh, spend,
-                                                                       joined(money(price.total, price))));
+    const std::string spend = joined(money(words_, price.to_spend, price));
+    summary_.remarks.push_back(fresh == placement_.count()
+                                   ? words_.say_count("summary.price", fresh, spend)
+                                   : words_.say_count("summary.price_both", fresh, spend,
+                                                      joined(money(words_, price.total, price))));
   }
 
   LabelName label_name() const {
@@ -151,19 +158,19 @@ class SummaryWriter {
 
   void add_availability(const Availability& availability) {
     if (availability.certified)
-      summary_.remarks.push_back(say_count("summary.checked_states", availability.answer().states,
-                                           confidence_percent(availability.confidence)));
+      summary_.remarks.push_back(words_.say_count("summary.checked_states", availability.answer().states,
+                                                  confidence_percent(words_, availability.confidence)));
     else if (!availability.is_impossible())
       summary_.remarks.push_back(
-          with_joined_percent(availability_sentence(availability, placement_, label_name())));
-    for (std::string& remark : availability_remarks(availability, placement_))
+          with_joined_percent(availability_sentence(words_, availability, placement_, label_name())));
+    for (std::string& remark : availability_remarks(words_, availability, placement_))
       summary_.remarks.push_back(with_joined_percent(std::move(remark)));
     add_achievements();
     std::vector<std::uint32_t> rarest;
     for (const LabelAtRisk& label : availability.at_risk) rarest.push_back(label.label);
     if (!rarest.empty())
       summary_.risks.push_back(
-          say("summary.risks.rarest", labels_by_cause(availability, rarest, label_name())));
+          words_.say("summary.risks.rarest", labels_by_cause(words_, availability, rarest, label_name())));
     add_risks();
   }
 
@@ -174,22 +181,23 @@ class SummaryWriter {
     const double ratio = label.requirement > 0 ? label.signal / label.requirement : 0;
     if (label.met)
       summary_.achieves.push_back(
-          say("summary.achieves.weakest", data_.label(weakest).id, significant(ratio)));
+          words_.say("summary.achieves.weakest", data_.label(weakest).id, words_.significant(ratio)));
     else
       summary_.achieves.push_back(
-          say("summary.achieves.weakest_short", data_.label(weakest).id, percent(ratio, 0)));
+          words_.say("summary.achieves.weakest_short", data_.label(weakest).id, words_.percent(ratio, 0)));
     const std::size_t secure = data_.outcome.secure, single = data_.outcome.met - secure;
     if (single == 0 && secure == labels())
-      summary_.achieves.push_back(say_count("summary.achieves.secure_all", labels()));
+      summary_.achieves.push_back(words_.say_count("summary.achieves.secure_all", labels()));
     else if (single > 0)
-      summary_.achieves.push_back(say_count("summary.achieves.secure", single, grouped(secure)));
+      summary_.achieves.push_back(
+          words_.say_count("summary.achieves.secure", single, words_.grouped(secure)));
   }
 
   void risk(std::string_view key, const std::vector<std::uint32_t>& rows) {
-    if (!rows.empty()) summary_.risks.push_back(say_count(key, rows.size(), named(data_, rows)));
+    if (!rows.empty()) summary_.risks.push_back(words_.say_count(key, rows.size(), named(data_, rows)));
   }
   void risk(std::string_view key, std::size_t count) {
-    if (count > 0) summary_.risks.push_back(say_count(key, count));
+    if (count > 0) summary_.risks.push_back(words_.say_count(key, count));
   }
 
   void add_risks() {
@@ -207,11 +215,11 @@ class SummaryWriter {
         [](const UnitOutcome& a, const UnitOutcome& b) { return a.needed_by < b.needed_by; });
     if (most != units.end() && most->needed_by > 0)
       summary_.risks.push_back(
-          say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
+          words_.say_count("summary.risks.unit", most->needed_by, data_.unit_number(most->column)));
     add_materials();
     if (placement_.status == Status::stopped && !plan_.availability && !is_certified_minimum(plan_) &&
-        open_bound(plan_).empty())
-      summary_.risks.push_back(say("summary.risks.stopped"));
+        open_bound(words_, plan_).empty())
+      summary_.risks.push_back(words_.say("summary.risks.stopped"));
     risk("summary.risks.flagged", data_.outcome.flagged_labels);
     risk("summary.risks.warnings", plan_.warnings.size());
   }
@@ -219,11 +227,12 @@ class SummaryWriter {
   void add_materials() {
     if (!plan_.sensitivity) return;
     const std::size_t lost = plan_.sensitivity->low.missed.size() + plan_.sensitivity->low.undecided.size();
-    summary_.risks.push_back(lost == 0 ? say("summary.risks.darker_holds")
-                                       : say_count("summary.risks.darker", lost));
+    summary_.risks.push_back(lost == 0 ? words_.say("summary.risks.darker_holds")
+                                       : words_.say_count("summary.risks.darker", lost));
   }
 
   const ReportData& data_;
+  const Words& words_;
   const CertifiedPlan& plan_;
   const Placement& placement_;
   bool verified_;

@@ -13,7 +13,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/mounting/cad_text.hpp"
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/wall_section.hpp"
 
 namespace shelfbeam {
@@ -68,7 +68,7 @@ struct Attribute {
   bool is_hidden;
 };
 
-std::vector<Attribute> attributes_of(const MountedUnit& unit) {
+std::vector<Attribute> attributes_of(const Words& words, const MountedUnit& unit) {
   return {{"NUMBER", words("mounting.prompt.number"), fmt::format("{}", unit.number), false},
           {"ID", words("mounting.prompt.id"), cad_text(unit.id), true},
           {"TYPE", words("mounting.prompt.type"), cad_text(unit.type), true},
@@ -77,14 +77,14 @@ std::vector<Attribute> attributes_of(const MountedUnit& unit) {
           {"TOWARDS", words("mounting.prompt.towards"), fmt::format("{:.1f}", unit.towards_deg), true}};
 }
 
-void add_block(Dxf& dxf) {
+void add_block(const Words& words, Dxf& dxf) {
   dxf.begin("BLOCKS");
   dxf.put(0, "BLOCK").put(8, units_layer).put(2, block).put(70, 2).at(0, 0).put(3, block);
   dxf.put(0, "CIRCLE").put(8, units_layer).at(0, 0).put(40, radius);
   dxf.put(0, "LINE").put(8, units_layer).at(-radius, 0).at(radius, 0, 0, 1);
   dxf.put(0, "LINE").put(8, units_layer).at(0, -radius).at(0, radius, 0, 1);
   double y = radius;
-  for (const Attribute& attribute : attributes_of({})) {
+  for (const Attribute& attribute : attributes_of(words, {})) {
     dxf.put(0, "ATTDEF").put(8, units_layer).at(1.2 * radius, y).put(40, text_height).put(1, "");
     dxf.put(3, cad_text(attribute.prompt)).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
     y -= line_height;
@@ -92,7 +92,7 @@ void add_block(Dxf& dxf) {
   dxf.put(0, "ENDBLK").put(8, units_layer).end();
 }
 
-void add_note(Dxf& dxf, double x, double y, std::string_view key) {
+void add_note(const Words& words, Dxf& dxf, double x, double y, std::string_view key) {
   dxf.put(0, "TEXT").put(8, note_layer).at(x, y).put(40, text_height).put(1, cad_text(words(key)));
 }
 
@@ -103,12 +103,12 @@ void add_outline(Dxf& dxf, std::span<const Vec2> corners) {
   }
 }
 
-void add_unit(Dxf& dxf, const MountedUnit& unit) {
+void add_unit(const Words& words, Dxf& dxf, const MountedUnit& unit) {
   const Vec3& p = unit.position;
   const char* const layer = unit.installed ? installed_layer : units_layer;
   dxf.put(0, "INSERT").put(8, layer).put(66, 1).put(2, block).at(p.x, p.y, p.z);
   double y = p.y + radius;
-  for (const Attribute& attribute : attributes_of(unit)) {
+  for (const Attribute& attribute : attributes_of(words, unit)) {
     dxf.put(0, "ATTRIB").put(8, layer).at(p.x + 1.2 * radius, y, p.z).put(40, text_height);
     dxf.put(1, attribute.value).put(2, attribute.tag).put(70, attribute.is_hidden ? 1 : 0);
     y -= line_height;
@@ -119,34 +119,37 @@ void add_unit(Dxf& dxf, const MountedUnit& unit) {
 }  // namespace
 
 std::string mounting_csv(const ReportInput& input) {
+  const Words words = words_of(input.scene);
   const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   std::string csv =
       "number,id,type,installed,distance_1_cm,from_1,distance_2_cm,from_2,height_cm,tilt_deg,towards_deg,"
       "roll_deg,pinned\n";
   for (const MountedUnit& unit : mounting_sheet(input)) {
     const auto& [first, second] = unit.references;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id),
-                       text(unit.type), unit.installed ? 1 : 0, centimetres(first.distance),
-                       text(name_of(first)), centimetres(second.distance), text(name_of(second)),
-                       height_cm(unit), csv_number(std::round(10 * unit.tilt_deg) / 10),
-                       csv_number(std::round(10 * unit.towards_deg) / 10), csv_number(unit.roll_deg),
-                       unit.pinned ? 1 : 0);
+    csv += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id), text(unit.type),
+        unit.installed ? 1 : 0, centimetres(first.distance), text(name_of(words, first)),
+        centimetres(second.distance), text(name_of(words, second)), height_cm(unit),
+        csv_number(std::round(10 * unit.tilt_deg) / 10), csv_number(std::round(10 * unit.towards_deg) / 10),
+        csv_number(unit.roll_deg), unit.pinned ? 1 : 0);
   }
   return csv;
 }
 
 std::string mounting_dxf(const ReportInput& input) {
+  const Words words = words_of(input.scene);
   const Scene& scene = input.scene;
   Dxf dxf;
   const Vec3 corner = scene.lower - Vec3{0, 2 * line_height, 0};
   dxf.begin("HEADER").put(9, "$ACADVER").put(1, "AC1009").put(9, "$EXTMIN").at(corner.x, corner.y, corner.z);
   dxf.put(9, "$EXTMAX").at(scene.upper.x, scene.upper.y, scene.upper.z).end();
   add_layers(dxf);
-  add_block(dxf);
+  add_block(words, dxf);
   dxf.begin("ENTITIES");
   // Release 12 has no variable for the unit of length, so a text below the shop states it.
-  add_note(dxf, corner.x, corner.y, "mounting.drawing_unit");
-  if (!input.plan.is_verified()) add_note(dxf, corner.x, corner.y + line_height, "certificate.lacking");
+  add_note(words, dxf, corner.x, corner.y, "mounting.drawing_unit");
+  if (!input.plan.is_verified())
+    add_note(words, dxf, corner.x, corner.y + line_height, "certificate.lacking");
   if (scene.room) {
     add_outline(dxf, scene.room->outline);
     for (const Polygon& hole : scene.room->holes) add_outline(dxf, hole);
@@ -158,7 +161,7 @@ std::string mounting_dxf(const ReportInput& input) {
     for (const WallSection& wall : wall_sections(*scene.room, cut_height))
       for (const auto* loops : {&wall.cut, &wall.below})
         for (const Polygon& loop : *loops) add_outline(dxf, loop);
-  for (const MountedUnit& unit : mounting_sheet(input)) add_unit(dxf, unit);
+  for (const MountedUnit& unit : mounting_sheet(input)) add_unit(words, dxf, unit);
   dxf.end();
   return dxf.text();
 }

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -50,43 +50,44 @@ long centimetres(double metres) {
   return std::lround(100 * metres);
 }
 
-std::string name_of(const Reference& reference) {
-  const std::string_view side = to_text(reference.side);
+std::string name_of(const Words& words, const Reference& reference) {
+  const std::string_view side = side_text(words, reference.side);
   switch (reference.kind) {
     case Reference::Kind::wall:
-      return say("mounting.wall", side);
+      return words.say("mounting.wall", side);
     case Reference::Kind::fixture:
       return reference.fixture;
     case Reference::Kind::end:
-      return say("mounting.end", side, reference.fixture);
+      return words.say("mounting.end", side, reference.fixture);
     case Reference::Kind::ceiling:
-      return say("mounting.ceiling", reference.fixture);
+      return words.say("mounting.ceiling", reference.fixture);
     case Reference::Kind::origin:
       break;
   }
-  return say("mounting.origin");
+  return words.say("mounting.origin");
 }
 
-std::string_view to_text(Side side) {
+std::string_view side_text(const Words& words, Side side) {
   constexpr const char* keys[] = {"left", "right", "bottom", "top"};
   return words(fmt::format("mounting.side.{}", keys[static_cast<std::size_t>(side)]));
 }
 
-std::string direction_of(const MountedUnit& unit) {
+std::string direction_of(const Words& words, const MountedUnit& unit) {
   constexpr double eighth = 45;  // degrees
   std::string text;
   if (unit.tilt_deg < min_tilt_deg)
-    text = say("mounting.down");
+    text = words.say("mounting.down");
   else if (unit.tilt_deg > 180 - min_tilt_deg)
-    text = say("mounting.up");
+    text = words.say("mounting.up");
   else {
     const long nearest = std::lround(unit.towards_deg / eighth);
     const std::string_view side = words(fmt::format("mounting.towards.{}", nearest % 8));
     const bool is_exact = std::abs(unit.towards_deg - eighth * static_cast<double>(nearest)) < 1;
-    text = is_exact ? say("mounting.tilted", fixed(unit.tilt_deg, 0), side)
-                    : say("mounting.tilted_to", fixed(unit.tilt_deg, 0), side, fixed(unit.towards_deg, 0));
+    text = is_exact ? words.say("mounting.tilted", words.fixed(unit.tilt_deg, 0), side)
+                    : words.say("mounting.tilted_to", words.fixed(unit.tilt_deg, 0), side,
+                                words.fixed(unit.towards_deg, 0));
   }
-  return unit.roll_deg == 0 ? text : say("mounting.turned", text, plain(unit.roll_deg));
+  return unit.roll_deg == 0 ? text : words.say("mounting.turned", text, words.plain(unit.roll_deg));
 }
 
 }  // namespace shelfbeam

@@ -9,6 +9,7 @@
 
 #include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/report/mounting/reference.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -40,14 +41,14 @@ inline long height_cm(const MountedUnit& unit) {
 std::optional<long> cm_below_ceiling(const Scene& scene, const MountedUnit& unit);
 
 /// "wall at the left", "A3", "left side of A3", "lower ceiling of bakery", "axis of the drawing"
-std::string name_of(const Reference& reference);
-std::string_view to_text(Side side);
+std::string name_of(const Words& words, const Reference& reference);
+std::string_view side_text(const Words& words, Side side);
 
 /// A tilt so small that the unit points straight down.
 inline constexpr double min_tilt_deg = 0.5;
 
 /// "straight down", "straight up", "30° towards the top left", with the angle in plan unless it is a multiple
 /// of 45°; then the turn about its own axis.
-std::string direction_of(const MountedUnit& unit);
+std::string direction_of(const Words& words, const MountedUnit& unit);
 
 }  // namespace shelfbeam

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -72,8 +72,8 @@ std::string paragraph(const std::string& text, const std::string& css_class) {
                            : fmt::format("<p class=\"{}\">{}</p>\n", css_class, escape(text));
 }
 
-std::string html_page(const std::string& title, const std::string& body, const std::string& light_colours,
-                      const std::string& dark_colours) {
+std::string html_page(const Words& words, const std::string& title, const std::string& body,
+                      const std::string& light_colours, const std::string& dark_colours) {
   std::string css(embedded::page_colours);
   css += embedded::page_css;
   const auto put = [&](std::string_view mark, const std::string& colours) {

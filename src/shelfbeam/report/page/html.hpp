@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/report/text/words.hpp"
+
 namespace shelfbeam {
 
 /// A table that scrolls inside its box on narrow screens. Cells are given as plain text.
@@ -48,7 +50,7 @@ std::string paragraph(const std::string& text, const std::string& css_class = {}
 
 /// A page from its title (plain text) and body (HTML). The style sheet page.css serves light and dark screens
 /// and paper; the colours are additional CSS variables.
-std::string html_page(const std::string& title, const std::string& body,
+std::string html_page(const Words& words, const std::string& title, const std::string& body,
                       const std::string& light_colours = {}, const std::string& dark_colours = {});
 
 }  // namespace shelfbeam

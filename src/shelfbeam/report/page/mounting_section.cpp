@@ -3,7 +3,7 @@
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -19,9 +19,9 @@ std::string cell(const std::string& html, const char* css_class = "") {
                      html);
 }
 
-std::string distance(const Reference& reference) {
-  return escape(
-      say("mounting.distance", centimetres(reference.distance), arrow(reference.side), name_of(reference)));
+std::string distance(const Words& words, const Reference& reference) {
+  return escape(words.say("mounting.distance", centimetres(reference.distance), arrow(reference.side),
+                          name_of(words, reference)));
 }
 
 // A dot for a unit that points straight down or up, otherwise an arrow in plan.
@@ -35,22 +35,25 @@ std::string picture(const MountedUnit& unit) {
 }
 
 std::string height(const Scene& scene, const MountedUnit& unit) {
-  const std::string text = say("mounting.cm", height_cm(unit));
+  const Words words = words_of(scene);
+  const std::string text = words.say("mounting.cm", height_cm(unit));
   const auto below = cm_below_ceiling(scene, unit);
-  return below ? fmt::format("{}<br><small>{}</small>", text, say("mounting.below_ceiling", *below)) : text;
+  return below ? fmt::format("{}<br><small>{}</small>", text, words.say("mounting.below_ceiling", *below))
+               : text;
 }
 
-std::string remark(const MountedUnit& unit) {
+std::string remark(const Words& words, const MountedUnit& unit) {
   const char* const key = unit.installed ? "mounting.installed" : unit.pinned ? "mounting.pinned" : nullptr;
   return key == nullptr ? "" : fmt::format("<br><small>({})</small>", words(key));
 }
 
 std::string row(const Scene& scene, const MountedUnit& unit) {
+  const Words words = words_of(scene);
   return "<tr>" + cell(fmt::format("<b>{}</b>", unit.number), "n") +
          cell(unit.installed ? "–" : "<span class=\"tick-box\"></span>") +
-         cell(distance(unit.references[0])) + cell(distance(unit.references[1])) +
-         cell(height(scene, unit), "n") + cell(picture(unit) + escape(direction_of(unit))) +
-         cell(escape(unit.type)) + cell(escape(unit.id) + remark(unit)) + "</tr>\n";
+         cell(distance(words, unit.references[0])) + cell(distance(words, unit.references[1])) +
+         cell(height(scene, unit), "n") + cell(picture(unit) + escape(direction_of(words, unit))) +
+         cell(escape(unit.type)) + cell(escape(unit.id) + remark(words, unit)) + "</tr>\n";
 }
 
 }  // namespace
@@ -60,18 +63,18 @@ std::string mounting_section(const ReportData& data, const Maps& maps) {
   if (units.empty()) return {};
   std::string head;
   for (const char* key : {"number", "done", "across", "along", "height", "direction", "type", "unit"})
-    head += fmt::format("<th scope=\"col\">{}</th>", words(fmt::format("mounting.{}", key)));
+    head += fmt::format("<th scope=\"col\">{}</th>", data.words(fmt::format("mounting.{}", key)));
   std::string rows;
   for (const MountedUnit& unit : units) rows += row(data.input.scene, unit);
   return html_section(
-      "mounting", say("mounting.title"),
-      (data.input.plan.is_verified() ? "" : paragraph(say("certificate.lacking"), "uncertified")) +
-          paragraph(say("mounting.intro")) + maps.overview(say("mounting.drawing")) +
+      "mounting", data.words.say("mounting.title"),
+      (data.input.plan.is_verified() ? "" : paragraph(data.words.say("certificate.lacking"), "uncertified")) +
+          paragraph(data.words.say("mounting.intro")) + maps.overview(data.words.say("mounting.drawing")) +
           fmt::format(
               "<div class=\"scroll\" tabindex=\"0\"><table class=\"sheet\">\n<thead><tr>{}</tr></thead>\n"
               "<tbody>\n{}</tbody></table></div>\n",
               head, rows) +
-          paragraph(say("mounting.files"), "note"));
+          paragraph(data.words.say("mounting.files"), "note"));
 }
 
 }  // namespace shelfbeam

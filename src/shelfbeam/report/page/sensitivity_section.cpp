@@ -9,7 +9,7 @@
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -23,65 +23,67 @@ double drawn_db(const MinMargin& min_margin) {
 }
 
 // Two decimals: materials differ by less than a tenth.
-std::string margin(const MinMargin& min_margin) {
-  return decibels(margin_db(min_margin.ratio, 1), 2);
+std::string margin(const Words& words, const MinMargin& min_margin) {
+  return words.decibels(margin_db(min_margin.ratio, 1), 2);
 }
 
-std::string rounded(double reflectance) {
-  return plain(std::round(1000 * reflectance) / 1000);
+std::string rounded(const Words& words, double reflectance) {
+  return words.plain(std::round(1000 * reflectance) / 1000);
 }
 
-std::string range_of(const MaterialSensitivity& one) {
-  return say("sensitivity.range", rounded(one.lower), rounded(one.upper));
+std::string range_of(const Words& words, const MaterialSensitivity& one) {
+  return words.say("sensitivity.range", rounded(words, one.lower), rounded(words, one.upper));
 }
 
-std::string signed_percent(double share) {
-  const std::string text = percent(share);
-  return (share > 0 && text != percent(0) ? "+" : "") + text;
+std::string signed_percent(const Words& words, double share) {
+  const std::string text = words.percent(share);
+  return (share > 0 && text != words.percent(0) ? "+" : "") + text;
 }
 
 std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   TornadoChart chart;
-  chart.description = say("sensitivity.description");
+  chart.description = data.words.say("sensitivity.description");
   const auto add = [&](const std::string& name, const MinMargin& low, const MinMargin& high) {
-    chart.bars.push_back({name, drawn_db(low), drawn_db(high),
-                          say("sensitivity.bar", name, margin(low), data.label(low.label).id, margin(high),
-                              data.label(high.label).id)});
+    chart.bars.push_back(
+        {name, drawn_db(low), drawn_db(high),
+         data.words.say("sensitivity.bar", name, margin(data.words, low), data.label(low.label).id,
+                        margin(data.words, high), data.label(high.label).id)});
   };
-  add(say("sensitivity.together"), sensitivity.low.min_margin, sensitivity.high.min_margin);
+  add(data.words.say("sensitivity.together"), sensitivity.low.min_margin, sensitivity.high.min_margin);
   for (std::size_t k = 0; k < std::min(max_bars, sensitivity.materials.size()); ++k) {
     const MaterialSensitivity& one = sensitivity.materials[k];
-    add(say("sensitivity.one", one.material, range_of(one)), one.at_lower.min_margin,
+    add(data.words.say("sensitivity.one", one.material, range_of(data.words, one)), one.at_lower.min_margin,
         one.at_upper.min_margin);
   }
   chart.middle = drawn_db(sensitivity.as_given);
-  chart.middle_text = say("sensitivity.as_given");
-  chart.limit_text = say("sensitivity.limit");
-  chart.x_title = say("sensitivity.x");
-  std::string note = say("sensitivity.key");
-  if (sensitivity.materials.size() > max_bars) note += " " + say("sensitivity.shown", max_bars);
-  return html_figure(say("sensitivity.figure"), tornado_svg(chart), note);
+  chart.middle_text = data.words.say("sensitivity.as_given");
+  chart.limit_text = data.words.say("sensitivity.limit");
+  chart.x_title = data.words.say("sensitivity.x");
+  std::string note = data.words.say("sensitivity.key");
+  if (sensitivity.materials.size() > max_bars) note += " " + data.words.say("sensitivity.shown", max_bars);
+  return html_figure(data.words.say("sensitivity.figure"), tornado_svg(data.words, chart), note);
 }
 
 std::string material_table(const ReportData& data, const Sensitivity& sensitivity) {
-  HtmlTable table({{say("sensitivity.column.material"), false},
-                   {say("sensitivity.column.reflectance"), false},
-                   {say("sensitivity.column.low_margin")},
-                   {say("sensitivity.column.label"), false},
-                   {say("sensitivity.column.change")},
-                   {say("sensitivity.column.missed")},
-                   {say("sensitivity.column.low_change")},
-                   {say("sensitivity.column.high_margin")},
-                   {say("sensitivity.column.high_change")}});
+  HtmlTable table({{data.words.say("sensitivity.column.material"), false},
+                   {data.words.say("sensitivity.column.reflectance"), false},
+                   {data.words.say("sensitivity.column.low_margin")},
+                   {data.words.say("sensitivity.column.label"), false},
+                   {data.words.say("sensitivity.column.change")},
+                   {data.words.say("sensitivity.column.missed")},
+                   {data.words.say("sensitivity.column.low_change")},
+                   {data.words.say("sensitivity.column.high_margin")},
+                   {data.words.say("sensitivity.column.high_change")}});
   for (const MaterialSensitivity& one : sensitivity.materials)
     table.add_row(
         {one.material,
-         fmt::format("{} ({}){}", rounded(one.reflectance), range_of(one), one.is_assumed ? " *" : ""),
-         margin(one.at_lower.min_margin), data.label(one.at_lower.min_margin.label).id,
-         fmt::format("{} (±\u00A0{})", signed_percent(one.at_lower.change),
-                     fixed(100 * one.at_lower.change_error, 2)),
-         grouped(one.at_lower.labels_short), signed_percent(one.at_lower.mean_change),
-         margin(one.at_upper.min_margin), signed_percent(one.at_upper.mean_change)});
+         fmt::format("{} ({}){}", rounded(data.words, one.reflectance), range_of(data.words, one),
+                     one.is_assumed ? " *" : ""),
+         margin(data.words, one.at_lower.min_margin), data.label(one.at_lower.min_margin.label).id,
+         fmt::format("{} (±\u00A0{})", signed_percent(data.words, one.at_lower.change),
+                     data.words.fixed(100 * one.at_lower.change_error, 2)),
+         data.words.grouped(one.at_lower.labels_short), signed_percent(data.words, one.at_lower.mean_change),
+         margin(data.words, one.at_upper.min_margin), signed_percent(data.words, one.at_upper.mean_change)});
   return table.html();
 }
 
@@ -94,18 +96,18 @@ std::string labels(const ReportData& data, const std::vector<std::uint32_t>& row
   for (const std::string& range : id_ranges(ids)) list += fmt::format("<li>{}</li> ", escape(range));
   return fmt::format(
       "<details>\n<summary>{}</summary>\n<div class=\"serves\"><ul>{}</ul></div>\n</details>\n",
-      escape(say_count(title, ids.size())), list);
+      escape(data.words.say_count(title, ids.size())), list);
 }
 
 std::string notes(const ReportData& data, const Sensitivity& sensitivity) {
-  std::string text = say("sensitivity.note");
+  std::string text = data.words.say("sensitivity.note");
   if (sensitivity.watched < data.outcome.labels.size())
-    text += " " + say("sensitivity.watched", grouped(sensitivity.watched));
+    text += " " + data.words.say("sensitivity.watched", data.words.grouped(sensitivity.watched));
   if (std::any_of(sensitivity.materials.begin(), sensitivity.materials.end(),
                   [](const MaterialSensitivity& one) { return one.is_assumed; }))
-    text += " " + say("sensitivity.assumed", percent(sensitivity.assumed_error, 0));
+    text += " " + data.words.say("sensitivity.assumed", data.words.percent(sensitivity.assumed_error, 0));
   if (!sensitivity.kept.empty())
-    text += " " + say("sensitivity.kept", fmt::format("{}", fmt::join(sensitivity.kept, ", ")));
+    text += " " + data.words.say("sensitivity.kept", fmt::format("{}", fmt::join(sensitivity.kept, ", ")));
   return paragraph(text, "note");
 }
 
@@ -117,12 +119,12 @@ std::string sensitivity_section(const ReportData& data) {
   const std::string beside = notes(data, *sensitivity) +
                              labels(data, sensitivity->low.missed, "sensitivity.missed") +
                              labels(data, sensitivity->low.undecided, "sensitivity.undecided");
-  return html_section(
-      "sensitivity", say("sensitivity.title"),
-      paragraph(with_joined_percent(sensitivity_sentence(*sensitivity, data.outcome.labels.size()))) +
-          fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n", tornado(data, *sensitivity),
-                      beside) +
-          material_table(data, *sensitivity));
+  return html_section("sensitivity", data.words.say("sensitivity.title"),
+                      paragraph(with_joined_percent(
+                          sensitivity_sentence(data.words, *sensitivity, data.outcome.labels.size()))) +
+                          fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n",
+                                      tornado(data, *sensitivity), beside) +
+                          material_table(data, *sensitivity));
 }
 
 }  // namespace shelfbeam

@@ -7,13 +7,13 @@
 #include "shelfbeam/report/messages/summary.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-std::string list(const char* key, const std::vector<std::string>& items) {
+std::string list(const Words& words, const char* key, const std::vector<std::string>& items) {
   if (items.empty()) return {};
   return fmt::format("<div>\n<h2>{}</h2>\n{}</div>\n", escape(words(key)), html_list(items));
 }
@@ -33,38 +33,40 @@ std::string shopping_list(const ReportData& data) {
   const std::optional<Price>& price = data.input.plan.placement.price;
   const bool has_there =
       std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.second.there > 0; });
-  std::vector<HtmlTable::Column> columns{{say("summary.buy.type"), false}, {say("summary.buy.new")}};
-  if (has_there) columns.push_back({say("summary.buy.there")});
+  std::vector<HtmlTable::Column> columns{{data.words.say("summary.buy.type"), false},
+                                         {data.words.say("summary.buy.new")}};
+  if (has_there) columns.push_back({data.words.say("summary.buy.there")});
   // Prices may come from another file than the types.
   double sum = 0;
   for (const auto& [key, row] : rows) sum += key.second * static_cast<double>(row.fresh);
   const bool has_prices = price && std::abs(sum - price->to_spend) < 0.005;
   if (has_prices) {
-    columns.push_back({say("summary.buy.each")});
-    columns.push_back({say("summary.buy.price")});
+    columns.push_back({data.words.say("summary.buy.each")});
+    columns.push_back({data.words.say("summary.buy.price")});
   }
   HtmlTable table(columns);
   const auto add = [&](const std::string& name, const Row& row, const std::string& each, double amount) {
     std::vector<std::string> cells{
-        name, row.pinned > 0 ? say("summary.buy.pinned", grouped(row.fresh), grouped(row.pinned))
-                             : grouped(row.fresh)};
-    if (has_there) cells.push_back(grouped(row.there));
-    if (has_prices) cells.insert(cells.end(), {each, money(amount, price)});
+        name, row.pinned > 0 ? data.words.say("summary.buy.pinned", data.words.grouped(row.fresh),
+                                              data.words.grouped(row.pinned))
+                             : data.words.grouped(row.fresh)};
+    if (has_there) cells.push_back(data.words.grouped(row.there));
+    if (has_prices) cells.insert(cells.end(), {each, money(data.words, amount, price)});
     table.add_row(cells);
   };
   Row all;
   for (const auto& [key, row] : rows) {
-    add(key.first, row, money(key.second, price), key.second * static_cast<double>(row.fresh));
+    add(key.first, row, money(data.words, key.second, price), key.second * static_cast<double>(row.fresh));
     all.fresh += row.fresh;
     all.pinned += row.pinned;
     all.there += row.there;
   }
-  if (rows.size() > 1) add(say("summary.buy.total"), all, "", sum);
-  return fmt::format("<div>\n<h2>{}</h2>\n{}</div>\n", escape(words("summary.buy.title")), table.html());
+  if (rows.size() > 1) add(data.words.say("summary.buy.total"), all, "", sum);
+  return fmt::format("<div>\n<h2>{}</h2>\n{}</div>\n", escape(data.words("summary.buy.title")), table.html());
 }
 
-std::string times(double ratio) {
-  return std::isfinite(ratio) ? say("summary.alternatives.times", significant(ratio)) : "–";
+std::string times(const Words& words, double ratio) {
+  return std::isfinite(ratio) ? words.say("summary.alternatives.times", words.significant(ratio)) : "–";
 }
 
 std::string alternatives_table(const ReportData& data) {
@@ -73,55 +75,58 @@ std::string alternatives_table(const ReportData& data) {
   if (others.empty()) return {};
   const bool has_prices = plan.placement.price.has_value();
   const bool by_price = plan.placement.problem.combination == Combination::spend;
-  std::vector<HtmlTable::Column> columns{{say("summary.alternatives.choice"), false, true},
-                                         {say("summary.alternatives.units")}};
-  if (has_prices) columns.push_back({say("summary.alternatives.new_price")});
+  std::vector<HtmlTable::Column> columns{{data.words.say("summary.alternatives.choice"), false, true},
+                                         {data.words.say("summary.alternatives.units")}};
+  if (has_prices) columns.push_back({data.words.say("summary.alternatives.new_price")});
   for (const char* key : {"reached", "weakest", "secure"})
-    columns.push_back({say(fmt::format("summary.alternatives.{}", key))});
+    columns.push_back({data.words.say(fmt::format("summary.alternatives.{}", key))});
   HtmlTable table(columns);
-  const auto price_of = [](const Alternative& one) {
-    return one.price ? money(one.price->to_spend, one.price) : "–";
+  const auto price_of = [&](const Alternative& one) {
+    return one.price ? money(data.words, one.price->to_spend, one.price) : "–";
   };
   const auto add = [&](const std::string& name, const Alternative& one, const std::string& units,
                        const std::string& price, const std::string& reached) {
     std::vector<std::string> cells{name, units};
     if (has_prices) cells.push_back(price);
-    cells.insert(cells.end(), {reached, times(one.smallest_margin), grouped(one.secure)});
+    cells.insert(cells.end(),
+                 {reached, times(data.words, one.smallest_margin), data.words.grouped(one.secure)});
     table.add_row(cells);
   };
-  const auto units = [](const Alternative& one) { return grouped(one.selected.size()); };
+  const auto units = [&](const Alternative& one) { return data.words.grouped(one.selected.size()); };
   Alternative own;
   own.selected = plan.placement.selected;
   own.price = plan.placement.price;
   own.secure = data.outcome.secure;
   const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];
   own.smallest_margin = weakest.requirement > 0 ? weakest.signal / weakest.requirement : 0;
-  add(say("summary.alternatives.this"), own, units(own), price_of(own), grouped(data.outcome.met));
+  add(data.words.say("summary.alternatives.this"), own, units(own), price_of(own),
+      data.words.grouped(data.outcome.met));
   if (const auto& one = others.one_fewer)
-    add(say(one->selected.size() + 1 < own.selected.size() ? "summary.alternatives.fewer"
-                                                           : "summary.alternatives.one_fewer"),
+    add(data.words.say(one->selected.size() + 1 < own.selected.size() ? "summary.alternatives.fewer"
+                                                                      : "summary.alternatives.one_fewer"),
         *one, units(*one), price_of(*one),
-        one->is_proven
-            ? grouped(one->reached)
-            : say("summary.alternatives.at_most", grouped(one->reached), grouped(one->max_reached)));
+        one->is_proven ? data.words.grouped(one->reached)
+                       : data.words.say("summary.alternatives.at_most", data.words.grouped(one->reached),
+                                        data.words.grouped(one->max_reached)));
   if (const auto& one = others.one_more)
-    add(say("summary.alternatives.more"), *one, units(*one), price_of(*one), grouped(one->reached));
+    add(data.words.say("summary.alternatives.more"), *one, units(*one), price_of(*one),
+        data.words.grouped(one->reached));
   if (const auto& one = others.survives_failure) {
     std::string count = units(*one), price = price_of(*one);
     // A better choice would have fewer units, or cost less.
     if (!one->is_proven && by_price)
-      price = say("summary.alternatives.not_proven_price", price);
+      price = data.words.say("summary.alternatives.not_proven_price", price);
     else if (!one->is_proven)
-      count = say("summary.alternatives.not_proven", count);
-    add(say("summary.alternatives.survive"), *one, count, price, grouped(one->reached));
+      count = data.words.say("summary.alternatives.not_proven", count);
+    add(data.words.say("summary.alternatives.survive"), *one, count, price, data.words.grouped(one->reached));
   }
   std::string html = table.html();
   if (others.cannot_survive)
-    html += paragraph(
-        fmt::format("{}: {}.", words("summary.alternatives.survive"), words("summary.alternatives.cannot")),
-        "note");
-  return fmt::format("<h2>{}</h2>\n{}{}", escape(words("summary.alternatives.title")), html,
-                     paragraph(say("summary.alternatives.note"), "note"));
+    html += paragraph(fmt::format("{}: {}.", data.words("summary.alternatives.survive"),
+                                  data.words("summary.alternatives.cannot")),
+                      "note");
+  return fmt::format("<h2>{}</h2>\n{}{}", escape(data.words("summary.alternatives.title")), html,
+                     paragraph(data.words.say("summary.alternatives.note"), "note"));
 }
 
 }  // namespace
@@ -131,22 +136,22 @@ std::string summary_section(const ReportData& data, const Maps& maps) {
   const std::string& name = data.input.scene.name;
   std::string html =
       html_header({key_of(summary.tone),
-                   fmt::format("{} <span class=\"verdict\">{}</span>", escape(words("summary.kicker")),
+                   fmt::format("{} <span class=\"verdict\">{}</span>", escape(data.words("summary.kicker")),
                                escape(summary.verdict)),
-                   name.empty() ? say("summary.store") : name, summary.answer, summary.remarks});
+                   name.empty() ? data.words.say("summary.store") : name, summary.answer, summary.remarks});
   if (data.has_selection())
     html += "<div class=\"pair\">\n" + shopping_list(data) +
-            list("summary.achieves.title", summary.achieves) + "</div>\n" +
-            list("summary.risks.title", summary.risks) + alternatives_table(data);
-  html += maps.overview(say(data.has_selection() ? "summary.drawing" : "summary.drawing_none"));
+            list(data.words, "summary.achieves.title", summary.achieves) + "</div>\n" +
+            list(data.words, "summary.risks.title", summary.risks) + alternatives_table(data);
+  html += maps.overview(data.words.say(data.has_selection() ? "summary.drawing" : "summary.drawing_none"));
   return "<div class=\"first-page\">\n" + html + "</div>\n";
 }
 
 std::string warning_section(const ReportData& data) {
   const std::vector<std::string> warnings = sentences(data.input.plan.warnings);
   if (warnings.empty()) return {};
-  return html_section("warnings", say("warnings.title"),
-                      paragraph(say("warnings.intro")) + html_list(warnings));
+  return html_section("warnings", data.words.say("warnings.title"),
+                      paragraph(data.words.say("warnings.intro")) + html_list(warnings));
 }
 
 }  // namespace shelfbeam

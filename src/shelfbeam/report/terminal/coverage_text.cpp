@@ -11,6 +11,8 @@
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
+#include "shelfbeam/report/text/numbers.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -36,7 +38,7 @@ std::string proven_least(double part, double whole) {
 /// "199 of 390 labels, 51.0 %" or "199 of 390 labels, 62.3 % of the weight"; no share for all labels.
 std::string reached_part(std::size_t reached, const std::optional<CoverageWeight>& weight,
                          const SignalTable& table) {
-  std::string text = labels_reached(reached, table.rows());
+  std::string text = labels_reached(english(), reached, table.rows());
   if (reached == table.rows()) return text;
   return text + (weight ? fmt::format(", {:.1f} % of the weight", percentage(weight->reached, weight->total))
                         : fmt::format(", {:.1f} %", percentage(reached, table)));
@@ -47,7 +49,7 @@ std::string price_line(const std::vector<std::uint32_t>& selected, const SignalT
   if (!has_prices(table)) return {};
   const Price price = price_of(table, selected);
   return fmt::format("  price: {} of new units, {} in total; prices are not considered in this choice\n",
-                     money(price.to_spend, price), money(price.total, price));
+                     money(english(), price.to_spend, price), money(english(), price.total, price));
 }
 
 std::string size_line(bool is_too_large, Status status) {
@@ -62,7 +64,7 @@ std::string better_bound(const MaxCoverage& reach, const SignalTable& table) {
   if (reach.status == Status::optimal) return text;
   return text + (reach.weight
                      ? fmt::format(" than {} %", proven_most(reach.weight->upper_bound, reach.weight->total))
-                     : fmt::format(" than {}, {:.1f} %", grouped(reach.upper_bound),
+                     : fmt::format(" than {}, {:.1f} %", english().grouped(reach.upper_bound),
                                    percentage(reach.upper_bound, table)));
 }
 
@@ -96,18 +98,19 @@ std::string answer(const FewestUnits& fewest, const SignalTable& table) {
                        required, model_of(fewest.problem), most_below_share(fewest));
   if (!fewest.has_selection)
     return fmt::format("No selection that reaches {} was found; {}.\n", required,
-                       units_needed(fewest.count_lower_bound));
+                       units_needed(english(), fewest.count_lower_bound));
   std::optional<CoverageWeight> weight;
   if (has_weights(table)) weight = fewest.weight;
-  return fmt::format("{} {} ({}); {:.6g} % are required, and {}.\n", units_reach(fewest.selected.size()),
+  return fmt::format("{} {} ({}); {:.6g} % are required, and {}.\n",
+                     units_reach(english(), fewest.selected.size()),
                      reached_part(fewest.reached, weight, table), model_of(fewest.problem),
-                     100 * fewest.share, terminal_bound(as_placement(fewest)));
+                     100 * fewest.share, terminal_bound(english(), as_placement(fewest)));
 }
 
 }  // namespace
 
 std::string describe(const MaxCoverage& reach, const SignalTable& table) {
-  std::string text = fmt::format("{} {} ({})", units_reach(reach.selected.size()),
+  std::string text = fmt::format("{} {} ({})", units_reach(english(), reach.selected.size()),
                                  reached_part(reach.reached, reach.weight, table), model_of(reach.problem));
   if (reach.reached != table.rows()) text += better_bound(reach, table);
   text += ".\n" + chosen(reach.selected, table) + price_line(reach.selected, table);
@@ -116,8 +119,8 @@ std::string describe(const MaxCoverage& reach, const SignalTable& table) {
                                  reach.weight->total, reach.weight->upper_bound)
                    : fmt::format("reached {}, upper bound {}", reach.reached, reach.upper_bound);
   text += fmt::format("  {}: {}, gap {:.1f} %; {:.2f} s, solver {}\n", to_text(reach.status), range,
-                      100 * reach.gap(), reach.seconds, solver_text(reach.solver));
-  return text + fmt::format("  bound: {}\n", bound_proof_text(reach.bound_proof)) +
+                      100 * reach.gap(), reach.seconds, solver_text(english(), reach.solver));
+  return text + fmt::format("  bound: {}\n", bound_proof_text(english(), reach.bound_proof)) +
          size_line(reach.too_large, reach.status);
 }
 
@@ -127,8 +130,8 @@ std::string describe(const FewestUnits& fewest, const SignalTable& table) {
   text += fmt::format("  {}", to_text(fewest.status));
   if (fewest.has_selection)
     text += fmt::format(": count {}, lower bound {}", fewest.selected.size(), fewest.count_lower_bound);
-  text += fmt::format("; {:.2f} s, solver {}\n", fewest.seconds, solver_text(fewest.solver));
-  return text + fmt::format("  bound: {}\n", bound_proof_text(fewest.bound_proof)) +
+  text += fmt::format("; {:.2f} s, solver {}\n", fewest.seconds, solver_text(english(), fewest.solver));
+  return text + fmt::format("  bound: {}\n", bound_proof_text(english(), fewest.bound_proof)) +
          size_line(fewest.too_large, fewest.status);
 }
 

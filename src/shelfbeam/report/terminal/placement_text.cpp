@@ -13,6 +13,7 @@
 #include "shelfbeam/report/messages/partial.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -23,25 +24,28 @@ std::string outcome(const Placement& placement) {
   if (placement.has_selection())
     text += fmt::format(": value {:.9g}, lower bound {:.9g}, gap {:.1f} %", placement.objective_value,
                         placement.lower_bound, 100 * placement.gap());
-  return text + fmt::format("; {:.2f} s, solver {}\n", placement.seconds, solver_text(placement.solver));
+  return text +
+         fmt::format("; {:.2f} s, solver {}\n", placement.seconds, solver_text(english(), placement.solver));
 }
 
 std::string infeasible(const Placement& placement, const SignalTable& table) {
   const bool has_options = !table.mounts.empty();
-  const std::string no_selection =
-      no_selection_reaches(table.rows()) + (placement.problem.redundant ? " if any one unit fails" : "");
+  const std::string no_selection = no_selection_reaches(english(), table.rows()) +
+                                   (placement.problem.redundant ? " if any one unit fails" : "");
   if (placement.unreachable.empty())
     return fmt::format("{}: each {} (proven by {}).\n", no_selection,
-                       not_all_together(conflict_reason(placement, has_options)),
-                       solver_text(placement.solver));
-  std::string text = fmt::format("{}: {}.\n", no_selection, terminal_out_of_reach(placement, has_options));
+                       not_all_together(english(), conflict_reason(english(), placement, has_options)),
+                       solver_text(english(), placement.solver));
+  std::string text =
+      fmt::format("{}: {}.\n", no_selection, terminal_out_of_reach(english(), placement, has_options));
   const std::size_t shown = std::min<std::size_t>(10, placement.unreachable.size());
   for (std::size_t u = 0; u < shown; ++u) {
     const Unreachable& one = placement.unreachable[u];
     text += fmt::format("  {}: maximum signal {:.4g}, requirement {:.4g}", table.labels[one.label].id,
                         one.max_signal, one.requirement);
     if (one.max_signal == 0)
-      text += fmt::format(" ({})", no_signal_reason(placement.problem, !table.row(one.label).empty()));
+      text +=
+          fmt::format(" ({})", no_signal_reason(english(), placement.problem, !table.row(one.label).empty()));
     text += '\n';
   }
   if (shown < placement.unreachable.size())
@@ -50,8 +54,8 @@ std::string infeasible(const Placement& placement, const SignalTable& table) {
 }
 
 std::string nothing_found(const Placement& placement) {
-  const std::string needed = units_needed(proven_count(placement));
-  const std::string_view who = method_without_result(placement);
+  const std::string needed = units_needed(english(), proven_count(placement));
+  const std::string_view who = method_without_result(english(), placement);
   return who.empty() ? fmt::format("No placement was found in time; {}.\n", needed)
                      : fmt::format("{} found no placement; {}. A MIP solver may find one.\n", who, needed);
 }
@@ -69,11 +73,11 @@ std::string single_unit_labels(const Placement& placement, const SignalTable& ta
 }
 
 std::string solved(const Placement& placement, const SignalTable& table) {
-  std::string text =
-      fmt::format("{} {} ({}); {}.\n", units_reach(placement.count()), all_labels(table.rows()),
-                  model_of(placement.problem), terminal_bound(placement));
+  std::string text = fmt::format("{} {} ({}); {}.\n", units_reach(english(), placement.count()),
+                                 all_labels(english(), table.rows()), model_of(placement.problem),
+                                 terminal_bound(english(), placement));
   text += chosen(placement.selected, table);
-  if (const std::string price = price_sentence(placement); !price.empty())
+  if (const std::string price = price_sentence(english(), placement); !price.empty())
     text += fmt::format("  {}\n", price);
   const bool has_choice =
       resolved({.combination = Combination::automatic}, table).combination == Combination::spend;
@@ -98,19 +102,20 @@ std::string solved(const Placement& placement, const SignalTable& table) {
 std::string partial(const Placement& placement, const SignalTable& table) {
   std::string text;
   if (placement.has_selection()) {
-    text = fmt::format("{} {} ({}).\n{}", units_reach(placement.count()),
-                       labels_reached(placement.partial->reached, table.rows()), model_of(placement.problem),
-                       chosen(placement.selected, table));
-    if (const std::string price = price_sentence(placement); !price.empty())
+    text = fmt::format("{} {} ({}).\n{}", units_reach(english(), placement.count()),
+                       labels_reached(english(), placement.partial->reached, table.rows()),
+                       model_of(placement.problem), chosen(placement.selected, table));
+    if (const std::string price = price_sentence(english(), placement); !price.empty())
       text += fmt::format("  {}\n", price);
   } else if (placement.status != Status::infeasible) {
     text = nothing_found(placement);
   }
-  text += fmt::format("{}{}\n", text.empty() ? "" : "  ", partial_sentence(placement, table.rows()));
+  text +=
+      fmt::format("{}{}\n", text.empty() ? "" : "  ", partial_sentence(english(), placement, table.rows()));
   if (placement.partial->goal == ReachGoal::given) return text;
   return text + fmt::format("  {}; {:.2f} s, solver {}\n  bound: {}\n", to_text(placement.status),
-                            placement.seconds, solver_text(placement.solver),
-                            bound_proof_text(placement.bound_proof));
+                            placement.seconds, solver_text(english(), placement.solver),
+                            bound_proof_text(english(), placement.bound_proof));
 }
 
 std::vector<std::string> added_to(const std::vector<std::uint32_t>& before,
@@ -124,7 +129,7 @@ std::vector<std::string> added_to(const std::vector<std::uint32_t>& before,
 }  // namespace
 
 std::string model_of(const PlacementProblem& problem) {
-  return fmt::format("{}{}", to_text(problem.model), failure_clause(problem));
+  return fmt::format("{}{}", to_text(problem.model), failure_clause(english(), problem));
 }
 
 std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
@@ -136,15 +141,15 @@ std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable
 
 std::string availability_answer(const Availability& availability, const Placement& placement,
                                 const SignalTable& table) {
-  return availability_sentence(availability, placement,
+  return availability_sentence(english(), availability, placement,
                                [&](std::uint32_t label) { return table.labels[label].id; });
 }
 
 std::string availability_details(const Availability& availability, const Placement& placement) {
   std::string text;
-  if (const std::string bound = availability_bound(availability, placement); !bound.empty())
+  if (const std::string bound = availability_bound(english(), availability, placement); !bound.empty())
     text += fmt::format("  {}\n", bound);
-  for (const std::string& remark : availability_remarks(availability, placement))
+  for (const std::string& remark : availability_remarks(english(), availability, placement))
     text += fmt::format("  {}\n", remark);
   return text;
 }
@@ -155,11 +160,11 @@ std::string describe(const Placement& placement, const SignalTable& table) {
   std::string text = is_infeasible               ? infeasible(placement, table)
                      : placement.has_selection() ? solved(placement, table)
                                                  : nothing_found(placement);
-  if (const std::string conflicts = conflict_sentence(placement); !conflicts.empty())
+  if (const std::string conflicts = conflict_sentence(english(), placement); !conflicts.empty())
     text += fmt::format("  {}\n", conflicts);
   text += outcome(placement);
   if (is_infeasible) return text;
-  return text + fmt::format("  bound: {}{}\n", bound_proof_text(placement.bound_proof),
+  return text + fmt::format("  bound: {}{}\n", bound_proof_text(english(), placement.bound_proof),
                             placement.ties_settled
                                 ? "; among equally good placements, this one has the largest minimum margin"
                                 : "");
@@ -170,7 +175,8 @@ std::string describe(const Alternatives& alternatives, const Placement& placemen
   std::string text = "  alternatives on the simulated signals:\n";
   const auto add = [&](const std::string& choice, const Alternative& one, const std::string& effect) {
     text += fmt::format("    {}: {}{}; {}\n", choice, counted(one.selected.size(), "transceiver"),
-                        one.price ? ", new spend " + money(one.price->to_spend, one.price) : "", effect);
+                        one.price ? ", new spend " + money(english(), one.price->to_spend, one.price) : "",
+                        effect);
   };
   if (const auto& one = alternatives.one_fewer)
     add(one->selected.size() + 1 < placement.count() ? "fewer" : "one fewer", *one,
@@ -181,7 +187,7 @@ std::string describe(const Alternatives& alternatives, const Placement& placemen
         *one,
         fmt::format(
             "the weakest label receives {:.3g} times its requirement, {} of {} labels survive any failure",
-            one->smallest_margin, grouped(one->secure), grouped(table.rows())));
+            one->smallest_margin, english().grouped(one->secure), english().grouped(table.rows())));
   if (const auto& one = alternatives.survives_failure)
     add("every failure survived", *one, one->is_proven ? "proven minimum" : "not proven to be the minimum");
   if (alternatives.cannot_survive) text += "    every failure survived: not possible with these candidates\n";

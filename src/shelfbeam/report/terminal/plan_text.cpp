@@ -5,7 +5,7 @@
 #include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
@@ -16,17 +16,18 @@ PlanText plan_text(const CertifiedPlan& plan, const SignalTable& table, bool has
                   availability_details(*availability, plan.placement)};
     if (availability->is_impossible()) return text;
     text.details += chosen(plan.placement.selected, table);
-    if (const std::string price = price_sentence(plan.placement); !price.empty())
+    if (const std::string price = price_sentence(english(), plan.placement); !price.empty())
       text.details += fmt::format("  {}\n", price);
     return text;
   }
-  std::string placed = describe(plan.placement, table), open = open_bound(plan);
+  std::string placed = describe(plan.placement, table), open = open_bound(english(), plan);
   if (plan.certificate)
-    return {certificate_sentence(plan, has_scope), std::move(open), "on the simulated signals: " + placed};
+    return {certificate_sentence(english(), plan, has_scope), std::move(open),
+            "on the simulated signals: " + placed};
   const std::size_t end = placed.find('\n');
   std::string answer = placed.substr(0, end);
   placed.erase(0, end + 1);
-  if (plan.placement.has_selection()) answer += fmt::format(" {}", words("certificate.lacking"));
+  if (plan.placement.has_selection()) answer += fmt::format(" {}", english()("certificate.lacking"));
   return {std::move(answer), std::move(open), std::move(placed)};
 }
 

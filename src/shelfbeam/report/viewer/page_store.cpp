@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/report/text/numbers.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
 #include "shelfbeam/report/viewer/page_scene.hpp"
 #include "shelfbeam/report/viewer/page_signals.hpp"
@@ -83,15 +85,16 @@ Json add_certificate(PageData& page, const ReportData& data) {
 Json levels_of(const ReportData& data) {
   Json levels = Json::array();
   for (const ShelfLevel& level : data.levels)
-    levels.push_back(
-        {{"from", fixed(level.low, 2)}, {"to", fixed(level.high, 2)}, {"labels", level.labels.size()}});
+    levels.push_back({{"from", data.words.fixed(level.low, 2)},
+                      {"to", data.words.fixed(level.high, 2)},
+                      {"labels", level.labels.size()}});
   return levels;
 }
 
-Json margins() {
+Json margins(const Words& words) {
   Json classes = Json::array();
   for (const MarginClass& margin : margin_classes)
-    classes.push_back({{"from", margin.from}, {"name", margin.name()}});
+    classes.push_back({{"from", margin.from}, {"name", margin.name(words)}});
   return classes;
 }
 
@@ -152,7 +155,7 @@ std::string pack_store(const ReportData& data, const SignalScale& scale) {
   about["redundant"] = problem.redundant;
   about["tolerance"] = met_tolerance;
   about["unit"] = {{"factor", data.unit.factor}, {"name", data.unit.name}};
-  about["margins"] = margins();
+  about["margins"] = margins(data.words);
   about["signals"] = scale.edges;
   about["levels"] = levels_of(data);
   about["fixtures"] = named_places(scene);

@@ -74,6 +74,7 @@ class SceneMaker {
  private:
   void add_everything() {
     scene_.name = store_.name;
+    scene_.language = store_.language;
     scene_.wavelength_nm = store_.wavelength_nm;
     scene_.currency = store_.currency;
     scene_.materials = store_.materials;

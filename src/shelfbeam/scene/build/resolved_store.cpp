@@ -53,14 +53,16 @@ void append_list(std::string& text, std::size_t level, const Items& items, const
 }  // namespace
 
 std::string hash_of_resolved(std::string_view text) {
-  // A line of a label. Elsewhere, this level of nesting has no key of this name.
-  constexpr std::string_view line = "\n   \"description\": ";
+  // A line of the store and a line of a label. Elsewhere, these levels of nesting have no keys of these
+  // names.
+  constexpr std::string_view language = "\n \"language\": ", description = "\n   \"description\": ";
   std::string kept;
   std::size_t begin = 0;
-  for (std::size_t at; (at = text.find(line, begin)) != std::string_view::npos;) {
-    kept.append(text.substr(begin, at - begin));
-    begin = std::min(text.find('\n', at + 1), text.size());
-  }
+  for (const std::string_view line : {language, description})
+    for (std::size_t at; (at = text.find(line, begin)) != std::string_view::npos;) {
+      kept.append(text.substr(begin, at - begin));
+      begin = std::min(text.find('\n', at + 1), text.size());
+    }
   return content_hash(begin == 0 ? text : kept.append(text.substr(begin)));
 }
 
@@ -69,6 +71,7 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   Json json;
   json["format"] = store_format_version;
   json["name"] = store.name;
+  if (store.language != Language::english) json["language"] = to_text(store.language);
   json["wavelength_nm"] = store.wavelength_nm;
   if (!store.currency.empty()) json["currency"] = store.currency;
   if (store.room) json["room"] = resolved(*store.room, lists);

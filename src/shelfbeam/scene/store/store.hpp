@@ -46,6 +46,7 @@ struct Store {
   std::string file;                 ///< for messages
   LengthUnit unit = LengthUnit::m;  ///< of its CSV files; all lengths below are in m
   std::string name;
+  Language language = Language::english;  ///< of reports
   double wavelength_nm = 940;
   std::string currency;  ///< of the costs of transceivers; empty: not given
   std::optional<Room> room;
@@ -105,7 +106,8 @@ Store store_with_units(Store store, const std::filesystem::path& csv);
 /// the same scene to the bit. hash_of_resolved identifies the store in result files.
 std::string resolved_store_json(const Store& store, const Scene& scene);
 
-/// The content hash of a resolved store without the descriptions of its labels, on which no result depends.
+/// The content hash of a resolved store without its language and the descriptions of its labels, on which no
+/// result depends.
 std::string hash_of_resolved(std::string_view text);
 
 }  // namespace shelfbeam

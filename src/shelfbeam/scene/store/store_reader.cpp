@@ -136,9 +136,9 @@ class StoreReader {
 
  private:
   static constexpr auto keys = std::to_array<std::string_view>(
-      {"$schema", "format", "units", "currency", "name", "wavelength_nm", "catalogues", "presets", "room",
-       "materials", "label_types", "transceiver_types", "fixtures", "labels", "planogram", "transceivers",
-       "variation"});
+      {"$schema", "format", "units", "currency", "name", "language", "wavelength_nm", "catalogues", "presets",
+       "room", "materials", "label_types", "transceiver_types", "fixtures", "labels", "planogram",
+       "transceivers", "variation"});
 
   // Returns whether the section is omitted or could be read as a whole.
   template <class Read>
@@ -154,6 +154,7 @@ class StoreReader {
       store_.name = json.text();
       expect_printable(store_.name, json.where());
     });
+    section(root, "language", [&](const JsonCursor& json) { store_.language = json.choice<Language>(); });
     section(root, "wavelength_nm",
             [&](const JsonCursor& json) { store_.wavelength_nm = json.number(100, 1e5); });
     section(root, "currency", [&](const JsonCursor& json) { store_.currency = read_currency(json); });

@@ -8,6 +8,7 @@
 
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/messages/comparison.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/csv_reader.hpp"
 #include "unit/report/markup.hpp"
@@ -40,29 +41,33 @@ struct Survey {
 TEST(ComparisonReport, PageIsWellFormedAndContainsTheNumbers) {
   const Survey survey;
   const Comparison comparison = compare_signals(survey.pairs);
-  const std::string html = comparison_html({survey.matrix, survey.pairs, comparison, "m<1>.csv", "s.h5"});
+  const std::string html =
+      comparison_html(english(), {survey.matrix, survey.pairs, comparison, "m<1>.csv", "s.h5"});
   EXPECT_EQ(test::fault(html), "");
   const std::string text = test::read_markup(html).text;
   for (const std::string& piece :
-       {std::string("m<1>.csv compared with s.h5"), significant(comparison.factor, 4),
-        significant(comparison.factor_interval.low, 4), fixed(comparison.residual_quantile_90, 2),
-        std::string("2 outliers"), std::string("A&\"2\""), std::string("T<1>"),
+       {std::string("m<1>.csv compared with s.h5"), english().significant(comparison.factor, 4),
+        english().significant(comparison.factor_interval.low, 4),
+        english().fixed(comparison.residual_quantile_90, 2), std::string("2 outliers"),
+        std::string("A&\"2\""), std::string("T<1>"),
         std::string("1 pair without a positive signal on both sides is not drawn")})
     EXPECT_NE(text.find(piece), std::string::npos) << piece;
   EXPECT_EQ(text.find("3 outliers"), std::string::npos) << "negative control";
   EXPECT_EQ(test::count_of("<use href=\"#s", html), survey.pairs.size() - 1) << "one a pair with a residual";
-  for (const std::string& statement : comparison_statements(comparison))
+  for (const std::string& statement : comparison_statements(english(), comparison))
     EXPECT_NE(text.find(statement), std::string::npos) << statement;
 }
 
 TEST(ComparisonReport, OverlappingDotsAreDrawnOnce) {
   Survey survey;
   const std::size_t few =
-      comparison_html({survey.matrix, survey.pairs, compare_signals(survey.pairs), "m", "s"}).size();
+      comparison_html(english(), {survey.matrix, survey.pairs, compare_signals(survey.pairs), "m", "s"})
+          .size();
   std::vector<ComparedPair> many;
   for (int copy = 0; copy < 300; ++copy)
     many.insert(many.end(), survey.pairs.begin(), survey.pairs.begin() + 6);
-  const std::size_t size = comparison_html({survey.matrix, many, compare_signals(many), "m", "s"}).size();
+  const std::size_t size =
+      comparison_html(english(), {survey.matrix, many, compare_signals(many), "m", "s"}).size();
   EXPECT_LT(size, few);
 }
 

@@ -5,6 +5,7 @@
 
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -35,8 +36,8 @@ TEST(Levels, JoinsNeighbouringHeights) {
   EXPECT_EQ(levels[0].labels, (std::vector<std::uint32_t>{1, 4, 6}));  // 0.40 to 0.65: exactly the band
   EXPECT_EQ(levels[1].labels, (std::vector<std::uint32_t>{2, 3, 5}));
   EXPECT_EQ(levels[2].labels, (std::vector<std::uint32_t>{0}));
-  EXPECT_EQ(levels[1].heights(), "labels at 0.85 to 1.10\u00A0m");
-  EXPECT_EQ(levels[2].heights(), "labels at 1.60\u00A0m");
+  EXPECT_EQ(levels[1].heights(english()), "labels at 0.85 to 1.10\u00A0m");
+  EXPECT_EQ(levels[2].heights(english()), "labels at 1.60\u00A0m");
   EXPECT_TRUE(shelf_levels({}).empty());
 }
 

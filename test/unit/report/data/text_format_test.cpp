@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/report/text/numbers.hpp"
+#include "shelfbeam/report/text/words.hpp"
+
 namespace shelfbeam {
 namespace {
 
@@ -23,37 +26,37 @@ TEST(TextFormat, EscapesMarkup) {
 }
 
 TEST(TextFormat, KeepsSignificantDigits) {
-  EXPECT_EQ(significant(0), "0");
-  EXPECT_EQ(significant(0.0185), "0.0185");
-  EXPECT_EQ(significant(9.996), "10.0");
-  EXPECT_EQ(significant(123.4), "123");
-  EXPECT_EQ(significant(-2.5), "−2.50");
-  EXPECT_EQ(significant(1.234e-7), "1.23·10^-7");
-  EXPECT_EQ(significant(infinite), "∞");
+  EXPECT_EQ(english().significant(0), "0");
+  EXPECT_EQ(english().significant(0.0185), "0.0185");
+  EXPECT_EQ(english().significant(9.996), "10.0");
+  EXPECT_EQ(english().significant(123.4), "123");
+  EXPECT_EQ(english().significant(-2.5), "−2.50");
+  EXPECT_EQ(english().significant(1.234e-7), "1.23·10^-7");
+  EXPECT_EQ(english().significant(infinite), "∞");
 }
 
 TEST(TextFormat, WritesDecibelsUnambiguously) {
-  EXPECT_EQ(decibels(3.16), "+3.2\u00A0dB");
-  EXPECT_EQ(decibels(-0.42), "−0.4\u00A0dB");
-  EXPECT_EQ(decibels(0.012), "+0.01\u00A0dB");
-  EXPECT_EQ(decibels(3.164, 2), "+3.16\u00A0dB");
-  EXPECT_EQ(decibels(-0.0001), "0.00\u00A0dB");
-  EXPECT_EQ(decibels(-infinite), "no signal");
-  EXPECT_EQ(decibels(infinite), "no requirement");
+  EXPECT_EQ(english().decibels(3.16), "+3.2\u00A0dB");
+  EXPECT_EQ(english().decibels(-0.42), "−0.4\u00A0dB");
+  EXPECT_EQ(english().decibels(0.012), "+0.01\u00A0dB");
+  EXPECT_EQ(english().decibels(3.164, 2), "+3.16\u00A0dB");
+  EXPECT_EQ(english().decibels(-0.0001), "0.00\u00A0dB");
+  EXPECT_EQ(english().decibels(-infinite), "no signal");
+  EXPECT_EQ(english().decibels(infinite), "no requirement");
 }
 
 TEST(TextFormat, PicksAReadablePrefix) {
-  EXPECT_EQ(signal_unit(0.0185).text(0.0185), "18.5\u00A0mW/m²");
-  EXPECT_EQ(signal_unit(2).text(0.0185), "0.0185\u00A0W/m²");
-  EXPECT_EQ(signal_unit(3e-6).text(3e-6), "3.00\u00A0µW/m²");
-  EXPECT_EQ(signal_unit(0).text(1.5), "1.50\u00A0W/m²");
+  EXPECT_EQ(signal_unit(english(), 0.0185).text(0.0185), "18.5\u00A0mW/m²");
+  EXPECT_EQ(signal_unit(english(), 2).text(0.0185), "0.0185\u00A0W/m²");
+  EXPECT_EQ(signal_unit(english(), 3e-6).text(3e-6), "3.00\u00A0µW/m²");
+  EXPECT_EQ(signal_unit(english(), 0).text(1.5), "1.50\u00A0W/m²");
 }
 
 TEST(TextFormat, WritesRoundNumbersWithoutZeros) {
-  EXPECT_EQ(plain(250), "250");
-  EXPECT_EQ(plain(-2.5), "−2.5");
-  EXPECT_EQ(plain(-0.0), "0");
-  EXPECT_EQ(percent(1.0 / 6), "16.7\u00A0%");
+  EXPECT_EQ(english().plain(250), "250");
+  EXPECT_EQ(english().plain(-2.5), "−2.5");
+  EXPECT_EQ(english().plain(-0.0), "0");
+  EXPECT_EQ(english().percent(1.0 / 6), "16.7\u00A0%");
 }
 
 using Ids = std::vector<std::string>;
@@ -65,16 +68,16 @@ TEST(TextFormat, RoundsBoundsToTheSafeSide) {
   EXPECT_EQ(rounded_down(0.1 + 0.2, 1), 0.3) << "errors of floating point";
   EXPECT_EQ(rounded_up(0.1 + 0.2, 1), 0.3);
   EXPECT_EQ(rounded_down(-0.25, 1), -0.3);
-  EXPECT_EQ(plain_down(1234567.8), "1.23456e+06");
-  EXPECT_EQ(plain(1234567.8), "1.23457e+06") << "the control";
-  EXPECT_EQ(plain_down(123.45678), "123.456");
-  EXPECT_EQ(plain_down(1070), "1070");
-  EXPECT_EQ(plain_down(0), "0");
-  EXPECT_EQ(plain_down(infinite), plain(infinite));
-  EXPECT_EQ(confidence_text(0.99), "99");
-  EXPECT_EQ(confidence_text(0.999), "99.9");
-  EXPECT_EQ(confidence_text(0.999999), "99.9999");
-  EXPECT_EQ(confidence_text(0.99999995), "99.9999");
+  EXPECT_EQ(english().plain_down(1234567.8), "1.23456e+06");
+  EXPECT_EQ(english().plain(1234567.8), "1.23457e+06") << "the control";
+  EXPECT_EQ(english().plain_down(123.45678), "123.456");
+  EXPECT_EQ(english().plain_down(1070), "1070");
+  EXPECT_EQ(english().plain_down(0), "0");
+  EXPECT_EQ(english().plain_down(infinite), english().plain(infinite));
+  EXPECT_EQ(english().confidence_text(0.99), "99");
+  EXPECT_EQ(english().confidence_text(0.999), "99.9");
+  EXPECT_EQ(english().confidence_text(0.999999), "99.9999");
+  EXPECT_EQ(english().confidence_text(0.99999995), "99.9999");
 }
 
 TEST(IdRanges, JoinsOnlyConsecutiveIds) {

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/report/difference/difference_json.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/markup.hpp"
 #include "unit/report/supermarket_report.hpp"
@@ -43,7 +44,7 @@ struct TwoPlans {
 
 std::string answer_to(const KioskPlan& before, const KioskPlan& after) {
   const TwoPlans compared{before.compared(), after.compared()};
-  return difference_answer(compared.input);
+  return difference_answer(english(), compared.input);
 }
 
 TEST(DifferenceReport, AnswersInOneSentence) {
@@ -113,7 +114,7 @@ TEST(DifferenceReport, NamesFewElementsWithTheirValuesAndManyByRanges) {
   after.scene = make_scene(after.store);
   after.matrix = sample_store::matrix_of(after.scene);
   const TwoPlans compared{before.compared(), after.compared()};
-  EXPECT_THAT(store_lines(compared.difference),
+  EXPECT_THAT(store_lines(english(), compared.difference),
               ElementsAre("Fixtures: 1 moved, A<1>: at [1.5, 2.5] instead of [1.5, 2]",
                           "Labels: 20 moved, A<1>-front-1-1…5, A<1>-front-2-1…5, A<1>-back-1-1…5, "
                           "A<1>-back-2-1…5"));
@@ -128,7 +129,7 @@ TEST(DifferenceReport, NamesTheGoalOfAPartialPlan) {
     one->plan.placement.count_lower_bound = static_cast<double>(one->plan.placement.count());
   part.plan.placement.partial = {ReachGoal::share, 0.5, 10, 20};
   const TwoPlans compared{all.compared(), part.compared()};
-  const TextTable figures = difference_figures(compared.input);
+  const TextTable figures = difference_figures(english(), compared.input);
   const std::vector<std::string> goal = figures.back();
   EXPECT_THAT(goal, ElementsAre("Aim", "all labels", "50.0\u00a0% of the labels"));
   for (const std::vector<std::string>& row : figures)

@@ -19,6 +19,7 @@
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
 #include "shelfbeam/report/messages/signals.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "support/snapshot.hpp"
 #include "unit/report/supermarket_report.hpp"
@@ -27,6 +28,7 @@ namespace shelfbeam {
 namespace {
 
 using test::Supermarket;
+const Words en = english();
 constexpr auto alone = CommunicationModel::non_cooperative;
 constexpr auto weighted = Combination::weighted;
 
@@ -61,15 +63,16 @@ class Sentences {
 
 void say_selections(Sentences& to) {
   to.heading("selection");
-  to.say(units_reach(1) + " " + labels_reached(1, 1), units_reach(2) + " " + labels_reached(1200, 1200));
-  to.say(labels_reached(3, 1200), no_selection_reaches(12),
-         "x" + std::string(failure_clause({.redundant = true})));
+  to.say(units_reach(en, 1) + " " + labels_reached(en, 1, 1),
+         units_reach(en, 2) + " " + labels_reached(en, 1200, 1200));
+  to.say(labels_reached(en, 3, 1200), no_selection_reaches(en, 12),
+         "x" + std::string(failure_clause(en, {.redundant = true})));
   for (const SolvedBy& solver :
        {SolvedBy{Method::greedy}, SolvedBy{Method::search}, SolvedBy{Method::search, "cbc 2.10.8"},
         SolvedBy{Method::mip, "highs 1.10.0"}}) {
     Placement none;
     none.solver = solver;
-    to.say(fmt::format("{}: '{}'", solver_text(solver), method_without_result(none)));
+    to.say(fmt::format("{}: '{}'", solver_text(en, solver), method_without_result(en, none)));
   }
 }
 
@@ -78,16 +81,16 @@ void say_bounds(Sentences& to) {
   for (const Placement& placement :
        {of_units(4, 4, Status::optimal), of_units(4, 2.4, Status::stopped), of_units(4, 1, Status::stopped),
         of_units(4, 0, Status::stopped), of_units(4, 1, Status::optimal, {.combination = weighted})})
-    to.say(terminal_bound(placement), page_bound(placement));
+    to.say(terminal_bound(en, placement), page_bound(en, placement));
   for (const auto proof : {BoundProof::trivial, BoundProof::dual, BoundProof::log, BoundProof::branches,
                            BoundProof::search, BoundProof::solver})
-    to.say(bound_proof_text(proof));
+    to.say(bound_proof_text(en, proof));
   Placement proven = of_units(2, 2, Status::optimal);
-  to.say(proof_sentence(proven));
+  to.say(proof_sentence(en, proven));
   proven.ties_settled = true;
-  to.say(proof_sentence(proven), proof_sentence(of_units(2, 0, Status::stopped)));
+  to.say(proof_sentence(en, proven), proof_sentence(en, of_units(2, 0, Status::stopped)));
   for (const auto status : {Status::optimal, Status::feasible, Status::infeasible, Status::stopped})
-    to.say(status_name(status));
+    to.say(status_name(en, status));
   to.heading("objective");
   const PlacementProblem links{.objective = Objective::links}, signal{.objective = Objective::signal};
   const PlacementProblem cost{.combination = weighted};
@@ -96,7 +99,7 @@ void say_bounds(Sentences& to) {
                               of_units(2, 1, Status::stopped, links), of_units(2, 2, Status::stopped, signal),
                               of_units(2, 1, Status::optimal, cost), of_units(2, 1, Status::stopped, both)}) {
     placement.unit_costs = placement.problem.share < 1;
-    to.say(objective_name(placement.problem), objective_sentence(placement));
+    to.say(objective_name(en, placement.problem), objective_sentence(en, placement));
   }
 }
 
@@ -108,10 +111,10 @@ void say_prices(Sentences& to) {
   Placement count_open = stopped;
   count_open.lower_bound = count_open.objective_value;
   for (const Placement& placement : {proven, stopped, count_open})
-    to.say(terminal_bound(placement), page_bound(placement));
-  to.say(objective_name(spend), price_sentence(proven), "x" + price_sentence(stopped));
+    to.say(terminal_bound(en, placement), page_bound(en, placement));
+  to.say(objective_name(en, spend), price_sentence(en, proven), "x" + price_sentence(en, stopped));
   proven.price->to_spend = 2040;
-  to.say(price_sentence(proven), money(1799.5, std::nullopt), money(1234567, Price{"kr"}));
+  to.say(price_sentence(en, proven), money(en, 1799.5, std::nullopt), money(en, 1234567, Price{"kr"}));
   for (const double bound : {0.0, 900.0, 1000.0}) {
     CertifiedPlan plan{proven};
     plan.placement.price->to_spend = 1000;
@@ -119,9 +122,9 @@ void say_prices(Sentences& to) {
     certificate.labels.resize(12);
     for (LabelVerdict& label : certificate.labels) label.verdict = Verdict::reached;
     certificate.cost_lower_bound = bound;
-    to.say(certificate_sentence(plan));
+    to.say(certificate_sentence(en, plan));
     plan.placement.price.reset();
-    if (bound == 0) to.say(certificate_sentence(plan));
+    if (bound == 0) to.say(certificate_sentence(en, plan));
   }
 }
 
@@ -131,20 +134,20 @@ void say_what_is_out_of_reach(Sentences& to) {
     Placement placement;
     placement.unreachable.resize(1200);
     placement.problem.redundant = redundant;
-    to.say(terminal_out_of_reach(placement, false), terminal_out_of_reach(placement, true));
+    to.say(terminal_out_of_reach(en, placement, false), terminal_out_of_reach(en, placement, true));
     placement.problem.model = alone;
-    to.say(terminal_out_of_reach(placement, false));
+    to.say(terminal_out_of_reach(en, placement, false));
   }
-  to.say(no_signal_reason({}, false), no_signal_reason({.redundant = true}, true),
-         no_signal_reason({}, true));
-  to.say(dark_labels(1), dark_labels(1200));
+  to.say(no_signal_reason(en, {}, false), no_signal_reason(en, {.redundant = true}, true),
+         no_signal_reason(en, {}, true));
+  to.say(dark_labels(en, 1), dark_labels(en, 1200));
   Placement placement;
-  to.say(conflict_sentence(placement), not_all_together(conflict_reason(placement, true)));
+  to.say(conflict_sentence(en, placement), not_all_together(en, conflict_reason(en, placement, true)));
   placement.forbidden_pairs = 1;
-  to.say(conflict_sentence(placement), conflict_reason(placement, false));
+  to.say(conflict_sentence(en, placement), conflict_reason(en, placement, false));
   placement.forbidden_pairs = 1200;
   placement.min_spacing = 2.5;
-  to.say(conflict_sentence(placement), conflict_reason(placement, true));
+  to.say(conflict_sentence(en, placement), conflict_reason(en, placement, true));
 }
 
 void say_certificates(Sentences& to) {
@@ -161,12 +164,12 @@ void say_certificates(Sentences& to) {
     certificate.open = open;
     for (std::size_t verdict = 0; verdict < counts.size(); ++verdict)
       certificate.labels.insert(certificate.labels.end(), counts[verdict], {static_cast<Verdict>(verdict)});
-    to.say(certificate_sentence(plan));
+    to.say(certificate_sentence(en, plan));
   };
   const PlacementProblem redundant{.redundant = true};
   Placement nothing;
   nothing.objective_value = std::numeric_limits<double>::infinity();
-  to.say(certificate_sentence({nothing}));
+  to.say(certificate_sentence(en, {nothing}));
   say(of_units(4, 4, Status::optimal), 0, {1200, 0, 0});
   say(of_units(4, 4, Status::optimal, redundant), 4, {1200, 0, 0});
   say(of_units(1, 1, Status::optimal, redundant), 4, {1, 0, 0});
@@ -188,13 +191,13 @@ void say_certificates(Sentences& to) {
   sensitivity.as_given = {1.25, 0.0125, 3};
   sensitivity.low.min_margin.ratio = 1.0625;
   sensitivity.high.min_margin.ratio = 1.75;
-  to.say(sensitivity_sentence(sensitivity, 1200));
+  to.say(sensitivity_sentence(en, sensitivity, 1200));
   sensitivity.low.missed = {7, 8, 9};
   sensitivity.low.undecided = {21};
   sensitivity.materials = {{"tiles <grey>", 0.6, 0.45, 0.75, true, {}, {}}};
   for (const double ratio : {1.25, 1.2}) {  // the first as if it had no range
     sensitivity.materials[0].at_lower.min_margin.ratio = ratio;
-    to.say(sensitivity_sentence(sensitivity, 926));
+    to.say(sensitivity_sentence(en, sensitivity, 926));
   }
 }
 
@@ -210,8 +213,8 @@ void say_open_bounds(Sentences& to) {
     if (has_known_prices(placement.problem)) certificate.cost_lower_bound = bound;
     certificate.count_lower_bound = static_cast<std::size_t>(bound);
     certificate.open = open;
-    const auto [advice, settings] = remedy_for(plan);
-    to.say(fmt::format("'{}' '{}' {}", open_bound(plan, installed), advice, settings.size()));
+    const auto [advice, settings] = remedy_for(en, plan);
+    to.say(fmt::format("'{}' '{}' {}", open_bound(en, plan, installed), advice, settings.size()));
   };
   const auto of_count = [](double bound, Status status) { return of_units(11, bound, status); };
   const Placement stopped = of_count(9, Status::stopped), proven = of_count(11, Status::optimal);
@@ -244,7 +247,7 @@ void say_open_bounds(Sentences& to) {
     say(stopped, 8, EndReason{EndCause::budget}, last);
   say(stopped, 8, EndReason{EndCause::labels_near}, Verdict::undecided);
   for (const Placement& placement : {stopped, proven, of_count(9, Status::feasible)})
-    to.say(fmt::format("'{}' '{}'", open_bound({placement}), remedy_for({placement}).advice));
+    to.say(fmt::format("'{}' '{}'", open_bound(en, {placement}), remedy_for(en, {placement}).advice));
 }
 
 // The remarks of the first page where the certificate proves less than the search, as much, and more, by
@@ -342,7 +345,7 @@ void say_headlines(Sentences& to) {
 void say_signals(Sentences& to) {
   to.heading("signals");
   const auto say = [&](const GivenSignals& given) {
-    const std::string text = signals_text(given, 1186, 90, "old.h5");
+    const std::string text = signals_text(en, given, 1186, 90, "old.h5");
     to.say(text.substr(0, text.find_last_not_of(' ') + 1));
   };
   say(ReusedSignals{1186, 90, 1});

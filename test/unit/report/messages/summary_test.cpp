@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/report/text/words.hpp"
+
 #include "unit/report/supermarket_report.hpp"
 
 namespace shelfbeam {

@@ -12,6 +12,7 @@
 
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/walking_order.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/csv_reader.hpp"
 #include "unit/report/supermarket_report.hpp"
@@ -87,8 +88,8 @@ TEST(Reference, IsTheNearestSurfaceAtTheHeightOfTheUnit) {
   // Walls that are more than 8 m away give way to fixtures below.
   expect_reference(references_of(scene, {10.5, 19, 3.9})[1], Side::top, Kind::fixture, "table", 1);
   expect_reference(references_of(scene, {10.5, 21, 3.9})[1], Side::bottom, Kind::end, "table", 1);
-  EXPECT_EQ(name_of(references_of(scene, {10.5, 21, 3.9})[1]), "bottom side of table");
-  EXPECT_EQ(name_of(references_of(scene, {2, 27, 3.9})[0]), "wall at the left");
+  EXPECT_EQ(name_of(english(), references_of(scene, {10.5, 21, 3.9})[1]), "bottom side of table");
+  EXPECT_EQ(name_of(english(), references_of(scene, {2, 27, 3.9})[0]), "wall at the left");
 }
 
 TEST(Reference, IsTheAxisWithoutAnythingElse) {
@@ -115,7 +116,7 @@ TEST(MountingSheet, ListsTheUnitsInWalkingOrderInWholeCentimetres) {
   }
   const auto turned = std::find_if(sheet.begin(), sheet.end(), [](const auto& u) { return u.roll_deg > 0; });
   ASSERT_NE(turned, sheet.end());
-  EXPECT_EQ(direction_of(*turned), "30° towards the bottom, turned 30°");
+  EXPECT_EQ(direction_of(english(), *turned), "30° towards the bottom, turned 30°");
   EXPECT_EQ(centimetres(2.91428571), 291);
   const auto rows = test::read_csv(mounting_csv(s.input));
   ASSERT_EQ(rows.size(), sheet.size() + 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/corner_shop.hpp"
 
@@ -12,7 +13,7 @@ namespace {
 std::string texts_of(const Scene& scene, const Vec3& unit) {
   std::string text;
   for (const Reference& reference : references_of(scene, unit))
-    text += std::to_string(centimetres(reference.distance)) + " " + name_of(reference) + "; ";
+    text += std::to_string(centimetres(reference.distance)) + " " + name_of(english(), reference) + "; ";
   return text;
 }
 

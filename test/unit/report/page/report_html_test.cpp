@@ -15,7 +15,7 @@
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/markup.hpp"
 #include "unit/report/sample_store.hpp"
@@ -84,27 +84,28 @@ TEST(ReportHtml, ContainsEveryComputedNumber) {
   for (std::size_t k = 0; k < 20; ++k) {
     const std::uint32_t row = data.outcome.by_margin[k];
     expect_cell(data.label(row).id);
-    expect_cell(decibels(data.outcome.labels[row].margin()));
+    expect_cell(english().decibels(data.outcome.labels[row].margin()));
     expect_cell(data.unit.number(data.outcome.labels[row].signal));
     expect_cell(data.unit.number(
         static_cast<double>(s.matrix.standard_error[s.matrix.at(row, *data.outcome.labels[row].strongest)])));
   }
   for (std::size_t k = 0; k < data.levels.size(); ++k)
-    expect_cell("Level " + std::to_string(k + 1) + ": " + data.levels[k].heights() + " (" +
+    expect_cell("Level " + std::to_string(k + 1) + ": " + data.levels[k].heights(english()) + " (" +
                 grouped(data.levels[k].labels.size()) + ")");
   expect_text("all " + grouped(data.outcome.met) + " labels receive enough signal");
   expect_text(grouped(data.outcome.redundant) + " of " + grouped(data.outcome.labels.size()) + " (");
   const SamplingSummary& sampling = data.sampling;
   for (const double share : {sampling.mean, sampling.median, sampling.p90, sampling.p99, sampling.worst})
-    expect_text(percent(share));
+    expect_text(english().percent(share));
   expect_cell(grouped(sampling.min_samples));
   expect_cell(grouped(sampling.relevant));
   expect_text(grouped(sampling.zeros) + " of " + grouped(sampling.entries));
   const auto shares = data.outcome.direct_shares();
-  for (const double q : {0.1, 0.5, 0.9}) expect_text(percent(quantile(shares, q)));
+  for (const double q : {0.1, 0.5, 0.9}) expect_text(english().percent(quantile(shares, q)));
   expect_text(grouped(data.outcome.met_by_direct_light) + " of " + grouped(data.outcome.labels.size()));
   const ExcessDistribution excess = excess_distribution(data.outcome);
-  expect_text("Median " + significant(excess.median) + "\u00A0%, mean " + significant(excess.mean));
+  expect_text("Median " + english().significant(excess.median) + "\u00A0%, mean " +
+              english().significant(excess.mean));
   for (const std::string& fact : {s.placement.solver.backend.value(), s.matrix.provenance.estimator,
                                   s.matrix.provenance.store_hash, std::string("940\u00A0nm")})
     expect_cell(fact);
@@ -120,8 +121,8 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
   EXPECT_EQ(fault(html), "");
   const auto cells = pieces(html);
   const std::string reached = grouped(certificate.count(Verdict::reached));
-  for (const std::string& cell :
-       {std::string("95\u00A0%"), reached + " of 926", std::string("37 labels"), end_text(*certificate.open)})
+  for (const std::string& cell : {std::string("95\u00A0%"), reached + " of 926", std::string("37 labels"),
+                                  end_text(english(), *certificate.open)})
     EXPECT_TRUE(cells.contains(cell)) << cell;
   const std::string text = read_markup(html).text;
   for (const std::string& piece :
@@ -160,7 +161,7 @@ TEST(ReportHtml, NamesTheSeedsOfPlanAndSignals) {
 
 TEST(ReportHtml, MarksPlansWithoutACertificate) {
   Supermarket s;
-  const std::string mark(words("certificate.lacking"));
+  const std::string mark(english()("certificate.lacking"));
   const auto marks = [&] {
     const std::string text = read_markup(test::static_report(s.input)).text, drawing = mounting_dxf(s.input);
     std::size_t count = drawing.find(mark) == std::string::npos ? 0 : 1;
@@ -191,14 +192,15 @@ TEST(ReportHtml, HasTheSectionsOfTheResult) {
            {[](Placement& p) { p.min_spacing = 2.5, p.forbidden_pairs = 1200; },
             {"Minimum distance between units", "2.5\u00A0m", "Excluded pairs of candidates", "1,200"}},
            {[](Placement& p) { p.bound_proof = BoundProof::log, p.ties_settled = true; },
-            {std::string(bound_proof_text(BoundProof::log)), "this one has the largest minimum margin"}},
+            {std::string(bound_proof_text(english(), BoundProof::log)),
+             "this one has the largest minimum margin"}},
            {[](Placement& p) { p.problem.redundant = true; },
             {"signals without each label's strongest unit"}},
            {[&](Placement& p) { infeasible(p, {}, {}); }, {"No selection reaches all labels."}},
            {[&](Placement& p) {
               infeasible(p, {.model = CommunicationModel::non_cooperative, .redundant = true}, {{3, 1, 0}});
             },
-            {std::string(no_signal_reason({.redundant = true}, true)),
+            {std::string(no_signal_reason(english(), {.redundant = true}, true)),
              "The maximum signal is the signal that the label would receive from the best single candidate "
              "that remains if the strongest fails."}}}) {
     Supermarket s;
@@ -233,7 +235,7 @@ TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
   for (std::uint32_t i = 0; i < data.outcome.labels.size(); i += 37) {
     const std::string title = "<title>" + data.label(i).id + ": " +
                               data.unit.text(data.outcome.labels[i].signal) + ", " +
-                              decibels(data.outcome.labels[i].margin()) + "</title>";
+                              english().decibels(data.outcome.labels[i].margin()) + "</title>";
     const std::size_t first = text.find(title);
     ASSERT_NE(first, std::string::npos) << title;
     EXPECT_EQ(text.find(title, first + 1), std::string::npos) << title;
@@ -267,9 +269,9 @@ TEST(ReportHtml, MarksLabelsThatDependOnFlaggedSignals) {
   const ReportData data(s.input);
   EXPECT_GT(data.sampling.flagged, 0U);
   EXPECT_LT(data.sampling.flagged, s.matrix.columns());
-  EXPECT_TRUE(facts().contains(fmt::format(
-      "{} ({})", data.sampling.flagged,
-      percent(static_cast<double>(data.sampling.flagged) / static_cast<double>(data.sampling.relevant)))));
+  EXPECT_TRUE(facts().contains(fmt::format("{} ({})", data.sampling.flagged,
+                                           english().percent(static_cast<double>(data.sampling.flagged) /
+                                                             static_cast<double>(data.sampling.relevant)))));
   EXPECT_TRUE(facts().contains("error not reliable: 1"));
   const std::string html = test::static_report(s.input);
   EXPECT_NE(html.find("The label with a hollow mark depends on"), std::string::npos);

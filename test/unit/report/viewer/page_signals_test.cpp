@@ -364,7 +364,7 @@ TEST(ViewerSection, OfThisBuildIsSelfContained) {
     GTEST_SKIP() << "this build has no 3-D view: Node.js or its packages were missing";
   }
   // The data do not end the script early.
-  EXPECT_EQ(test::count_of("</script", section), 3U);
+  EXPECT_EQ(test::count_of("</script", section), 4U);
   EXPECT_EQ(section.find("<!--"), std::string::npos);
 }
 

@@ -222,6 +222,18 @@ TEST(ResolvedStore, HasTheHashOfTheScene) {
   EXPECT_NE(hash_without_store(scene), own);
 }
 
+TEST(ResolvedStore, HasAHashThatDoesNotDependOnItsLanguage) {
+  auto store = sample_store();
+  const Scene english = test::scene_of(store);
+  store["language"] = "de";
+  const Scene german = test::scene_of(store);
+  EXPECT_EQ(german.language, Language::german);
+  EXPECT_EQ(german.store_hash, english.store_hash);
+  EXPECT_EQ(hash_of_resolved(resolved_store_json(test::read_text(store.dump()), german)), english.store_hash);
+  store["name"] = "Another";
+  EXPECT_NE(test::scene_of(store).store_hash, english.store_hash);
+}
+
 // Relative sensitivities divide requirements; signals do not depend on them.
 TEST(ResolvedStore, HashButNoKeyOfLightCoversSensitivities) {
   const Scene scene = test::scene_of(sample_store());

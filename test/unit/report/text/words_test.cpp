@@ -1,4 +1,4 @@
-#include "shelfbeam/report/text/catalogue.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -24,7 +24,7 @@ using testing::IsEmpty;
 using Keys = std::set<std::string, std::less<>>;
 
 const fs::path source = fs::path(SHELFBEAM_SOURCE_DIR) / "src";
-const fs::path english = source / "shelfbeam/report/text/english.json";
+const fs::path texts = source / "shelfbeam/report/text";
 
 void collect(const nlohmann::json& node, const std::string& path, Keys& keys) {
   for (const auto& [name, value] : node.items()) {
@@ -36,9 +36,9 @@ void collect(const nlohmann::json& node, const std::string& path, Keys& keys) {
   }
 }
 
-Keys catalogue_keys() {
+Keys catalogue_keys(const char* file = "english.json") {
   Keys keys;
-  collect(nlohmann::json::parse(read_file(english)), "", keys);
+  collect(nlohmann::json::parse(read_file(texts / file)), "", keys);
   return keys;
 }
 
@@ -53,7 +53,7 @@ bool is_key(std::string_view text) {
 // The string literals of C++ sources that can be keys. "{}" is a place that is filled at run time.
 struct Literals {
   Keys all;
-  Keys texts, counts;  // those in say("...") or words("..."), and in say_count("...")
+  Keys texts, counts;  // those in english().say("...") or english()("..."), and in english().say_count("...")
 
   void read(std::string_view code) {
     for (std::size_t open = code.find('"'); open != std::string_view::npos;) {
@@ -62,7 +62,8 @@ struct Literals {
       if (is_key(literal)) {
         all.emplace(literal);
         const std::string_view before = code.substr(0, code.find_last_not_of(" \n", open - 1) + 1);
-        if (before.ends_with("say(") || before.ends_with("words(")) texts.emplace(literal);
+        if (before.ends_with("say(") || before.ends_with("words(") || before.ends_with("words_("))
+          texts.emplace(literal);
         if (before.ends_with("say_count(")) counts.emplace(literal);
       }
       open = close;
@@ -144,7 +145,8 @@ std::vector<std::string> missing(const Keys& keys, const Literals& literals) {
 }
 
 TEST(TextCatalogue, NamesEachTextOnce) {
-  EXPECT_NO_THROW(JsonCursor::parse_file(english));
+  for (const char* file : {"english.json", "german.json"})
+    EXPECT_NO_THROW(JsonCursor::parse_file(texts / file));
 }
 
 TEST(TextCatalogue, HasAllTextsOfTheSources) {
@@ -153,8 +155,9 @@ TEST(TextCatalogue, HasAllTextsOfTheSources) {
   EXPECT_GT(literals.texts.size(), 100U);
   EXPECT_THAT(missing(keys, literals), IsEmpty());
 
-  literals.read(R"code(say("facts.none_1"); words("none_2.title"); say_count("facts.title", 3);)code");
-  literals.read(R"code(text_of("facts.none_3"); say(fmt::format("facts.none_4.{}", name));)code");
+  literals.read(
+      R"code(english().say("facts.none_1"); words("none_2.title"); english().say_count("facts.title", 3);)code");
+  literals.read(R"code(text_of("facts.none_3"); english().say(fmt::format("facts.none_4.{}", name));)code");
   EXPECT_THAT(missing(keys, literals),
               ElementsAre("facts.none_1", "facts.none_3", "facts.none_4.{}", "facts.title", "none_2.title"));
 }
@@ -173,16 +176,45 @@ TEST(TextCatalogue, HasNoTextThatIsNotUsed) {
 }
 
 TEST(TextCatalogue, FillsPlaces) {
+  const Words words = english();
   EXPECT_EQ(words("facts.part"), "{0} of {1}");
-  EXPECT_EQ(say("facts.part", 3, "12"), "3 of 12");
-  EXPECT_EQ(say_count("noun.label", 1), "1 label");
-  EXPECT_EQ(say_count("noun.label", 1200), "1,200 labels");
+  EXPECT_EQ(words.say("facts.part", 3, "12"), "3 of 12");
+  EXPECT_EQ(words.say_count("noun.label", 1), "1 label");
+  EXPECT_EQ(words.say_count("noun.label", 1200), "1,200 labels");
 }
 
 TEST(TextCatalogue, RejectsUnknownKeys) {
   for (const char* key : {"facts.nothing", "facts", "", "facts.part."})
-    EXPECT_THROW(words(key), std::logic_error);
-  EXPECT_THROW(say_count("facts.title", 2), std::logic_error);
+    EXPECT_THROW(english()(key), std::logic_error);
+  EXPECT_THROW(english().say_count("facts.title", 2), std::logic_error);
+}
+
+// The places of a text, with their formats: "{0}", "{1:.2f}".
+std::multiset<std::string> places_of(std::string_view text) {
+  std::multiset<std::string> places;
+  for (std::size_t open = 0; (open = text.find('{', open)) != std::string_view::npos; ++open)
+    places.emplace(text.substr(open, text.find('}', open) - open + 1));
+  return places;
+}
+
+TEST(TextCatalogue, HasTheSamePlacesInEachLanguage) {
+  const Words german(Language::german);
+  EXPECT_EQ(catalogue_keys("german.json"), catalogue_keys());
+  for (const std::string& key : catalogue_keys())
+    EXPECT_EQ(places_of(german(key)), places_of(english()(key))) << key;
+  EXPECT_NE(places_of("{0} of {1}"), places_of("{1} von {1}")) << "the control";
+}
+
+TEST(TextCatalogue, WritesNumbersAsTheLanguageDoes) {
+  const Words german(Language::german);
+  EXPECT_EQ(german.grouped(1234567), "1.234.567");
+  EXPECT_EQ(german.fixed(-1.25, 2), "−1,25");
+  EXPECT_EQ(german.significant(1.234e-7), "1,23·10^-7");
+  EXPECT_EQ(german.plain(2.5), "2,5");
+  EXPECT_EQ(german.plain_down(123.45678), "123,456");
+  EXPECT_EQ(german.percent(0.166), "16,6\u00A0%");
+  EXPECT_EQ(german.decibels(3.164, 2), "+3,16\u00A0dB");
+  EXPECT_EQ(german.say_count("noun.label", 1200), "1.200 Etiketten");
 }
 
 }  // namespace
