@@ -7,6 +7,11 @@ namespace shelfbeam::fuzz {
 
 namespace {
 
+constexpr const char* segments_key = R"("segments": [
+    { "planogram": "P", "segments": [1, 2], "fixture": "A", "face": "back", "from": 1, "to": 8, "first_shelf": 0 },
+    { "planogram": "P", "segments": [3], "fixture": "F", "face": "left", "right_to_left": true, "from_top": true },
+    { "planogram": "Q", "fixture": "B", "face": "top" } ], )";
+
 constexpr const char* planogram_store = R"({
   "units": "ft", "planogram": { "file": "planogram.csv", "type": "l",
     "fixtures": [ { "fixtures": "?", "hook": 0.1 }, { "fixtures": "F*", "type": "l", "tilt_deg": 30 } ] },
@@ -22,7 +27,10 @@ constexpr const char* planogram_store = R"({
 void fuzz_planogram(std::string_view bytes) {
   constexpr std::size_t memory = 1 << 26;
   scratch().write("planogram.csv", bytes);
-  make_scene(parse_store(planogram_store, "store.json", scratch().path(), {false, memory}));
+  std::string store = planogram_store;
+  constexpr std::string_view file = "\"file\"";
+  if (bytes.find("egment") != std::string_view::npos) store.insert(store.find(file), segments_key);
+  make_scene(parse_store(store, "store.json", scratch().path(), {false, memory}));
 }
 
 std::vector<std::string> planogram_seeds() {
@@ -35,6 +43,8 @@ std::vector<std::string> planogram_seeds() {
       "Name,article,description,fixture,face,level,x\nx,1,\"Rye\n bread\u202e\",A,back,1,2\n,2,,F,left,1,2\n",
       "article,fixture,face,level,x,y,hook,tilt_deg,type\n1,B,top,1,1,0.5,,30,l\n2,B,left,1,2,,0.1,-9,\n3,A,"
       "back,1,1\n",
+      "UPC,Product Name,Planogram,Segment,Shelf,Position,Width,HFacings,hook\n7,Jam,P,1,1,1,0.1,2,\n"
+      "8,Tea,P,1,1,2,,1,0.1\n9,,P,2,0,1,,,\n10,Salt,P,3,1,1,,,\n7,,Q,4,1,1,,,\n",
       "article;fixture;face;level;x\nA;A;front;1;0,25\nB;F;right;1;2,5\n"};
 }
 

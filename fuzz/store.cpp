@@ -110,6 +110,9 @@ constexpr const char* divided_box = R"({
       "repeat": { "count": 2, "step": [0, 150] } },
     { "type": "gondola", "id": "A", "at": [450, 200], "length": 200, "depth": 90, "height": 180, "material": "m", "shelves": [40, 90],
       "labels": { "type": "l", "positions": [10, 55.5, 190], "hook": 25 } } ],
+  "planogram": { "file": "segments.csv", "type": "l", "segments": [
+    { "planogram": "P", "segments": [1], "fixture": "A", "face": "back", "from": 20, "to": 190, "first_shelf": 2 },
+    { "planogram": "Q", "fixture": "F2", "face": "left", "right_to_left": true, "from_top": true } ] },
   "transceivers": { "areas": [ { "type": "t", "area": "room", "spacing": 100, "z": 290, }, ], }, // "currency": "EUR"
 })";
 
@@ -125,6 +128,8 @@ const std::filesystem::path& folder() {
     scratch().write(
         "planogram.csv",
         "article,fixture,face,level,position,name\n1,A3,front,2,1,Jam\n2,A3,front,2,3\n1,F,left,1,1,\n");
+    scratch().write("segments.csv",
+                    "upc,planogram,segment,shelf,sequence,facings\n1,P,1,2,1,2\n2,P,1,3,1,1\n1,Q,4,1,1,\n");
     scratch().write("units.csv", "id,x,y,z,ax,ay,az,roll_deg,type\ntill,6,5,2.9,0,0,-1,0,v\n");
     return scratch().path();
   }();

@@ -57,6 +57,8 @@ constexpr Bad bad_files[] = {
     {"planogram", "article,fixture", "artikle,fixture"},
     {"planogram", "A,front,2,2", "A,front,2,1e9"},
     {"planogram", "A,front,2,2", "C,front,2,2"},
+    {"planogram", "7,Jam,P,1,1,1", "7,Jam,P,9,1,1"},
+    {"planogram", "7,Jam,P,1,1,1", "7,Jam,P,1,3,1"},
     {"catalogue", R"("base": {)", R"("run2": {}, "own": {)"},
     {"device_csv", "id,x,y", "id;x;y"},
     {"device_csv", "P,5,0.01", "P,5,1cm"},

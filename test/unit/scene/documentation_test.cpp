@@ -52,9 +52,10 @@ TEST(Documentation, EveryExampleIsTested) {
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
   tested["store/variation.md"] = tested["store/room.md"] = tested["store/fixtures.md"] = 1;
-  tested["store/transceivers.md"] = tested["store/labels.md"] = 2;
+  tested["store/transceivers.md"] = 2;
+  tested["store/labels.md"] = 3;
   EXPECT_EQ(stores, tested);
-  EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 1}}));
+  EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 2}}));
 }
 
 TEST(Documentation, ExampleOfTheStoreFileIsAccepted) {
@@ -207,6 +208,30 @@ TEST(Documentation, ExampleOfAPlanogramIsAccepted) {
   store["fixtures"][1]["id"] = "F1";
   scene = test::scene_of(store, folder.path());
   EXPECT_EQ(find("4006381333931")->position, (Vec3{3, 1.75, 0.9}));
+}
+
+TEST(Documentation, ExampleOfAPlanogramWithSegmentsIsAccepted) {
+  const test::TempFolder folder;
+  folder.write("planogram.csv", fenced_blocks("store/labels.md", "csv").at(1));
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store["planogram"] =
+      Json::parse(fenced_blocks("store/labels.md", "jsonc").at(2), nullptr, true, true)["planogram"];
+  const Scene scene = test::scene_of(store, folder.path());
+  const auto find = [&](const std::string& id) {
+    return std::find_if(scene.labels.begin(), scene.labels.end(),
+                        [&](const Label& label) { return label.id == id; });
+  };
+  // A1 extends from (2, 2) to (6, 2.9), so its segments are 2 m long, and the left end of its back is at x
+  // = 6.
+  const auto expect_at = [&](const char* id, const Vec3& position) {
+    ASSERT_NE(find(id), scene.labels.end()) << id;
+    EXPECT_NEAR(length(find(id)->position - position), 0, 1e-12) << id;
+  };
+  expect_at("4001686301265", {2 + 2.0 / 3, 1.99, 0.4});
+  expect_at("4001686301272", {2 + 5.0 / 3, 1.99, 0.4});
+  expect_at("4001686301289", {5, 1.99, 1.4});
+  expect_at("4001686301296", {6 - 3.125, 2.91, 0.4});
+  EXPECT_EQ(find("4001686301296")->description, "Pretzels");
 }
 
 TEST(Documentation, ErrorsAreAsShown) {

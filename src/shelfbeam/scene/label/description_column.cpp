@@ -9,7 +9,8 @@
 namespace shelfbeam {
 
 std::optional<std::size_t> description_column(const CsvReader& header, std::size_t first) {
-  const std::vector<std::string> names = header.column_names();
+  std::vector<std::string> names = header.column_names();
+  for (std::string& name : names) std::replace(name.begin(), name.end(), ' ', '_');
   const auto begin = names.begin() + static_cast<std::ptrdiff_t>(std::min(first, names.size()));
   for (const std::string_view known : description_columns)
     if (const auto found = std::find(begin, names.end(), known); found != names.end())

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/base/fields/fields.hpp"
@@ -33,14 +35,32 @@ struct StyledFixtures {
   void fields(Fields& f);
 };
 
+/// A member of `planogram.segments`: where segments of a planogram stand.
+struct SegmentPlace {
+  std::string planogram;         ///< empty: of any name
+  std::vector<double> segments;  ///< whole numbers, from the left; none: all of the file, ascending
+  std::string fixture;
+  std::optional<Face> face = Face::front;  ///< nothing for the top
+  double from = 0;                         ///< m from the left end of the face, as a person sees it
+  std::optional<double> to = {};
+  std::int64_t first_shelf = 1;  ///< number of the lowest board, with `from_top` of the highest
+  bool from_top = false, right_to_left = false;
+
+  void fields(Fields& f);
+};
+
 /// The key `planogram`: the labels of all articles.
 struct ArticleLabels {
   std::string file;
   LabelStyle style;
   std::vector<StyledFixtures> fixtures;
+  std::vector<SegmentPlace> segments;
 
   void fields(Fields& f);
 };
+
+/// The name of a top among those of faces.
+inline constexpr std::string_view top_face = "top";
 
 inline constexpr double least_label_tilt = -89, most_label_tilt = 89;  // degrees
 

@@ -21,6 +21,10 @@ std::optional<LabelSides> label_sides(const Fixture& fixture) {
                     box->max.z + above_top};
 }
 
+bool LabelSides::has(const std::optional<Face>& face) const {
+  return face ? std::find(faces.begin(), faces.end(), *face) != faces.end() : top.has_value();
+}
+
 EdgePlace in_store(const Footing& footing, const EdgePlace& local) {
   const auto& [position, normal] = local;
   const Vec2 from_origin = turned({position.x, position.y}, footing.rotation_deg),

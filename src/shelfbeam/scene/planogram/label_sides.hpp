@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,14 @@ struct LabelSides {
   std::vector<Face> faces;
   std::vector<double> heights;  ///< m, from the lowest
   std::optional<double> top;    ///< m, of labels that lie on it
+
+  // A face, or nothing for the top.
+
+  bool has(const std::optional<Face>& face) const;
+  std::size_t levels(const std::optional<Face>& face) const { return face ? heights.size() : 1; }
+  double length(const std::optional<Face>& face) const {
+    return face ? edge_length(footing, *face) : footing.length;
+  }
 };
 
 /// Nothing for a fixture without sides. A gondola without boards has no heights. A box, such as a table, has

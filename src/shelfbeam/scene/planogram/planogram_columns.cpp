@@ -1,6 +1,8 @@
 #include "shelfbeam/scene/planogram/planogram_columns.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,68 +16,117 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr const char* expected_columns =
-    "the first line must have the columns article, fixture, face, level, and x or position";
+using ColumnNames = std::span<const std::string_view>;
+
+constexpr const char
+    *expected_by_fixture =
+        "the first line must have the columns article, fixture, face, level, and x or position",
+    *expected_by_segment =
+        "with 'segments' of the planogram, the first line must have the columns article, "
+        "segment, shelf and sequence";
 constexpr auto known_columns = std::to_array<std::string_view>(
     {"article", "fixture", "face", "level", "x", "y", "position", "type", "hook", "tilt_deg"});
 
+// The names of columns in the files of planogram programs, the preferred ones first.
+constexpr auto article_names = std::to_array<std::string_view>({"article", "upc", "ean", "gtin", "sku"});
+constexpr auto planogram_names =
+    std::to_array<std::string_view>({"planogram", "planogram_id", "planogram_name"});
+constexpr auto segment_names = std::to_array<std::string_view>({"segment", "bay"});
+constexpr auto shelf_names = std::to_array<std::string_view>({"shelf", "level"});
+constexpr auto sequence_names = std::to_array<std::string_view>({"sequence", "position"});
+constexpr auto width_names = std::to_array<std::string_view>({"width"});
+constexpr auto facings_names = std::to_array<std::string_view>({"facings", "hfacings", "facings_wide"});
+
 class PlanogramHeader {
  public:
-  explicit PlanogramHeader(CsvReader& csv) : csv_(csv), names_(csv.column_names()) {}
-
-  std::size_t size() const { return names_.size(); }
-  bool has(std::string_view name) const { return find(name) < names_.size(); }
-  std::size_t required(std::string_view name) const {
-    const std::size_t k = find(name);
-    if (k == names_.size()) csv_.fail(fmt::format("has no column {}", in_quotes(name)), meant(name));
-    return k;
+  PlanogramHeader(CsvReader& csv, std::string_view file, const char* expected)
+      : csv_(csv), expected_(expected) {
+    if (!csv.next()) throw InputError(std::string(file), "is empty", expected);
+    names_ = csv.column_names();
+    for (std::string& name : names_) std::replace(name.begin(), name.end(), ' ', '_');
   }
-  std::optional<std::size_t> optional(std::string_view name) const {
-    return has(name) ? std::optional(find(name)) : std::nullopt;
+
+  std::size_t required(ColumnNames known) const {
+    const auto found = optional(known);
+    if (!found) csv_.fail(fmt::format("has no column {}", in_quotes(known.front())), meant(known.front()));
+    return *found;
+  }
+  std::size_t required(std::string_view name) const { return required(ColumnNames(&name, 1)); }
+  std::optional<std::size_t> optional(ColumnNames known) const {
+    for (const std::string_view name : known) {
+      if (std::count(names_.begin(), names_.end(), name) > 1)
+        csv_.fail(fmt::format("has several columns {}", in_quotes(name)), "rename or remove all but one");
+      if (const auto found = std::find(names_.begin(), names_.end(), name); found != names_.end())
+        return static_cast<std::size_t>(found - names_.begin());
+    }
+    return {};
+  }
+  std::optional<std::size_t> optional(std::string_view name) const { return optional(ColumnNames(&name, 1)); }
+
+  /// The columns that all planograms have, except the article.
+  void read_common(PlanogramColumns& columns) const {
+    columns.width = names_.size();
+    columns.type = optional("type");
+    columns.hook = optional("hook");
+    columns.tilt_deg = optional("tilt_deg");
+    columns.description = description_column(csv_);
+    require(columns, columns.article);
+    // A file with types has one in every record, even if it is empty.
+    require(columns, columns.type.value_or(0));
+  }
+  static void require(PlanogramColumns& columns, std::size_t column) {
+    columns.required = std::max(columns.required, column + 1);
   }
 
  private:
-  std::size_t find(std::string_view name) const {
-    if (std::count(names_.begin(), names_.end(), name) > 1)
-      csv_.fail(fmt::format("has several columns {}", in_quotes(name)), "rename or remove all but one");
-    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
-  }
   std::string meant(std::string_view name) const {
     const std::string near = nearest(name, csv_.fields());
     const bool is_known =
         std::find(known_columns.begin(), known_columns.end(), lower_case(near)) != known_columns.end();
-    return near.empty() || is_known ? expected_columns
-                                    : fmt::format("rename {} if it is meant", in_quotes(near));
+    return near.empty() || is_known ? expected_ : fmt::format("rename {} if it is meant", in_quotes(near));
   }
 
   CsvReader& csv_;
+  const char* expected_;
   std::vector<std::string> names_;
 };
 
 }  // namespace
 
-PlanogramColumns read_planogram_header(CsvReader& csv, std::string_view file) {
-  if (!csv.next()) throw InputError(std::string(file), "is empty", expected_columns);
-  const PlanogramHeader header(csv);
-  PlanogramColumns columns;
-  columns.width = header.size();
+FixtureColumns read_fixture_columns(CsvReader& csv, std::string_view file) {
+  const PlanogramHeader header(csv, file, expected_by_fixture);
+  if (!header.optional("fixture") && header.optional(segment_names) && header.optional(shelf_names))
+    csv.fail("names segments instead of fixtures", "add 'segments' to 'planogram' of the store");
+  FixtureColumns columns;
   columns.article = header.required("article");
   columns.fixture = header.required("fixture");
   columns.face = header.required("face");
   columns.level = header.required("level");
-  columns.by_x = header.has("x");
-  if (columns.by_x && header.has("position"))
-    csv.fail("has both columns 'x' and 'position'", "remove one of the two");
-  columns.place = header.required(columns.by_x ? "x" : "position");
+  const auto x = header.optional("x"), position = header.optional("position");
+  if (x && position) csv.fail("has both columns 'x' and 'position'", "remove one of the two");
+  columns.by_x = x.has_value();
+  columns.place = x ? *x : header.required("position");
   columns.y = header.optional("y");
-  columns.type = header.optional("type");
-  columns.hook = header.optional("hook");
-  columns.tilt_deg = header.optional("tilt_deg");
-  columns.description = description_column(csv);
-  // A file with types has one in every record, even if it is empty.
-  for (const std::size_t k : {columns.article, columns.fixture, columns.face, columns.level, columns.place,
-                              columns.type.value_or(0)})
-    columns.required = std::max(columns.required, k + 1);
+  header.read_common(columns);
+  for (const std::size_t k : {columns.fixture, columns.face, columns.level, columns.place})
+    PlanogramHeader::require(columns, k);
+  return columns;
+}
+
+SegmentColumns read_segment_columns(CsvReader& csv, std::string_view file) {
+  const PlanogramHeader header(csv, file, expected_by_segment);
+  SegmentColumns columns;
+  columns.article = header.required(article_names);
+  columns.segment = header.required(segment_names);
+  columns.shelf = header.required(shelf_names);
+  columns.sequence = header.required(sequence_names);
+  columns.planogram = header.optional(planogram_names);
+  columns.product_width = header.optional(width_names);
+  columns.facings = header.optional(facings_names);
+  header.read_common(columns);
+  for (const std::size_t k :
+       {columns.segment, columns.shelf, columns.sequence, columns.planogram.value_or(0)})
+    PlanogramHeader::require(columns, k);
   return columns;
 }
 

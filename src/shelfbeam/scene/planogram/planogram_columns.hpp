@@ -8,17 +8,31 @@
 
 namespace shelfbeam {
 
-/// The columns of a planogram, by their indices in a record.
+/// The columns of every planogram, by their indices in a record.
 struct PlanogramColumns {
-  std::size_t article = 0, fixture = 0, face = 0, level = 0;
-  std::size_t place = 0;  ///< `x` or `position`
-  bool by_x = false;
-  std::optional<std::size_t> y, type, hook, tilt_deg, description;
+  std::size_t article = 0;
+  std::optional<std::size_t> type, hook, tilt_deg, description;
   std::size_t required = 0, width = 0;  ///< fewest and most fields of a record
 };
 
-/// Reads the header of a file with this name. Throws InputError.
-PlanogramColumns read_planogram_header(CsvReader& csv, std::string_view file);
+/// Of a file that names fixtures.
+struct FixtureColumns : PlanogramColumns {
+  std::size_t fixture = 0, face = 0, level = 0;
+  std::size_t place = 0;  ///< `x` or `position`
+  bool by_x = false;
+  std::optional<std::size_t> y;
+};
+
+/// Of a file as planogram programs export them.
+struct SegmentColumns : PlanogramColumns {
+  std::size_t segment = 0, shelf = 0, sequence = 0;
+  std::optional<std::size_t> planogram, product_width, facings;
+};
+
+// Readers of the header of a file with this name. Throw InputError.
+
+FixtureColumns read_fixture_columns(CsvReader& csv, std::string_view file);
+SegmentColumns read_segment_columns(CsvReader& csv, std::string_view file);
 
 /// Whether an optional column has a value in the current record.
 inline bool has_value(const CsvReader& csv, const std::optional<std::size_t>& column) {

@@ -174,6 +174,7 @@ TEST(Description, TablesAreUpToDate) {
                 [](Fields& fields) { FixtureLabels{}.fields(fields, true); });
   replace_table(labels, "## Labels of articles", fields_of(ArticleLabels{}));
   replace_table(labels, "### Mounting of labels of articles", fields_of(StyledFixtures{}));
+  replace_table(labels, "### Files of planogram programs", fields_of(SegmentPlace{}));
   replace_table(labels, "## Other labels", fields_of(Label{}));
   expect_file(pages + "labels.md", labels);
   std::string transceivers = read_file(pages + "transceivers.md");
