@@ -212,7 +212,18 @@ Json Shop::details(const std::string& pointer) const {
 
 Json Shop::label(std::size_t index) const {
   const Label& label = draft_.scene.labels[index];
-  return device_json(label, draft_.scene.label_types, draft_.sources.labels[index], draft_.store.file);
+  Json json = device_json(label, draft_.scene.label_types, draft_.sources.labels[index], draft_.store.file);
+  json["normal"] = {label.normal.x, label.normal.y, label.normal.z};
+  json["description"] = label.description;
+  const LabelPlace& place = label.place;
+  if (place.is_known())
+    json["place"] = {{"fixture", place.fixture.empty() ? Json() : Json(place.fixture)},
+                     {"wall", place.wall ? Json(*place.wall) : Json()},
+                     {"face", place.face ? Json(to_text(*place.face)) : Json()},
+                     {"on_top", place.on_top},
+                     {"board", place.board},
+                     {"along", place.along}};
+  return json;
 }
 
 Json Shop::unit(std::size_t index) const {
@@ -233,9 +244,10 @@ Json Shop::find(const std::string& text) const {
   constexpr std::size_t most = 50;
   const std::string wanted = lower_case(text);
   Json hits = Json::array();
-  const auto fits = [&](const std::string& id) {
-    return hits.size() < most && lower_case(id).find(wanted) != std::string::npos;
+  const auto contains = [&](const std::string& name) {
+    return lower_case(name).find(wanted) != std::string::npos;
   };
+  const auto fits = [&](const std::string& id) { return hits.size() < most && contains(id); };
   for (const Part& part : parts_) {
     const auto id = part.json["id"].get<std::string>();
     if (id.empty() || !fits(id)) continue;
@@ -245,14 +257,17 @@ Json Shop::find(const std::string& text) const {
                     {"key", part.key},
                     {"at", part.json["outline"][0]}});
   }
-  const auto add_devices = [&](const char* kind, std::size_t count, const auto& device) {
-    for (std::size_t k = 0; k < count; ++k)
-      if (const auto& one = device(k); fits(one.id))
-        hits.push_back(
-            {{"kind", kind}, {"id", one.id}, {"index", k}, {"at", {one.position.x, one.position.y}}});
+  const auto hit_of = [](const char* kind, const auto& device, std::size_t k) -> Json {
+    return {{"kind", kind}, {"id", device.id}, {"index", k}, {"at", {device.position.x, device.position.y}}};
   };
-  add_devices("label", label_count(), [&](std::size_t k) -> const Label& { return draft_.scene.labels[k]; });
-  add_devices("unit", unit_count(), [&](std::size_t k) -> const Transceiver& { return unit_at(k); });
+  for (std::size_t k = 0; k < label_count() && hits.size() < most; ++k) {
+    const Label& label = draft_.scene.labels[k];
+    if (!contains(label.id) && !contains(label.description)) continue;
+    hits.push_back(hit_of("label", label, k));
+    if (!label.description.empty()) hits.back()["description"] = label.description;
+  }
+  for (std::size_t k = 0; k < unit_count() && hits.size() < most; ++k)
+    if (fits(unit_at(k).id)) hits.push_back(hit_of("unit", unit_at(k), k));
   return hits;
 }
 

@@ -56,6 +56,15 @@ testPlanner("Ctrl+F finds fixtures, labels and units", {}, async (tab) => {
   equal(await tab.selected(), ["/transceivers/grids/0"]);
 });
 
+testPlanner("Ctrl+F finds articles by their descriptions", { store: "market-hall" }, async (tab) => {
+  await tab.press("Control+f");
+  await tab.page.keyboard.type("rye BREAD");
+  await tab.until(() => document.querySelectorAll(".results li").length === 2);
+  check((await tab.text(".results")).includes("Rye bread"), "the description");
+  await tab.press("Enter");
+  await tab.until(() => document.querySelector(".properties h2").textContent === "4001686301265");
+});
+
 testPlanner("keys are off in fields, and chords are no tools", {}, async (tab) => {
   await tab.click(10, 9.85);
   await tab.fill("field/id", "mvdr", "Tab");

@@ -61,7 +61,7 @@ testPlanner(
 
 testPlanner("labels of a planogram are locked, and name file and line", { store: "market-hall" }, async (tab) => {
   await find(tab, "4001686301272");
-  says(await tab.text(".properties"), "planogram.csv", "3");
+  says(await tab.text(".properties"), "planogram.csv", "3", "Wholemeal bread", "D1, front, board 1, at ");
   await tab.press("ArrowRight");
   await tab.until(() => document.querySelector(".notice").classList.contains("problem"));
   check(await tab.isUntouched(), "the store is untouched");

@@ -25,7 +25,7 @@ export function openFind(planner: Planner, done: () => void): void {
       .catch(() => ({ hits: [] }));
     return hits.map((hit) => ({
       name: hit.id,
-      note: (text.kinds as Record<string, string>)[hit.kind] ?? hit.kind,
+      note: hit.description ?? (text.kinds as Record<string, string>)[hit.kind] ?? hit.kind,
       choose: () => {
         const item = itemOfHit(planner, hit);
         const place: Point = [hit.at[0], hit.at[1]];

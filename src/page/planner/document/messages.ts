@@ -124,17 +124,35 @@ export interface Details {
   resolved: JsonObject | null;
 }
 
+/** Where people find a label. */
+export interface LabelPlace {
+  fixture: string | null;
+  wall: number | null;
+  face: string | null;
+  on_top: boolean;
+  /** 0: on none. */
+  board: number;
+  /** m */
+  along: number;
+}
+
 export interface DeviceAnswer {
   id: string;
   type: string;
   position: number[];
   path: string | null;
   source: string;
+  /** Of a label. */
+  normal?: number[];
+  description?: string;
+  place?: LabelPlace;
 }
 
 export interface Hit {
   kind: string;
   id: string;
+  /** Of a label that has one. */
+  description?: string;
   path?: string | null;
   /** Of a part. */
   key?: string;

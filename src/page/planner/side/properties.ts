@@ -18,6 +18,7 @@ import { Form, showProblems, type FormContext } from "../form/form";
 import { groupOfElement, groupOfStore, groupOfType } from "../form/schema";
 import { pointerOfPath, type Target } from "../form/targets";
 import type { Planner } from "../planner";
+import { deviceFacts } from "./device_facts";
 import { say, text } from "../text";
 import type { Item, Place } from "../view/selection";
 import { placeRows } from "./place";
@@ -272,13 +273,7 @@ export class Properties {
       );
     }
     const answer = this.device?.item === name ? this.device.answer : null;
-    const facts: [string, string][] = answer
-      ? [
-          [text.fields.type, answer.type],
-          [text.fields.position, answer.position.map((value) => value.toFixed(2)).join(", ") + "\u00a0m"],
-          [text.properties.source, answer.source],
-        ]
-      : [];
+    const facts = answer ? deviceFacts(answer, document.unit) : [];
     return [
       this.header(answer?.id ?? "…", text.kinds[item.device]),
       element(
