@@ -10,6 +10,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/plan/difference/plan_difference.hpp"
+#include "shelfbeam/report/data/label_names.hpp"
 #include "shelfbeam/report/difference/difference_json.hpp"
 #include "shelfbeam/report/difference/difference_report.hpp"
 #include "shelfbeam/report/messages/difference.hpp"
@@ -58,7 +59,10 @@ struct PlanToCompare {
 PlanToCompare read_plan_of(const fs::path& folder) {
   jobs::StoredPlan stored = jobs::read_stored_plan(folder);
   std::string store = resolved_store_json(stored.store, stored.scene);
-  return {std::move(stored.scene), compared_plan(stored.matrix, std::move(stored.plan), std::move(store))};
+  const LabelNames names(stored.scene, stored.matrix, words_of(stored.scene));
+  ComparedPlan plan = compared_plan(stored.matrix, std::move(stored.plan), std::move(store));
+  plan.label_names = names.all();
+  return {std::move(stored.scene), std::move(plan)};
 }
 
 void prepare_page(const DiffArguments& options, const fs::path& before, const fs::path& after) {

@@ -339,7 +339,7 @@ export class View {
       mark.kind === "label"
         ? say(
             text.picture.label,
-            store.labels.ids[mark.index],
+            store.labels.names[mark.index],
             `${significant(coverage.signal[mark.index] / factor)}\u00a0${name}`,
             decibels(coverage.margin(mark.index)),
           )

@@ -30,7 +30,8 @@ export interface StoreAbout {
   levels: { from: string; to: string; labels: number }[];
   /** Fixtures and ceiling zones with the places of their names. */
   fixtures: { id: string; at: number[] }[];
-  labels: { ids: string[]; kinds: { type: string; requirement: number }[] };
+  /** `names`: articles with their places; missing if they are the ids. */
+  labels: { ids: string[]; names?: string[]; kinds: { type: string; requirement: number }[] };
   /** The certificate of the original plan; null without one. */
   certificate: { confidence: number } | null;
   /** Missing if the shop does not change. */
@@ -46,8 +47,9 @@ export interface StoreAbout {
   };
 }
 
-export interface Store extends Omit<StoreAbout, "states">, Scenery {
+export interface Store extends Omit<StoreAbout, "states" | "labels">, Scenery {
   states: ShopState[];
+  labels: Required<StoreAbout["labels"]>;
   label: {
     position: Float32Array;
     normal: Float32Array;
@@ -88,6 +90,7 @@ export async function readStore(base64: string): Promise<Store> {
     ...page.about,
     ...sceneryOf(page),
     states: page.about.states ?? [],
+    labels: { names: page.about.labels.ids, ...page.about.labels },
     label: page.group<Store["label"]>("label"),
     candidate: page.group<Store["candidate"]>("unit"),
   };

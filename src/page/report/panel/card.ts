@@ -70,7 +70,7 @@ export class Card {
     const rest = found.slice(mostRows).reduce((sum, { mean }) => sum + mean, 0);
     const margin = element("strong", { text: decibels(coverage.margin(label)), "data-fact": "margin" });
     this.root.replaceChildren(
-      this.head(store.labels.kinds[store.label.kind[label]].type, store.labels.ids[label]),
+      this.head(store.labels.kinds[store.label.kind[label]].type, store.labels.names[label]),
       element(
         "p",
         { class: coverage.met[label] ? "v3-met" : "v3-unmet" },
@@ -88,6 +88,7 @@ export class Card {
         [text.card.serving, counted(text.numbers.units, coverage.serving[label]), "serving"],
         [text.card.level, String(store.label.level[label] + 1)],
         [text.card.position, place],
+        ...this.id(label),
       ]),
       found.length ? this.table(rows, name) : element("p", { class: "v3-note", text: text.card.nothing }),
       found.length > mostRows
@@ -97,6 +98,12 @@ export class Card {
           })
         : "",
     );
+  }
+
+  /** Second, after the name. */
+  private id(label: number): [string, string][] {
+    const { ids, names } = this.model.store.labels;
+    return names[label] === ids[label] ? [] : [[text.card.id, ids[label]]];
   }
 
   private certified(label: number): [string, string, string?][] {

@@ -30,6 +30,9 @@ abstract class SearchList {
 
   protected abstract order(): number[];
   protected abstract id(index: number): string;
+  protected name(index: number): string {
+    return this.id(index);
+  }
   protected abstract row(index: number): HTMLElement;
 
   protected entry(
@@ -39,7 +42,7 @@ abstract class SearchList {
     pressed: () => void,
     note: string,
   ): HTMLElement {
-    const link = button(this.id(index), pressed, { class: "v3-link", "data-key": `${kind}${index}` });
+    const link = button(this.name(index), pressed, { class: "v3-link", "data-key": `${kind}${index}` });
     return element(
       "li",
       { class: this.model.isSelected(kind, index) ? "selected" : "", [`data-${kind}`]: index },
@@ -51,7 +54,9 @@ abstract class SearchList {
   update(): void {
     if (this.root.hidden) return;
     const wanted = this.search.value.trim().toLowerCase();
-    const found = this.order().filter((index) => this.id(index).toLowerCase().includes(wanted));
+    const found = this.order().filter((index) =>
+      [this.id(index), this.name(index)].some((text) => text.toLowerCase().includes(wanted)),
+    );
     replaceChildren(
       this.list,
       found.slice(0, mostRows).map((index) => this.row(index)),
@@ -119,6 +124,10 @@ export class LabelList extends SearchList {
 
   protected id(label: number): string {
     return this.model.store.labels.ids[label];
+  }
+
+  protected override name(label: number): string {
+    return this.model.store.labels.names[label];
   }
 
   protected row(label: number): HTMLElement {

@@ -14,7 +14,8 @@ struct ComparedPlan {
   std::vector<TransceiverColumn> transceivers;
   std::vector<double> signals;  ///< received_signal of each label
   CertifiedPlan plan;
-  std::string store;  ///< resolved_store_json of this version of the program
+  std::string store;                          ///< resolved_store_json of this version of the program
+  std::vector<std::string> label_names = {};  ///< for readers, by row; empty: their ids
 };
 
 ComparedPlan compared_plan(const SignalMatrix& matrix, CertifiedPlan plan, std::string store);

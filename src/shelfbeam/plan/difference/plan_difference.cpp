@@ -121,7 +121,7 @@ void add_certificate(PlanFigures& figures, const CertifiedPlan& plan) {
 }
 
 PlanFigures figures_of(const ComparedPlan& compared) {
-  const auto& [labels, transceivers, signals, plan, store] = compared;
+  const auto& [labels, transceivers, signals, plan, store, names] = compared;
   const Placement& placement = plan.placement;
   PlanFigures figures;
   figures.has_selection = placement.has_selection();

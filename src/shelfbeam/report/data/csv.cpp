@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,15 @@ std::string row(std::initializer_list<std::string> fields) {
   return fmt::format("{}\n", fmt::join(fields, ","));
 }
 
+// The last columns of a label: its article and its place.
+std::string of_the_shop(const Label* label, const auto& text) {
+  if (label == nullptr) return ",,,\n";
+  const LabelPlace& place = label->place;
+  return row({text(label->description), text(place.fixture),
+              place.face ? std::string(to_text(*place.face)) : "",
+              place.board > 0 ? fmt::format("{}", place.board) : ""});
+}
+
 }  // namespace
 
 std::string labels_csv(const ReportInput& input) {
@@ -32,8 +42,12 @@ std::string labels_csv(const ReportInput& input) {
   const bool has_direct = matrix.direct.size() == matrix.mean.size();
   const auto& availability = input.plan.availability;
   const bool has_states = availability && availability->has_answer();
+  std::unordered_map<std::string_view, const Label*> labels;
+  for (const Label& label : input.scene.labels) labels.emplace(label.id, &label);
   std::string csv = fmt::format(
-      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted{}\n",
+      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted{},"
+      "description,fixture,face,"
+      "board\n",
       has_states ? ",availability" : "");
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     const LabelRow& label = matrix.labels[i];
@@ -49,7 +63,10 @@ std::string labels_csv(const ReportInput& input) {
                 !is_known                   ? ""
                 : result.depends_on_flagged ? "no"
                                             : "yes"});
-    if (has_states) csv.insert(csv.size() - 1, "," + csv_number(availability->answer().availability(i)));
+    const auto found = labels.find(label.id);
+    csv.pop_back();
+    if (has_states) csv += "," + csv_number(availability->answer().availability(i));
+    csv += "," + of_the_shop(found == labels.end() ? nullptr : found->second, text);
   }
   return csv;
 }

@@ -24,6 +24,7 @@ SignalUnit unit_of(const Words& words, const SignalMatrix& matrix) {
 ReportData::ReportData(const ReportInput& report_input)
     : input(report_input),
       words(words_of(input.scene)),
+      names(input.scene, input.matrix, words),
       outcome(outcome_of(input.matrix, input.plan.placement, input.plan.certificate)),
       sampling(sampling_summary(input.matrix)),
       uncertain(uncertain_labels(input.matrix, outcome)),

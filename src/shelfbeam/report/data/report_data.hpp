@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/report/data/distributions.hpp"
+#include "shelfbeam/report/data/label_names.hpp"
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
@@ -37,7 +38,8 @@ struct ReportData {
   explicit ReportData(const ReportInput& report_input);
 
   const ReportInput& input;
-  Words words;      ///< in the language of the store
+  Words words;  ///< in the language of the store
+  LabelNames names;
   Outcome outcome;  ///< units in walking order
   SamplingSummary sampling;
   std::size_t uncertain;  ///< labels whose verdict sampling error could change
@@ -64,6 +66,11 @@ struct ReportData {
   const LabelRow& label(std::uint32_t row) const { return input.matrix.labels[row]; }
   const TransceiverColumn& transceiver(std::uint32_t column) const {
     return input.matrix.transceivers[column];
+  }
+  /// Verified as reached, or without verdicts met.
+  bool is_reached(std::uint32_t row) const {
+    return input.plan.has_verdicts() ? input.plan.certificate->labels[row].verdict == Verdict::reached
+                                     : outcome.labels[row].met;
   }
   /// The number of a chosen unit in tables and on drawings: its place in walking order, from 1.
   std::size_t unit_number(std::uint32_t column) const;

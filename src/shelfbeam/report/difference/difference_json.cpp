@@ -62,6 +62,7 @@ Json state_json(const std::optional<LabelState>& label) {
 Json label_json(const DifferenceInput& input, const ComparedLabel& label) {
   const std::string& id = label_id(input, label);
   Json json = {{"id", id}};
+  if (const std::string& name = label_name(input, label); name != id) json["name"] = name;
   if (label.before && label.after)
     if (const std::string& id_before = input.before.labels[label.before->row].id; id_before != id)
       json["id_before"] = id_before;

@@ -96,7 +96,7 @@ class DifferenceMap {
       bool is_used = false;
       for (const ComparedLabel& label : input_.difference.labels) {
         if (!label.after || shown_change(label) != mark.change) continue;
-        canvas.use(mark.symbol, places[label.after->row], label_id(input_, label));
+        canvas.use(mark.symbol, places[label.after->row], label_name(input_, label));
         is_used = true;
       }
       if (is_used) legend_ += legend_item(mark.symbol, words_(mark.text));

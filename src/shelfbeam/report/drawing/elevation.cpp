@@ -15,6 +15,10 @@ namespace shelfbeam {
 
 namespace {
 
+std::string title_of(const Label& label) {
+  return label.description.empty() ? label.id : fmt::format("{} ({})", label.description, label.id);
+}
+
 // A part or label in a side view: its extent across, its heights, and its nearness to the viewer.
 struct Seen {
   Span across;
@@ -136,7 +140,7 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   for (const std::uint32_t i : labels) {
     const Vec3& p = scene.labels[i].position;
     if (facing(i) * towards > 0.5)
-      canvas.rect({side_x(d.u(p.x, p.y)) - 3.5, up(p.z) - 2.5}, 7, 5, "tag", scene.labels[i].id);
+      canvas.rect({side_x(d.u(p.x, p.y)) - 3.5, up(p.z) - 2.5}, 7, 5, "tag", title_of(scene.labels[i]));
     const double out = facing(i);
     const Point at{end_x(d.v(p.x, p.y)), up(p.z)};
     canvas.line(at, {at.x + 7 * out, at.y - 7 * scene.labels[i].normal.z}, "label");

@@ -139,7 +139,7 @@ std::string Maps::overview(const std::string& description) const {
   for (const Unreachable& label : data_.input.plan.placement.unreachable) lost.push_back(label.label);
   const std::vector<Point> at = positions(lost);
   SvgCanvas canvas;
-  for (std::size_t k = 0; k < lost.size(); ++k) canvas.use("m0", at[k], data_.label(lost[k]).id);
+  for (std::size_t k = 0; k < lost.size(); ++k) canvas.use("m0", at[k], data_.names.name(lost[k]));
   const std::string lost_key = lost.empty()
                                    ? ""
                                    : legend_item("m0", data_.words.say("drawing.legend.out_of_reach",
@@ -163,7 +163,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
     const std::uint32_t label = level.labels[k];
     const double signal = data_.shown_signal(label);
     canvas.use(fmt::format("m{}", class_of(label)), at[k],
-               fmt::format("{}: {}, {}", data_.label(label).id, data_.unit.text(signal),
+               fmt::format("{}: {}, {}", data_.names.name(label), data_.unit.text(signal),
                            data_.words.decibels(margin_db(signal, data_.label(label).requirement))));
     if (data_.outcome.labels[label].depends_on_flagged) canvas.use("hollow", at[k]);
     if (data_.has_selection() && label == data_.outcome.by_margin.front()) canvas.use("worst", at[k]);
@@ -184,7 +184,7 @@ std::string Maps::signal_maps(std::size_t level_index) const {
       const std::uint32_t label = level.labels[k];
       const double value = data_.outcome.labels[label].*signal;
       canvas.use(value > 0 ? fmt::format("g{}", scale_.class_of(value)) : "gz", at[k],
-                 fmt::format("{}: {}", data_.label(label).id, data_.unit.text(value)));
+                 fmt::format("{}: {}", data_.names.name(label), data_.unit.text(value)));
     }
     return canvas.body();
   };

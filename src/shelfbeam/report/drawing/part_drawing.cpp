@@ -34,14 +34,7 @@ constexpr double min_area = 1e-6;                    // m^2, in plan
 std::string part_class(const Part& part) {
   constexpr const char* classes[] = {"shell", "panel",  "board", "kick",  "goods",
                                      "tub",   "casing", "door",  "solid", "mesh"};
-  std::string name = classes[static_cast<std::size_t>(part.kind)];
-  if (part.kind != PartKind::goods) return name;
-  // Hashed from the position, so that a product column has another colour on each shelf.
-  const auto& [x, y] = part.footprint.front();
-  const auto mixed =
-      static_cast<std::uint64_t>(std::llround(x * 100) * 73856093 ^ std::llround(y * 100) * 19349663 ^
-                                 std::llround(part.bottom * 100) * 83492791);
-  return fmt::format("{} c{}", name, (mixed >> 3) % 7);
+  return classes[static_cast<std::size_t>(part.kind)];
 }
 
 std::vector<std::uint32_t> parts_seen_from_above(const Scene& scene) {
@@ -76,8 +69,7 @@ text{font-family:system-ui,-apple-system,"Segoe UI",Roboto,"Helvetica Neue","Lib
 .paper{fill:#fff}.floor{fill:#fbfbf8;stroke:#4b555e;stroke-width:2}
 .tick{stroke:#5d6973;stroke-width:1}.bar-full{fill:#5d6973;stroke:#5d6973}.bar-empty{fill:none;stroke:#5d6973}
 .panel{fill:#87919a}.board{fill:#d9dde0;stroke:#7d8790;stroke-width:.7}.kick{fill:#59636c}
-.goods{stroke:#4a4136;stroke-opacity:.45;stroke-width:.5}
-.c0{fill:#c98f6b}.c1{fill:#8fae8b}.c2{fill:#d8bf7a}.c3{fill:#8ba3bf}.c4{fill:#bf8f9c}.c5{fill:#b7a58c}.c6{fill:#9a9fb8}
+.goods{fill:#d8d2c6;stroke:#4a4136;stroke-opacity:.45;stroke-width:.5}
 .tub{fill:#e3eef4;stroke:#6f8794;stroke-width:.8}.solid{fill:#9aa3ab;stroke:#59636c}.mesh{fill:#c3cad1;stroke:#59636c;stroke-width:1.6;stroke-linejoin:round;paint-order:stroke}
 .casing{fill:#87919a;fill-opacity:.15;stroke:#59636c;stroke-width:.7}.door{fill:none;stroke:#6fa8cf;stroke-width:1.2}
 .outline{fill:none;stroke:#4b555e;stroke-width:1.2}.over{stroke-dasharray:9 5}

@@ -35,7 +35,7 @@ struct Outline {
   }
 };
 
-/// CSS class of a part; goods alternate between a few colours, like products.
+/// CSS class of a part.
 std::string part_class(const Part& part);
 
 /// Parts in the order of their tops, lowest first, without parts below a board of the same fixture.

@@ -174,7 +174,7 @@ std::vector<std::string> label_row(const Words& words, const DifferenceInput& in
   const auto text = [&](const std::optional<LabelState>& state) {
     return state ? margin_text(words, *state) : std::string("–");
   };
-  return {label_id(input, label), text(label.before), text(label.after)};
+  return {label_name(input, label), text(label.before), text(label.after)};
 }
 
 double ratio_after(const ComparedLabel& label) {
@@ -347,6 +347,12 @@ std::string unit_counts(const Words& words, const PlanDifference& difference) {
 
 const std::string& label_id(const DifferenceInput& input, const ComparedLabel& label) {
   return label.after ? input.after.labels[label.after->row].id : input.before.labels[label.before->row].id;
+}
+
+const std::string& label_name(const DifferenceInput& input, const ComparedLabel& label) {
+  const ComparedPlan& plan = label.after ? input.after : input.before;
+  const std::uint32_t row = label.after ? label.after->row : label.before->row;
+  return plan.label_names.empty() ? plan.labels[row].id : plan.label_names[row];
 }
 
 TextTable changed_labels(const Words& words, const DifferenceInput& input, LabelChange change,

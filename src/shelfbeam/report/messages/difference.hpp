@@ -38,8 +38,10 @@ std::string unit_counts(const Words& words, const PlanDifference& difference);
 
 /// The id of a label in the second plan, or in the first if only that has it.
 const std::string& label_id(const DifferenceInput& input, const ComparedLabel& label);
+/// Its name there.
+const std::string& label_name(const DifferenceInput& input, const ComparedLabel& label);
 
-/// At most `most` labels with a change, smallest margin in the second plan first: id, margins before and
+/// At most `most` labels with a change, smallest margin in the second plan first: name, margins before and
 /// after.
 TextTable changed_labels(const Words& words, const DifferenceInput& input, LabelChange change,
                          std::size_t most);

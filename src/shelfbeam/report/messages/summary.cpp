@@ -31,19 +31,6 @@ std::string verdict_of(const ReportData& data, Tone tone) {
   return data.words.say(fmt::format("verdict.uncertified.{}", key_of(shown)));
 }
 
-// "label A1", "labels A1 to A3": the first few ranges of ids.
-std::string named(const ReportData& data, const std::vector<std::uint32_t>& rows) {
-  constexpr std::size_t max_ranges = 4;
-  std::vector<std::string> ids;
-  ids.reserve(rows.size());
-  for (const std::uint32_t row : rows) ids.push_back(data.label(row).id);
-  std::vector<std::string> ranges = id_ranges(ids);
-  const bool is_cut = ranges.size() > max_ranges;
-  ranges.resize(std::min(ranges.size(), max_ranges));
-  const std::string list = fmt::format("{}", fmt::join(ranges, ", "));
-  return is_cut ? data.words.say("summary.and_others", list) : list;
-}
-
 class SummaryWriter {
  public:
   explicit SummaryWriter(const ReportData& data)
@@ -80,7 +67,7 @@ class SummaryWriter {
       rows.push_back(label.label);
       if (label.max_signal <= 0 && !data_.is_heard(label.label)) dark.push_back(label.label);
     }
-    if (!rows.empty()) summary_.remarks.push_back(words_.say("summary.none.labels", named(data_, rows)));
+    if (!rows.empty()) summary_.remarks.push_back(words_.say("summary.none.labels", data_.names.list(rows)));
     if (!dark.empty()) summary_.remarks.push_back(dark_labels(words_, dark.size()));
     summary_.remarks.push_back(words_.say(is_infeasible ? "summary.none.remedies" : "summary.none.unknown"));
     if (is_infeasible) summary_.remarks.push_back(confirmation_of_obstacle());
@@ -153,7 +140,7 @@ class SummaryWriter {
   }
 
   LabelName label_name() const {
-    return [this](std::uint32_t label) { return data_.label(label).id; };
+    return [this](std::uint32_t label) { return data_.names.name(label); };
   }
 
   void add_availability(const Availability& availability) {
@@ -181,10 +168,10 @@ class SummaryWriter {
     const double ratio = label.requirement > 0 ? label.signal / label.requirement : 0;
     if (label.met)
       summary_.achieves.push_back(
-          words_.say("summary.achieves.weakest", data_.label(weakest).id, words_.significant(ratio)));
+          words_.say("summary.achieves.weakest", data_.names.name(weakest), words_.significant(ratio)));
     else
       summary_.achieves.push_back(
-          words_.say("summary.achieves.weakest_short", data_.label(weakest).id, words_.percent(ratio, 0)));
+          words_.say("summary.achieves.weakest_short", data_.names.name(weakest), words_.percent(ratio, 0)));
     const std::size_t secure = data_.outcome.secure, single = data_.outcome.met - secure;
     if (single == 0 && secure == labels())
       summary_.achieves.push_back(words_.say_count("summary.achieves.secure_all", labels()));
@@ -194,7 +181,7 @@ class SummaryWriter {
   }
 
   void risk(std::string_view key, const std::vector<std::uint32_t>& rows) {
-    if (!rows.empty()) summary_.risks.push_back(words_.say_count(key, rows.size(), named(data_, rows)));
+    if (!rows.empty()) summary_.risks.push_back(words_.say_count(key, rows.size(), data_.names.list(rows)));
   }
   void risk(std::string_view key, std::size_t count) {
     if (count > 0) summary_.risks.push_back(words_.say_count(key, count));

@@ -61,7 +61,7 @@ std::string risk_table(const ReportData& data, const Availability& availability)
                                 : availability.sample.states > 0 ? availability.sample
                                                                  : availability.nominal;
   for (const LabelAtRisk& label : availability.at_risk)
-    table.add_row({data.label(label.label).id, time_share(data.words, outcome.availability(label.label)),
+    table.add_row({data.names.name(label.label), time_share(data.words, outcome.availability(label.label)),
                    time_share(data.words, availability.required[label.label]), causes_of(data.words, label)});
   return fmt::format("<h3>{}</h3>\n", escape(data.words("availability.at_risk"))) + table.html() +
          paragraph(data.words.say("availability.cause_note"), "note");
@@ -73,7 +73,7 @@ std::string availability_section(const ReportData& data) {
   const auto& availability = data.input.plan.availability;
   if (!availability) return {};
   const Placement& placement = data.input.plan.placement;
-  const auto name = [&](std::uint32_t label) { return data.label(label).id; };
+  const auto name = [&](std::uint32_t label) { return data.names.name(label); };
   std::string html =
       paragraph(with_joined_percent(availability_sentence(data.words, *availability, placement, name)));
   if (std::string bound = availability_bound(data.words, *availability, placement); !bound.empty())

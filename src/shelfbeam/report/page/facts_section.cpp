@@ -104,19 +104,14 @@ std::string placement_facts(const ReportData& data) {
   return facts.html();
 }
 
-// "none", or the number of labels and the first ranges of their ids.
+// "none", or the number of labels with their names or places.
 std::string named_labels(const ReportData& data, Verdict verdict) {
-  constexpr std::size_t max_ranges = 20;
   const auto& labels = data.input.plan.certificate->labels;
-  std::vector<std::string> ids;
+  std::vector<std::uint32_t> rows;
   for (std::uint32_t i = 0; i < labels.size(); ++i)
-    if (labels[i].verdict == verdict) ids.push_back(data.label(i).id);
-  if (ids.empty()) return data.words.say("facts.certificate.none");
-  const auto ranges = id_ranges(ids);
-  const std::size_t shown = std::min(ranges.size(), max_ranges);
-  return fmt::format("{}: {}{}", data.words.grouped(ids.size()),
-                     fmt::join(ranges.begin(), ranges.begin() + static_cast<std::ptrdiff_t>(shown), ", "),
-                     shown < ranges.size() ? ", …" : "");
+    if (labels[i].verdict == verdict) rows.push_back(i);
+  if (rows.empty()) return data.words.say("facts.certificate.none");
+  return fmt::format("{}: {}", data.words.grouped(rows.size()), data.names.list(rows));
 }
 
 std::string certificate_facts(const ReportData& data) {

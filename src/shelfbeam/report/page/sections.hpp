@@ -34,6 +34,8 @@ std::string unit_section(const ReportData& data);
 /// The coverage curve; empty without one.
 std::string curve_section(const ReportData& data);
 std::string weakest_section(const ReportData& data);
+/// Per fixture, its labels by board and the weakest of them.
+std::string fixture_section(const ReportData& data);
 std::string facts_section(const ReportData& data);
 
 }  // namespace shelfbeam

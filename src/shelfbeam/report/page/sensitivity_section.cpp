@@ -46,8 +46,8 @@ std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   const auto add = [&](const std::string& name, const MinMargin& low, const MinMargin& high) {
     chart.bars.push_back(
         {name, drawn_db(low), drawn_db(high),
-         data.words.say("sensitivity.bar", name, margin(data.words, low), data.label(low.label).id,
-                        margin(data.words, high), data.label(high.label).id)});
+         data.words.say("sensitivity.bar", name, margin(data.words, low), data.names.name(low.label),
+                        margin(data.words, high), data.names.name(high.label))});
   };
   add(data.words.say("sensitivity.together"), sensitivity.low.min_margin, sensitivity.high.min_margin);
   for (std::size_t k = 0; k < std::min(max_bars, sensitivity.materials.size()); ++k) {
@@ -79,7 +79,7 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
         {one.material,
          fmt::format("{} ({}){}", rounded(data.words, one.reflectance), range_of(data.words, one),
                      one.is_assumed ? " *" : ""),
-         margin(data.words, one.at_lower.min_margin), data.label(one.at_lower.min_margin.label).id,
+         margin(data.words, one.at_lower.min_margin), data.names.name(one.at_lower.min_margin.label),
          fmt::format("{} (±\u00A0{})", signed_percent(data.words, one.at_lower.change),
                      data.words.fixed(100 * one.at_lower.change_error, 2)),
          data.words.grouped(one.at_lower.labels_short), signed_percent(data.words, one.at_lower.mean_change),
@@ -89,14 +89,11 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
 
 std::string labels(const ReportData& data, const std::vector<std::uint32_t>& rows, std::string_view title) {
   if (rows.empty()) return {};
-  std::vector<std::string> ids;
-  ids.reserve(rows.size());
-  for (const std::uint32_t row : rows) ids.push_back(data.label(row).id);
   std::string list;
-  for (const std::string& range : id_ranges(ids)) list += fmt::format("<li>{}</li> ", escape(range));
+  for (const std::string& count : data.names.counts(rows)) list += fmt::format("<li>{}</li> ", escape(count));
   return fmt::format(
       "<details>\n<summary>{}</summary>\n<div class=\"serves\"><ul>{}</ul></div>\n</details>\n",
-      escape(data.words.say_count(title, ids.size())), list);
+      escape(data.words.say_count(title, rows.size())), list);
 }
 
 std::string notes(const ReportData& data, const Sensitivity& sensitivity) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/recommendation.hpp"
 #include "shelfbeam/report/messages/summary.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
@@ -139,6 +140,8 @@ std::string summary_section(const ReportData& data, const Maps& maps) {
                    fmt::format("{} <span class=\"verdict\">{}</span>", escape(data.words("summary.kicker")),
                                escape(summary.verdict)),
                    name.empty() ? data.words.say("summary.store") : name, summary.answer, summary.remarks});
+  if (const std::string advice = recommendation(data); !advice.empty())
+    html += paragraph(advice, "recommended");
   if (data.has_selection())
     html += "<div class=\"pair\">\n" + shopping_list(data) +
             list(data.words, "summary.achieves.title", summary.achieves) + "</div>\n" +

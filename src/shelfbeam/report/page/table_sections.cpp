@@ -32,14 +32,14 @@ std::string served_labels(const ReportData& data) {
   std::string list;
   for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
     const UnitOutcome& unit = data.outcome.units[k];
-    std::vector<std::string> ids;
-    for (const std::uint32_t row : data.outcome.served_by(k)) ids.push_back(data.label(row).id);
-    const std::string how = unit.reaches_alone > 0 ? data.words.say_count("units.serves.alone", ids.size())
-                            : ids.empty()          ? data.words.say("units.serves.none")
-                                          : data.words.say_count("units.serves.strongest", ids.size());
+    const std::vector<std::uint32_t> labels = data.outcome.served_by(k);
+    const std::string how = unit.reaches_alone > 0 ? data.words.say_count("units.serves.alone", labels.size())
+                            : labels.empty()       ? data.words.say("units.serves.none")
+                                             : data.words.say_count("units.serves.strongest", labels.size());
     list += fmt::format("<dt>{}: {} <span>{}</span></dt><dd><ul>", k + 1,
                         escape(data.transceiver(unit.column).id), escape(how));
-    for (const std::string& range : id_ranges(ids)) list += fmt::format("<li>{}</li> ", escape(range));
+    for (const std::string& count : data.names.counts(labels))
+      list += fmt::format("<li>{}</li> ", escape(count));
     list += "</ul></dd>\n";
   }
   return fmt::format("<details>\n<summary>{}</summary>\n<dl class=\"serves\">\n{}</dl>\n</details>\n",
@@ -98,7 +98,8 @@ std::string weakest_section(const ReportData& data) {
                                          {data.words.say("column.x")},
                                          {data.words.say("column.y")},
                                          {data.words.say("column.height")},
-                                         {data.words.say("column.type"), false}};
+                                         {data.words.say("column.type"), false},
+                                         {data.words.say("column.id"), false}};
   if (certificate) columns.push_back({data.words.say("weakest.verdict"), false});
   HtmlTable table(columns);
   for (std::size_t k = 0; k < rows; ++k) {
@@ -114,7 +115,7 @@ std::string weakest_section(const ReportData& data) {
         error = data.unit.number(static_cast<double>(data.input.matrix.standard_error[entry]));
       if (data.input.matrix.is_flagged(entry)) error = data.words.say("weakest.unreliable", error);
     }
-    std::vector<std::string> cells{label.id,
+    std::vector<std::string> cells{data.names.name(row),
                                    data.words.decibels(outcome.margin()),
                                    data.unit.number(outcome.signal),
                                    data.unit.number(outcome.requirement),
@@ -123,7 +124,8 @@ std::string weakest_section(const ReportData& data) {
                                    data.words.fixed(label.position.x, 2),
                                    data.words.fixed(label.position.y, 2),
                                    data.words.fixed(label.position.z, 2),
-                                   label.type};
+                                   label.type,
+                                   label.id};
     if (certificate) cells.push_back(verdict_text(data.words, certificate->labels[row].verdict));
     table.add_row(cells);
   }

@@ -43,9 +43,10 @@ std::string unreachable_section(const ReportData& data) {
                    {data.words.say("unreachable.shortfall"), true, true}});
   for (std::size_t k = 0; k < std::min(worst.size(), max_rows); ++k) {
     const LabelRow& label = data.label(worst[k].label);
-    table.add_row({label.id, data.words.fixed(label.position.x, 2), data.words.fixed(label.position.y, 2),
-                   data.words.fixed(label.position.z, 2), data.unit.number(worst[k].requirement),
-                   data.unit.number(worst[k].max_signal), shortfall(data, worst[k])});
+    table.add_row({data.names.name(worst[k].label), data.words.fixed(label.position.x, 2),
+                   data.words.fixed(label.position.y, 2), data.words.fixed(label.position.z, 2),
+                   data.unit.number(worst[k].requirement), data.unit.number(worst[k].max_signal),
+                   shortfall(data, worst[k])});
   }
   std::string html = paragraph(maximum_signal_note(data)) + table.html();
   if (worst.size() > max_rows)

@@ -35,7 +35,7 @@ std::string effect_of_rounding(const ReportData& data, const PageSignals& signal
                         share_text(data.words, signals.largest_effect),
                         label.requirement > 0 ? share_text(data.words, everything / label.requirement)
                                               : data.words.say("view.effect.its_signal"),
-                        label.id);
+                        data.names.name(signals.max_affected));
 }
 
 // The plan itself is evaluated with all entries; only changes in the view have rounding errors.

@@ -26,11 +26,15 @@ Json add_labels(PageData& page, const ReportData& data) {
   std::vector<float> position, normal;
   std::vector<std::uint16_t> kind, level(data.outcome.labels.size());
   std::map<std::pair<std::string, double>, std::uint16_t> known;
-  Json kinds = Json::array(), ids = Json::array();
-  for (const LabelRow& label : data.input.matrix.labels) {
+  Json kinds = Json::array(), ids = Json::array(), names = Json::array();
+  bool has_names = false;
+  for (std::uint32_t row = 0; row < data.outcome.labels.size(); ++row) {
+    const LabelRow& label = data.label(row);
     append_point(position, label.position);
     append_point(normal, label.normal);
     ids.push_back(label.id);
+    names.push_back(data.names.name(row));
+    has_names = has_names || names.back() != label.id;
     const auto [found, is_new] =
         known.emplace(std::pair(label.type, label.requirement), static_cast<std::uint16_t>(known.size()));
     if (is_new) kinds.push_back({{"type", label.type}, {"requirement", label.requirement}});
@@ -42,7 +46,9 @@ Json add_labels(PageData& page, const ReportData& data) {
   page.add("label_normal", normal);
   page.add("label_kind", kind);
   page.add("label_level", level);
-  return {{"ids", ids}, {"kinds", kinds}};
+  Json labels = {{"ids", ids}, {"kinds", kinds}};
+  if (has_names) labels["names"] = std::move(names);
+  return labels;
 }
 
 Json add_units(PageData& page, const ReportData& data) {

@@ -42,9 +42,9 @@ TEST(RoomDrawing, CutsInnerWallsAtDoorsAndWindows) {
 TEST(RoomDrawing, CountsAndNamesZonesAndInnerWalls) {
   const std::string text = test::read_markup(floor_plan_svg(make_scene(test::corner_shop_store()))).text;
   EXPECT_NE(text.find("12 × 10 × 3.2 m · 4 fixtures · 2 inner walls · 1 ceiling zone · "), std::string::npos);
-  EXPECT_NE(text.find("bakery, 2.6\u00a0m"), std::string::npos);
+  EXPECT_NE(text.find("bakery, ceiling 2.6\u00a0m"), std::string::npos);
   const CeilingHeight slope{0, std::array{Vec3{0, 0, 2.4}, Vec3{2, 0, 3}, Vec3{0, 2, 2.4}}};
-  EXPECT_EQ(zone_name(english(), {"ramp", {{0, 0}, {2, 0}, {2, 2}}, slope}), "ramp, 2.4 to 3\u00a0m");
+  EXPECT_EQ(zone_name(english(), {"ramp", {{0, 0}, {2, 0}, {2, 2}}, slope}), "ramp, ceiling 2.4 to 3\u00a0m");
 }
 
 // The name is in the zone and beside the counter in it.

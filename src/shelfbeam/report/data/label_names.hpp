@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shelfbeam/report/text/words.hpp"
+#include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/signal/signal_matrix.hpp"
+
+namespace shelfbeam {
+
+/// Labels as people in the shop call them, by the rows of a matrix.
+class LabelNames {
+ public:
+  LabelNames(const Scene& scene, const SignalMatrix& matrix, const Words& words);
+
+  /// "Rye bread (G3 back, board 2)": article and place. The place alone if the store describes no article,
+  /// and the id if it says the place itself ("G3-back-2-5") or the place is unknown.
+  const std::string& name(std::uint32_t row) const { return names_[row]; }
+  /// By row.
+  const std::vector<std::string>& all() const { return names_; }
+  /// "G3 back, board 2"; empty if it is unknown.
+  const std::string& place(std::uint32_t row) const { return places_[row]; }
+  /// The fixture or wall of a label, "other places" if it is unknown.
+  const std::string& fixture(std::uint32_t row) const { return fixtures_[row]; }
+  /// From 1, the lowest; 0: on no board.
+  int board(std::uint32_t row) const { return boards_[row]; }
+
+  /// "G5: 48 of 48" for each fixture of these labels, in the order of the store.
+  std::vector<std::string> counts(std::span<const std::uint32_t> rows) const;
+
+  /// The names of a few labels, otherwise numbers by fixture: "48 on G5, 3 on C2 and others".
+  std::string list(std::span<const std::uint32_t> rows) const;
+
+ private:
+  /// The number of these labels per fixture, in the order of the store.
+  std::vector<std::pair<std::string, std::size_t>> per_fixture(std::span<const std::uint32_t> rows) const;
+
+  Words words_;
+  std::vector<std::string> names_, places_, fixtures_;
+  std::vector<int> boards_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,33 @@
+#include "shelfbeam/report/messages/recommendation.hpp"
+
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/text/words.hpp"
+
+namespace shelfbeam {
+
+std::string recommendation(const ReportData& data) {
+  const CertifiedPlan& plan = data.input.plan;
+  const std::size_t labels = data.outcome.labels.size();
+  if (!data.has_selection() || plan.availability || plan.placement.partial || data.outcome.met < labels ||
+      labels == 0)
+    return {};
+  const Words& words = data.words;
+  const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];
+  if (!(weakest.requirement > 0)) return {};
+  const double margin = weakest.signal / weakest.requirement;
+  const std::string now = words.significant(margin);
+  if (margin >= ample_margin) return words.say("recommendation.ample", now);
+  const auto& more = plan.alternatives.one_more;
+  if (!more) return words.say("recommendation.only", now);
+  const std::string then = words.significant(more->smallest_margin);
+  if (more->smallest_margin < worthwhile_gain * margin) return words.say("recommendation.this", now, then);
+  const Placement& placement = plan.placement;
+  const std::string price =
+      more->price && placement.price
+          ? words.say("recommendation.price",
+                      money(words, more->price->to_spend - placement.price->to_spend, more->price))
+          : std::string();
+  return words.say("recommendation.more", words.grouped(more->selected.size()), price, now, then);
+}
+
+}  // namespace shelfbeam

@@ -1,0 +1,119 @@
+#include "shelfbeam/report/data/label_names.hpp"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "unit/report/supermarket_report.hpp"
+
+namespace shelfbeam {
+namespace {
+
+using test::Supermarket;
+using testing::ElementsAre;
+
+struct NamedShop {
+  Scene scene;
+  SignalMatrix matrix;
+
+  void add(const char* id, const char* description, const LabelPlace& place) {
+    Label label;
+    label.id = id;
+    label.position = {1.5, 2.25, 1};
+    label.description = description;
+    label.place = place;
+    scene.labels.push_back(label);
+    LabelRow row;
+    row.id = id;
+    row.position = label.position;
+    matrix.labels.push_back(row);
+  }
+  LabelNames names(Language language = Language::english) const { return {scene, matrix, Words(language)}; }
+};
+
+NamedShop named_shop() {
+  NamedShop shop;
+  shop.scene.room = RoomShape::box({10, 8, 3});
+  shop.add("4001", "Rye bread", {.fixture = "G3", .face = Face::back, .board = 2, .along = 1.25});
+  shop.add("4002", "", {.fixture = "G3", .face = Face::front, .board = 1, .along = 0.5});
+  shop.add("G3-front-1-2", "", {.fixture = "G3", .face = Face::front, .board = 1, .along = 1});
+  shop.add("4003", "Apples", {.fixture = "T1", .on_top = true});
+  shop.add("4004", "Offers", {.wall = 2});
+  shop.add("4005", "", {});
+  shop.add("poster", "", {});
+  shop.add("4006", "Milk", {.fixture = "C2", .face = Face::front, .along = 0.2});
+  return shop;
+}
+
+TEST(LabelNames, AreArticlesAndPlaces) {
+  const NamedShop named = named_shop();
+  EXPECT_THAT(named.names().all(),
+              ElementsAre("Rye bread (G3 back, board 2)", "G3 front, board 1, at 0.50 m", "G3-front-1-2",
+                          "Apples (on top of T1)", "Offers (wall at the top)", "label at 1.50, 2.25 m",
+                          "poster", "Milk (C2)"));
+  EXPECT_THAT(named.names(Language::german).all(),
+              ElementsAre("Rye bread (G3 hinten, Boden 2)", "G3 vorn, Boden 1, bei 0,50 m", "G3-front-1-2",
+                          "Apples (auf T1)", "Offers (obere Wand)", "Etikett bei 1,50; 2,25 m", "poster",
+                          "Milk (C2)"));
+}
+
+TEST(LabelNames, CountManyLabelsByFixture) {
+  const NamedShop named = named_shop();
+  const LabelNames names = named.names();
+  EXPECT_THAT(names.counts(std::vector<std::uint32_t>{7, 0, 2}), ElementsAre("G3: 2 of 3", "C2: 1 of 1"));
+  EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 4}), "Milk (C2); Offers (wall at the top)");
+  EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 4, 2, 1, 0}), "3 on G3, 1 on wall at the top, 1 on C2");
+  EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 6, 4, 3, 2, 1, 0}),
+            "3 on G3, 1 on T1, 1 on wall at the top, 1 on other places and others");
+}
+
+/// The supermarket with labels of a planogram: article numbers as ids.
+struct Planogram : Supermarket {
+  Planogram() {
+    for (std::size_t k = 0; k < scene.labels.size(); ++k) {
+      scene.labels[k].id = matrix.labels[k].id = fmt::format("40011700{:05}", k);
+      scene.labels[k].description = fmt::format("Sweets {}", k);
+    }
+  }
+};
+
+// Texts that contain an article number as a word, except a cell of its own.
+std::vector<std::string> bare_numbers(const std::string& page) {
+  std::vector<std::string> found;
+  for (const std::string& piece : test::pieces(page)) {
+    const std::size_t at = piece.find("40011700");
+    if (at != std::string::npos && piece.size() != 13) found.push_back(piece);
+  }
+  return found;
+}
+
+TEST(LabelNames, PrecedeArticleNumbersOnThePage) {
+  Planogram s;
+  test::certify(s);
+  s.scene.language = Language::german;
+  const std::string page = report_html(s.input);
+  EXPECT_THAT(bare_numbers(page), testing::IsEmpty());
+  EXPECT_THAT(bare_numbers("<p>label 4001170000012 is weak</p>"), testing::SizeIs(1)) << "the control";
+  // An article number has a cell of its own only in the table of the weakest labels, after the name.
+  const std::string html = test::without_scripts(page);
+  std::size_t cells = 0;
+  for (std::size_t at = 0; (at = html.find("40011700", at)) != std::string::npos; ++at) {
+    const std::size_t row = html.rfind("<tr>", at);
+    EXPECT_NE(html.substr(row, at - row).find("Sweets "), std::string::npos) << html.substr(at, 40);
+    ++cells;
+  }
+  EXPECT_EQ(cells, 20U);
+}
+
+TEST(LabelNames, AreInTheTable) {
+  const Planogram s;
+  const std::string csv = labels_csv(s.input);
+  EXPECT_NE(csv.find(",description,fixture,face,board\n4001170000000,"), std::string::npos);
+  EXPECT_NE(csv.find(",Sweets 0,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shelfbeam
