@@ -74,7 +74,7 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
     const verdict = certificate && verdictOf(certificate, row.id);
     shows(cells[1], Number(byMargin[k].margin_db), `margin ${k}`);
     equal(cells[4].replace(/^[0-9]+: /, ""), row.strongest, `strongest for ${row.id}`);
-    cellsAre(cells, [row.id, Number(margin), signal, needs, , , ...place(row), row.type, verdict], row.id);
+    cellsAre(cells, [row.id, Number(margin), signal, needs, , , ...place(row), row.type, row.id, verdict], row.id);
   });
   const { Placement: found, "Certificate from independent samples": fresh } = facts;
   const gap = (100 * (count - needed)) / count;
