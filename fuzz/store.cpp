@@ -67,7 +67,9 @@ constexpr const char* shapes = R"({
       { "id": "W1", "from": [4, 0], "to": [4, 6], "thickness": 0.12, "height": "ceiling", "material": "red",
         "openings": [ { "at": 1, "width": 0.9, "top": 2.1 }, { "at": 3, "width": 1, "bottom": 1, "top": 2, "pane": "door" } ] },
       { "id": "W2", "from": [4, 6], "to": [1, 6], "thickness": 0.2, "height": 2.2 },
-      { "id": "W3", "from": [13, 12], "to": [20, 5.9], "thickness": 0.1, "height": 3 } ] },
+      { "id": "W3", "from": [13, 12], "to": [20, 5.9], "thickness": 0.1, "height": 3 } ],
+    "openings": [ { "wall": 0, "at": 1, "width": 1, "bottom": 0.8, "top": 2.4, "material": "door", "repeat": { "count": 3, "pier": 0.4 } },
+                  { "wall": 2, "at": 4, "width": 1.1, "top": 2.1 } ] },
   "presets": {
     "base": { "type": "gondola", "depth": 0.5, "height": 1.8, "material": "white", "shelves": [0.3, 0.8], "faces": ["front"],
               "labels": { "type": "l", "count": 2, "level_types": { "2": "m" } } },
@@ -103,7 +105,8 @@ constexpr const char* divided_box = R"({
   "transceiver_types": { "t": { "emission": { "type": "isotropic", "intensity": 0.5 } } },
   "room": { "size": [800, 600, 300], "floor": "m", "ceiling": "m", "walls": { "x0": "m", "x1": "m", "y0": "m", "y1": "m" },
             "zones": [ { "id": "low", "polygon": [[0, 500], [200, 500], [200, 600], [0, 600]], "height": 250 } ],
-            "inner_walls": [ { "id": "W", "from": [500, 0], "to": [600, 100], "height": 200 } ] },
+            "inner_walls": [ { "id": "W", "from": [500, 0], "to": [600, 100], "height": 200 } ],
+            "openings": [ { "wall": "x1", "at": 100, "width": 120, "bottom": 90, "top": 220, "material": "m" } ] },
   "fixtures": [
     { "type": "freezer", "id": "F{n}", "at": [200, 200], "length": 200, "depth": 80, "height": 90, "material": "m",
       "labels": { "type": "l", "count": 2, "faces": ["front", "left"], "on_top": true, "tilt_deg": 60 },

@@ -88,6 +88,24 @@ class PartList {
            {"outline", points(zone.polygon)},
            {"height", zone.height.at(zone.polygon.front())}});
     }
+    add_openings(room);
+  }
+
+  // The first opening of a row is the outline, the others follow.
+  void add_openings(const RoomShape& room) {
+    for (std::size_t r = 0; r < room.openings.size(); ++r) {
+      const OpeningRow& row = room.openings[r];
+      Json lines = Json::array();
+      for (std::size_t k = 0; k < row.count; ++k) {
+        const WallOpening opening = row.opening(k);
+        const auto [from, to] = room.along_wall(row.wall, opening.at, opening.at + opening.width);
+        lines.push_back(points({from, to}));
+      }
+      Json json{{"id", ""}, {"outline", lines.front()}, {"height", row.first.top}};
+      lines.erase(lines.begin());
+      if (!lines.empty()) json["holes"] = std::move(lines);
+      add("opening", "/room/openings/" + std::to_string(r), json);
+    }
   }
 
   void add_fixture(std::size_t f) {

@@ -98,6 +98,29 @@ OuterWall RoomShape::wall(std::size_t k) const {
   return {from, to, {-side * y / length, side * x / length}};
 }
 
+std::array<Vec2, 2> RoomShape::along_wall(std::size_t k, double begin, double end) const {
+  const auto [from, to, inward] = wall(k);
+  const double x = to[0] - from[0], y = to[1] - from[1], length = std::hypot(x, y);
+  const auto point = [&, &start = from](double along) {
+    return Vec2{start[0] + along * x / length, start[1] + along * y / length};
+  };
+  return {point(begin), point(end)};
+}
+
+bool RoomShape::is_open(std::size_t k, const Vec3& p) const {
+  const auto [from, to, inward] = wall(k);
+  const double x = to[0] - from[0], y = to[1] - from[1];
+  const double along = (x * (p.x - from[0]) + y * (p.y - from[1])) / std::hypot(x, y);
+  for (const OpeningRow& row : openings)
+    for (std::size_t n = 0; row.wall == k && n < row.count; ++n) {
+      const WallOpening opening = row.opening(n);
+      if (opening.at < along && along < opening.at + opening.width && opening.bottom < p.z &&
+          p.z < opening.top)
+        return true;
+    }
+  return false;
+}
+
 bool RoomShape::covers(const Vec2& p) const {
   return contains(outline, p) &&
          std::none_of(holes.begin(), holes.end(), [&](const Polygon& hole) { return contains(hole, p); });
@@ -204,6 +227,7 @@ RoomShape RoomShape::scaled(double factor) const {
     raise(zone.height);
   }
   large.inner_walls.clear();  // for drawings only
+  large.openings.clear();
   return large;
 }
 

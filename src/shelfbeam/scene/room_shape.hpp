@@ -36,7 +36,7 @@ struct OuterWall {
   Vec2 inward{};  ///< unit length
 };
 
-/// A hole through an inner wall.
+/// A hole through a wall.
 struct WallOpening {
   double at = 0, width = 0, bottom = 0, top = 0;  ///< m; `at` from the wall's start
   bool has_pane = false;
@@ -55,6 +55,23 @@ struct InnerWall {
   Polygon footprint(double begin, double end) const;
 };
 
+/// Equal openings in a wall of the outline, with piers between them.
+struct OpeningRow {
+  std::size_t wall = 0;   ///< number of the wall
+  WallOpening first;      ///< `at` from the wall's first corner
+  std::size_t count = 1;  ///< at least 1
+  double pier = 0.5;      ///< m, width
+
+  /// m, from the first opening to the end of the last.
+  double length() const { return static_cast<double>(count) * (first.width + pier) - pier; }
+  /// Precondition: k < count.
+  WallOpening opening(std::size_t k) const {
+    WallOpening one = first;
+    one.at += static_cast<double>(k) * (first.width + pier);
+    return one;
+  }
+};
+
 /// The space between the floor at z = 0 and the ceiling.
 struct RoomShape {
   Polygon outline;             ///< wall k runs from corner k to corner k + 1
@@ -62,13 +79,14 @@ struct RoomShape {
   CeilingHeight height;
   std::vector<CeilingZone> zones;
   std::vector<InnerWall> inner_walls;
+  std::vector<OpeningRow> openings;
   /// A box from the origin, with walls named x0, x1, y0, y1; otherwise walls are numbered by corners.
   bool is_box = false;
 
   static RoomShape box(const Vec3& size);
 
-  /// A box with one level ceiling and without inner walls.
-  bool is_plain_box() const { return is_box && zones.empty() && inner_walls.empty(); }
+  /// A box with one level ceiling, without inner walls and openings.
+  bool is_plain_box() const { return is_box && zones.empty() && inner_walls.empty() && openings.empty(); }
   /// Whether the ceiling is the same height above the floor everywhere.
   bool has_one_height() const { return zones.empty() && !height.points; }
   /// Corners of the bounding box, m. That of a box is its size.
@@ -76,6 +94,10 @@ struct RoomShape {
   Vec3 upper() const;
   /// Precondition: k is the number of a wall.
   OuterWall wall(std::size_t k) const;
+  /// The points in plan at two distances from the first corner of a wall.
+  std::array<Vec2, 2> along_wall(std::size_t k, double begin, double end) const;
+  /// Whether a point of a wall is in one of its openings. Precondition: k is the number of a wall.
+  bool is_open(std::size_t k, const Vec3& p) const;
   /// Within the outline and outside the holes.
   bool covers(const Vec2& p) const;
   /// The zone that contains a point of the plan, or nothing.

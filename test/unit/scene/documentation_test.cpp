@@ -51,8 +51,8 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
-  tested["store/variation.md"] = tested["store/room.md"] = tested["store/fixtures.md"] = 1;
-  tested["store/transceivers.md"] = 2;
+  tested["store/variation.md"] = tested["store/fixtures.md"] = 1;
+  tested["store/room.md"] = tested["store/transceivers.md"] = 2;
   tested["store/labels.md"] = 3;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 2}}));
@@ -120,6 +120,10 @@ TEST(Documentation, ExampleOfARoomIsAccepted) {
   const Scene scene = test::scene_of(store);
   EXPECT_EQ(scene.room->upper(), (Vec3{20, 14, 3.2}));
   EXPECT_EQ(scene.fixtures.size(), 1u) << "the inner wall";
+  store["room"] = Json::parse(fenced_blocks("store/room.md", "jsonc").at(1), nullptr, true, true);
+  const RoomShape with_openings = *test::scene_of(store).room;
+  ASSERT_EQ(with_openings.openings.size(), 2u);
+  EXPECT_NEAR(with_openings.openings[1].first.at + with_openings.openings[1].length(), 10.6, 1e-12);
 }
 
 TEST(Documentation, ExampleOfFixturesIsAccepted) {
@@ -301,6 +305,7 @@ TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
       {"room", {"store/room.md"}},
       {"zones", {"store/room.md"}},
       {"inner_walls", {"store/room.md"}},
+      {"openings", {"store/room.md"}},
       {"material", materials},
       {"smooth", materials},
       {"facets", materials},

@@ -4,7 +4,8 @@ import type { EditOp, Json, JsonObject } from "./json";
 
 export type Point = [number, number];
 
-export type PartKind = "room" | "wall" | "zone" | "fixture" | "keep_out" | "area" | "rail" | "grid" | "faces";
+export type PartKind =
+  "room" | "wall" | "opening" | "zone" | "fixture" | "keep_out" | "area" | "rail" | "grid" | "faces";
 
 /** The resolved outline of an element, or of one copy of it. */
 export interface Part {
@@ -16,6 +17,7 @@ export interface Part {
   id: string;
   form?: string;
   outline: Point[];
+  /** Of a room; of a row of openings, those behind the first. */
   holes?: Point[][];
   height?: number;
   rotation?: number;

@@ -8,6 +8,7 @@ export type ElementKind = PartKind | "label" | "unit";
 export const lists: { kind: ElementKind; list: string }[] = [
   { kind: "zone", list: "/room/zones" },
   { kind: "wall", list: "/room/inner_walls" },
+  { kind: "opening", list: "/room/openings" },
   { kind: "fixture", list: "/fixtures" },
   { kind: "label", list: "/labels" },
   { kind: "area", list: "/transceivers/areas" },

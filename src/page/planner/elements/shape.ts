@@ -99,6 +99,7 @@ export function shapeOf(kind: ElementKind, value: JsonObject): Shape {
     case "keep_out":
       return { ...fixedShape, points: points("polygon"), rectangle: value.polygon === undefined };
     case "faces":
+    case "opening":
       return { ...fixedShape, fixed: "follows" };
   }
 }

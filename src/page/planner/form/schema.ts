@@ -206,6 +206,7 @@ const elementDefinitions: Record<Exclude<ElementKind, "fixture">, string> = {
   room: "room",
   zone: "zones",
   wall: "inner_walls",
+  opening: "openings",
   label: "label",
   unit: "transceiver",
   grid: "grid",
@@ -233,8 +234,17 @@ export function groupOfElement(kind: ElementKind, fixtureType: string): Group | 
   const part = isObject(definition.items) ? definition.items : definition;
   return cached(name, () => {
     const group = groupOf(part, unitKinds.has(kind));
-    return kind === "fixture" ? withPreset(group) : group;
+    return kind === "fixture" ? withPreset(group) : kind === "room" ? without(group, "openings") : group;
   });
+}
+
+/** Openings of outer walls are elements of their own, unlike those of an inner wall. */
+function without(group: Group, key: string): Group {
+  const variants = group.variants.map((variant) => ({
+    ...variant,
+    fields: variant.fields.filter((field) => field.key !== key),
+  }));
+  return { ...group, variants };
 }
 
 /** A fixture may also name a preset, which the definitions of the types leave out. */

@@ -8,7 +8,18 @@ import { isOpenLine, itemOf } from "../view/hit";
 import { pathOf, svg } from "./svg";
 
 /** From the lowest to the uppermost. */
-const order: Part["kind"][] = ["room", "zone", "area", "keep_out", "fixture", "wall", "grid", "rail", "faces"];
+const order: Part["kind"][] = [
+  "room",
+  "opening",
+  "zone",
+  "area",
+  "keep_out",
+  "fixture",
+  "wall",
+  "grid",
+  "rail",
+  "faces",
+];
 
 /** Pixels per m. Dashes of long lines take seconds to draw if almost all of the line is outside of the picture. */
 const closeScale = 300;

@@ -12,9 +12,9 @@ import { levelOf, type Layers } from "./layers";
 import type { Item } from "./selection";
 
 /** Kinds that are found at their lines only, because other elements lie inside them. */
-const lineKinds = new Set<Part["kind"]>(["room", "zone", "area", "rail", "grid", "faces"]);
+const lineKinds = new Set<Part["kind"]>(["room", "zone", "area", "rail", "grid", "faces", "opening"]);
 
-export const isOpenLine = ({ kind }: Part): boolean => kind === "rail";
+export const isOpenLine = ({ kind }: Part): boolean => kind === "rail" || kind === "opening";
 
 export function itemOf(part: Part): Item {
   return part.locked || part.path === null
@@ -79,6 +79,7 @@ export function partAt(parts: readonly Part[], point: Point, reach: number, laye
     const isOn = outlines.some((outline) => distanceTo(outline, point, isOpenLine(part)) <= reach);
     if (!isOn && (isLine || !contains(part.outline, point))) continue;
     // Lines come after surfaces, unless the point is on the line alone.
+    // An opening has no area, so it comes before the room.
     const own = isLine ? 1e9 + area(part.outline) : area(part.outline);
     if (own < rank) [found, rank] = [part, own];
   }

@@ -17,6 +17,7 @@ export const layers: Exclude<Layer, Level>[] = [
   "label",
   "fixture",
   "wall",
+  "opening",
   "zone",
   "room",
   "area",

@@ -1,10 +1,13 @@
 #include "shelfbeam/report/drawing/plan_view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "shelfbeam/report/data/scale.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
@@ -12,6 +15,22 @@ namespace shelfbeam {
 namespace {
 
 constexpr double drawing_width = 1000, drawing_height = 1300;  // drawing units, around the room
+
+// A gap in the line of an outer wall where the opening is at `section_height`, and its pane at any height.
+void draw_opening(SvgCanvas& canvas, const PlanView& view, const RoomShape& room, std::size_t wall,
+                  const WallOpening& opening) {
+  constexpr double half = 2.5, jamb = 5;  // drawing units
+  const auto [from, to] = room.along_wall(wall, opening.at, opening.at + opening.width);
+  const Vec2 inward = room.wall(wall).inward;
+  const Point a = view.at(from[0], from[1]), b = view.at(to[0], to[1]);
+  const auto beside = [&](const Point& p, double by) {
+    return Point{p.x + by * inward[0], p.y - by * inward[1]};
+  };
+  if (opening.bottom <= section_height && section_height < opening.top)
+    canvas.polygon(std::array{beside(a, -half), beside(b, -half), beside(b, half), beside(a, half)}, "hole");
+  for (const Point& end : {a, b}) canvas.line(beside(end, -jamb), beside(end, jamb), "tick");
+  if (opening.has_pane) canvas.line(a, b, "pane");
+}
 
 }  // namespace
 
@@ -47,6 +66,8 @@ void PlanView::draw_floor(SvgCanvas& canvas, const std::optional<RoomShape>& roo
   if (!room) return;
   for (const Polygon& hole : room->holes) canvas.polygon(outline(hole), "floor hole");
   for (const CeilingZone& zone : room->zones) canvas.polygon(outline(zone.polygon), "zone", zone.id);
+  for (const OpeningRow& row : room->openings)
+    for (std::size_t k = 0; k < row.count; ++k) draw_opening(canvas, *this, *room, row.wall, row.opening(k));
 }
 
 void PlanView::draw_axes(SvgCanvas& canvas) const {

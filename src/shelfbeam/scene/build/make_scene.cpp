@@ -158,6 +158,12 @@ class SceneMaker {
 
   void add_room() {
     if (!store_.room) return;
+    for (std::size_t o = 0; o < store_.room->openings.size(); ++o)
+      attempt([&] {
+        if (const auto& material = store_.room->openings[o])
+          expect_pane(scene_.materials[material->value],
+                      fmt::format("{}: room.openings[{}].material", store_.file, o));
+      });
     scene_.room = store_.room->shape;
     wall_surfaces_ = add_shell(*store_.room, scene_.mesh);
   }

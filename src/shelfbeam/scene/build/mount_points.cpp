@@ -91,9 +91,12 @@ struct FacePaths {
   std::vector<Run> runs;
   double bottom = -HUGE_VAL, top = HUGE_VAL;  // m
   std::span<const Part> wall_parts;           // of an inner wall, which may have openings
+  const RoomShape* room = nullptr;            // of an outer wall, which may have openings
+  std::size_t wall = 0;                       // its number
 
   bool has_face(const Vec3& behind) const {
     if (behind.z < bottom || behind.z > top) return false;
+    if (room != nullptr && room->is_open(wall, behind)) return false;
     return wall_parts.empty() || std::any_of(wall_parts.begin(), wall_parts.end(), [&](const Part& part) {
              return part.bottom <= behind.z && behind.z <= part.top &&
                     contains(part.footprint, {behind.x, behind.y});
@@ -273,11 +276,11 @@ class Generator {
     if (const auto* k = std::get_if<std::size_t>(&mount.on)) {
       const auto [from, to, inward] = scene_.room->wall(*k);
       Path path({{from[0], from[1], mount.z}, {to[0], to[1], mount.z}});
-      return {{{std::move(path), {inward}}}, -HUGE_VAL, HUGE_VAL, {}};
+      return {{{std::move(path), {inward}}}, -HUGE_VAL, HUGE_VAL, {}, &*scene_.room, *k};
     }
     const auto index = static_cast<std::uint32_t>(fixture_index_.at(std::get<std::string>(mount.on)));
     const FixtureOutline& fixture = scene_.fixtures[index];
-    FacePaths face{{}, HUGE_VAL, -HUGE_VAL, {}};
+    FacePaths face{{}, HUGE_VAL, -HUGE_VAL, {}, nullptr, 0};
     add_runs(fixture.footprint, mount, face.runs);
     Part sought;
     sought.fixture = index;

@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <set>
+#include <span>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -24,6 +27,12 @@ void expect_pane(const NamedMaterial& material, const std::string& where) {
         where,
         fmt::format("{} is a solid 'dielectric', but a pane has no thickness", in_quotes(material.name)),
         "use a 'thin_dielectric', which models a whole pane");
+}
+
+void expect_outer_panes(const Room& room, std::span<const NamedMaterial> materials, const std::string& file) {
+  for (std::size_t o = 0; o < room.openings.size(); ++o)
+    if (const auto& material = room.openings[o])
+      expect_pane(materials[material->value], fmt::format("{}: room.openings[{}].material", file, o));
 }
 
 namespace {

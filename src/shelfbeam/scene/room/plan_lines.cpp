@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "shelfbeam/math/polygon.hpp"
@@ -23,7 +24,7 @@ class PlanReader {
     PlanLines lines;
     for (std::size_t w = 0; w < shape_.inner_walls.size(); ++w) lines.inner_walls.push_back(footprints_of(w));
     lines.polygons = shape_.holes;
-    lines.polygons.push_back(shape_.outline);
+    lines.polygons.push_back(outline());
     for (const CeilingZone& zone : shape_.zones) lines.polygons.push_back(zone.polygon);
     for (const auto& [wall, openings] : lines.inner_walls) {
       lines.polygons.push_back(wall);
@@ -34,6 +35,31 @@ class PlanReader {
   }
 
  private:
+  // The outline with corners where openings begin and end.
+  Polygon outline() const {
+    if (shape_.openings.empty()) return shape_.outline;
+    Polygon with_ends;
+    for (std::size_t k = 0; k < shape_.outline.size(); ++k) {
+      const auto [from, to, inward] = shape_.wall(k);
+      const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+      std::set<double> ends;
+      for (const OpeningRow& row : shape_.openings)
+        for (std::size_t n = 0; row.wall == k && n < row.count; ++n) {
+          const WallOpening opening = row.opening(n);
+          ends.insert({opening.at, opening.at + opening.width});
+        }
+      constexpr double same = 1e-6;  // m
+      double last = 0;
+      with_ends.push_back(from);
+      for (const double end : ends)
+        if (end > last + same && end < length - same) {
+          with_ends.push_back(shape_.along_wall(k, end, end).front());
+          last = end;
+        }
+    }
+    return with_ends;
+  }
+
   PlanLines::Footprints footprints_of(std::size_t w) const {
     const InnerWall& wall = shape_.inner_walls[w];
     const auto [begin, end] = ends_of(shape_, w);

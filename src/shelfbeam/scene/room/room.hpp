@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct Room {
   };
   std::vector<WallMaterials> inner_walls;  ///< by inner wall of the shape
 
+  std::vector<std::optional<MaterialId>> openings;  ///< by row of the shape: of panes and door leaves
+
   static Room box(const Vec3& size, MaterialId material);
 
   void fields(Fields& f);
@@ -45,11 +48,15 @@ struct Room {
   void zone_fields(Fields& f, std::size_t k);
   void inner_wall_fields(Fields& f, std::size_t k);
   void opening_fields(Fields& f, std::size_t wall, std::size_t k);
+  void outer_opening_fields(Fields& f, std::size_t k);
 
  private:
   void box_walls(Fields& f);
   void outline_walls(Fields& f);
 };
+
+/// The keys of `repeat` of an opening in an outer wall.
+void describe_repeat(OpeningRow& row, Fields& f);
 
 /// Collects the problems of the room, and returns nothing if there are any.
 std::optional<Room> read_room(const JsonCursor& json, const StoreNames& names, Problems& problems);
@@ -64,6 +71,9 @@ void add_wall_parts(const Room& room, std::size_t wall, const TriangleRange& sur
 
 /// Throws InputError for a solid dielectric, because a pane has no thickness.
 void expect_pane(const NamedMaterial& material, const std::string& where);
+
+/// The same for the openings in outer walls of a store file.
+void expect_outer_panes(const Room& room, std::span<const NamedMaterial> materials, const std::string& file);
 
 /// Adds the surfaces of the room to an empty mesh. They form a closed surface: triangles meet vertex to
 /// vertex, also where ceilings of different heights, inner walls and openings meet. Walls and

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,6 +20,9 @@ namespace shelfbeam {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// The walls of a box, in the order of their numbers.
+constexpr std::array<std::string_view, 4> box_wall_names{"y0", "x1", "y1", "x0"};
 
 // Reading compares the parts of a room with one another.
 constexpr std::size_t max_parts = 1000;
@@ -40,6 +45,23 @@ Json height_json(const CeilingHeight& height) {
   Json points = Json::array();
   for (const Vec3& p : *height.points) points.push_back({p.x, p.y, p.z});
   return points;
+}
+
+void describe_outer_wall(Fields& f, std::size_t& wall) {
+  const CustomValue value{
+      [&](const JsonCursor& json) {
+        if (json.is_string())
+          wall = static_cast<std::size_t>(
+              std::find(box_wall_names.begin(), box_wall_names.end(), json.choice(box_wall_names)) -
+              box_wall_names.begin());
+        else
+          wall = static_cast<std::size_t>(json.integer(0, max_parts - 1));
+      },
+      [&] { return Json(wall); },
+      R"({"oneOf": [{"type": "integer", "minimum": 0, "maximum": 999}, {"enum": ["y0", "x1", "y1", "x0"]}]})"};
+  f.custom("wall", value,
+           {.says = "number of a wall as for `wall_materials`, or the name of a wall of a box: `\"y0\"`, "
+                    "`\"x1\"`, `\"y1\"` and `\"x0\"` have the numbers 0 to 3"});
 }
 
 // The key of a list of parts of the room.
@@ -77,7 +99,33 @@ void describe_holes(Fields& f, std::vector<Polygon>& holes) {
        .is_written = !holes.empty()});
 }
 
+void describe_opening(Fields& f, WallOpening& opening, std::string_view at_says) {
+  f.scalar("at", Scalar::distance, opening.at, {.says = at_says});
+  f.length("width", opening.width, {.says = "width of the opening"});
+  f.scalar("bottom", Scalar::distance, opening.bottom,
+           {.says = "height of the lower edge", .is_optional = true});
+  f.length("top", opening.top, {.says = "height of the upper edge"});
+}
+
+void describe_pane(Fields& f, std::string_view key, std::string_view says, std::string_view otherwise,
+                   WallOpening& opening, std::optional<MaterialId>& pane) {
+  MaterialId material = pane.value_or(MaterialId{});
+  if (f.material(
+          key, material,
+          {.says = says, .is_optional = true, .otherwise = otherwise, .is_written = pane.has_value()})) {
+    pane = material;
+    opening.has_pane = true;
+  }
+}
+
 }  // namespace
+
+void describe_repeat(OpeningRow& row, Fields& f) {
+  auto count = static_cast<std::int64_t>(row.count);
+  if (f.integer("count", count, {.says = "number of openings", .least = 1, .most = max_parts}))
+    row.count = static_cast<std::size_t>(count);
+  f.length("pier", row.pier, {.says = "width of the wall between two of them"});
+}
 
 void Room::fields(Fields& f) {
   f.either(
@@ -111,6 +159,10 @@ void Room::fields(Fields& f) {
       "inner_walls", shape.inner_walls.size(),
       [this](Fields& wall, std::size_t k) { inner_wall_fields(wall, k); },
       parts_field("[walls in the room](#inner-walls)", shape.inner_walls.size()));
+  f.objects(
+      "openings", shape.openings.size(),
+      [this](Fields& opening, std::size_t k) { outer_opening_fields(opening, k); },
+      parts_field("[doors and windows in the outer walls](#openings-in-outer-walls)", shape.openings.size()));
 }
 
 void Room::box_walls(Fields& f) {
@@ -197,30 +249,36 @@ void Room::inner_wall_fields(Fields& f, std::size_t k) {
 }
 
 void Room::opening_fields(Fields& f, std::size_t wall, std::size_t k) {
-  auto& openings = shape.inner_walls[wall].openings;
+  auto& of_wall = shape.inner_walls[wall].openings;
   auto& panes = inner_walls[wall].panes;
-  if (k == openings.size()) {
-    openings.emplace_back();
+  if (k == of_wall.size()) {
+    of_wall.emplace_back();
     panes.emplace_back();
   }
-  WallOpening& opening = openings[k];
-  auto& pane = panes[k];
-  f.scalar("at", Scalar::distance, opening.at,
-           {.says = "distance along the wall from `from` to the opening"});
-  f.length("width", opening.width, {.says = "width of the opening"});
-  f.scalar("bottom", Scalar::distance, opening.bottom,
-           {.says = "height of the lower edge", .is_optional = true});
-  f.length("top", opening.top, {.says = "height of the upper edge"});
-  MaterialId material = pane.value_or(MaterialId{});
-  if (f.material("pane", material,
-                 {.says = "material of a pane in the middle of the wall, usually a `thin_dielectric`; not a "
-                          "solid `dielectric`",
-                  .is_optional = true,
-                  .otherwise = "none",
-                  .is_written = pane.has_value()})) {
-    pane = material;
-    opening.has_pane = true;
+  describe_opening(f, of_wall[k], "distance along the wall from `from` to the opening");
+  describe_pane(f, "pane",
+                "material of a pane in the middle of the wall, usually a `thin_dielectric`; not a solid "
+                "`dielectric`",
+                "none", of_wall[k], panes[k]);
+}
+
+void Room::outer_opening_fields(Fields& f, std::size_t k) {
+  if (k == shape.openings.size()) {
+    shape.openings.emplace_back();
+    openings.emplace_back();
   }
+  OpeningRow& row = shape.openings[k];
+  describe_outer_wall(f, row.wall);
+  describe_opening(f, row.first, "distance along the wall from its first corner to the opening");
+  describe_pane(f, "material",
+                "material of the pane or the door leaf, usually a `thin_dielectric`; not a solid "
+                "`dielectric`; light that leaves the room does not return",
+                "none: the opening is open to the outside", row.first, openings[k]);
+  f.object("repeat", [&](Fields& repeat) { describe_repeat(row, repeat); },
+           {.says = "several equal openings with [piers](#rows-with-piers) between them",
+            .is_optional = true,
+            .otherwise = "one opening",
+            .is_written = row.count > 1});
 }
 
 }  // namespace shelfbeam

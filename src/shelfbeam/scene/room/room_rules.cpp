@@ -94,6 +94,7 @@ class RoomRules {
       if (!shape_.is_box) expect_headroom(json["height"], shape_.height, shape_.outline);
       effort_.add_corners(shape_.outline, json);
     });
+    has_outline_ = has_plan_;
     reader_.rule({"outline", "wall_materials"}, [&] { check_wall_numbers(json); });
     has_plan_ = has_plan_ && reader_.rule({"holes"}, [&] {
       if (const auto holes = json.find("holes")) check_holes(*holes);
@@ -103,6 +104,7 @@ class RoomRules {
     has_plan_ = has_plan_ && has_zones;
     each("inner_walls", shape_.inner_walls.size(),
          [&](const JsonCursor& at, std::size_t k) { check_wall(at, k); });
+    each("openings", shape_.openings.size(), [&](const JsonCursor& at, std::size_t k) { check_row(at, k); });
     if (has_plan_ && reader_.problems().failures() == failures)
       reader_.rule({}, [&] { expect_few_lines(json, shape_); });
   }
@@ -206,6 +208,68 @@ class RoomRules {
         json.fail("overlaps another opening of the wall", "move one of the two");
   }
 
+  void check_row(const JsonCursor& json, std::size_t number) {
+    const OpeningRow& row = shape_.openings[number];
+    if (row.first.top <= row.first.bottom) json["top"].fail("is not above 'bottom'", "swap or correct them");
+    constexpr std::size_t most = 1000;
+    openings_ += row.count;
+    if (openings_ > most)
+      json.fail(fmt::format("is one of more than {} openings", grouped(most)), "use fewer or larger ones");
+    if (!has_outline_) return;
+    if (json["wall"].is_string() && !shape_.is_box)
+      json["wall"].fail("is the name of a wall of a box, but the room has an 'outline'", "use its number");
+    if (row.wall >= shape_.outline.size())
+      json["wall"].fail("is not the number of a wall",
+                        fmt::format("the room has the walls 0 to {}", shape_.outline.size() - 1));
+    const auto [from, to, inward] = shape_.wall(row.wall);
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const auto text = [&](double metres) { return length_text(metres, json.unit()); };
+    const double end = row.first.at + row.length();
+    if (end > length + rule_slack)
+      json.fail(fmt::format("extends from {} to {}, but wall {} is {} long", text(row.first.at), text(end),
+                            row.wall, text(length)),
+                row.count > 1 ? "keep the openings within their wall" : "keep the opening within its wall");
+    for (std::size_t k = 0; has_plan_ && k < row.count; ++k)
+      expect_beside_room(json, row.wall, row.opening(k));
+    for (std::size_t other = 0; other < number; ++other)
+      if (overlap(row, shape_.openings[other]))
+        json.fail(fmt::format("overlaps openings[{}]", other), "move one of the two");
+  }
+
+  static bool overlap(const OpeningRow& row, const OpeningRow& other) {
+    if (row.wall != other.wall || row.first.bottom >= other.first.top || other.first.bottom >= row.first.top)
+      return false;
+    for (std::size_t k = 0; k < row.count; ++k)
+      for (std::size_t n = 0; n < other.count; ++n) {
+        const WallOpening one = row.opening(k), two = other.opening(n);
+        if (one.at < two.at + two.width - rule_slack && two.at < one.at + one.width - rule_slack) return true;
+      }
+    return false;
+  }
+
+  // The ceiling over the opening counts, and no hole may be there.
+  void expect_beside_room(const JsonCursor& json, std::size_t wall, const WallOpening& opening) {
+    constexpr double depth = 1e-3;
+    const Vec2 inward = shape_.wall(wall).inward;
+    const auto [a, b] = shape_.along_wall(wall, opening.at, opening.at + opening.width);
+    const auto inside = [&](const Vec2& p) {
+      return Vec2{p[0] + depth * inward[0], p[1] + depth * inward[1]};
+    };
+    const Polygon strip{a, b, inside(b), inside(a)};
+    effort_.divide(shape_, strip, json);
+    const std::vector<PlanPart> parts = plan_parts(shape_, strip);
+    const bool is_cut_off = std::any_of(parts.begin(), parts.end(), [&](const PlanPart& part) {
+      return part.ceiling == nullptr &&
+             std::any_of(part.points.begin(), part.points.end(), [&](const Vec2& p) {
+               return contains(shape_.outline, p) && distance_to_border(shape_.outline, p) > depth / 2;
+             });
+    });
+    if (is_cut_off) json.fail("is in a part of its wall that a hole cuts off", "move it");
+    if (const double ceiling = lowest_ceiling(parts); opening.top > ceiling + rule_slack)
+      json["top"].fail(fmt::format("is above the ceiling of {}", length_text(ceiling, json.unit())),
+                       "lower it");
+  }
+
   void expect_within_room(const JsonCursor& json, const InnerWall& wall, const WallOpening& opening) {
     const Polygon footprint = wall.footprint(opening.at, opening.at + opening.width);
     effort_.divide(shape_, footprint, json);
@@ -219,7 +283,9 @@ class RoomRules {
 
   FieldReader& reader_;
   const RoomShape& shape_;
-  bool has_plan_ = true;       // the outline, holes and zones so far are right
+  bool has_plan_ = true;  // the outline, holes and zones so far are right
+  bool has_outline_ = true;
+  std::size_t openings_ = 0;   // in outer walls, so far
   std::set<std::string> ids_;  // of the list so far
   PlanEffort effort_;
 };

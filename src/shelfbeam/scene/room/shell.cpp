@@ -16,6 +16,7 @@ namespace {
 
 // In m: heights at points of the plan, which lie on a grid, are less exact than the points.
 constexpr double height_rounding = 1e-6;
+constexpr double plan_rounding = 2e-6;  // of points on walls, where ends of openings are merged
 
 /// The material of triangles and the inner wall to which they belong.
 struct Surface {
@@ -55,6 +56,7 @@ class RoomShell {
         for (const Gap& gap : column_of(t).gaps)
           for (const CeilingHeight* end : {&gap.low, &gap.high}) add_level(point, *end);
       }
+    add_openings();
   }
 
   std::vector<TriangleRange> build() {
@@ -136,6 +138,38 @@ class RoomShell {
     gaps = std::move(left);
   }
 
+  // The openings of the outer walls, and their levels at all points of the plan on them.
+  void add_openings() {
+    openings_.resize(shape_.outline.size());
+    for (std::size_t r = 0; r < shape_.openings.size(); ++r) {
+      const OpeningRow& row = shape_.openings[r];
+      for (std::size_t n = 0; n < row.count; ++n)
+        openings_[row.wall].push_back({row.opening(n), room_.openings[r]});
+    }
+    for (std::size_t k = 0; k < openings_.size(); ++k) {
+      auto& on_wall = openings_[k];
+      if (on_wall.empty()) continue;
+      std::sort(on_wall.begin(), on_wall.end(), [](const OuterOpening& a, const OuterOpening& b) {
+        return a.opening.bottom < b.opening.bottom;
+      });
+      for (std::uint32_t point = 0; point < map_.points.size(); ++point)
+        if (const auto along = distance_along(k, map_.points[point]))
+          for (const auto& [opening, material] : on_wall)
+            if (opening.at - plan_rounding < *along && *along < opening.at + opening.width + plan_rounding) {
+              add_level(point, {opening.bottom, {}});
+              add_level(point, {opening.top, {}});
+            }
+    }
+  }
+
+  // From the first corner of a wall to a point on it.
+  std::optional<double> distance_along(std::size_t k, const Vec2& p) const {
+    const auto [from, to, inward] = shape_.wall(k);
+    const double x = p[0] - from[0], y = p[1] - from[1];
+    if (std::abs(x * inward[0] + y * inward[1]) > plan_rounding) return {};
+    return (x * (to[0] - from[0]) + y * (to[1] - from[1])) / std::hypot(to[0] - from[0], to[1] - from[1]);
+  }
+
   void add_level(std::uint32_t point, const CeilingHeight& height) {
     const double z = height.at(map_.points[point]);
     std::vector<double>& levels = levels_[point];
@@ -199,7 +233,7 @@ class RoomShell {
     const Vec2 middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
     const double low = from.at(middle), high = to.at(middle);
     if (low >= high - height_rounding) return;
-    if (!far.is_room) return add_strip(u, v, from, to, {outer_material(middle)});
+    if (!far.is_room) return add_outer_side(u, v, from, to);
     const double ceiling = far.wall ? far.ceiling.at(middle) : low;
     const Surface fascia{far.zone != nullptr    ? far.zone->fascia
                          : near.zone != nullptr ? near.zone->fascia
@@ -211,11 +245,35 @@ class RoomShell {
     add_strip(u, v, far.ceiling, to, fascia);
   }
 
-  MaterialId outer_material(const Vec2& at) const {
+  // A surface of a wall of the outline or of a hole, with openings in the former.
+  void add_outer_side(std::uint32_t u, std::uint32_t v, const CeilingHeight& from, const CeilingHeight& to) {
+    const Vec2 &a = map_.points[u], &b = map_.points[v];
+    const Vec2 middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2};
+    const std::optional<std::size_t> wall = outer_wall(middle);
+    if (!wall) return add_strip(u, v, from, to, {room_.usual_wall});
+    const Surface surface{room_.walls[*wall]};
+    const double high = to.at(middle);
+    CeilingHeight done = from;
+    for (const auto& [opening, material] : openings_[*wall]) {
+      const auto along = distance_along(*wall, middle);
+      if (!along || *along < opening.at || *along > opening.at + opening.width) continue;
+      const double low = done.at(middle);
+      if (opening.top < low + height_rounding || opening.bottom > high - height_rounding) continue;
+      const CeilingHeight bottom = opening.bottom > low ? CeilingHeight{opening.bottom, {}} : done,
+                          top = opening.top < high - height_rounding ? CeilingHeight{opening.top, {}} : to;
+      add_strip(u, v, done, bottom, surface);
+      if (material) add_strip(u, v, bottom, top, {*material});
+      done = top;
+    }
+    add_strip(u, v, done, to, surface);
+  }
+
+  // The wall of the outline at a point; nothing if the wall is that of a hole.
+  std::optional<std::size_t> outer_wall(const Vec2& at) const {
     const double least = distance_to_border(shape_.outline, at);
     for (const Polygon& hole : shape_.holes)
-      if (distance_to_border(hole, at) < least) return room_.usual_wall;
-    return room_.walls[nearest_edge(shape_.outline, at)];
+      if (distance_to_border(hole, at) < least) return {};
+    return nearest_edge(shape_.outline, at);
   }
 
   // A strip between two vertical lines, with a vertex at each level on them.
@@ -251,6 +309,11 @@ class RoomShell {
     }
   }
 
+  struct OuterOpening {
+    WallOpening opening;
+    std::optional<MaterialId> material;
+  };
+
   struct Triangles {
     std::vector<std::array<std::uint32_t, 3>> corners;
     std::vector<MaterialId> materials;
@@ -262,8 +325,9 @@ class RoomShell {
   std::vector<Triangles> of_walls_;                // by inner wall; they follow those of the room
   std::vector<PlanLines::Footprints> footprints_;  // by inner wall
   PlanarMap map_;
-  std::vector<Column> columns_;              // by face of the map
-  std::vector<std::vector<double>> levels_;  // by point of the map, ascending
+  std::vector<Column> columns_;                      // by face of the map
+  std::vector<std::vector<OuterOpening>> openings_;  // by wall, upwards
+  std::vector<std::vector<double>> levels_;          // by point of the map, ascending
   std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> vertices_;
 };
 

@@ -39,6 +39,23 @@ TEST(RoomDrawing, CutsInnerWallsAtDoorsAndWindows) {
   EXPECT_EQ(of_class(svg, "solid").size(), 2U);
 }
 
+TEST(RoomDrawing, ShowsOpeningsOfOuterWalls) {
+  Store store = test::corner_shop_store();
+  const auto drawn = [&](const char* css_class) {
+    return of_class(floor_plan_svg(make_scene(store)), css_class).size();
+  };
+  const std::size_t panes = drawn("pane"), ticks = drawn("tick");
+  EXPECT_EQ(drawn("hole"), 0U) << "negative control";
+  // Two windows with a pier, a high window, and an open door.
+  store.room->shape.openings = {{0, {1, 1, 0.8, 2.4, true}, 2, 0.4},
+                                {0, {4, 1, 2, 2.4, true}, 1, 0.4},
+                                {0, {6, 1, 0, 2.1, false}, 1, 0.4}};
+  store.room->openings = {MaterialId{0}, MaterialId{0}, std::nullopt};
+  EXPECT_EQ(drawn("hole"), 3U) << "without the high window, which is above the section";
+  EXPECT_EQ(drawn("pane"), panes + 3);
+  EXPECT_EQ(drawn("tick"), ticks + 8) << "their jambs";
+}
+
 TEST(RoomDrawing, CountsAndNamesZonesAndInnerWalls) {
   const std::string text = test::read_markup(floor_plan_svg(make_scene(test::corner_shop_store()))).text;
   EXPECT_NE(text.find("12 × 10 × 3.2 m · 4 fixtures · 2 inner walls · 1 ceiling zone · "), std::string::npos);

@@ -90,7 +90,7 @@ TEST(Description, SchemaIsUpToDate) {
              "mesh provides them."}};
   room.update(test::schema_of(fields_of(Room{})));
   for (Json& form : room["oneOf"])
-    for (const char* list : {"zones", "inner_walls"}) {
+    for (const char* list : {"zones", "inner_walls", "openings"}) {
       schema["$defs"][list] = form["properties"][list];
       form["properties"][list] = {{"$ref", std::string("#/$defs/") + list}};
     }
@@ -161,6 +161,12 @@ TEST(Description, TablesAreUpToDate) {
     with_wall.shape.inner_walls.emplace_back();
     with_wall.inner_walls.emplace_back();
     with_wall.opening_fields(fields, 0, 0);
+  });
+  replace_table(room, "## Openings in outer walls",
+                [](Fields& fields) { Room{}.outer_opening_fields(fields, 0); });
+  replace_table(room, "### Rows with piers", [](Fields& fields) {
+    OpeningRow row;
+    describe_repeat(row, fields);
   });
   expect_file(pages + "room.md", room);
   std::string label_types = read_file(pages + "label_types.md");

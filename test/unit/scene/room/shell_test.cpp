@@ -132,6 +132,14 @@ class RandomRooms {
                                      {"from", point()},
                                      {"to", point()},
                                      {"openings", {{{"at", 1}, {"width", 0.5}, {"top", 2.1}}}}});
+    room["openings"] = Json::array();
+    for (int wall = 0; wall < 2; ++wall)
+      room["openings"].push_back({{"wall", wall},
+                                  {"at", tenth(upto(4))},
+                                  {"width", 0.1 + tenth(upto(3))},
+                                  {"bottom", tenth(upto(1))},
+                                  {"top", 2.4},
+                                  {"material", "tile"}});
     return room;
   }
 
