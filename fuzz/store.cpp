@@ -87,6 +87,8 @@ constexpr const char* shapes = R"({
   "labels": [ { "id": "L", "description": "Offers", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "l" } ],
   "planogram": { "file": "planogram.csv", "type": "m", "hook": 0.02, "tilt_deg": 9,
     "fixtures": [ { "fixtures": "A*", "type": "l", "hook": 0.1 }, { "fixtures": "F", "tilt_deg": 30 } ] },
+  "measuring_planes": [ { "id": "MP", "type": "l", "origin": [6, 1, 0.5], "axes": [[1, 0, 0], [0, 0.8, 0.6]], "size": [2, 1.5], "spacing": 0.5 },
+                        { "id": "MQ", "type": "l", "origin": [6, 4, 1], "axes": [[0, 1, 0], [1, 0, 0]], "size": [1, 1], "counts": [2, 3], "normal": [0, 0, 1] } ],
   "transceivers": {
     "areas": [ { "type": "t", "area": "room", "spacing": 3, "below_ceiling": 0.05, "axes": [[0, 0, -1], [0.5, 0, -0.866]], "roll_deg": 3 },
                { "type": "t", "area": "low", "spacing": 2, "z": 2.5 }, { "type": "t", "area": "room without zones", "spacing": 4, "z": 2.4 }, { "type": "t", "area": [[13, 11], [15, 11], [15, 13]], "spacing": 1, "z": 3 } ],

@@ -19,7 +19,7 @@ namespace shelfbeam::serve {
 namespace {
 
 // The beginnings of locations in the store file, by kind of source.
-constexpr auto label_lists = std::to_array<std::string_view>({"labels[", "fixtures["});
+constexpr auto label_lists = std::to_array<std::string_view>({"labels[", "fixtures[", "measuring_planes["});
 constexpr auto unit_lists =
     std::to_array<std::string_view>({"transceivers.list[", "transceivers.grids[", "transceivers.areas[",
                                      "transceivers.rails[", "transceivers.on["});

@@ -157,6 +157,15 @@ class PartList {
   void add_mounts() {
     const Store& store = draft_.store;
     const RoomShape* const room = draft_.scene.room ? &*draft_.scene.room : nullptr;
+    for (const auto& [plane, where] : store.measuring_planes) {
+      std::vector<Vec2> outline;
+      double top = plane.origin.z;
+      for (const Vec3& corner : plane.corners()) {
+        outline.push_back({corner.x, corner.y});
+        top = std::max(top, corner.z);
+      }
+      add("plane", pointer(where), {{"id", plane.id}, {"outline", points(outline)}, {"height", top}});
+    }
     for (const auto& [area, where] : store.keep_out)
       add("keep_out", pointer(where),
           {{"id", ""},

@@ -47,6 +47,22 @@ TEST(Mistakes, AreNoticed) {
   EXPECT_THAT(unnoticed(test::other_mistakes()), testing::IsEmpty());
 }
 
+TEST(Mistakes, ReceiversOfAMeasuringPlaneAreInMidAir) {
+  Mistake plane{"", [](test::Json& store) {
+                  store["measuring_planes"] = test::Json::parse(R"([{"id": "P", "type": "standard",
+                    "origin": [6, 2, 1.2], "axes": [[1, 0, 0], [0, 1, 0]], "size": [0.4, 0.4], "counts": [1, 1]}])");
+                  store["measuring_planes"][0]["type"] = store["label_types"].begin().key();
+                }};
+  EXPECT_THAT(objections(plane), testing::IsEmpty());
+  const Mistake label{"", [&](test::Json& store) {
+                        plane.make(store);
+                        store.erase("measuring_planes");
+                        store["labels"][0]["position"] = {6.2, 2.2, 1.2};
+                        store["labels"][0]["normal"] = {0, 0, 1};
+                      }};
+  EXPECT_THAT(objections(label), testing::Not(testing::IsEmpty())) << "negative control: a label there";
+}
+
 // The error of a list outside the room names the probable mistake.
 TEST(Mistakes, OfWholeListsAreNamed) {
   for (const auto& [name, cause] : {std::pair("labels with x and y exchanged", "x and y look exchanged"),

@@ -53,7 +53,7 @@ TEST(Documentation, EveryExampleIsTested) {
   for (const std::string& page : pages_of_types) tested[page] = 1;
   tested["store/variation.md"] = tested["store/fixtures.md"] = 1;
   tested["store/room.md"] = tested["store/transceivers.md"] = 2;
-  tested["store/labels.md"] = 3;
+  tested["store/labels.md"] = 4;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 2}}));
 }
@@ -191,6 +191,14 @@ TEST(Documentation, ExampleOfLabelsAtPlacesIsAccepted) {
   EXPECT_EQ(std::count(ids.begin(), ids.end(), "table 2-card"), 1);
 }
 
+TEST(Documentation, ExampleOfAMeasuringPlaneIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store.update(Json::parse(fenced_blocks("store/labels.md", "jsonc").at(3), nullptr, true, true));
+  const auto ids = ids_of(test::scene_of(store));
+  EXPECT_EQ(ids.size(), 2u * 3 * 5 + 4 + 1 + 16 * 12);
+  EXPECT_EQ(ids.back(), "plane-12-16");
+}
+
 TEST(Documentation, ExampleOfAPlanogramIsAccepted) {
   const test::TempFolder folder;
   folder.write("planogram.csv", fenced_blocks("store/labels.md", "csv").at(0));
@@ -325,6 +333,7 @@ TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
       {"box", fixtures},
       {"mesh", fixtures},
       {"label", {"store/labels.md", "store/variation.md"}},
+      {"measuring_plane", {"store/labels.md"}},
       {"transceivers", transceivers},
       {"transceiver", transceivers},
       {"csv_file", {"store/csv.md"}}};

@@ -12,6 +12,7 @@ import { say, text } from "../text";
 const typesOf: Partial<Record<ElementKind, [TypeList, string]>> = {
   fixture: ["presets", "preset"],
   label: ["label_types", "type"],
+  plane: ["label_types", "type"],
   unit: ["transceiver_types", "type"],
   grid: ["transceiver_types", "type"],
   area: ["transceiver_types", "type"],

@@ -7,7 +7,7 @@ export type DeviceKind = "label" | "unit";
 
 /** Where a device comes from; the numbers are those of the protocol. */
 const sources: Record<DeviceKind, (string | null)[]> = {
-  label: ["/labels", "/fixtures", null],
+  label: ["/labels", "/fixtures", "/measuring_planes", null],
   unit: [
     "/transceivers/list",
     "/transceivers/grids",

@@ -5,7 +5,17 @@ import type { EditOp, Json, JsonObject } from "./json";
 export type Point = [number, number];
 
 export type PartKind =
-  "room" | "wall" | "opening" | "zone" | "fixture" | "keep_out" | "area" | "rail" | "grid" | "faces";
+  | "room"
+  | "wall"
+  | "opening"
+  | "zone"
+  | "fixture"
+  | "plane"
+  | "keep_out"
+  | "area"
+  | "rail"
+  | "grid"
+  | "faces";
 
 /** The resolved outline of an element, or of one copy of it. */
 export interface Part {

@@ -11,6 +11,7 @@ export const lists: { kind: ElementKind; list: string }[] = [
   { kind: "opening", list: "/room/openings" },
   { kind: "fixture", list: "/fixtures" },
   { kind: "label", list: "/labels" },
+  { kind: "plane", list: "/measuring_planes" },
   { kind: "area", list: "/transceivers/areas" },
   { kind: "grid", list: "/transceivers/grids" },
   { kind: "rail", list: "/transceivers/rails" },

@@ -165,6 +165,12 @@ function slide({ path, effective, parts: [part], unit }: Context, motion: Motion
   return true;
 }
 
+/** The direction that the receivers of a plane face without `normal`: the first axis x the second. */
+function facingOf({ axes }: JsonObject): number[] {
+  const [a, b] = axes as number[][];
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
 /** `wanted` is in m. The result is why the element stays, or null. */
 export function moveElement(builder: EditBuilder, context: Context, wanted: Motion): Immovable | null {
   const { kind, path, effective, unit, parts } = context;
@@ -188,11 +194,11 @@ export function moveElement(builder: EditBuilder, context: Context, wanted: Moti
       writer.set(shape.turn, sixDigits(wholeTurn(Number(effective.rotation_deg ?? 0) + motion.turn)));
   }
   if (motion.turn !== 0 || motion.mirrors) {
-    for (const pointer of shape.vectors) {
-      const value = valueAt(effective, pointer) as number[];
-      const [x, y] = movedVector(flat(value), motion);
-      writer.set(pointer, [sixDigits(x), sixDigits(y), ...value.slice(2)]);
-    }
+    const turned = (value: number[]) => [...movedVector(flat(value), motion).map(sixDigits), ...value.slice(2)];
+    for (const pointer of shape.vectors) writer.set(pointer, turned(valueAt(effective, pointer) as number[]));
+    // The mirrored axes alone would turn the receivers to the other side.
+    if (kind === "plane" && motion.mirrors && effective.normal === undefined && shape.vectors.length === 2)
+      writer.set("/normal", turned(facingOf(effective)).map(sixDigits));
     if (motion.mirrors) for (const pointer of shape.steps) writer.set(pointer, -Number(valueAt(effective, pointer)));
     if (shape.axes) moveAxes(shape.axes, context, motion, writer);
   }

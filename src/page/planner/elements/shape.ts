@@ -83,6 +83,8 @@ export function shapeOf(kind: ElementKind, value: JsonObject): Shape {
       return { ...fixedShape, points: points("from", "to") };
     case "label":
       return { ...fixedShape, points: points("position"), vectors: points("normal") };
+    case "plane":
+      return { ...fixedShape, points: points("origin"), vectors: points("axes", "normal") };
     case "unit":
       return { ...fixedShape, points: points("position"), axes: axesOf(value, "axis") };
     case "grid":

@@ -208,6 +208,7 @@ const elementDefinitions: Record<Exclude<ElementKind, "fixture">, string> = {
   wall: "inner_walls",
   opening: "openings",
   label: "label",
+  plane: "measuring_plane",
   unit: "transceiver",
   grid: "grid",
   area: "mount_area",

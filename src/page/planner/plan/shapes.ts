@@ -16,6 +16,7 @@ const order: Part["kind"][] = [
   "keep_out",
   "fixture",
   "wall",
+  "plane",
   "grid",
   "rail",
   "faces",

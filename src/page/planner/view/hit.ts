@@ -12,7 +12,7 @@ import { levelOf, type Layers } from "./layers";
 import type { Item } from "./selection";
 
 /** Kinds that are found at their lines only, because other elements lie inside them. */
-const lineKinds = new Set<Part["kind"]>(["room", "zone", "area", "rail", "grid", "faces", "opening"]);
+const lineKinds = new Set<Part["kind"]>(["room", "zone", "area", "rail", "grid", "faces", "opening", "plane"]);
 
 export const isOpenLine = ({ kind }: Part): boolean => kind === "rail" || kind === "opening";
 

@@ -20,6 +20,7 @@ export const layers: Exclude<Layer, Level>[] = [
   "opening",
   "zone",
   "room",
+  "plane",
   "area",
   "grid",
   "rail",

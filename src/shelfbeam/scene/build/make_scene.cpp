@@ -122,6 +122,10 @@ class SceneMaker {
       memory_.add(static_cast<double>(scene_bytes(fixture)), where);
     for (const auto& [grid, where] : store_.grids) expect_memory(scene_bytes(grid), where);
     for (const auto& [label, where] : store_.labels) memory_.add(device_bytes_of(label.id), where);
+    for (const auto& [plane, where] : store_.measuring_planes) {
+      const auto [columns, rows] = plane.cells();
+      memory_.add(static_cast<double>(columns * rows) * device_bytes_of(plane.id), where);
+    }
     for (const auto& [unit, where] : store_.transceivers) memory_.add(device_bytes_of(unit.id), where);
   }
 
@@ -158,12 +162,7 @@ class SceneMaker {
 
   void add_room() {
     if (!store_.room) return;
-    for (std::size_t o = 0; o < store_.room->openings.size(); ++o)
-      attempt([&] {
-        if (const auto& material = store_.room->openings[o])
-          expect_pane(scene_.materials[material->value],
-                      fmt::format("{}: room.openings[{}].material", store_.file, o));
-      });
+    attempt([&] { expect_outer_panes(*store_.room, scene_.materials, store_.file); });
     scene_.room = store_.room->shape;
     wall_surfaces_ = add_shell(*store_.room, scene_.mesh);
   }
@@ -281,6 +280,11 @@ class SceneMaker {
       sources_.labels.push_back(where);
     }
     find_label_places(store_, scene_);
+    for (const auto& [plane, where] : store_.measuring_planes)
+      plane.each_label([&, &source = where](Label label) {
+        scene_.labels.push_back(std::move(label));
+        sources_.labels.push_back(source);
+      });
     attempt([&] {
       if (is_read_ && scene_.labels.empty())
         fail("has no labels", "add 'labels' to the store or to a fixture");

@@ -94,6 +94,7 @@ class StoreStates::Drawing {
 
   void list_devices() {
     state_.labels.clear();
+    state_.measuring_planes.clear();
     for (const Label& label : devices_.labels) {
       expect_running(state_.cancel);
       state_.labels.push_back({label, where_});

@@ -27,5 +27,6 @@ void describe(MountArea& mount, Fields& f);
 void describe(MountRail& rail, Fields& f);
 void describe(MountFaces& mount, Fields& f);
 void describe(KeepOut& area, Fields& f);
+void describe(MeasuringPlane& plane, Fields& f);
 
 }  // namespace shelfbeam

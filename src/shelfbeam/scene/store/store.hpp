@@ -15,6 +15,7 @@
 #include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/room/room.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store/measuring_plane.hpp"
 #include "shelfbeam/scene/store/mounts.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 #include "shelfbeam/scene/variation.hpp"
@@ -57,6 +58,7 @@ struct Store {
   std::vector<Listed<Fixture>> fixtures;
   std::vector<Listed<Fixture>> unfinished;  ///< fixtures with problems whose size is known
   std::vector<Listed<Label>> labels;
+  std::vector<Listed<MeasuringPlane>> measuring_planes;
   std::vector<Listed<TransceiverGrid>> grids;
   std::vector<Listed<MountArea>> areas;
   std::vector<Listed<MountRail>> rails;

@@ -35,6 +35,8 @@ void read_planogram(const JsonCursor& section, const StoreNames& names, const St
                     Store& store, Problems& problems);
 void read_labels(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder, Store& store,
                  Problems& problems);
+void read_measuring_planes(const JsonCursor& section, const StoreNames& names, Store& store,
+                           Problems& problems);
 /// The areas, rails and faces of the section "transceivers". Requires the room and the fixtures.
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store, Problems& problems);
 /// Reads the members of an object by name. A name stays known if its member has problems.

@@ -126,6 +126,8 @@ class StoreReader {
     }
     section(root, "labels",
             [&](const JsonCursor& json) { read_labels(json, names, folder_, store_, problems_); });
+    section(root, "measuring_planes",
+            [&](const JsonCursor& json) { read_measuring_planes(json, names, store_, problems_); });
     section(root, "planogram",
             [&](const JsonCursor& json) { read_planogram(json, names, folder_, store_, problems_); });
     problems_.collect([&] { read_transceivers(root["transceivers"], names, folder_, store_, problems_); });
@@ -137,8 +139,8 @@ class StoreReader {
  private:
   static constexpr auto keys = std::to_array<std::string_view>(
       {"$schema", "format", "units", "currency", "name", "language", "wavelength_nm", "catalogues", "presets",
-       "room", "materials", "label_types", "transceiver_types", "fixtures", "labels", "planogram",
-       "transceivers", "variation"});
+       "room", "materials", "label_types", "transceiver_types", "fixtures", "labels", "measuring_planes",
+       "planogram", "transceivers", "variation"});
 
   // Returns whether the section is omitted or could be read as a whole.
   template <class Read>

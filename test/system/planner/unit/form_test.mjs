@@ -14,7 +14,20 @@ import { text } from "../../../../src/page/planner/text";
 import { parse } from "../jsonc.mjs";
 
 const fixtureTypes = ["gondola", "freezer", "box", "prism", "cylinder", "panel", "mesh"];
-const kinds = ["room", "zone", "wall", "label", "unit", "grid", "area", "rail", "faces", "keep_out"];
+const kinds = [
+  "room",
+  "zone",
+  "wall",
+  "opening",
+  "label",
+  "plane",
+  "unit",
+  "grid",
+  "area",
+  "rail",
+  "faces",
+  "keep_out",
+];
 const groups = [
   ...fixtureTypes.map((type) => groupOfElement("fixture", type)),
   ...kinds.map((kind) => groupOfElement(kind, "")),

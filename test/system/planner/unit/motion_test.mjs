@@ -49,6 +49,7 @@ const store = {
       },
     ],
     inner_walls: [{ id: "wall", from: [4, 0], to: [4, 3] }],
+    openings: [{ wall: 0, at: 1, width: 1, top: 2 }],
   },
   fixtures: [
     { type: "gondola", id: "A{n}", at: [2, 2], length: 4, depth: 1, height: 2, repeat: { count: 3, step: [0, 2] } },
@@ -77,6 +78,17 @@ const store = {
     { type: "gondola", id: "row", at: [1, 1], length: 1, depth: 0.5, height: 2, repeat: { count: 3, step: 1 } },
   ],
   labels: [{ id: "label", position: [1, 2, 1], normal: [0, 1, 0.3] }],
+  measuring_planes: [
+    {
+      id: "plane",
+      origin: [1, 2, 1],
+      axes: [
+        [1, 0, 0],
+        [0, 0, 1],
+      ],
+      size: [3, 2],
+    },
+  ],
   transceivers: {
     grids: [{ min: [1, 1], max: [5, 3], spacing: 1, z: 3 }],
     areas: [
@@ -147,6 +159,7 @@ const all = [
   "/room/inner_walls/0",
   ...store.fixtures.map((_, k) => `/fixtures/${k}`),
   "/labels/0",
+  "/measuring_planes/0",
   "/transceivers/grids/0",
   "/transceivers/areas/0",
   "/transceivers/rails/0",
@@ -180,6 +193,21 @@ test("four quarter turns change nothing but angles", () => {
   }
 });
 
+test("the mirror image of a measuring plane faces where the mirror shows it", () => {
+  const plane = after("/measuring_planes/0", mirrorAt(0, [3, 0]));
+  // The plane faces -y, along the mirror.
+  assert.deepEqual(
+    [plane.origin, plane.axes[0], plane.normal],
+    [
+      [5, 2, 1],
+      [-1, 0, 0],
+      [0, -1, 0],
+    ],
+  );
+  // Negative control: the mirrored axes alone face +y.
+  assert.equal(plane.axes[0][2] * plane.axes[1][0] - plane.axes[0][0] * plane.axes[1][2], 1);
+});
+
 test("a row turns with its steps", () => {
   const turned = after("/fixtures/0", turnAbout(90, [0, 0]));
   assert.deepEqual([turned.at, turned.rotation_deg, turned.repeat.step], [[-2, 2], 90, [-2, 0]]);
@@ -195,6 +223,7 @@ test("rectangles become other shapes where they must", () => {
 test("what has no place of its own stays", () => {
   assert.equal(after("/transceivers/areas/1", shiftBy([1, 0])), "follows");
   assert.equal(after("/transceivers/on/0", shiftBy([1, 0])), "follows");
+  assert.equal(after("/room/openings/0", shiftBy([1, 0])), "follows");
   assert.equal(after("/transceivers/grids/0", turnAbout(30, [0, 0])), "grid");
 });
 

@@ -116,6 +116,7 @@ TEST(Description, SchemaIsUpToDate) {
   set("mount_rail", MountRail{});
   set("mount_faces", MountFaces{});
   set("keep_out", KeepOut{});
+  set("measuring_plane", MeasuringPlane{});
   set("variation", StoreVariation{});
   schema["$defs"]["ignore"]["items"] = {{"enum", warning_names()}};
   schema["$defs"]["fixture_key"] = {{"enum", all_fixture_keys()}};
@@ -182,6 +183,7 @@ TEST(Description, TablesAreUpToDate) {
   replace_table(labels, "### Mounting of labels of articles", fields_of(StyledFixtures{}));
   replace_table(labels, "### Files of planogram programs", fields_of(SegmentPlace{}));
   replace_table(labels, "## Other labels", fields_of(Label{}));
+  replace_table(labels, "## Measuring planes", fields_of(MeasuringPlane{}));
   expect_file(pages + "labels.md", labels);
   std::string transceivers = read_file(pages + "transceivers.md");
   replace_table(transceivers, "## Grids", fields_of(TransceiverGrid{}));
