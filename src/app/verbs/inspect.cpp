@@ -37,18 +37,20 @@ struct InspectArguments {
   CommonOptions common;
   std::filesystem::path store, drawing;
   std::optional<std::uint64_t> state;
-  bool allow_outside = false, no_links = false, strict = false;
+  bool allow_outside = false, no_links = false, strict = false, ids = false;
 };
 
 /// A kind of drawing, its name in the output, and the function that makes the file.
 struct DrawingFormat {
   std::string_view suffix, name;
-  std::string (*draw)(const Store&, const Scene&);
+  std::string (*draw)(const Store&, const Scene&, bool with_ids);
 };
 const std::array<DrawingFormat, 3> formats{
-    {{".svg", "floor plan", [](const Store&, const Scene& scene) { return floor_plan_svg(scene); }},
-     {".glb", "3-D model", [](const Store&, const Scene& scene) { return scene_glb(scene); }},
-     {".json", "store", resolved_store_json}}};
+    {{".svg", "floor plan",
+      [](const Store&, const Scene& scene, bool ids) { return floor_plan_svg(scene, ids); }},
+     {".glb", "3-D model", [](const Store&, const Scene& scene, bool) { return scene_glb(scene); }},
+     {".json", "store",
+      [](const Store& store, const Scene& scene, bool) { return resolved_store_json(store, scene); }}}};
 
 /// Throws InputError for an unknown suffix.
 const DrawingFormat& format_of(const std::filesystem::path& drawing) {
@@ -75,6 +77,8 @@ int run_inspect(const InspectArguments& options) {
   const std::filesystem::path& drawing = options.drawing;
   protect_input(drawing, options.store);
   const DrawingFormat* const format = drawing.empty() ? nullptr : &format_of(drawing);
+  if (options.ids && format != &formats.front())
+    throw InputError("--ids", "has no effect without a floor plan", "add '-o plan.svg', or remove it");
   Problems problems(options.store.string());
   Store store = read_store(
       options.store,
@@ -86,7 +90,7 @@ int run_inspect(const InspectArguments& options) {
   const Scene nominal = make_inspected_scene(store);
   if (options.state) store = StoreStates(store, nominal, options.common.seed).state(*options.state);
   const Scene scene = options.state ? make_scene(store) : nominal;
-  if (format != nullptr) write_file(drawing, format->draw(store, scene));
+  if (format != nullptr) write_file(drawing, format->draw(store, scene, options.ids));
   if (options.common.json) {
     nlohmann::ordered_json json = summary_json(scene);
     if (store.variation) json["variation"] = variation_lines(store);
@@ -110,6 +114,8 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   first.add("-o,--output", options->drawing, a_path(),
             "File to write: .svg for the floor plan, .glb for a 3-D model, .json for the store without "
             "references");
+  first.add_flag("--ids", options->ids,
+                 "Add the ids of candidates and the faces of columns to the floor plan");
   first.add("--state", options->state, whole_number("K", 0),
             "Inspect the shop in state K, counted from 0, of its 'variation' and --seed");
   add_store_options(*verb, options->allow_outside);
@@ -119,6 +125,7 @@ void add_inspect(CLI::App& app, ChosenVerb& chosen) {
   finish_verb(*verb, chosen, options, run_inspect,
               "Examples:\n"
               "  shelfbeam inspect store.json -o plan.svg\n"
+              "  shelfbeam inspect store.json -o plan.svg --ids\n"
               "  shelfbeam inspect store.json -o store.glb\n"
               "  shelfbeam inspect store.json --state 17 -o state17.json");
 }

@@ -168,6 +168,17 @@ TEST_F(Inspect, RefusesUnknownDrawingsBeforeItReads) {
   }
 }
 
+TEST_F(Inspect, AddsIdsToThePlanIfAskedFor) {
+  told("inspect @store.json -o @plan.svg");
+  told("inspect @store.json -o @ids.svg --ids");
+  EXPECT_EQ(bytes("plan.svg").find(">S3"), std::string::npos);
+  EXPECT_NE(bytes("ids.svg").find(">S3 +1<"), std::string::npos) << "S4 is at the same point";
+  const std::string error =
+      "error: --ids: has no effect without a floor plan; add '-o plan.svg', or remove it\n";
+  refused("inspect @store.json --ids", {error});
+  refused("inspect @store.json --ids -o @store.glb", {error});
+}
+
 TEST_F(Inspect, OmitsTransmittanceWithoutGlass) {
   folder.write("plain.json", test::small_store().dump());
   const std::string text = told("inspect @plain.json");

@@ -38,8 +38,9 @@ struct ReportInput {
 /// A self-contained HTML page that needs no network and, apart from the 3-D view, no script.
 std::string report_html(const ReportInput& input);
 
-/// The floor plan as SVG: room, fixtures with their parts, labels, candidate transceivers.
-std::string floor_plan_svg(const Scene& scene);
+/// The floor plan as SVG: room, fixtures with their parts, labels, candidate transceivers. With ids, it has a
+/// layer with those of the candidates and with the faces of columns.
+std::string floor_plan_svg(const Scene& scene, bool with_ids = false);
 
 /// labels.csv: one row per label with signal, requirement, margin and serving units.
 std::string labels_csv(const ReportInput& input);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <set>
 #include <span>
@@ -173,6 +174,15 @@ Point clear_centre(const Extent& e, double width, double size, std::span<const P
   return e.centre;
 }
 
+std::vector<Point> turned_rectangle(const Point& centre, double width, double height, double radians) {
+  const double c = std::cos(radians), s = std::sin(radians);
+  std::vector<Point> corners;
+  for (const auto& [x, y] : {Point{-1, -1}, Point{1, -1}, Point{1, 1}, Point{-1, 1}})
+    corners.push_back(
+        {centre.x + (x * width * c - y * height * s) / 2, centre.y + (x * width * s + y * height * c) / 2});
+  return corners;
+}
+
 void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own) {
   const Point from = own.centre();
   canvas.line(
@@ -184,7 +194,8 @@ void draw_leader(SvgCanvas& canvas, const Rectangle& text, const Rectangle& own)
 }  // namespace
 
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene,
-                      std::span<const Point> marks, const std::set<std::string>& referenced) {
+                      std::span<const Point> marks, const std::set<std::string>& referenced,
+                      std::vector<Obstacle>* texts) {
   const Words words = words_of(scene);
   constexpr double largest = 24, referenced_size = 20;  // drawing units
   const double smallest = 9 * view.mark_share(), outside = 11 * view.mark_share();
@@ -193,7 +204,9 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
   for (const Point& mark : marks)
     obstacles.emplace_back(
         Rectangle{mark.x - mark_radius, mark.y - mark_radius, mark.x + mark_radius, mark.y + mark_radius});
+  const auto others = static_cast<std::ptrdiff_t>(obstacles.size());
   if (scene.room) draw_zone_names(words, canvas, view, *scene.room, obstacles);
+  if (texts != nullptr) texts->insert(texts->end(), obstacles.begin() + others, obstacles.end());
   const auto draw = [&](const FixtureOutline& fixture, Look look, bool is_referenced) {
     const Extent e = extent_of(view, fixture);
     const double fits = std::min(0.66 * e.across, 0.92 * e.along / text_width(fixture.id, 1));
@@ -210,6 +223,7 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
       const Point centre = clear_centre(e, width, room, marks);
       canvas.text({centre.x - down * std::sin(radians), centre.y + down * std::cos(radians)}, fixture.id,
                   css_class, e.angle_deg);
+      if (texts != nullptr) texts->emplace_back(turned_rectangle(centre, width, room, radians));
     } else {
       const Rectangle own = Rectangle::around(view.outline(fixture.footprint));
       const IdPosition place = free_position(e.is_slanted && (is_solid || fixture.footprint.size() == 2)
@@ -221,6 +235,7 @@ void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scen
       const Point middle = place.text.centre();
       canvas.text({middle.x, middle.y + 0.35 * room}, fixture.id, css_class);
       obstacles.emplace_back(place.text);
+      if (texts != nullptr) texts->emplace_back(place.text);
     }
     canvas.raw("</g>");
   };

@@ -8,6 +8,7 @@
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
+#include "shelfbeam/report/drawing/id_layer.hpp"
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
@@ -129,7 +130,7 @@ void draw_key(SvgCanvas& canvas, const Scene& scene, double y) {
 
 }  // namespace
 
-std::string floor_plan_svg(const Scene& scene) {
+std::string floor_plan_svg(const Scene& scene, bool with_ids) {
   const Words words = words_of(scene);
   constexpr double heading = 84, margin = 24;
   const std::string title = scene.name.empty() ? words.say("summary.store") : scene.name;
@@ -139,7 +140,9 @@ std::string floor_plan_svg(const Scene& scene) {
   draw_parts(canvas, view, scene);
   draw_labels(canvas, view, scene);
   draw_transceivers(canvas, view, scene);
-  draw_fixture_ids(canvas, view, scene);
+  std::vector<Obstacle> texts;
+  draw_fixture_ids(canvas, view, scene, {}, {}, &texts);
+  if (with_ids) draw_id_layer(canvas, view, scene, texts);
   view.draw_axes(canvas);
   canvas.text({margin, 34}, title, "title");
   canvas.text({margin, 60}, counts(scene), "sub");
@@ -155,7 +158,7 @@ std::string floor_plan_svg(const Scene& scene) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\">\n"
       "<title>{2}</title>\n<style>{3}</style>\n<rect class=\"paper\" width=\"{0}\" "
       "height=\"{1}\"/>\n{4}</svg>\n",
-      w, h, escape(title), drawing_style(scene), canvas.body());
+      w, h, escape(title), drawing_style(scene) + std::string(with_ids ? id_layer_style : ""), canvas.body());
 }
 
 }  // namespace shelfbeam

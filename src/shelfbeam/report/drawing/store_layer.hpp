@@ -8,6 +8,7 @@
 
 #include "shelfbeam/report/chart/svg.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
+#include "shelfbeam/report/drawing/text_space.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
@@ -47,8 +48,9 @@ std::string zone_name(const Words& words, const CeilingZone& zone);
 /// other fixtures, ids and label marks; without free space nearby, farther away with a leader line. The id of
 /// a lowered ceiling is drawn in a corner of its outline. Ids on fixtures avoid `marks`, those of units.
 /// `referenced` ids are drawn last, with the class "ref" and at least its size. The names of zones are within
-/// the zones, where there is space between the fixtures.
+/// the zones, where there is space between the fixtures. Adds all of them to `texts`.
 void draw_fixture_ids(SvgCanvas& canvas, const PlanView& view, const Scene& scene,
-                      std::span<const Point> marks = {}, const std::set<std::string>& referenced = {});
+                      std::span<const Point> marks = {}, const std::set<std::string>& referenced = {},
+                      std::vector<Obstacle>* texts = nullptr);
 
 }  // namespace shelfbeam

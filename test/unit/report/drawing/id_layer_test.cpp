@@ -1,0 +1,146 @@
+#include "shelfbeam/report/drawing/id_layer.hpp"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/drawing/store_layer.hpp"
+
+#include "unit/report/markup.hpp"
+#include "unit/report/sample_store.hpp"
+
+namespace shelfbeam {
+namespace {
+
+struct DrawnText {
+  std::string text, css_class;
+  double x = 0, y = 0, size = 0;
+
+  Rectangle area() const {
+    const double half = text_width(text, size) / 2, middle = y - 0.35 * size;
+    return {x - half, middle - size / 2, x + half, middle + size / 2};
+  }
+};
+
+// A room with a column, a pillar that is turned by 45 degrees, and a low block; candidates every `spacing`.
+Store shop(double spacing) {
+  Store store = sample_store::empty_store("Columns", {20, 12, 4});
+  const auto add = [&](Fixture fixture) { store.fixtures.push_back({std::move(fixture), "fixtures"}); };
+  add(Cylinder{"round", {5, 6}, 0.4, {0, 4}, {}});
+  Box turned{"turned", {10, 6, 0}, {10.6, 6.6, 4}, {}};
+  turned.rotation_deg = 45;
+  add(turned);
+  add(Box{"low", {15, 6, 0}, {16, 7, 1}, {}});
+  store.labels.push_back({Label{"L", {1, 1, 1}, {1, 0, 0}, {}}, "list"});
+  for (double x = 0.5; x < 20; x += spacing)
+    for (double y = 0.5; y < 12; y += spacing) {
+      const std::string id =
+          "C" + std::to_string(std::lround(10 * x)) + "-" + std::to_string(std::lround(10 * y));
+      store.transceivers.push_back({Transceiver{id, {x, y, 3.9}, {0, 0, -1}, 0, {}, false}, "list"});
+    }
+  return store;
+}
+
+std::vector<DrawnText> layer_of(const Scene& scene, const std::vector<Obstacle>& texts = {}) {
+  SvgCanvas canvas;
+  draw_id_layer(canvas, PlanView(scene), scene, texts);
+  const std::string& body = canvas.body();
+  EXPECT_EQ(test::read_markup(body).problem, "");
+  const std::regex text(
+      R"re(font-size:([0-9.]+)px"><text x="([0-9.]+)" y="([0-9.]+)" class="([a-z]+)">([^<]*)</text>)re");
+  std::vector<DrawnText> drawn;
+  for (std::sregex_iterator it(body.begin(), body.end(), text), end; it != end; ++it)
+    drawn.push_back({(*it)[5], (*it)[4], std::stod((*it)[2]), std::stod((*it)[3]), std::stod((*it)[1])});
+  return drawn;
+}
+
+std::size_t overlaps(const std::vector<DrawnText>& texts, double enlarged = 1) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      DrawnText a = texts[i], b = texts[j];
+      a.size *= 0.98 * enlarged;  // coordinates are rounded
+      b.size *= 0.98 * enlarged;
+      count += a.area().meets(b.area()) ? 1 : 0;
+    }
+  return count;
+}
+
+TEST(IdLayer, HasEveryCandidateWithoutOverlaps) {
+  for (const double spacing : {2.0, 1.0, 0.5}) {
+    const Scene scene = make_scene(shop(spacing));
+    const std::vector<DrawnText> texts = layer_of(scene);
+    std::map<std::string, int> count;
+    for (const DrawnText& text : texts) ++count[text.text];
+    for (const Transceiver& unit : scene.transceivers) EXPECT_EQ(count[unit.id], 1) << unit.id;
+    EXPECT_EQ(overlaps(texts), 0U) << spacing;
+    EXPECT_GT(overlaps(texts, 6), 0U) << "negative control: larger texts overlap";
+    const PlanView view(scene);
+    for (const DrawnText& text : texts)
+      for (const Transceiver& unit : scene.transceivers) {
+        const Point at = view.at(unit.position.x, unit.position.y);
+        const Rectangle mark{at.x - 4, at.y - 4, at.x + 4, at.y + 4};
+        EXPECT_FALSE(mark.meets(text.area())) << text.text << " covers " << unit.id;
+      }
+  }
+}
+
+TEST(IdLayer, NamesTheFacesOfColumnsByTheCompass) {
+  const Scene scene = make_scene(shop(2));
+  const PlanView view(scene);
+  std::map<std::string, std::vector<DrawnText>> faces;
+  for (const DrawnText& text : layer_of(scene))
+    if (text.css_class == "face") faces[text.text].push_back(text);
+  // The turned pillar has no face by the compass, and the block is no column.
+  for (const char* name : {"N", "E", "S", "W"}) ASSERT_EQ(faces[name].size(), 1U) << name;
+  const Point middle = view.at(5, 6);
+  const double radius = 0.4 * view.scale();
+  EXPECT_NEAR(faces["N"][0].x, middle.x, 0.2);
+  EXPECT_LT(faces["N"][0].y, middle.y - radius);
+  EXPECT_GT(faces["S"][0].area().top, middle.y + radius - 1);
+  EXPECT_GT(faces["E"][0].x, middle.x + radius);
+  EXPECT_LT(faces["W"][0].x, middle.x - radius);
+}
+
+TEST(IdLayer, JoinsTheIdsAtOnePoint) {
+  Store store = shop(100);
+  const auto add = [&](const char* id, const Vec3& at, const Vec3& axis) {
+    store.transceivers.push_back({Transceiver{id, at, axis, 0, {}, false}, "list"});
+  };
+  for (const char* id : {"A1-1-1/a1", "A1-1-1/a2", "A1-1-1/a3"}) add(id, {8, 2, 3.9}, {0, 0, -1});
+  add("G1-1-1", {14, 2, 3.9}, {0, 0, -1});
+  add("low", {14, 2, 2}, {0, 0, -1});
+  std::vector<std::string> ids;
+  for (const DrawnText& text : layer_of(make_scene(store)))
+    if (text.css_class == "cid") ids.push_back(text.text);
+  EXPECT_EQ(ids, (std::vector<std::string>{"C5-5", "A1-1-1/a1-3", "G1-1-1 +1"}));
+}
+
+TEST(IdLayer, KeepsClearOfOtherTexts) {
+  const Scene scene = make_scene(shop(100));
+  const auto before = layer_of(scene);
+  const auto candidate = std::ranges::find(before, std::string("cid"), &DrawnText::css_class);
+  ASSERT_NE(candidate, before.end());
+  const Obstacle text(candidate->area());
+  for (const DrawnText& after : layer_of(scene, {text})) EXPECT_FALSE(text.meets(after.area())) << after.text;
+  EXPECT_TRUE(text.meets(candidate->area())) << "negative control";
+}
+
+TEST(IdLayer, IsInThePlanOnlyIfAskedFor) {
+  const Scene scene = make_scene(shop(2));
+  const std::string without = floor_plan_svg(scene), with = floor_plan_svg(scene, true);
+  EXPECT_EQ(without, floor_plan_svg(scene, false));
+  EXPECT_EQ(without.find("id=\"ids\""), std::string::npos);
+  EXPECT_EQ(without.find(".cid"), std::string::npos);
+  EXPECT_EQ(test::count_of("<g id=\"ids\">", with), 1U);
+  EXPECT_NE(with.find(".cid{"), std::string::npos);
+  EXPECT_EQ(test::read_markup(with).problem, "");
+}
+
+}  // namespace
+}  // namespace shelfbeam
