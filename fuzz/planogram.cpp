@@ -24,6 +24,34 @@ constexpr const char* planogram_store = R"({
   "transceivers": { "list": [ { "id": "T", "position": [1, 2, 3], "type": "t" } ] }
 })";
 
+constexpr const char* article_seed = R"(article,fixture,face,level,position
+4006381333931,A,front,2,1
+4006381333948,A,front,2,2
+4006381333931,A,back,1,1
+)";
+
+constexpr const char* described_seed = R"(Name,article,description,fixture,face,level,x
+x,1,"Rye
+ bread)"
+                                       "\u202e"
+                                       R"(",A,back,1,2
+,2,,F,left,1,2
+)";
+
+constexpr const char* mounted_seed = R"(article,fixture,face,level,x,y,hook,tilt_deg,type
+1,B,top,1,1,0.5,,30,l
+2,B,left,1,2,,0.1,-9,
+3,A,back,1,1,,,,
+)";
+
+constexpr const char* segments_seed = R"(UPC,Product Name,Planogram,Segment,Shelf,Position,Width,HFacings,hook
+7,Jam,P,1,1,1,0.1,2,
+8,Tea,P,1,1,2,,1,0.1
+9,,P,2,0,1,,,
+10,Salt,P,3,1,1,,,
+7,,Q,4,1,1,,,
+)";
+
 void fuzz_planogram(std::string_view bytes) {
   constexpr std::size_t memory = 1 << 26;
   scratch().write("planogram.csv", bytes);
@@ -35,16 +63,12 @@ void fuzz_planogram(std::string_view bytes) {
 
 std::vector<std::string> planogram_seeds() {
   return {
-      "article,fixture,face,level,position\n4006381333931,A,front,2,1\n4006381333948,A,front,2,2\n"
-      "4006381333931,A,back,1,1\n",
-      "article,fixture,face,level,x,facings\r\n\"Milk, 1 l\",A,front,3,1.5,2\r\n\"Milk, 1 "
-      "l\",F,left,1,0.1,1\r\n",
+      article_seed,
+      "article,fixture,face,level,x,n\r\n\"Milk, 1 l\",A,front,3,1.5,2\r\n\"Milk, 1 l\",F,left,1,0.1,1\r\n",
       "Article;Fixture;FACE;Level;Position\n4,00638E+12;A;Front;2;1\n01.02.2024;A;front;2;2\n",
-      "Name,article,description,fixture,face,level,x\nx,1,\"Rye\n bread\u202e\",A,back,1,2\n,2,,F,left,1,2\n",
-      "article,fixture,face,level,x,y,hook,tilt_deg,type\n1,B,top,1,1,0.5,,30,l\n2,B,left,1,2,,0.1,-9,\n3,A,"
-      "back,1,1\n",
-      "UPC,Product Name,Planogram,Segment,Shelf,Position,Width,HFacings,hook\n7,Jam,P,1,1,1,0.1,2,\n"
-      "8,Tea,P,1,1,2,,1,0.1\n9,,P,2,0,1,,,\n10,Salt,P,3,1,1,,,\n7,,Q,4,1,1,,,\n",
+      described_seed,
+      mounted_seed,
+      segments_seed,
       "article;fixture;face;level;x\nA;A;front;1;0,25\nB;F;right;1;2,5\n"};
 }
 
