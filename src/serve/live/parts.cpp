@@ -118,7 +118,7 @@ class PartList {
               {"outline", points(fixture.footprint)},
               {"height", fixture.height},
               {"rotation", fixture.rotation_deg}};
-    if (fixture.is_wall()) return add("wall", place, std::move(json));
+    if (fixture.is_wall()) return add("wall", place, json);
     // The scene has the fixtures of the store in their order, but not those that could not be built.
     while (entry_ < entries_.size() && entries_[entry_]->where != where) ++entry_;
     if (entry_ == entries_.size()) return;
@@ -135,7 +135,7 @@ class PartList {
       if (const auto along = against(place, *footing))
         json["against"] = {{"along", {(*along)[0], (*along)[1]}}};
     }
-    add("fixture", place, std::move(json));
+    add("fixture", place, json);
   }
 
   // The direction in which "from" or "shift" moves a fixture that stands against a wall or another fixture.

@@ -1,11 +1,13 @@
 #include "shelfbeam/report/drawing/id_layer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/data/report.hpp"
@@ -37,11 +39,13 @@ Store shop(double spacing) {
   add(turned);
   add(Box{"low", {15, 6, 0}, {16, 7, 1}, {}});
   store.labels.push_back({Label{"L", {1, 1, 1}, {1, 0, 0}, {}}, "list"});
-  for (double x = 0.5; x < 20; x += spacing)
-    for (double y = 0.5; y < 12; y += spacing) {
-      const std::string id =
-          "C" + std::to_string(std::lround(10 * x)) + "-" + std::to_string(std::lround(10 * y));
-      store.transceivers.push_back({Transceiver{id, {x, y, 3.9}, {0, 0, -1}, 0, {}, false}, "list"});
+  const auto count = [&](double extent) { return static_cast<int>(std::ceil((extent - 0.5) / spacing)); };
+  for (int column = 0; column < count(20); ++column)
+    for (int row = 0; row < count(12); ++row) {
+      const double x = 0.5 + column * spacing, y = 0.5 + row * spacing;
+      store.transceivers.push_back(
+          {Transceiver{fmt::format("C{:.0f}-{:.0f}", 10 * x, 10 * y), {x, y, 3.9}, {0, 0, -1}, 0, {}, false},
+           "list"});
     }
   return store;
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -181,12 +182,11 @@ TEST(MountPoints, OnAFaceByTheCompassLookThere) {
   for (const auto& [name, outward] : std::vector<Face>{
            {"north", {0, 1, 0}}, {"east", {1, 0, 0}}, {"south", {0, -1, 0}}, {"west", {-1, 0, 0}}}) {
     const auto on = [face = std::string(name)](const std::string& members) {
-      return units_of(R"({"on": [{"type": "down", "z": 2, "offset": 0.01, "face": ")" + face + "\", " +
-                      members + "}]}");
+      return units_of(fmt::format(
+          R"({{"on": [{{"type": "down", "z": 2, "offset": 0.01, "face": "{}", {}}}]}})", face, members));
     };
     const auto column = on(R"("fixture": "C", "spacing": 0.1)");
-    const std::string id = std::string("C-") + name;
-    EXPECT_EQ(ids_of(column), id + "-1 " + id + "-2 " + id + "-3 " + id + "-4 ")
+    EXPECT_EQ(ids_of(column), fmt::format("C-{0}-1 C-{0}-2 C-{0}-3 C-{0}-4 ", name))
         << "a quarter of its girth is 0.39 m";
     for (const Transceiver& unit : column) EXPECT_GT(dot(unit.axis, outward), std::sqrt(0.5)) << unit.id;
     const Vec3 offset = middle_of(column) - Vec3{2, 3, 2};

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/scene/scene.hpp"
@@ -104,9 +105,10 @@ TEST(Openings, OfABoxAreNamedByItsWalls) {
   const std::array<const char*, 4> names{"y0", "x1", "y1", "x0"};
   for (std::size_t k = 0; k < names.size(); ++k) {
     const auto store = [&](const std::string& wall) {
-      return box_store(R"([{"wall": )" + wall + R"(, "at": 1, "width": 1, "top": 2, "material": "steel"}])");
+      return box_store(
+          fmt::format(R"([{{"wall": {}, "at": 1, "width": 1, "top": 2, "material": "steel"}}])", wall));
     };
-    const Scene named = scene_with(store("\"" + std::string(names[k]) + "\"")),
+    const Scene named = scene_with(store(fmt::format("\"{}\"", names[k]))),
                 numbered = scene_with(store(std::to_string(k)));
     EXPECT_EQ(named.mesh.vertices, numbered.mesh.vertices) << names[k];
     EXPECT_EQ(named.store_hash, numbered.store_hash);
