@@ -12,6 +12,7 @@
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
+#include "shelfbeam/report/drawing/wall_elevation.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
@@ -151,7 +152,7 @@ std::string floor_plan_svg(const Scene& scene, bool with_ids) {
   double height = view.height();
   if (const auto fixture = fixture_with_max_labels(scene))
     height += margin + draw_elevation(canvas, scene, *fixture, height + margin, view.width());
-  height += margin;
+  height += draw_wall_elevations(canvas, scene, height, view.width()) + margin;
   const std::string w = coordinate(view.width()), h = coordinate(height);
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "shelfbeam/report/drawing/part_drawing.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 #include "shelfbeam/report/drawing/text_space.hpp"
+#include "shelfbeam/report/drawing/wall_elevation.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/corner_shop.hpp"
@@ -51,9 +54,40 @@ TEST(RoomDrawing, ShowsOpeningsOfOuterWalls) {
                                 {0, {4, 1, 2, 2.4, true}, 1, 0.4},
                                 {0, {6, 1, 0, 2.1, false}, 1, 0.4}};
   store.room->openings = {MaterialId{0}, MaterialId{0}, std::nullopt};
-  EXPECT_EQ(drawn("hole"), 3U) << "without the high window, which is above the section";
-  EXPECT_EQ(drawn("pane"), panes + 3);
-  EXPECT_EQ(drawn("tick"), ticks + 8) << "their jambs";
+  EXPECT_EQ(drawn("hole"), 3U + 4) << "in plan without the high window, which is above the section";
+  EXPECT_EQ(drawn("pane"), panes + 3 + 3);
+  EXPECT_EQ(drawn("tick"), ticks + 8 + 6) << "their jambs, and the heights in the view of the wall";
+}
+
+// A corner of a polygon, which is a path of absolute points.
+Point corner_of(const test::Element& polygon, std::size_t nth) {
+  std::string data = polygon.attributes.at("d");
+  std::ranges::replace_if(data, [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }, ' ');
+  std::istringstream numbers(data);
+  Point point;
+  for (std::size_t k = 0; k <= nth; ++k) numbers >> point.x >> point.y;
+  return point;
+}
+
+TEST(RoomDrawing, ViewsWallsWithOpeningsFromInside) {
+  Store store = test::corner_shop_store();
+  const Scene before = make_scene(store);
+  SvgCanvas none;
+  EXPECT_EQ(draw_wall_elevations(none, before, 0, 1000), 0);
+  EXPECT_EQ(none.body(), "");
+  // Wall 0 is 8 m long and 3.2 m high. From inside, its first corner is on the right.
+  store.room->shape.openings = {{0, {1, 2, 0.8, 2.4, true}, 1, 0.4}};
+  store.room->openings = {MaterialId{0}};
+  SvgCanvas canvas;
+  EXPECT_GT(draw_wall_elevations(canvas, make_scene(store), 0, 1000), 3.2 * 60);
+  const auto wall = of_class(canvas.body(), "solid"), windows = of_class(canvas.body(), "hole");
+  ASSERT_EQ(wall.size(), 1U);
+  ASSERT_EQ(windows.size(), 1U);
+  const Point corner = corner_of(wall[0], 0), sill = corner_of(windows[0], 0), end = corner_of(windows[0], 1);
+  EXPECT_NEAR(corner.x - sill.x, 1 * 60, 0.2);
+  EXPECT_NEAR(corner.x - end.x, 3 * 60, 0.2);
+  EXPECT_NEAR(corner.y - sill.y, 0.8 * 60, 0.2);
+  EXPECT_NEAR(corner.y - corner_of(wall[0], 1).y, 3.2 * 60, 0.2);
 }
 
 TEST(RoomDrawing, CountsAndNamesZonesAndInnerWalls) {
