@@ -24,8 +24,8 @@ constexpr const char* every_section = R"({
     "b": { "responsivity": { "type": "cosine_power", "exponent": 2, "cutoff_deg": 60 }, "threshold": { "hears": "t", "at_m": 5, "angle_deg": 45 } },
     "c": { "responsivity": { "type": "table", "theta_deg": [0, 40, 75], "response": [2, 1, 0] }, "threshold": 0.1 } },
   "transceiver_types": {
-    "s": { "emission": { "type": "sin2theta", "peak": 2 }, "radius": 0.01, "cost": 4 },
-    "t": { "emission": { "type": "lambertian", "order": 20, "flux": 3 } },
+    "s": { "emission": { "type": "sin2theta", "peak": 2 }, "radius": 0.01, "cost": 4, "order_number": "4711-B", "fixing": "magnet on the T-bar", "picture": "unit.svg" },
+    "t": { "emission": { "type": "lambertian", "order": 20, "flux": 3 }, "picture": "data:image/jpeg;base64,/9j/AA==" },
     "u": { "emission": { "type": "table", "theta_deg": [0, 45, 120], "phi_deg": [0, 90, 200], "intensity": [[1, 2, 3], [4, 5, 6], [7, 8, 9]] } },
     "v": { "emission": { "type": "ies", "file": "profile.ies", "flux": 1 } },
     "w": { "emission": { "type": "eulumdat", "file": "profile.ldt", "flux": 1 } } },
@@ -124,6 +124,7 @@ constexpr const char* divided_box = R"({
 const std::filesystem::path& folder() {
   static const std::filesystem::path made = [] {
     scratch().write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    scratch().write("unit.svg", "<svg xmlns='http://www.w3.org/2000/svg'/>");
     scratch().write("profile.ies", source_file("data/photometry/wide-ceiling.ies"));
     scratch().write("profile.ldt", source_file("data/photometry/wide-ceiling.ldt"));
     scratch().write("labels.csv", "id,x,y,z,nx,ny,nz,type\nP,5,0.01,1.5,0,1,0,c\n");

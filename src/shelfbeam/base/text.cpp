@@ -283,6 +283,21 @@ std::optional<std::size_t> to_whole_number(std::string_view text, std::size_t mo
   return value;
 }
 
+std::string to_base64(std::string_view bytes) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t group = 0;
+    const std::size_t present = std::min<std::size_t>(3, bytes.size() - at);
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8U | (k < present ? static_cast<unsigned char>(bytes[at + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      out += k <= present ? digits[group >> (18U - 6U * static_cast<unsigned>(k)) & 63U] : '=';
+  }
+  return out;
+}
+
 std::string_view amount_problem(double value) {
   if (std::isnan(value)) return "is NaN";
   if (std::isinf(value)) return "is infinite";

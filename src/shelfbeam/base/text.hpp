@@ -85,6 +85,9 @@ std::optional<double> to_number(std::string_view text);
 /// `most`.
 std::optional<std::size_t> to_whole_number(std::string_view text, std::size_t most);
 
+/// RFC 4648, with padding.
+std::string to_base64(std::string_view bytes);
+
 /// The largest signal, cost or requirement of a table. Its square, and sums of millions of squares, are far
 /// from the limits of single precision.
 inline constexpr double max_amount = 1e18;

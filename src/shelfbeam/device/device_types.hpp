@@ -32,6 +32,10 @@ struct TransceiverType {
   double radius = 0;   ///< radius of the disc about the axis, m; 0: a point
   double cost = 1;     ///< c^T (3.3)
   std::string file{};  ///< name of the photometric file of the emission; empty without such a file
+  // For reports; no result depends on them, and they are not part of store_hash. Empty if not given.
+  std::string order_number{};
+  std::string fixing{};   ///< "magnet on the T-bar"
+  std::string picture{};  ///< a data URI (device/picture.hpp)
 };
 
 }  // namespace shelfbeam

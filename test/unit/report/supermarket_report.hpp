@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "shelfbeam/report/data/report.hpp"
 
@@ -43,8 +44,11 @@ inline std::string fault(const std::string& page) {
   const std::string html = without_scripts(page);
   const Markup markup = read_markup(html);
   if (!markup.problem.empty()) return markup.problem;
-  for (const char* word : {"http:", "https:", "url(", "@import", "<link", " src="})
+  for (const char* word : {"http:", "https:", "url(", "@import", "<link"})
     if (html.find(word) != std::string::npos) return std::string("holds ") + word;
+  for (std::size_t at = 0; (at = html.find(" src=", at)) != std::string::npos; ++at)
+    if (!std::string_view(html).substr(at).starts_with(" src=\"data:image/"))
+      return "holds a source elsewhere";
   std::set<std::string> ids;
   for (const auto& element : markup.elements)
     if (const auto id = element.attributes.find("id"); id != element.attributes.end())

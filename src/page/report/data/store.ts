@@ -39,6 +39,10 @@ export interface StoreAbout {
   units: {
     ids: string[];
     types: string[];
+    /** In the shop ("above G3"); may be empty. */
+    places: string[];
+    /** By type, of those that have one. */
+    orders: Record<string, string>;
     installed: number[];
     mounts: number[][];
     selected: number[];

@@ -203,6 +203,8 @@ export class Card {
       [text.card.low, counted(text.numbers.labels, classes[1])],
       [text.card.position, place],
     ];
+    if (store.units.places[unit]) facts.push([text.card.in_shop, store.units.places[unit], "place"]);
+    if (store.units.orders[type]) facts.push([text.card.order, store.units.orders[type], "order"]);
     if (!store.redundant || !on)
       facts.unshift([
         on ? text.card.needed_by : text.card.would_add,

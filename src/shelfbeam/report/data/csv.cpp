@@ -10,7 +10,9 @@
 
 #include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/place/place_text.hpp"
 
 namespace shelfbeam {
 
@@ -78,16 +80,21 @@ std::string placement_csv(const ReportInput& input) {
   std::map<std::string_view, double> roll_deg;
   for (const Transceiver& transceiver : input.scene.transceivers)
     roll_deg.emplace(transceiver.id, transceiver.roll_deg);
+  const Words words = words_of(input.scene);
+  const ShopPlaces places(input.scene);
   std::string csv =
-      "id,x,y,z,ax,ay,az,roll_deg,type,cost,installed,reaches_alone,strongest_for,needed_by,pinned\n";
+      "id,x,y,z,ax,ay,az,roll_deg,type,cost,installed,reaches_alone,strongest_for,needed_by,pinned,place,"
+      "order_number\n";
   for (const UnitOutcome& unit : outcome.units) {
     const TransceiverColumn& t = matrix.transceivers[unit.column];
     const auto roll = roll_deg.find(t.id);
-    csv +=
-        row({text(t.id), coordinates(t.position), coordinates(t.axis),
-             csv_number(roll == roll_deg.end() ? 0 : roll->second), text(t.type), csv_number(t.cost),
-             t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
-             fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by), t.pinned ? "1" : "0"});
+    const TransceiverType* const type = unit_type(input.scene, t.type);
+    csv += row({text(t.id), coordinates(t.position), coordinates(t.axis),
+                csv_number(roll == roll_deg.end() ? 0 : roll->second), text(t.type), csv_number(t.cost),
+                t.installed ? "1" : "0", fmt::format("{}", unit.reaches_alone),
+                fmt::format("{}", unit.strongest_for), fmt::format("{}", unit.needed_by),
+                t.pinned ? "1" : "0", text(place_text(words, places.of(t.position))),
+                type == nullptr ? std::string() : text(type->order_number)});
   }
   return csv;
 }

@@ -45,6 +45,12 @@ std::vector<std::size_t> walking_order_of(const ReportInput& input) {
   return walking_order(positions);
 }
 
+const TransceiverType* unit_type(const Scene& scene, std::string_view name) {
+  const auto found = std::find_if(scene.transceiver_types.begin(), scene.transceiver_types.end(),
+                                  [&](const TransceiverType& type) { return type.name == name; });
+  return found == scene.transceiver_types.end() ? nullptr : &*found;
+}
+
 std::size_t ReportData::unit_number(std::uint32_t column) const {
   const auto is_it = [&](const UnitOutcome& one) { return one.column == column; };
   return static_cast<std::size_t>(std::find_if(outcome.units.begin(), outcome.units.end(), is_it) -

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/report/data/distributions.hpp"
@@ -32,6 +33,9 @@ std::vector<ShelfLevel> shelf_levels(std::span<const double> heights);
 
 /// The chosen units in walking order, as indices into Placement::selected.
 std::vector<std::size_t> walking_order_of(const ReportInput& input);
+
+/// The type of transceiver with this name; null if the scene has none.
+const TransceiverType* unit_type(const Scene& scene, std::string_view name);
 
 /// The data that several sections of a report share.
 struct ReportData {

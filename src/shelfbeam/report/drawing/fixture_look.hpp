@@ -5,21 +5,10 @@
 #include <vector>
 
 #include "shelfbeam/report/drawing/plan_view.hpp"
+#include "shelfbeam/report/place/look.hpp"
 #include "shelfbeam/scene/scene.hpp"
 
 namespace shelfbeam {
-
-/// How a fixture is drawn in plan, so that it hides nothing.
-enum class Look {
-  solid,     ///< stands on the floor
-  covering,  ///< surrounds other fixtures or much of the floor: transparent
-  overhead   ///< above head height, such as a lowered ceiling: its outline only
-};
-
-inline constexpr double head_height = 1.9;  ///< m
-
-/// Per fixture.
-std::vector<Look> looks_of(const Scene& scene);
 
 /// Whether the fixture has an area in plan or is an upright panel, which is a line.
 bool has_plan(const FixtureOutline& fixture);

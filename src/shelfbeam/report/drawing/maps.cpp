@@ -121,6 +121,7 @@ void Maps::draw_names(SvgCanvas& canvas) const {
   for (const MountedUnit& unit : mounting_sheet(data_.input)) {
     marks.push_back(view_.at(unit.position.x, unit.position.y));
     for (const Reference& reference : unit.references) referenced.insert(reference.fixture);
+    referenced.insert({unit.place.fixture, unit.place.other});
   }
   draw_fixture_ids(canvas, view_, data_.input.scene, marks, referenced);
 }

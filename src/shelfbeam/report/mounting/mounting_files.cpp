@@ -13,6 +13,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/mounting/cad_text.hpp"
 #include "shelfbeam/report/mounting/mounting_sheet.hpp"
+#include "shelfbeam/report/place/place_text.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/wall_section.hpp"
 
@@ -70,11 +71,13 @@ struct Attribute {
 
 std::vector<Attribute> attributes_of(const Words& words, const MountedUnit& unit) {
   return {{"NUMBER", words("mounting.prompt.number"), fmt::format("{}", unit.number), false},
+          {"HEIGHT", words("mounting.prompt.height"), words.say("mounting.cm", height_cm(unit)), false},
           {"ID", words("mounting.prompt.id"), cad_text(unit.id), true},
           {"TYPE", words("mounting.prompt.type"), cad_text(unit.type), true},
-          {"HEIGHT", words("mounting.prompt.height"), fmt::format("{}", height_cm(unit)), true},
           {"TILT", words("mounting.prompt.tilt"), fmt::format("{:.1f}", unit.tilt_deg), true},
-          {"TOWARDS", words("mounting.prompt.towards"), fmt::format("{:.1f}", unit.towards_deg), true}};
+          {"TOWARDS", words("mounting.prompt.towards"), fmt::format("{:.1f}", unit.towards_deg), true},
+          {"PLACE", words("mounting.prompt.place"), cad_text(place_text(words, unit.place)), true},
+          {"ORDER", words("mounting.prompt.order"), cad_text(unit.order_number), true}};
 }
 
 void add_block(const Words& words, Dxf& dxf) {
@@ -123,15 +126,17 @@ std::string mounting_csv(const ReportInput& input) {
   const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   std::string csv =
       "number,id,type,installed,distance_1_cm,from_1,distance_2_cm,from_2,height_cm,tilt_deg,towards_deg,"
-      "roll_deg,pinned\n";
+      "roll_deg,pinned,place,tolerance_cm,order_number\n";
   for (const MountedUnit& unit : mounting_sheet(input)) {
     const auto& [first, second] = unit.references;
     csv += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id), text(unit.type),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", unit.number, text(unit.id), text(unit.type),
         unit.installed ? 1 : 0, centimetres(first.distance), text(name_of(words, first)),
         centimetres(second.distance), text(name_of(words, second)), height_cm(unit),
         csv_number(std::round(10 * unit.tilt_deg) / 10), csv_number(std::round(10 * unit.towards_deg) / 10),
-        csv_number(unit.roll_deg), unit.pinned ? 1 : 0);
+        csv_number(unit.roll_deg), unit.pinned ? 1 : 0, text(place_text(words, unit.place)),
+        unit.tolerance > 0 ? fmt::format("{}", centimetres(unit.tolerance)) : std::string(),
+        text(unit.order_number));
   }
   return csv;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/data/text_format.hpp"
+#include "shelfbeam/report/mounting/tolerance.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
@@ -21,6 +22,8 @@ constexpr double degree = std::numbers::pi / 180;
 std::vector<MountedUnit> mounting_sheet(const ReportInput& input) {
   std::map<std::string_view, double> roll_deg;
   for (const Transceiver& unit : input.scene.transceivers) roll_deg.emplace(unit.id, unit.roll_deg);
+  const ShopPlaces places(input.scene);
+  const std::vector<double> tolerances = tolerances_of(input);
   std::vector<MountedUnit> sheet;
   for (const std::size_t k : walking_order_of(input)) {
     const TransceiverColumn& of = input.matrix.transceivers[input.plan.placement.selected[k]];
@@ -30,7 +33,11 @@ std::vector<MountedUnit> mounting_sheet(const ReportInput& input) {
                      of.installed,
                      of.pinned,
                      of.position,
-                     references_of(input.scene, of.position)};
+                     references_of(input.scene, of.position),
+                     places.of(of.position)};
+    unit.tolerance = tolerances[k];
+    if (const TransceiverType* const type = unit_type(input.scene, of.type))
+      unit.order_number = type->order_number;
     const double level = std::hypot(of.axis.x, of.axis.y);
     unit.tilt_deg = std::atan2(level, -of.axis.z) / degree;
     if (level > 1e-9) unit.towards_deg = std::fmod(std::atan2(of.axis.y, of.axis.x) / degree + 360, 360);
@@ -60,7 +67,7 @@ std::string name_of(const Words& words, const Reference& reference) {
     case Reference::Kind::end:
       return words.say("mounting.end", side, reference.fixture);
     case Reference::Kind::ceiling:
-      return words.say("mounting.ceiling", reference.fixture);
+      return words.say("mounting.ceiling", words.fixed(reference.ceiling, 2));
     case Reference::Kind::origin:
       break;
   }

@@ -9,6 +9,7 @@
 
 #include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/report/mounting/reference.hpp"
+#include "shelfbeam/report/place/shop_place.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
@@ -20,13 +21,23 @@ struct MountedUnit {
   bool installed = false, pinned = false;
   Vec3 position;  ///< m
   std::array<Reference, 2> references;
-  double tilt_deg = 0;     ///< of the axis from straight down
+  ShopPlace place;
+  double tolerance = 0;           ///< by which it may be off in plan, m (tolerances_of); 0: unknown
+  std::string order_number = {};  ///< of its type; may be empty
+  double tilt_deg = 0;            ///< of the axis from straight down
   double towards_deg = 0;  ///< in plan, from the x axis towards the y axis; 0 for a unit that points down
   double roll_deg = 0;
 };
 
 /// One row per chosen unit, in walking order.
 std::vector<MountedUnit> mounting_sheet(const ReportInput& input);
+
+/// Heights above it need a lift or a scaffold: a tall stepladder reaches it, m.
+inline constexpr double ladder_reach = 4;
+
+inline bool needs_lift(const MountedUnit& unit) {
+  return !unit.installed && unit.position.z > ladder_reach;
+}
 
 /// A length rounded to 1 cm.
 long centimetres(double metres);
@@ -40,7 +51,7 @@ inline long height_cm(const MountedUnit& unit) {
 /// height.
 std::optional<long> cm_below_ceiling(const Scene& scene, const MountedUnit& unit);
 
-/// "wall at the left", "A3", "left side of A3", "lower ceiling of bakery", "axis of the drawing"
+/// "wall at the left", "A3", "left side of A3", "edge of the ceiling at 2.60 m", "axis of the drawing"
 std::string name_of(const Words& words, const Reference& reference);
 std::string_view side_text(const Words& words, Side side);
 

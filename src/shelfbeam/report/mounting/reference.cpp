@@ -15,12 +15,21 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double slack = 1e-6;     // m
-constexpr double max_lean = 0.01;  // of a face that counts as square to the axis
+constexpr double slack = 1e-6;  // m
+// The lean of a face: the change of the distance per length along the face across the axis.
+constexpr double square_lean = 0.01, max_lean = 0.5;
+
+enum class Quality { poor, slanted, square };
+
+Quality quality_of(double along, double across) {
+  return along <= square_lean * across ? Quality::square
+         : along <= max_lean * across  ? Quality::slanted
+                                       : Quality::poor;
+}
 
 struct Crossing {
   double distance = 0;
-  bool is_square = true;
+  Quality quality = Quality::square;
 };
 
 // The first crossing of a polygon's edge from `from` along +x or -x (axis 0) or y (axis 1).
@@ -35,7 +44,7 @@ std::optional<Crossing> crossing(std::span<const Vec2> polygon, const Vec2& from
     const double distance = sign * (a[axis] + share * (b[axis] - a[axis]) - from[axis]);
     if (distance > -slack && (!nearest || distance < nearest->distance))
       nearest = Crossing{std::max(0.0, distance),
-                         std::abs(b[axis] - a[axis]) <= max_lean * std::abs(b[other] - a[other])};
+                         quality_of(std::abs(b[axis] - a[axis]), std::abs(b[other] - a[other]))};
   }
   return nearest;
 }
@@ -59,7 +68,7 @@ std::optional<Crossing> hit(const std::array<Vec3, 3>& corners, const Vec3& from
   const double distance = sign * (at - from[along]);
   if (distance <= -slack) return {};
   const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  return Crossing{std::max(0.0, distance), std::abs(normal[u]) <= max_lean * std::abs(normal[along])};
+  return Crossing{std::max(0.0, distance), quality_of(std::abs(normal[u]), std::abs(normal[along]))};
 }
 
 class Search {
@@ -73,44 +82,46 @@ class Search {
       for (const CeilingZone& zone : scene_.room->zones) meet_ceiling(zone);
     }
     for (const double sign : {-1.0, 1.0}) meet_parts(sign);
-    const Met* best = chosen();
-    if (best == nullptr || best->reference.distance > far_surface) {
+    std::optional<Met> best = chosen();
+    if (!best || best->rank() < Quality::slanted) {
+      first_ = {};
       for (const double sign : {-1.0, 1.0}) meet_outlines(sign);
-      best = chosen();
+      const std::optional<Met> low = chosen();
+      if (!best || (low && low->rank() > best->rank())) best = low;
     }
-    if (best != nullptr) return best->reference;
+    if (best) return best->reference;
     return {axis_ == 0 ? Side::left : Side::bottom, Reference::Kind::origin, "",
-            axis_ == 0 ? unit_.x : unit_.y};
+            axis_ == 0 ? unit_.x : unit_.y, 0};
   }
 
  private:
   struct Met {
     Reference reference;
-    bool is_square = true;
+    Quality quality = Quality::square;
+
+    Quality rank() const { return reference.distance <= far_surface ? quality : Quality::poor; }
   };
 
   Vec2 in_plan() const { return {unit_.x, unit_.y}; }
 
   // The first surface in each direction counts, because it hides those beyond it.
-  const Met* chosen() const {
+  std::optional<Met> chosen() const {
     const auto& [back, ahead] = first_;
-    if (!back || !ahead) return back ? &*back : ahead ? &*ahead : nullptr;
-    const auto is_good = [](const Met& met) {
-      return met.is_square && met.reference.distance <= far_surface;
-    };
-    if (is_good(*back) != is_good(*ahead)) return is_good(*back) ? &*back : &*ahead;
+    if (!back || !ahead) return back ? back : ahead;
+    if (back->rank() != ahead->rank()) return back->rank() > ahead->rank() ? back : ahead;
     const double nearer = back->reference.distance - ahead->reference.distance;
     if (std::abs(nearer) <= slack && ahead->reference.kind == Reference::Kind::wall)
-      return back->reference.kind == Reference::Kind::wall ? &*back : &*ahead;
-    return nearer > slack ? &*ahead : &*back;
+      return back->reference.kind == Reference::Kind::wall ? back : ahead;
+    return nearer > slack ? ahead : back;
   }
 
-  void offer(double sign, const Crossing& at, Reference::Kind kind, const std::string& fixture = {}) {
+  void offer(double sign, const Crossing& at, Reference::Kind kind, const std::string& fixture = {},
+             double ceiling = 0) {
     std::optional<Met>& first = sign < 0 ? first_[0] : first_[1];
     if (at.distance < 0 || (first && at.distance >= first->reference.distance - slack)) return;
     const Side side =
         axis_ == 0 ? (sign < 0 ? Side::left : Side::right) : (sign < 0 ? Side::bottom : Side::top);
-    first = Met{{side, kind, fixture, at.distance}, at.is_square};
+    first = Met{{side, kind, fixture, at.distance, ceiling}, at.quality};
   }
 
   void meet_walls(const Polygon& polygon) {
@@ -126,7 +137,7 @@ class Search {
       Vec2 beyond = in_plan();
       beyond[axis_] += sign * (at->distance + 2 * slack);
       if (contains(zone.polygon, beyond) && zone.height.at(beyond) < unit_.z - slack)
-        offer(sign, *at, Reference::Kind::ceiling, zone.id);
+        offer(sign, *at, Reference::Kind::ceiling, {}, zone.height.at(beyond));
     }
   }
 

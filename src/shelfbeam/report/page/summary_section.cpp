@@ -34,8 +34,15 @@ std::string shopping_list(const ReportData& data) {
   const std::optional<Price>& price = data.input.plan.placement.price;
   const bool has_there =
       std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.second.there > 0; });
-  std::vector<HtmlTable::Column> columns{{data.words.say("summary.buy.type"), false},
-                                         {data.words.say("summary.buy.new")}};
+  const auto order_number_of = [&](const std::string& name) {
+    const TransceiverType* const type = unit_type(data.input.scene, name);
+    return type == nullptr ? std::string() : type->order_number;
+  };
+  const bool has_orders = std::any_of(
+      rows.begin(), rows.end(), [&](const auto& row) { return !order_number_of(row.first.first).empty(); });
+  std::vector<HtmlTable::Column> columns{{data.words.say("summary.buy.type"), false}};
+  if (has_orders) columns.push_back({data.words.say("summary.buy.order"), false});
+  columns.push_back({data.words.say("summary.buy.new")});
   if (has_there) columns.push_back({data.words.say("summary.buy.there")});
   // Prices may come from another file than the types.
   double sum = 0;
@@ -47,10 +54,11 @@ std::string shopping_list(const ReportData& data) {
   }
   HtmlTable table(columns);
   const auto add = [&](const std::string& name, const Row& row, const std::string& each, double amount) {
-    std::vector<std::string> cells{
-        name, row.pinned > 0 ? data.words.say("summary.buy.pinned", data.words.grouped(row.fresh),
-                                              data.words.grouped(row.pinned))
-                             : data.words.grouped(row.fresh)};
+    std::vector<std::string> cells{name};
+    if (has_orders) cells.push_back(order_number_of(name));
+    cells.push_back(row.pinned > 0 ? data.words.say("summary.buy.pinned", data.words.grouped(row.fresh),
+                                                    data.words.grouped(row.pinned))
+                                   : data.words.grouped(row.fresh));
     if (has_there) cells.push_back(data.words.grouped(row.there));
     if (has_prices) cells.insert(cells.end(), {each, money(data.words, amount, price)});
     table.add_row(cells);

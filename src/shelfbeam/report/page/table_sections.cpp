@@ -9,6 +9,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
+#include "shelfbeam/report/place/place_text.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
@@ -57,8 +58,10 @@ std::string unit_section(const ReportData& data) {
   if (!data.has_selection()) return {};
   std::map<std::string_view, double> roll_deg;
   for (const Transceiver& unit : data.input.scene.transceivers) roll_deg.emplace(unit.id, unit.roll_deg);
+  const ShopPlaces places(data.input.scene);
   HtmlTable table({{data.words.say("units.number")},
                    {data.words.say("units.unit"), false},
+                   {data.words.say("units.place"), false, true},
                    {data.words.say("column.x")},
                    {data.words.say("column.y")},
                    {data.words.say("column.height")},
@@ -74,6 +77,7 @@ std::string unit_section(const ReportData& data) {
                    transceiver.installed ? data.words.say("units.installed", transceiver.id)
                    : transceiver.pinned  ? data.words.say("units.pinned", transceiver.id)
                                          : transceiver.id,
+                   place_text(data.words, places.of(transceiver.position)),
                    data.words.fixed(transceiver.position.x, 2), data.words.fixed(transceiver.position.y, 2),
                    data.words.fixed(transceiver.position.z, 2), data.words.grouped(unit.reaches_alone),
                    data.words.grouped(unit.strongest_for), data.words.grouped(unit.needed_by),

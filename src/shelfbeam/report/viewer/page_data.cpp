@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include "shelfbeam/base/text.hpp"
+
 namespace shelfbeam {
 
 namespace {
@@ -17,21 +19,6 @@ std::string deflated(const std::string& bytes) {
                 static_cast<uLong>(bytes.size()), 6) != Z_OK)
     throw std::runtime_error("zlib cannot compress the data of the page");
   out.resize(size);
-  return out;
-}
-
-std::string to_base64(std::string_view bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    std::uint32_t group = 0;
-    const std::size_t present = std::min<std::size_t>(3, bytes.size() - at);
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8U | (k < present ? static_cast<unsigned char>(bytes[at + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      out += k <= present ? digits[group >> (18U - 6U * static_cast<unsigned>(k)) & 63U] : '=';
-  }
   return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/report/place/place_text.hpp"
 #include "shelfbeam/report/text/numbers.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
@@ -53,28 +54,30 @@ Json add_labels(PageData& page, const ReportData& data) {
 
 Json add_units(PageData& page, const ReportData& data) {
   std::vector<float> position, axis;
-  Json ids = Json::array(), types = Json::array(), installed = Json::array();
+  Json ids = Json::array(), types = Json::array(), places = Json::array(), installed = Json::array();
+  const ShopPlaces shop(data.input.scene);
   const auto& units = data.input.matrix.transceivers;
   for (std::uint32_t j = 0; j < units.size(); ++j) {
     append_point(position, units[j].position);
     append_point(axis, units[j].axis);
     ids.push_back(units[j].id);
     types.push_back(units[j].type);
+    places.push_back(place_text(data.words, shop.of(units[j].position)));
     if (units[j].installed) installed.push_back(j);
   }
   page.add("unit_position", position);
   page.add("unit_axis", axis);
+  Json orders = Json::object();
+  for (const TransceiverType& type : data.input.scene.transceiver_types)
+    if (!type.order_number.empty()) orders[type.name] = type.order_number;
   Json selected = Json::array(), needed_by = Json::array();
   for (const UnitOutcome& unit : data.outcome.units) {
     selected.push_back(unit.column);
     needed_by.push_back(unit.needed_by);
   }
-  return {{"ids", ids},
-          {"types", types},
-          {"installed", installed},
-          {"mounts", shared_mounts(data.input.matrix)},
-          {"selected", selected},
-          {"neededBy", needed_by}};
+  return {{"ids", ids},           {"types", types},         {"places", places},
+          {"orders", orders},     {"installed", installed}, {"mounts", shared_mounts(data.input.matrix)},
+          {"selected", selected}, {"neededBy", needed_by}};
 }
 
 // Verdicts by their number in Verdict, which the script knows; null without a certificate.

@@ -38,6 +38,9 @@ std::string light_of(LabelType type) {
 }
 std::string light_of(TransceiverType type) {
   type.cost = TransceiverType{}.cost;
+  type.order_number.clear();
+  type.fixing.clear();
+  type.picture.clear();
   return text_of(type);
 }
 

@@ -53,16 +53,23 @@ void append_list(std::string& text, std::size_t level, const Items& items, const
 }  // namespace
 
 std::string hash_of_resolved(std::string_view text) {
-  // A line of the store and a line of a label. Elsewhere, these levels of nesting have no keys of these
-  // names.
-  constexpr std::string_view language = "\n \"language\": ", description = "\n   \"description\": ";
+  // A line of the store, lines of its types of transceivers, and a line of a label. Elsewhere, these levels
+  // of nesting have no keys of these names. Types come before fixtures, and these before labels.
+  constexpr std::string_view description = "\n   \"description\": ", fixtures = "\n \"fixtures\": ";
+  constexpr std::string_view of_head[] = {
+      "\n \"language\": ", "\n   \"order_number\": ", "\n   \"fixing\": ", "\n   \"picture\": "};
   std::string kept;
   std::size_t begin = 0;
-  for (const std::string_view line : {language, description})
-    for (std::size_t at; (at = text.find(line, begin)) != std::string_view::npos;) {
-      kept.append(text.substr(begin, at - begin));
-      begin = std::min(text.find('\n', at + 1), text.size());
-    }
+  const auto leave_out_line = [&](std::size_t at) {
+    kept.append(text.substr(begin, at - begin));
+    begin = std::min(text.find('\n', at + 1), text.size());
+  };
+  const std::size_t head = std::min(text.find(fixtures), text.size());
+  for (std::size_t at = text.find('\n'); at < head; at = text.find('\n', at + 1))
+    for (const std::string_view line : of_head)
+      if (text.substr(at).starts_with(line)) leave_out_line(at);
+  for (std::size_t at; (at = text.find(description, std::max(begin, head))) != std::string_view::npos;)
+    leave_out_line(at);
   return content_hash(begin == 0 ? text : kept.append(text.substr(begin)));
 }
 

@@ -9,6 +9,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
+#include "shelfbeam/device/picture.hpp"
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
@@ -114,6 +115,27 @@ EmissionTable read_photometry(const JsonCursor& cursor, const StoreFolder& folde
   if (peak > largest_amount)
     flux.fail(fmt::format("produces an intensity of {:.3g} W/sr with this profile", peak), "reduce it");
   return EmissionTable{table};
+}
+
+// A file, or in a resolved store the picture itself.
+std::string read_picture(const JsonCursor& cursor, const StoreFolder& folder) {
+  const std::string text = cursor.text();
+  if (text.starts_with("data:")) {
+    if (!is_picture_uri(text))
+      cursor.fail("is no data URI of a PNG, JPEG or SVG picture of at most 500 kB", "name a file");
+    return text;
+  }
+  const InputFile file = folder.find(cursor);
+  const auto fail = [&](const std::string& problem, const char* remedy) {
+    cursor.fail(fmt::format("{} {}", file.name(), problem), remedy);
+  };
+  if (file.size() > max_picture_file)
+    fail(fmt::format("has {} bytes; the maximum of a picture is {}", grouped(file.size()),
+                     grouped(max_picture_file)),
+         "make the picture smaller: 400 pixels are enough");
+  auto uri = picture_uri(file.read(max_picture_file));
+  if (!uri) fail("is no PNG, JPEG or SVG picture", "save it in one of these formats");
+  return *uri;
 }
 
 Emission read_profile(const JsonCursor& cursor, const StoreFolder& folder) {
@@ -273,6 +295,27 @@ void describe(TransceiverType& type, Fields& f, const TypeSource* source) {
             .usual_most = 0.3,
             .usual = "up to 0.1 m is typical; correct it",
             .is_optional = true});
+  // Before a key that is always written (hash_of_resolved).
+  f.text("order_number", type.order_number,
+         {.says = "order number, for the report",
+          .is_name = true,
+          .is_optional = true,
+          .otherwise = "none",
+          .is_written = !type.order_number.empty()});
+  f.text("fixing", type.fixing,
+         {.says = "how a unit is fixed, such as with a magnet on the T-bar; for the mounting sheet",
+          .is_name = true,
+          .is_optional = true,
+          .otherwise = "none",
+          .is_written = !type.fixing.empty()});
+  const CustomValue picture{
+      [&](const JsonCursor& json) { type.picture = read_picture(json, source->folder); },
+      [&] { return nlohmann::ordered_json(type.picture); }, R"({"type": "string", "minLength": 1})"};
+  f.custom("picture", picture,
+           {.says = "[picture](#picture) for the mounting sheet: the name of a PNG, JPEG or SVG file",
+            .is_optional = true,
+            .otherwise = "none",
+            .is_written = !type.picture.empty()});
   f.scalar("cost", Scalar::amount, type.cost,
            {.says = "price of one unit. Where the prices of the candidates differ, `plan` and `place` "
                     "minimise the new "

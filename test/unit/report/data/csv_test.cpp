@@ -114,9 +114,9 @@ TEST(PlacementCsv, BeginsWithTheColumnsOfTheTransceiverCsv) {
   const Kiosk kiosk;
   const auto rows = test::read_csv(placement_csv(kiosk.input));
   const Outcome outcome = outcome_of(kiosk.matrix, kiosk.placement);
-  EXPECT_EQ(rows[0],
-            (std::vector<std::string>{"id", "x", "y", "z", "ax", "ay", "az", "roll_deg", "type", "cost",
-                                      "installed", "reaches_alone", "strongest_for", "needed_by", "pinned"}));
+  EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "x", "y", "z", "ax", "ay", "az", "roll_deg", "type",
+                                               "cost", "installed", "reaches_alone", "strongest_for",
+                                               "needed_by", "pinned", "place", "order_number"}));
   ASSERT_EQ(rows.size(), kiosk.placement.count() + 1);
   for (std::size_t k = 0; k < outcome.units.size(); ++k) {
     const UnitOutcome& unit = outcome.units[k];

@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/data/walking_order.hpp"
+#include "shelfbeam/report/place/place_text.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/csv_reader.hpp"
@@ -83,13 +85,34 @@ TEST(Reference, IsTheNearestSurfaceAtTheHeightOfTheUnit) {
   expect_reference(references_of(scene, {2, 27, 3.9})[0], Side::left, Kind::wall, "", 2);
   expect_reference(references_of(scene, {2, 27, 3.9})[1], Side::top, Kind::wall, "", 3);
   expect_reference(references_of(scene, {12, 14.5, 3})[0], Side::left, Kind::fixture, "column", 2);
-  // The slanted wall is where y = x - 2: from x = 8 at y = 3 to x = 5.
-  expect_reference(references_of(scene, {8, 3, 3})[0], Side::left, Kind::fixture, "wall", 3);
-  // Walls that are more than 8 m away give way to fixtures below.
+  // The slanted wall, 3 m to the left, gives way to the square wall on the other side.
+  expect_reference(references_of(scene, {8, 3, 3})[0], Side::right, Kind::wall, "", 12);
+  // A wall that is far away precedes a fixture below.
+  expect_reference(references_of(scene, {10.5, 19, 3.9})[1], Side::top, Kind::wall, "", 11);
+  EXPECT_EQ(name_of(english(), references_of(scene, {2, 27, 3.9})[0]), "wall at the left");
+}
+
+// Without a room, there is nothing at the height of the unit.
+TEST(Reference, IsAFixtureBelowWithoutAnythingAtTheHeightOfTheUnit) {
+  Scene scene = hall();
+  scene.room.reset();
+  using Kind = Reference::Kind;
   expect_reference(references_of(scene, {10.5, 19, 3.9})[1], Side::top, Kind::fixture, "table", 1);
   expect_reference(references_of(scene, {10.5, 21, 3.9})[1], Side::bottom, Kind::end, "table", 1);
   EXPECT_EQ(name_of(english(), references_of(scene, {10.5, 21, 3.9})[1]), "bottom side of table");
-  EXPECT_EQ(name_of(english(), references_of(scene, {2, 27, 3.9})[0]), "wall at the left");
+}
+
+// The distance along a wall that the laser grazes says nothing.
+TEST(Reference, IsNoSurfaceAlongTheLaser) {
+  Store store = sample_store::empty_store("Wedge", {20, 30, 4});
+  store.room->shape.is_box = false;
+  store.room->shape.outline = {{0, 0}, {20, 0}, {20, 30}, {8, 30}};  // a wall at the left with 15 degrees
+  store.room->walls.assign(4, MaterialId{0});
+  sample_store::add_devices(store, {15, 5, 1}, {15, 8, 3.9});
+  const Scene scene = make_scene(store);
+  // 1 m below the slanted wall and 24 m above that at the bottom.
+  expect_reference(references_of(scene, {7, 24, 3})[1], Side::bottom, Reference::Kind::wall, "", 24);
+  expect_reference(references_of(scene, {7, 24, 3})[0], Side::right, Reference::Kind::wall, "", 13);
 }
 
 TEST(Reference, IsTheAxisWithoutAnythingElse) {
@@ -125,6 +148,7 @@ TEST(MountingSheet, ListsTheUnitsInWalkingOrderInWholeCentimetres) {
     EXPECT_EQ(rows[k + 1][1], sheet[k].id);
     EXPECT_EQ(rows[k + 1][4], std::to_string(centimetres(sheet[k].references[0].distance)));
     EXPECT_EQ(rows[k + 1][8], std::to_string(height_cm(sheet[k])));
+    EXPECT_EQ(rows[k + 1][13], place_text(english(), sheet[k].place));
   }
 }
 
@@ -147,6 +171,68 @@ TEST(MountingSheet, IsTheSecondSectionOfThePage) {
       at = text.find(piece, at);
       ASSERT_NE(at, std::string::npos) << unit.number << " " << piece;
     }
+}
+
+// The texts of the page between two elements.
+std::string part_of(const std::string& html, const std::string& begin, const std::string& end) {
+  const std::size_t at = html.find(begin);
+  return at == std::string::npos ? std::string() : html.substr(at, html.find(end, at) - at);
+}
+
+TEST(MountingSheet, ShowsOrderNumberFixingAndPictureOfTheTypes) {
+  Supermarket s;
+  const std::string plain = test::static_report(s.input);
+  EXPECT_EQ(plain.find("class=\"kind\""), std::string::npos);
+  EXPECT_EQ(plain.find("Order number"), std::string::npos);
+  TransceiverType& type = s.scene.transceiver_types.at(0);
+  type.order_number = "4711 <B>";
+  type.fixing = "magnet & clip";
+  type.picture = "data:image/png;base64,iVBORw0KGgo=";
+  const std::string html = test::static_report(s.input);
+  EXPECT_EQ(test::fault(html), "");
+  const std::string kind = part_of(html, "<div class=\"kind\">", "</div></div>");
+  for (const char* piece : {"src=\"data:image/png;base64,iVBORw0KGgo=\"", "Order number 4711 &lt;B&gt;",
+                            "Fixing: magnet &amp; clip", "<b>ceiling</b>"})
+    EXPECT_NE(kind.find(piece), std::string::npos) << piece;
+  const std::string to_buy = part_of(html, "<h2>Transceivers", "</table>");
+  EXPECT_NE(to_buy.find("<td>4711 &lt;B&gt;</td>"), std::string::npos) << to_buy;
+  EXPECT_EQ(test::read_csv(mounting_csv(s.input))[1][15], "4711 <B>");
+  EXPECT_EQ(test::read_csv(placement_csv(s.input))[1][16], "4711 <B>");
+  EXPECT_NE(mounting_dxf(s.input).find("\n4711 <B>\n"), std::string::npos);
+}
+
+TEST(MountingSheet, NamesTheUnitsThatNeedALift) {
+  Supermarket s;
+  const auto text = [&] { return test::read_markup(test::static_report(s.input)).text; };
+  EXPECT_EQ(text().find("lift"), std::string::npos) << "all are at 3.9 m";
+  for (const std::uint32_t column : s.placement.selected) s.matrix.transceivers[column].position.z = 4.1;
+  const std::string high = text();
+  EXPECT_EQ(test::count_of("410 cm, lift\n", high), s.placement.count());
+  EXPECT_NE(high.find(std::to_string(s.placement.count()) + " units are to be mounted more than 4 m"),
+            std::string::npos);
+  s.matrix.transceivers[s.placement.selected[0]].installed = true;
+  EXPECT_EQ(test::count_of("410 cm, lift\n", text()), s.placement.count() - 1);
+}
+
+TEST(MountingSheet, SaysHowFarAUnitMayBeOff) {
+  Supermarket s;
+  for (LabelRow& label : s.matrix.labels) label.requirement *= 0.4;
+  const std::vector<MountedUnit> sheet = mounting_sheet(s.input);
+  const auto rows = test::read_csv(mounting_csv(s.input));
+  std::size_t known = 0;
+  for (std::size_t k = 0; k < sheet.size(); ++k) {
+    const long cm = centimetres(sheet[k].tolerance);
+    EXPECT_EQ(rows[k + 1][14], cm > 0 ? std::to_string(cm) : "");
+    known += cm > 0 ? 1 : 0;
+  }
+  ASSERT_GT(known, 0U);
+  const std::string html = test::static_report(s.input);
+  EXPECT_EQ(test::count_of("<td data-label=\"Fine within\" class=\"n\"><div>–<", html), sheet.size() - known);
+  EXPECT_EQ(test::count_of("<td data-label=\"Fine within\"", html), sheet.size());
+  const Outcome outcome = outcome_of(s.matrix, s.placement);
+  for (std::size_t i = 0; i < s.matrix.rows(); ++i)
+    s.matrix.labels[i].requirement = outcome.labels[i].signal;  // no reserve
+  EXPECT_EQ(test::static_report(s.input).find("Fine within"), std::string::npos);
 }
 
 TEST(MountingSheet, IsEmptyWithoutASelection) {
