@@ -129,6 +129,18 @@ TEST(SceneGlb, HasYUp) {
   EXPECT_LT(length(read.upper - Vec3{size.x, size.z, 0}), single);
 }
 
+TEST(SceneGlb, HasOpeningsInTheRoom) {
+  const auto room_area = [](const char* openings) {
+    Json with = store();
+    with["room"]["openings"] = Json::parse(openings);
+    return area(test::nodes_of(scene_glb(test::scene_of(with))).at("room"));
+  };
+  const double closed = room_area("[]");
+  EXPECT_NEAR(room_area(R"([{"wall": 0, "at": 1, "width": 1.5, "top": 2}])"), closed - 3, 1e-4) << "a hole";
+  EXPECT_NEAR(room_area(R"([{"wall": 0, "at": 1, "width": 1.5, "top": 2, "material": "door"}])"), closed,
+              1e-4);
+}
+
 TEST(SceneGlb, HasANodePerFixture) {
   const Scene scene = test::scene_of(store());
   const auto nodes = test::nodes_of(scene_glb(scene));
