@@ -89,8 +89,9 @@ class RandomShop {
 
   void add_fixtures(Store& store, double width, double depth) {
     int number = 0;
-    for (double x = 3; x < width; x += 4)
-      for (double y = 3; y < depth; y += 4) {
+    for (int column = 0; 3 + 4 * column < width; ++column)
+      for (int row = 0; 3 + 4 * row < depth; ++row) {
+        const double x = 3 + 4 * column, y = 3 + 4 * row;
         if (one_of(4) || !is_free(store.room->shape, {x, y}, 1.8)) continue;
         const std::string id = "F" + std::to_string(++number);
         store.fixtures.push_back({fixture(id, {x, y}), "fixtures"});

@@ -39,7 +39,8 @@ Neighbours neighbours_of(const SignalMatrix& matrix, std::uint32_t column) {
       continue;
     for (int axis = 0; axis < 2; ++axis) {
       if (std::abs(way[1 - axis]) > in_line) continue;
-      Neighbours::One& one = found.all[static_cast<std::size_t>(2 * axis + (way[axis] > 0 ? 1 : 0))];
+      const std::size_t first = axis == 0 ? 0 : 2;
+      Neighbours::One& one = found.all[first + (way[axis] > 0 ? 1U : 0U)];
       const double distance = std::abs(way[axis]);
       if (distance > in_line && distance < one.distance) one = {j, distance};
     }

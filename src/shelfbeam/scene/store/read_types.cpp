@@ -119,7 +119,7 @@ EmissionTable read_photometry(const JsonCursor& cursor, const StoreFolder& folde
 
 // A file, or in a resolved store the picture itself.
 std::string read_picture(const JsonCursor& cursor, const StoreFolder& folder) {
-  const std::string text = cursor.text();
+  std::string text = cursor.text();
   if (text.starts_with("data:")) {
     if (!is_picture_uri(text))
       cursor.fail("is no data URI of a PNG, JPEG or SVG picture of at most 500 kB", "name a file");
