@@ -65,7 +65,7 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
   equal(units.length, chosen.length, "rows of units");
   chosen.forEach((row, k) => {
     const counts = [row.reaches_alone, row.strongest_for, row.needed_by];
-    cellsAre(units[k], [String(k + 1), row.id, ...place(row), ...counts], row.id);
+    cellsAre(units[k], [String(k + 1), row.id, row.place, ...place(row), ...counts], row.id);
   });
   equal(weakest.length, 20, "labels with the smallest margin");
   weakest.forEach((cells, k) => {

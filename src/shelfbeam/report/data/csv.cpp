@@ -47,9 +47,8 @@ std::string labels_csv(const ReportInput& input) {
   std::unordered_map<std::string_view, const Label*> labels;
   for (const Label& label : input.scene.labels) labels.emplace(label.id, &label);
   std::string csv = fmt::format(
-      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted{},"
-      "description,fixture,face,"
-      "board\n",
+      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted{}"
+      ",description,fixture,face,board\n",
       has_states ? ",availability" : "");
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     const LabelRow& label = matrix.labels[i];

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/file.hpp"
@@ -39,9 +41,10 @@ TEST(LabelsCsv, AgreesWithThePlacement) {
   const Kiosk kiosk;
   const auto rows = test::read_csv(labels_csv(kiosk.input));
   ASSERT_EQ(rows.size(), kiosk.matrix.rows() + 1);
-  EXPECT_EQ(rows[0], (std::vector<std::string>{"id", "x", "y", "z", "nx", "ny", "nz", "type", "requirement",
-                                               "signal", "margin_db", "direct_share", "serving", "strongest",
-                                               "error_trusted", "description", "fixture", "face", "board"}));
+  EXPECT_EQ(
+      fmt::format("{}", fmt::join(rows[0], ",")),
+      "id,x,y,z,nx,ny,nz,type,requirement,signal,margin_db,direct_share,serving,strongest,error_trusted,"
+      "description,fixture,face,board");
   const std::size_t n = kiosk.matrix.columns();
   for (std::size_t i = 0; i < kiosk.matrix.rows(); ++i) {
     const auto& row = rows[i + 1];
