@@ -118,7 +118,8 @@ function certificateIs({ answer, facts: { "Certificate from independent samples"
     // More than four labels are counted by fixture.
     for (const part of parts.replace(" and others", "").split(ids.length > 4 ? ", " : "; ")) {
       const [, number, fixture] = /^(\d+) on (.+)$/.exec(part) ?? [];
-      if (number) equal(ids.filter((id) => id.startsWith(`${fixture}-`)).length, Number(number), part);
+      if (number)
+        equal(labels.filter((row) => row.fixture === fixture && ids.includes(row.id)).length, Number(number), part);
       else check(ids.includes(part), part);
     }
   }
