@@ -28,6 +28,8 @@ struct LabelOutcome {
   std::vector<std::uint32_t> reached_by;   ///< columns of the chosen units that alone reach it (l_ij = 1)
 
   double margin() const { return margin_db(signal, requirement); }
+  /// The signal as a multiple of the requirement; 0 without requirement.
+  double ratio() const { return requirement > 0 ? signal / requirement : 0; }
 };
 
 /// The effect of one chosen unit.

@@ -14,7 +14,7 @@ std::string recommendation(const ReportData& data) {
   const Words& words = data.words;
   const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];
   if (!(weakest.requirement > 0)) return {};
-  const double margin = weakest.signal / weakest.requirement;
+  const double margin = weakest.ratio();
   const std::string now = words.significant(margin);
   if (margin >= ample_margin) return words.say("recommendation.ample", now);
   const auto& more = plan.alternatives.one_more;

@@ -165,13 +165,12 @@ class SummaryWriter {
     if (labels() == 0) return;
     const std::uint32_t weakest = data_.outcome.by_margin.front();
     const LabelOutcome& label = data_.outcome.labels[weakest];
-    const double ratio = label.requirement > 0 ? label.signal / label.requirement : 0;
     if (label.met)
-      summary_.achieves.push_back(
-          words_.say("summary.achieves.weakest", data_.names.name(weakest), words_.significant(ratio)));
+      summary_.achieves.push_back(words_.say("summary.achieves.weakest", data_.names.name(weakest),
+                                             words_.significant(label.ratio())));
     else
-      summary_.achieves.push_back(
-          words_.say("summary.achieves.weakest_short", data_.names.name(weakest), words_.percent(ratio, 0)));
+      summary_.achieves.push_back(words_.say("summary.achieves.weakest_short", data_.names.name(weakest),
+                                             words_.percent(label.ratio(), 0)));
     const std::size_t secure = data_.outcome.secure, single = data_.outcome.met - secure;
     if (single == 0 && secure == labels())
       summary_.achieves.push_back(words_.say_count("summary.achieves.secure_all", labels()));

@@ -106,8 +106,7 @@ std::string alternatives_table(const ReportData& data) {
   own.selected = plan.placement.selected;
   own.price = plan.placement.price;
   own.secure = data.outcome.secure;
-  const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];
-  own.smallest_margin = weakest.requirement > 0 ? weakest.signal / weakest.requirement : 0;
+  own.smallest_margin = data.outcome.labels[data.outcome.by_margin.front()].ratio();
   add(data.words.say("summary.alternatives.this"), own, units(own), price_of(own),
       data.words.grouped(data.outcome.met));
   if (const auto& one = others.one_fewer)
