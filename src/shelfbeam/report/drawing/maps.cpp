@@ -54,6 +54,7 @@ std::string unit_symbol(const TransceiverColumn& unit) {
 
 Maps::Maps(const ReportData& data)
     : data_(data),
+      sheet_(mounting_sheet(data.input)),
       view_(data.input.scene),
       fullest_(find_fullest(data.levels)),
       scale_(signals_of(data, fullest_)),
@@ -118,7 +119,7 @@ std::string Maps::definitions() const {
 void Maps::draw_names(SvgCanvas& canvas) const {
   std::vector<Point> marks;
   std::set<std::string> referenced;
-  for (const MountedUnit& unit : mounting_sheet(data_.input)) {
+  for (const MountedUnit& unit : sheet_) {
     marks.push_back(view_.at(unit.position.x, unit.position.y));
     for (const Reference& reference : unit.references) referenced.insert(reference.fixture);
     referenced.insert({unit.place.fixture, unit.place.other});

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "shelfbeam/report/chart/palette.hpp"
 #include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/report/drawing/plan_view.hpp"
+#include "shelfbeam/report/mounting/mounting_sheet.hpp"
 
 namespace shelfbeam {
 
@@ -24,6 +26,8 @@ class Maps {
   std::string signal_maps(std::size_t level) const;
   /// CSS variables with the colours of the signal scale.
   std::string colours(bool dark) const { return signal_colours(scale_, dark); }
+  /// The mounting sheet, which the page shows beside the plans.
+  const std::vector<MountedUnit>& sheet() const { return sheet_; }
   /// The level with the most labels; the lowest of several.
   std::size_t fullest_level() const { return fullest_; }
 
@@ -38,6 +42,7 @@ class Maps {
   std::string unit_legend(bool has_candidates) const;
 
   const ReportData& data_;
+  std::vector<MountedUnit> sheet_;
   PlanView view_;
   std::size_t fullest_ = 0;
   SignalScale scale_;

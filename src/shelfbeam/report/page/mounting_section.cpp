@@ -155,7 +155,7 @@ std::string type_cards(const ReportData& data, const std::vector<MountedUnit>& u
 }  // namespace
 
 std::string mounting_section(const ReportData& data, const Maps& maps) {
-  const std::vector<MountedUnit> units = mounting_sheet(data.input);
+  const std::vector<MountedUnit>& units = maps.sheet();
   if (units.empty()) return {};
   return html_section(
       "mounting", data.words.say("mounting.title"),

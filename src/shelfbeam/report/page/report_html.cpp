@@ -15,7 +15,7 @@ std::string report_html(const ReportInput& input) {
   const std::string body = summary_section(data, maps) + mounting_section(data, maps) +
                            warning_section(data) + unreachable_section(data) + availability_section(data) +
                            margin_section(data, maps) + viewer_section(data, viewer_script()) +
-                           weakest_section(data) + fixture_section(data) + unit_section(data) +
+                           weakest_section(data) + fixture_section(data) + unit_section(data, maps) +
                            curve_section(data) + sensitivity_section(data) + reflection_section(data, maps) +
                            distribution_section(data) + facts_section(data);
   return html_page(words, words.say("page.title", name),

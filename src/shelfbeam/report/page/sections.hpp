@@ -30,7 +30,7 @@ std::string sensitivity_section(const ReportData& data);
 /// Plans for a shop that changes, and the labels at risk; empty for a plan without states.
 std::string availability_section(const ReportData& data);
 std::string distribution_section(const ReportData& data);
-std::string unit_section(const ReportData& data);
+std::string unit_section(const ReportData& data, const Maps& maps);
 /// The coverage curve; empty without one.
 std::string curve_section(const ReportData& data);
 std::string weakest_section(const ReportData& data);

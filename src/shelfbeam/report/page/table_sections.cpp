@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string_view>
 
@@ -54,11 +53,8 @@ std::string verdict_text(const Words& words, Verdict verdict) {
 
 }  // namespace
 
-std::string unit_section(const ReportData& data) {
+std::string unit_section(const ReportData& data, const Maps& maps) {
   if (!data.has_selection()) return {};
-  std::map<std::string_view, double> roll_deg;
-  for (const Transceiver& unit : data.input.scene.transceivers) roll_deg.emplace(unit.id, unit.roll_deg);
-  const ShopPlaces places(data.input.scene);
   HtmlTable table({{data.words.say("units.number")},
                    {data.words.say("units.unit"), false},
                    {data.words.say("units.place"), false, true},
@@ -73,15 +69,16 @@ std::string unit_section(const ReportData& data) {
   for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
     const UnitOutcome& unit = data.outcome.units[k];
     const TransceiverColumn& transceiver = data.transceiver(unit.column);
+    const MountedUnit& mounted = maps.sheet()[k];
     table.add_row({data.words.grouped(k + 1),
                    transceiver.installed ? data.words.say("units.installed", transceiver.id)
                    : transceiver.pinned  ? data.words.say("units.pinned", transceiver.id)
                                          : transceiver.id,
-                   place_text(data.words, places.of(transceiver.position)),
-                   data.words.fixed(transceiver.position.x, 2), data.words.fixed(transceiver.position.y, 2),
-                   data.words.fixed(transceiver.position.z, 2), data.words.grouped(unit.reaches_alone),
-                   data.words.grouped(unit.strongest_for), data.words.grouped(unit.needed_by),
-                   transceiver.type, direction(data.words, transceiver.axis, roll_deg[transceiver.id])});
+                   place_text(data.words, mounted.place), data.words.fixed(transceiver.position.x, 2),
+                   data.words.fixed(transceiver.position.y, 2), data.words.fixed(transceiver.position.z, 2),
+                   data.words.grouped(unit.reaches_alone), data.words.grouped(unit.strongest_for),
+                   data.words.grouped(unit.needed_by), transceiver.type,
+                   direction(data.words, transceiver.axis, mounted.roll_deg)});
   }
   return html_section("units", data.words.say("units.title"),
                       table.html() + paragraph(data.words.say("units.note"), "note") + served_labels(data));
