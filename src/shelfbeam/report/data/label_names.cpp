@@ -19,7 +19,7 @@ namespace {
 std::string wall_name(const Words& words, const Scene& scene, std::size_t wall) {
   const auto [x, y] = scene.room->wall(wall).inward;
   const char* const key = std::abs(x) > std::abs(y) ? (x > 0 ? "left" : "right") : (y > 0 ? "bottom" : "top");
-  return words.say(fmt::format("label.wall.{}", key));
+  return words.say("mounting.wall", words(fmt::format("mounting.side.{}", key)));
 }
 
 std::string fixture_of(const Words& words, const Scene& scene, const LabelPlace& place) {
@@ -71,9 +71,10 @@ LabelNames::LabelNames(const Scene& scene, const SignalMatrix& matrix, const Wor
     label.position = row.position;
     if (found != labels.end()) label = *found->second;
     const LabelPlace& at = label.place;
+    const std::string fixture = fixture_of(words, scene, at);
     std::string place;
     if (at.is_known()) {
-      place = fixture_of(words, scene, at);
+      place = fixture;
       if (at.on_top)
         place = words.say("label.on_top", place);
       else if (at.face && several_faces.contains(at.fixture))
@@ -81,8 +82,7 @@ LabelNames::LabelNames(const Scene& scene, const SignalMatrix& matrix, const Wor
       if (at.board > 0) place = words.say("label.board", place, at.board);
     }
     names_.push_back(name_of_label(words, label, place));
-    places_.push_back(std::move(place));
-    fixtures_.push_back(fixture_of(words, scene, at));
+    fixtures_.push_back(fixture);
     boards_.push_back(at.board);
   }
 }

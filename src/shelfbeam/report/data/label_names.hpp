@@ -22,8 +22,6 @@ class LabelNames {
   const std::string& name(std::uint32_t row) const { return names_[row]; }
   /// By row.
   const std::vector<std::string>& all() const { return names_; }
-  /// "G3 back, board 2"; empty if it is unknown.
-  const std::string& place(std::uint32_t row) const { return places_[row]; }
   /// The fixture or wall of a label, "other places" if it is unknown.
   const std::string& fixture(std::uint32_t row) const { return fixtures_[row]; }
   /// From 1, the lowest; 0: on no board.
@@ -40,7 +38,7 @@ class LabelNames {
   std::vector<std::pair<std::string, std::size_t>> per_fixture(std::span<const std::uint32_t> rows) const;
 
   Words words_;
-  std::vector<std::string> names_, places_, fixtures_;
+  std::vector<std::string> names_, fixtures_;
   std::vector<int> boards_;
 };
 
