@@ -98,6 +98,22 @@ OuterWall RoomShape::wall(std::size_t k) const {
   return {from, to, {-side * y / length, side * x / length}};
 }
 
+double OuterWall::length() const {
+  return std::hypot(to[0] - from[0], to[1] - from[1]);
+}
+
+double OuterWall::along(const Vec2& p) const {
+  const double x = to[0] - from[0], y = to[1] - from[1];
+  return (x * (p[0] - from[0]) + y * (p[1] - from[1])) / std::hypot(x, y);
+}
+
+std::vector<WallOpening> RoomShape::openings_in(std::size_t k) const {
+  std::vector<WallOpening> found;
+  for (const OpeningRow& row : openings)
+    for (std::size_t n = 0; row.wall == k && n < row.count; ++n) found.push_back(row.opening(n));
+  return found;
+}
+
 std::array<Vec2, 2> RoomShape::along_wall(std::size_t k, double begin, double end) const {
   const auto [from, to, inward] = wall(k);
   const double x = to[0] - from[0], y = to[1] - from[1], length = std::hypot(x, y);
@@ -108,17 +124,12 @@ std::array<Vec2, 2> RoomShape::along_wall(std::size_t k, double begin, double en
 }
 
 bool RoomShape::is_open(std::size_t k, const Vec3& p) const {
-  const auto [from, to, inward] = wall(k);
-  const double x = to[0] - from[0], y = to[1] - from[1];
-  const double along = (x * (p.x - from[0]) + y * (p.y - from[1])) / std::hypot(x, y);
-  for (const OpeningRow& row : openings)
-    for (std::size_t n = 0; row.wall == k && n < row.count; ++n) {
-      const WallOpening opening = row.opening(n);
-      if (opening.at < along && along < opening.at + opening.width && opening.bottom < p.z &&
-          p.z < opening.top)
-        return true;
-    }
-  return false;
+  const double along = wall(k).along({p.x, p.y});
+  const std::vector<WallOpening> all = openings_in(k);
+  return std::any_of(all.begin(), all.end(), [&](const WallOpening& opening) {
+    return opening.at < along && along < opening.at + opening.width && opening.bottom < p.z &&
+           p.z < opening.top;
+  });
 }
 
 bool RoomShape::covers(const Vec2& p) const {

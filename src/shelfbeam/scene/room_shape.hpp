@@ -34,6 +34,10 @@ using PlanArea = std::variant<std::string, Polygon>;
 struct OuterWall {
   Vec2 from{}, to{};
   Vec2 inward{};  ///< unit length
+
+  double length() const;
+  /// The distance from `from` to the foot of the perpendicular from a point.
+  double along(const Vec2& p) const;
 };
 
 /// A hole through a wall.
@@ -94,6 +98,8 @@ struct RoomShape {
   Vec3 upper() const;
   /// Precondition: k is the number of a wall.
   OuterWall wall(std::size_t k) const;
+  /// The openings in a wall, in the order of their rows.
+  std::vector<WallOpening> openings_in(std::size_t k) const;
   /// The points in plan at two distances from the first corner of a wall.
   std::array<Vec2, 2> along_wall(std::size_t k, double begin, double end) const;
   /// Whether a point of a wall is in one of its openings. Precondition: k is the number of a wall.

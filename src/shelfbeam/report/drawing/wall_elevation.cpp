@@ -37,7 +37,7 @@ double draw_wall(SvgCanvas& canvas, const Words& words, const RoomShape& room, s
                  double width) {
   constexpr double left = 52, right = 60, heading = 34, below = 34, largest = 60, row = 14;
   const auto [from, to, inward] = room.wall(wall);
-  const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+  const double length = room.wall(wall).length();
   const std::vector<Vec2> ceiling = ceiling_along(room, wall, length);
   double highest = 0;
   for (const Vec2& p : ceiling) highest = std::max(highest, p[1]);
@@ -55,16 +55,14 @@ double draw_wall(SvgCanvas& canvas, const Words& words, const RoomShape& room, s
   outline.push_back(at(length, 0));
   canvas.polygon(outline, "solid");
   std::set<double> heights{0, highest};
-  for (const OpeningRow& openings : room.openings)
-    for (std::size_t k = 0; openings.wall == wall && k < openings.count; ++k) {
-      const WallOpening one = openings.opening(k);
-      const double end = one.at + one.width;
-      const std::vector<Point> corners{at(one.at, one.bottom), at(end, one.bottom), at(end, one.top),
-                                       at(one.at, one.top)};
-      canvas.polygon(corners, "hole");
-      if (one.has_pane) canvas.polygon(corners, "pane");
-      heights.insert({one.bottom, one.top});
-    }
+  for (const WallOpening& one : room.openings_in(wall)) {
+    const double end = one.at + one.width;
+    const std::vector<Point> corners{at(one.at, one.bottom), at(end, one.bottom), at(end, one.top),
+                                     at(one.at, one.top)};
+    canvas.polygon(corners, "hole");
+    if (one.has_pane) canvas.polygon(corners, "pane");
+    heights.insert({one.bottom, one.top});
+  }
   canvas.line({left - 12, ground}, {left + length * scale + 12, ground}, "ground");
   canvas.text({left + length * scale / 2, ground + 21}, words.say("drawing.metres", words.fixed(length, 2)),
               "t mid");

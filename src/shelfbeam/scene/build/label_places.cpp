@@ -183,12 +183,9 @@ class PlaceFinder {
     const Polygon& outline = scene_.room->outline;
     const Vec2 at{label.position.x, label.position.y};
     if (distance_to_border(outline, at) > wall_reach) return {};
-    const std::size_t wall = nearest_edge(outline, at);
-    const auto [from, to, inward] = scene_.room->wall(wall);
-    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
-    const double along =
-        ((at[0] - from[0]) * (to[0] - from[0]) + (at[1] - from[1]) * (to[1] - from[1])) / length;
-    return {.wall = wall, .along = std::clamp(along, 0.0, length)};
+    const std::size_t number = nearest_edge(outline, at);
+    const OuterWall wall = scene_.room->wall(number);
+    return {.wall = number, .along = std::clamp(wall.along(at), 0.0, wall.length())};
   }
 
   const Scene& scene_;

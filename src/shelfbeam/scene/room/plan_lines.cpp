@@ -40,17 +40,14 @@ class PlanReader {
     if (shape_.openings.empty()) return shape_.outline;
     Polygon with_ends;
     for (std::size_t k = 0; k < shape_.outline.size(); ++k) {
-      const auto [from, to, inward] = shape_.wall(k);
-      const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+      const OuterWall wall = shape_.wall(k);
+      const double length = wall.length();
       std::set<double> ends;
-      for (const OpeningRow& row : shape_.openings)
-        for (std::size_t n = 0; row.wall == k && n < row.count; ++n) {
-          const WallOpening opening = row.opening(n);
-          ends.insert({opening.at, opening.at + opening.width});
-        }
+      for (const WallOpening& opening : shape_.openings_in(k))
+        ends.insert({opening.at, opening.at + opening.width});
       constexpr double same = 1e-6;  // m
       double last = 0;
-      with_ends.push_back(from);
+      with_ends.push_back(wall.from);
       for (const double end : ends)
         if (end > last + same && end < length - same) {
           with_ends.push_back(shape_.along_wall(k, end, end).front());

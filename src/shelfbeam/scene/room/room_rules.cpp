@@ -221,8 +221,7 @@ class RoomRules {
     if (row.wall >= shape_.outline.size())
       json["wall"].fail("is not the number of a wall",
                         fmt::format("the room has the walls 0 to {}", shape_.outline.size() - 1));
-    const auto [from, to, inward] = shape_.wall(row.wall);
-    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    const double length = shape_.wall(row.wall).length();
     const auto text = [&](double metres) { return length_text(metres, json.unit()); };
     const double end = row.first.at + row.length();
     if (end > length + rule_slack)

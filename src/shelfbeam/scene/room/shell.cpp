@@ -164,10 +164,10 @@ class RoomShell {
 
   // From the first corner of a wall to a point on it.
   std::optional<double> distance_along(std::size_t k, const Vec2& p) const {
-    const auto [from, to, inward] = shape_.wall(k);
-    const double x = p[0] - from[0], y = p[1] - from[1];
-    if (std::abs(x * inward[0] + y * inward[1]) > plan_rounding) return {};
-    return (x * (to[0] - from[0]) + y * (to[1] - from[1])) / std::hypot(to[0] - from[0], to[1] - from[1]);
+    const OuterWall wall = shape_.wall(k);
+    const double x = p[0] - wall.from[0], y = p[1] - wall.from[1];
+    if (std::abs(x * wall.inward[0] + y * wall.inward[1]) > plan_rounding) return {};
+    return wall.along(p);
   }
 
   void add_level(std::uint32_t point, const CeilingHeight& height) {
