@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/fields/describe_choice.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/material/reflectances_940nm.hpp"
@@ -59,16 +60,6 @@ std::array<double, 2> read_roughness(const JsonCursor& roughness, bool has_direc
     roughness.fail(fmt::format("is {}, which is outside {} to 1", alpha, min),
                    "use a value in that range, or 0 for a smooth surface");
   return {alpha, alpha};
-}
-
-template <class Enum>
-bool describe_choice(Fields& f, std::string_view key, Enum& value, std::span<const Named<Enum>> names,
-                     const Field& field) {
-  std::vector<std::string_view> known, chosen{to_text(value)};
-  for (const Named<Enum>& one : names) known.push_back(one.name);
-  if (!f.choices(key, chosen, known, true, field)) return false;
-  value = *from_text<Enum>(chosen.front());
-  return true;
 }
 
 }  // namespace

@@ -12,9 +12,8 @@ namespace {
 
 // An edge between two directions, apart from rounding, belongs to neither.
 bool looks_towards(const Vec2& normal, Compass direction) {
-  constexpr std::array<Vec2, 4> axes{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
   constexpr double rounding = 1e-9;
-  const auto& [x, y] = axes[static_cast<std::size_t>(direction)];
+  const auto [x, y] = vector_of(direction);
   return x * normal[0] + y * normal[1] > std::sqrt(0.5) + rounding;
 }
 

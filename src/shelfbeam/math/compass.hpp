@@ -3,9 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
+#include "shelfbeam/base/names.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam {
@@ -13,10 +13,14 @@ namespace shelfbeam {
 /// The directions of the compass in plan: north is +y, and east is +x.
 enum class Compass : std::uint8_t { north, east, south, west };
 
-inline constexpr std::array<std::string_view, 4> compass_names{"north", "east", "south", "west"};
+template <>
+inline constexpr auto names_of<Compass> = std::to_array<Named<Compass>>(
+    {{"north", Compass::north}, {"east", Compass::east}, {"south", Compass::south}, {"west", Compass::west}});
 
-inline std::string_view to_text(Compass direction) {
-  return compass_names[static_cast<std::size_t>(direction)];
+/// The unit vector of a direction.
+inline Vec2 vector_of(Compass direction) {
+  constexpr std::array<Vec2, 4> vectors{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
+  return vectors[static_cast<std::size_t>(direction)];
 }
 
 /// The unit normals of the edges of a polygon without fault: edge k runs from corner k to corner k + 1.

@@ -16,6 +16,12 @@ bool describe_direction(Fields& f, std::string_view key, Vec3& direction, const 
                   field);
 }
 
+bool describe_note(Fields& f, std::string_view key, std::string& text, std::string_view says) {
+  return f.text(
+      key, text,
+      {.says = says, .is_name = true, .is_optional = true, .otherwise = "none", .is_written = !text.empty()});
+}
+
 bool describe_share_range(Fields& f, std::string_view key, Range& range, const Field& field) {
   return f.custom(key,
                   {[&](const JsonCursor& json) { range = read_share_range(json); },

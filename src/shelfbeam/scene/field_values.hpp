@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "shelfbeam/base/fields/fields.hpp"
@@ -23,6 +24,8 @@ inline bool describe_point(Fields& f, std::string_view key, Vec3& value, const F
 }
 /// A direction of any length, which becomes 1.
 bool describe_direction(Fields& f, std::string_view key, Vec3& direction, const Field& field);
+/// An optional text for people, which may be empty.
+bool describe_note(Fields& f, std::string_view key, std::string& text, std::string_view says);
 /// A share, or a range of shares.
 bool describe_share_range(Fields& f, std::string_view key, Range& range, const Field& field);
 /// "room", "room without zones", the id of a zone, or a polygon. The reader does not look up the id.

@@ -120,14 +120,14 @@ bool has_named_faces(const FixtureOutline& fixture, Look look) {
 }
 
 void draw_faces(SvgCanvas& canvas, const PlanView& view, const Scene& scene, TakenSpace& space) {
-  constexpr std::array<const char*, 4> names{"N", "E", "S", "W"};
-  constexpr std::array<Vec2, 4> ways{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
   const std::vector<Look> looks = looks_of(scene);
   for (std::size_t f = 0; f < scene.fixtures.size(); ++f) {
     const FixtureOutline& fixture = scene.fixtures[f];
     if (!has_named_faces(fixture, looks[f])) continue;
-    for (std::size_t k = 0; k < names.size(); ++k)
-      for (const auto& run : edges_towards(fixture.footprint, static_cast<Compass>(k))) {
+    for (const auto& [name, direction] : names_of<Compass>) {
+      const std::string letter(1, static_cast<char>(name.front() - 'a' + 'A'));
+      for (const auto& run : edges_towards(fixture.footprint, direction)) {
+        const auto [x, y] = vector_of(direction);
         const Vec2 middle = middle_of(fixture.footprint, run);
         const Point at = view.at(middle[0], middle[1]);
         std::optional<Rectangle> place;
@@ -135,14 +135,14 @@ void draw_faces(SvgCanvas& canvas, const PlanView& view, const Scene& scene, Tak
         for (; !place && size > smallest_id; size *= 0.8)
           for (const double gap : {2.0, 8.0}) {
             const double away = gap * view.mark_share() + size / 2;
-            const Rectangle one = around({at.x + away * ways[k][0], at.y - away * ways[k][1]},
-                                         text_width(names[k], size), size);
+            const Rectangle one = around({at.x + away * x, at.y - away * y}, text_width(letter, size), size);
             if (!place && space.is_free(one)) place = one;
           }
         if (!place) continue;
         space.take(*place);
-        draw_id(canvas, names[k], *place, place->bottom - place->top, "face");
+        draw_id(canvas, letter, *place, place->bottom - place->top, "face");
       }
+    }
   }
 }
 

@@ -1,16 +1,20 @@
 #include "shelfbeam/scene/label/description_column.hpp"
 
 #include <algorithm>
-#include <vector>
 
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/text.hpp"
 
 namespace shelfbeam {
 
-std::optional<std::size_t> description_column(const CsvReader& header, std::size_t first) {
+std::vector<std::string> column_keys(const CsvReader& header) {
   std::vector<std::string> names = header.column_names();
   for (std::string& name : names) std::replace(name.begin(), name.end(), ' ', '_');
+  return names;
+}
+
+std::optional<std::size_t> description_column(const CsvReader& header, std::size_t first) {
+  const std::vector<std::string> names = column_keys(header);
   const auto begin = names.begin() + static_cast<std::ptrdiff_t>(std::min(first, names.size()));
   for (const std::string_view known : description_columns)
     if (const auto found = std::find(begin, names.end(), known); found != names.end())

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shelfbeam {
 
@@ -13,6 +14,9 @@ class CsvReader;
 /// The columns of CSV files with the descriptions of labels, the preferred one first.
 inline constexpr auto description_columns = std::to_array<std::string_view>(
     {"description", "name", "article_name", "product_name", "product", "article_description"});
+
+/// The names of the columns of a header, in lower case and with underscores instead of blanks.
+std::vector<std::string> column_keys(const CsvReader& header);
 
 /// The column of a header with descriptions; `first`: the first column that may be one.
 std::optional<std::size_t> description_column(const CsvReader& header, std::size_t first = 0);

@@ -42,8 +42,7 @@ class PlanogramHeader {
   PlanogramHeader(CsvReader& csv, std::string_view file, const char* expected)
       : csv_(csv), expected_(expected) {
     if (!csv.next()) throw InputError(std::string(file), "is empty", expected);
-    names_ = csv.column_names();
-    for (std::string& name : names_) std::replace(name.begin(), name.end(), ' ', '_');
+    names_ = column_keys(csv);
   }
 
   std::size_t required(ColumnNames known) const {

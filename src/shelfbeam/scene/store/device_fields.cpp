@@ -1,6 +1,5 @@
 #include "shelfbeam/scene/store/device_fields.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shelfbeam/base/fields/describe_choice.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/material/material_fields.hpp"
 #include "shelfbeam/math/polygon.hpp"
@@ -81,12 +81,7 @@ void describe(NamedMaterial& named, Fields& f, double wavelength_nm) {
 
 void describe(Label& label, Fields& f) {
   f.text("id", label.id, {.says = "id of the label", .is_name = true});
-  f.text("description", label.description,
-         {.says = "description of its article, for reports",
-          .is_name = true,
-          .is_optional = true,
-          .otherwise = "none",
-          .is_written = !label.description.empty()});
+  describe_note(f, "description", label.description, "description of its article, for reports");
   describe_point(f, "position", label.position, {.says = "`[x, y, z]`"});
   describe_direction(f, "normal", label.normal, {.says = "direction that the label faces"});
   f.label_type("type", label.type, {.says = "label type"});
@@ -185,13 +180,13 @@ void describe(MountFaces& mount, Fields& f) {
   if (f.text("inner_wall", name,
              {.says = "id of an inner wall", .is_optional = true, .otherwise = one_of_them}))
     mount.on = name;
-  std::vector<std::string_view> face;
-  if (f.choices(
-          "face", face, compass_names, true,
+  auto face = mount.face.value_or(Compass::north);
+  if (describe_choice(
+          f, "face", face, std::span<const Named<Compass>>(names_of<Compass>),
           {.says = "with `fixture` or `inner_wall`: only [the face that looks there](#faces-by-the-compass)",
            .is_optional = true,
            .otherwise = "all around"}))
-    mount.face = static_cast<Compass>(std::ranges::find(compass_names, face.front()) - compass_names.begin());
+    mount.face = face;
   f.scalar("z", Scalar::coordinate, mount.z, {.says = "height"});
   // Small columns may have a narrow spacing.
   f.length("spacing", mount.spacing, {.says = "distance between neighbours, adjusted slightly"});

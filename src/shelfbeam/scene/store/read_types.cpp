@@ -11,6 +11,7 @@
 #include "shelfbeam/device/photometry/photometry.hpp"
 #include "shelfbeam/device/picture.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/field_values.hpp"
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
@@ -122,7 +123,7 @@ std::string read_picture(const JsonCursor& cursor, const StoreFolder& folder) {
   std::string text = cursor.text();
   if (text.starts_with("data:")) {
     if (!is_picture_uri(text))
-      cursor.fail("is no data URI of a PNG, JPEG or SVG picture of at most 500 kB", "name a file");
+      cursor.fail("is not a data URI of a PNG, JPEG or SVG picture of at most 500 kB", "name a file");
     return text;
   }
   const InputFile file = folder.find(cursor);
@@ -134,7 +135,7 @@ std::string read_picture(const JsonCursor& cursor, const StoreFolder& folder) {
                      grouped(max_picture_file)),
          "make the picture smaller: 400 pixels are enough");
   auto uri = picture_uri(file.read(max_picture_file));
-  if (!uri) fail("is no PNG, JPEG or SVG picture", "save it in one of these formats");
+  if (!uri) fail("is not a PNG, JPEG or SVG picture", "save it in one of these formats");
   return *uri;
 }
 
@@ -296,18 +297,9 @@ void describe(TransceiverType& type, Fields& f, const TypeSource* source) {
             .usual = "up to 0.1 m is typical; correct it",
             .is_optional = true});
   // Before a key that is always written (hash_of_resolved).
-  f.text("order_number", type.order_number,
-         {.says = "order number, for the report",
-          .is_name = true,
-          .is_optional = true,
-          .otherwise = "none",
-          .is_written = !type.order_number.empty()});
-  f.text("fixing", type.fixing,
-         {.says = "how a unit is fixed, such as with a magnet on the T-bar; for the mounting sheet",
-          .is_name = true,
-          .is_optional = true,
-          .otherwise = "none",
-          .is_written = !type.fixing.empty()});
+  describe_note(f, "order_number", type.order_number, "order number, for the report");
+  describe_note(f, "fixing", type.fixing,
+                "how a unit is fixed, such as with a magnet on the T-bar; for the mounting sheet");
   const CustomValue picture{
       [&](const JsonCursor& json) { type.picture = read_picture(json, source->folder); },
       [&] { return nlohmann::ordered_json(type.picture); }, R"({"type": "string", "minLength": 1})"};

@@ -84,12 +84,12 @@ TEST(UnitType, RefusesFilesThatAreNoPictures) {
     test::expect_input_error([&] { test::scene_of(store_with_type({{"picture", value}}), folder.path()); },
                              "transceiver_types.down.picture", parts...);
   };
-  expect_refused("unit.gif", "unit.gif", "is no PNG, JPEG or SVG picture");
+  expect_refused("unit.gif", "unit.gif", "is not a PNG, JPEG or SVG picture");
   expect_refused("large.png", "large.png", "has 500,008 bytes; the maximum of a picture is 500,000");
   expect_refused("missing.png", "does not exist");
   expect_refused("../unit.png", "outside the folder");
-  expect_refused("data:text/html;base64,AAAA", "is no data URI");
-  expect_refused("data:image/png;base64,A\"A=", "is no data URI");
+  expect_refused("data:text/html;base64,AAAA", "is not a data URI");
+  expect_refused("data:image/png;base64,A\"A=", "is not a data URI");
   test::expect_input_error([] { test::scene_of(store_with_type({{"order_number", ""}})); }, "order_number");
   test::expect_input_error([] { test::scene_of(store_with_type({{"fixing", 3}})); }, "fixing");
 }
