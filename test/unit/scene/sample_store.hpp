@@ -91,4 +91,15 @@ inline Scene scene_of(const Json& store, const std::filesystem::path& folder = {
   return make_scene(read_text(store.dump(), folder));
 }
 
+/// A store with this room, without fixtures, and with one label and one candidate near its first corner.
+inline Json store_of_room(const std::string& room) {
+  Json store = sample_store();
+  store["room"] = Json::parse(room);
+  store["fixtures"] = Json::array();
+  store["labels"] =
+      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])");
+  store["transceivers"] = Json::parse(R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})");
+  return store;
+}
+
 }  // namespace shelfbeam::test

@@ -41,7 +41,7 @@ export interface StoreAbout {
     types: string[];
     /** In the shop ("above G3"); may be empty. */
     places: string[];
-    /** By type, of those that have one. */
+    /** Order numbers by type; a type without one is missing. */
     orders: Record<string, string>;
     installed: number[];
     mounts: number[][];

@@ -25,7 +25,7 @@ class PlanogramRecord {
   PlanogramPlace begin() const;
   /// The label type, if the record has one.
   void read_type(OwnStyle& style) const;
-  /// Hook and tilt. `on_top`: there is no edge for a hook.
+  /// Reads hook and tilt. Labels on a top (`on_top`) have no edge and therefore no hook.
   void read_mounting(OwnStyle& style, bool on_top) const;
   int whole(std::size_t field, int most) const;
   /// A distance from 0 to the length of a side or a top.

@@ -100,7 +100,7 @@ TEST(IdLayer, NamesTheFacesOfColumnsByTheCompass) {
   std::map<std::string, std::vector<DrawnText>> faces;
   for (const DrawnText& text : layer_of(scene))
     if (text.css_class == "face") faces[text.text].push_back(text);
-  // The turned pillar has no face by the compass, and the block is no column.
+  // The turned pillar has no face by the compass, and the block is not a column.
   for (const char* name : {"N", "E", "S", "W"}) ASSERT_EQ(faces[name].size(), 1U) << name;
   const Point middle = view.at(5, 6);
   const double radius = 0.4 * view.scale();

@@ -19,8 +19,8 @@ namespace {
 using test::Supermarket;
 using testing::IsEmpty;
 
-// The pieces of a catalogue's texts between their places, without those that are too short to belong to one
-// language.
+// The pieces of a catalogue's texts between their places. Pieces too short to belong to one language are left
+// out.
 void collect_pieces(const nlohmann::json& node, std::set<std::string>& pieces) {
   constexpr std::size_t shortest = 9;
   if (!node.is_string()) {

@@ -29,7 +29,7 @@ TEST(ShopPlace, IsAmongTheFixturesOnTheFloor) {
   const Scene scene = make_scene(two_rows());
   EXPECT_EQ(text_at(scene, {6, 4.5, 3}), "above G3");
   EXPECT_EQ(text_at(scene, {6, 6.2, 3}), "over the aisle between G3 and G4");
-  EXPECT_EQ(text_at(scene, {6, 5.2, 3.9}), "over the aisle between G3 and G4") << "the canopy is no place";
+  EXPECT_EQ(text_at(scene, {6, 5.2, 3.9}), "over the aisle between G3 and G4") << "the canopy is not a place";
   EXPECT_EQ(text_at(scene, {6, 6, 1.5}), "between G3 and G4");
   EXPECT_EQ(text_at(scene, {6, 2, 3}), "over the aisle between G3 and the wall");
   EXPECT_EQ(text_at(scene, {6, 5.05, 1.5}), "at G3") << "mounted on its face";

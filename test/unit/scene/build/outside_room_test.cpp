@@ -19,21 +19,15 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 // An L with a slanted wall from (6, 6) to (2, 10), a hole and a low zone.
-Json store_of_room() {
-  Json store = test::sample_store();
-  store["room"] = Json::parse(R"({
+Json slanted_store() {
+  return test::store_of_room(R"({
     "outline": [[0, 0], [10, 0], [10, 4], [6, 4], [6, 6], [2, 10], [0, 10]], "height": 3,
     "holes": [[[2, 2], [3, 2], [3, 3], [2, 3]]], "floor": "tile", "ceiling": "white", "walls": "white",
     "zones": [ {"id": "low", "polygon": [[8, 0], [10, 0], [10, 2], [8, 2]], "height": 1.5} ]})");
-  store["fixtures"] = Json::array();
-  store["labels"] =
-      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])");
-  store["transceivers"] = Json::parse(R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})");
-  return store;
 }
 
 Scene scene_with(const std::string& fixture) {
-  Json store = store_of_room();
+  Json store = slanted_store();
   store["fixtures"].push_back(Json::parse(fixture));
   return test::scene_of(store);
 }
@@ -86,7 +80,7 @@ TEST(OutsideRoom, BlocksUpToTheCeilingEndBelowTheLowestZone) {
 
 TEST(OutsideRoom, FlushLabelsOnSlantedWallsAreInside) {
   const auto warnings = [](const char* position, const char* normal) {
-    Json store = store_of_room();
+    Json store = slanted_store();
     store["label_types"]["small"]["size"] = {0.2, 0.1};
     store["labels"][0]["position"] = Json::parse(position);
     store["labels"][0]["normal"] = Json::parse(normal);
@@ -99,7 +93,7 @@ TEST(OutsideRoom, FlushLabelsOnSlantedWallsAreInside) {
 
 TEST(OutsideRoom, DiscsAtSlantedWalls) {
   const auto warnings = [](double x) {
-    Json store = store_of_room();
+    Json store = slanted_store();
     store["transceivers"]["list"][0]["type"] = "disc";
     store["transceivers"]["list"][0]["position"] = {x, x + 4, 2};
     return sentences(test::scene_of(store).warnings);
@@ -109,7 +103,7 @@ TEST(OutsideRoom, DiscsAtSlantedWalls) {
 }
 
 TEST(OutsideRoom, RemedyOfASinglePositionIsGeneral) {
-  const Scene scene = test::scene_of(store_of_room());
+  const Scene scene = test::scene_of(slanted_store());
   EXPECT_EQ(remedy_outside(*scene.room, {{7, 7, 1}}), "move it inside, or correct the room");
   const std::vector<Vec3> feet{{30, 10, 6}, {20, 12, 5}, {25, 9, 4}, {3, 3, 1}};
   EXPECT_THAT(remedy_outside(*scene.room, feet), HasSubstr("look like feet"));

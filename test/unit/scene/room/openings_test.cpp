@@ -23,13 +23,8 @@ using test::Json;
 
 // A store with openings in the walls of an L-shaped room.
 Json l_store(const std::string& openings) {
-  Json store = test::sample_store();
-  store["room"] = Json::parse(test::l_shaped_room("tile", ""));
+  Json store = test::store_of_room(test::l_shaped_room("tile", ""));
   store["room"]["openings"] = Json::parse(openings);
-  store["fixtures"] = Json::array();
-  store["labels"] =
-      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])");
-  store["transceivers"] = Json::parse(R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})");
   return store;
 }
 
