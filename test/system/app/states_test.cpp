@@ -49,7 +49,7 @@ TEST_F(StatesSlow, ArePlannedAndVerified) {
   EXPECT_EQ(states["nominal"]["labels_below"], 1);
   EXPECT_EQ(json("plan/placement.json")["verification"], "states");
   EXPECT_THAT(bytes("plan/verification.csv"), StartsWith("id,required,states,missed,availability\nL0,0.95,"));
-  EXPECT_THAT(bytes("plan/labels.csv"), HasSubstr(",availability\n"));
+  EXPECT_THAT(bytes("plan/labels.csv"), HasSubstr(",availability,description,fixture,face,board\n"));
   const std::string report = bytes("plan/report.html");
   EXPECT_THAT(report, HasSubstr("While the shop changes"));
   told("report @plan --quiet");
