@@ -71,7 +71,9 @@ SegmentPlaces::Member SegmentPlaces::read_member(const SegmentPlace& given, cons
     const JsonCursor number = json["segments"].element(k);
     if (segment != std::floor(segment) || segment > max_number)
       number.fail("is not the number of a segment", fmt::format("use whole numbers up to {}", max_number));
-    if (!member.segments.insert(static_cast<int>(segment)).second) number.fail("is a duplicate", "remove it");
+    if (std::ranges::count(member.segments, static_cast<int>(segment)) > 0)
+      number.fail("is a duplicate", "remove it");
+    member.segments.push_back(static_cast<int>(segment));
   }
   return member;
 }
@@ -182,10 +184,11 @@ void SegmentPlaces::share(std::vector<Entry*> shelf) const {
   for (const Entry* entry : shelf) total += width_of(*entry);
   const Member& member = members_[shelf.front()->member];
   const SegmentPlace& given = given_[shelf.front()->member];
-  const std::set<int>& segments = member.segments.empty() ? member.used : member.segments;
+  const std::vector<int> segments =
+      member.segments.empty() ? std::vector(member.used.begin(), member.used.end()) : member.segments;
   const double share = member.span / static_cast<double>(segments.size());
   const double begin =
-      share * static_cast<double>(std::distance(segments.begin(), segments.find(shelf.front()->segment)));
+      share * static_cast<double>(std::ranges::find(segments, shelf.front()->segment) - segments.begin());
   // A person who faces the back or the left side has the end of its edge on the left.
   const bool is_mirrored = given.face == Face::back || given.face == Face::left;
   const double edge = member.sides.length(given.face);

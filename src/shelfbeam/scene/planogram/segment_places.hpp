@@ -35,9 +35,10 @@ class SegmentPlaces {
   struct Member {
     std::size_t fixture = 0;
     LabelSides sides;
-    bool has_problem = false;      ///< the following are unknown
-    double span = 0;               ///< m
-    std::set<int> segments, used;  ///< segments: none if it takes all
+    bool has_problem = false;   ///< the following are unknown
+    double span = 0;            ///< m
+    std::vector<int> segments;  ///< from the left; none if it takes all
+    std::set<int> used;
   };
   struct Entry {
     PlanogramPlace place;

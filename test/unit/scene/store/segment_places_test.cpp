@@ -71,6 +71,15 @@ TEST_F(SegmentPlacesTest, ShareAFaceFromLeftToRight) {
   expect_label(back[0], "11", {6.25, 6.01, 0.4}, 1);
   expect_label(back[1], "12", {6.75, 6.01, 0.4}, 1);
   expect_label(back[2], "21", {5.5, 6.01, 1.4}, 3);
+  // The list names them from the left.
+  for (const auto& [mirror, first, second] :
+       {std::tuple("", 6.75, 5.5), std::tuple(R"(, "right_to_left": true)", 5.25, 6.5)}) {
+    const auto swapped = labels(
+        (R"([{"fixture": "G", "face": "front", "segments": [2, 1])" + std::string(mirror) + "}]").c_str(),
+        two_segments);
+    expect_label(swapped[0], "11", {first, 4.99, 0.4}, 1);
+    expect_label(swapped[2], "21", {second, 4.99, 1.4}, 3);
+  }
   const auto reversed =
       labels(R"([{"fixture": "G", "face": "front", "right_to_left": true, "from_top": true}])", two_segments);
   expect_label(reversed[0], "11", {6.25, 4.99, 1.4}, 3);
