@@ -100,14 +100,8 @@ class LabelChecks {
         index_(index_of_positions(labels_)) {}
 
   void check() {
-    // The receivers of measuring planes, which come last, are mounted on nothing.
-    std::size_t mounted = labels_.size();
-    for (const auto& [plane, where] : store_.store.measuring_planes) {
-      const auto [columns, rows] = plane.cells();
-      mounted -= columns * rows;
-    }
     for (const std::uint32_t i : store_.labels) {
-      if (i >= mounted) continue;
+      if (labels_[i].is_receiver) continue;
       store_.expect_running();
       check_neighbours(i);
       check_direction(i);

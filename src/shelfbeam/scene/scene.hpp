@@ -27,6 +27,7 @@ struct Label {
   double relative_sensitivity = 1;  ///< to that of its type
   std::string description = {};     ///< of its article ("Rye bread"); may be empty
   LabelPlace place = {};
+  bool is_receiver = false;  ///< measures light in the air, and is mounted on nothing
 };
 
 struct Transceiver {

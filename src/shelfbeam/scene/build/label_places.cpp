@@ -204,7 +204,7 @@ bool is_complete(const LabelPlace& place) {
 void find_label_places(const Store& store, Scene& scene) {
   std::optional<PlaceFinder> finder;
   for (Label& label : scene.labels) {
-    if (is_complete(label.place)) continue;
+    if (label.is_receiver || is_complete(label.place)) continue;
     expect_running(store.cancel);
     if (!finder) finder.emplace(store, scene);
     label.place = finder->find(label);

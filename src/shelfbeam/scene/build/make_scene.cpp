@@ -279,12 +279,12 @@ class SceneMaker {
       scene_.labels.push_back(label);
       sources_.labels.push_back(where);
     }
-    find_label_places(store_, scene_);
     for (const auto& [plane, where] : store_.measuring_planes)
       plane.each_label([&, &source = where](Label label) {
         scene_.labels.push_back(std::move(label));
         sources_.labels.push_back(source);
       });
+    find_label_places(store_, scene_);
     attempt([&] {
       if (is_read_ && scene_.labels.empty())
         fail("has no labels", "add 'labels' to the store or to a fixture");

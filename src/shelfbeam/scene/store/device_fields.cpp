@@ -87,6 +87,12 @@ void describe(Label& label, Fields& f) {
   f.label_type("type", label.type, {.says = "label type"});
   describe_factor(f, "relative_sensitivity", label.relative_sensitivity,
                   "sensitivity, relative to the label's type ([states](variation.md#states))");
+  f.boolean(
+      "receiver", label.is_receiver,
+      {.says = "whether it is a receiver in the air, as those of "
+               "[measuring planes](#measuring-planes): mounted on nothing, and at no place of a fixture",
+       .is_optional = true,
+       .is_written = label.is_receiver});
 }
 
 void describe(Transceiver& unit, Fields& f) {

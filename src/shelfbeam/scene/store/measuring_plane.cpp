@@ -81,6 +81,7 @@ void MeasuringPlane::each_label(const std::function<void(Label)>& use) const {
           origin + axes[0] * (size[0] * middle(column, columns)) + axes[1] * (size[1] * middle(row, rows));
       label.normal = facing;
       label.type = type;
+      label.is_receiver = true;
       use(std::move(label));
     }
 }

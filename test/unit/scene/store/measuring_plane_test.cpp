@@ -74,7 +74,25 @@ TEST(MeasuringPlane, ComesAfterOtherLabelsAndIsListedInTheResolvedStore) {
   EXPECT_FALSE(resolved.contains("measuring_planes"));
   EXPECT_EQ(resolved["labels"].back()["id"], "P-2-3");
   const Store again = test::read_text(text);
-  EXPECT_EQ(make_scene(again).store_hash, scene.store_hash);
+  const Scene same = make_scene(again);
+  EXPECT_EQ(same.store_hash, scene.store_hash);
+  EXPECT_TRUE(scene.labels.back().is_receiver);
+  EXPECT_TRUE(same.labels.back().is_receiver);
+  EXPECT_FALSE(same.labels.front().is_receiver);
+}
+
+TEST(MeasuringPlane, HasReceiversThatAreAtNoFixture) {
+  Json json = test::sample_store();
+  const Scene others = make_scene(test::read_text(json.dump()));
+  const Vec3 label = others.labels.front().position;
+  Json plane = Json::parse(horizontal);
+  plane[0].update({{"origin", {label.x, label.y, label.z}}, {"size", {0.02, 0.02}}});
+  json["measuring_planes"] = plane;
+  const Store store = test::read_text(json.dump());
+  const Scene scene = make_scene(store);
+  const Scene again = make_scene(test::read_text(resolved_store_json(store, scene)));
+  EXPECT_TRUE(others.labels.front().place.is_known());
+  for (const Scene* one : {&scene, &again}) EXPECT_FALSE(one->labels.back().place.is_known());
 }
 
 TEST(MeasuringPlane, HasItsReceiversOnceInAState) {
