@@ -8,15 +8,16 @@ namespace shelfbeam {
 std::string recommendation(const ReportData& data) {
   const CertifiedPlan& plan = data.input.plan;
   const std::size_t labels = data.outcome.labels.size();
+  const bool is_confirmed = !plan.has_verdicts() || plan.certificate->count(Verdict::reached) == labels;
   if (!data.has_selection() || plan.availability || plan.placement.partial || data.outcome.met < labels ||
-      labels == 0)
+      labels == 0 || !is_confirmed)
     return {};
   const Words& words = data.words;
   const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];
   if (!(weakest.requirement > 0)) return {};
   const double margin = weakest.ratio();
   const std::string now = words.significant(margin);
-  if (margin >= ample_margin) return words.say("recommendation.ample", now);
+  if (margin * (1 - close_share) >= 1) return words.say("recommendation.ample", now);
   const auto& more = plan.alternatives.one_more;
   if (!more) return words.say("recommendation.only", now);
   const std::string then = words.significant(more->smallest_margin);

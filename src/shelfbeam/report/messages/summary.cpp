@@ -12,6 +12,7 @@
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/messages/recommendation.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
@@ -19,8 +20,6 @@ namespace shelfbeam {
 namespace {
 
 using Tone = Headline::Tone;
-
-constexpr double close_share = 0.25;  ///< of its signal that a label with little reserve can lose
 
 std::string verdict_of(const ReportData& data, Tone tone) {
   if ((data.input.plan.certificate && data.has_selection()) || data.input.plan.availability)
