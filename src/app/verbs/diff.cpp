@@ -52,17 +52,20 @@ fs::path folder_of(const fs::path& plan) {
 
 struct PlanToCompare {
   Scene scene;
+  SignalMatrix rows;  ///< of labels alone
   ComparedPlan plan;
+
+  void name_labels(const Words& words) { plan.label_names = LabelNames(scene, rows, words).all(); }
 };
 
 /// The signal matrix, by far the largest part, is not kept.
 PlanToCompare read_plan_of(const fs::path& folder) {
   jobs::StoredPlan stored = jobs::read_stored_plan(folder);
   std::string store = resolved_store_json(stored.store, stored.scene);
-  const LabelNames names(stored.scene, stored.matrix, words_of(stored.scene));
+  SignalMatrix rows;
+  rows.labels = stored.matrix.labels;
   ComparedPlan plan = compared_plan(stored.matrix, std::move(stored.plan), std::move(store));
-  plan.label_names = names.all();
-  return {std::move(stored.scene), std::move(plan)};
+  return {std::move(stored.scene), std::move(rows), std::move(plan)};
 }
 
 void prepare_page(const DiffArguments& options, const fs::path& before, const fs::path& after) {
@@ -101,11 +104,18 @@ void print_difference(const DiffArguments& options, const DifferenceInput& input
 int run_diff(const DiffArguments& options) {
   const fs::path before = folder_of(options.before), after = folder_of(options.after);
   prepare_page(options, before, after);
-  const PlanToCompare first = read_plan_of(before), second = read_plan_of(after);
+  PlanToCompare first = read_plan_of(before), second = read_plan_of(after);
   const PlanDifference difference = difference_of(first.plan, second.plan);
   const DifferenceInput input{first.plan, second.plan, difference};
-  if (!options.output.empty())
+  const auto name_labels = [&](const Words& words) {
+    first.name_labels(words);
+    second.name_labels(words);
+  };
+  if (!options.output.empty()) {
+    name_labels(words_of(second.scene));
     write_file(options.output, difference_html({input, second.scene, before.string(), after.string()}));
+  }
+  name_labels(english());
   if (options.common.json) {
     nlohmann::ordered_json json = difference_json(input);
     if (!options.output.empty()) json["report"] = options.output.string();
