@@ -54,7 +54,7 @@ TEST(PlanSections, ShowTheEffectOfReflectances) {
   for (const std::string& cell :
        {std::string("0.6 (0.45 to 0.75) *"), std::string("0.6 (0.45 to 0.75)"), std::string("−0.97\u00A0dB"),
         std::string("−37.5\u00A0% (±\u00A00.13)"), std::string("−6.2\u00A0%"), std::string("+8.8\u00A0%"),
-        s.matrix.labels[5].id})
+        ReportData(s.input).names.name(5)})
     EXPECT_TRUE(cells.contains(cell)) << cell;
   EXPECT_FALSE(cells.contains("−6.4\u00A0%")) << "nothing that is not in it";
   EXPECT_EQ(test::count_of("class=\"bar short\"><title>all together: ", html), 1U);

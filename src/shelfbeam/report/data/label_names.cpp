@@ -42,20 +42,15 @@ bool is_article_number(std::string_view id) {
   return std::all_of(id.begin(), id.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// The id of a generated label begins with that of its fixture and says face, board and number.
-bool says_its_place(const Label& label) {
-  return !label.place.fixture.empty() &&
-         (label.id == label.place.fixture || label.id.starts_with(label.place.fixture + "-"));
-}
-
 std::string name_of_label(const Words& words, const Label& label, const std::string& place) {
   if (!label.description.empty())
     return place.empty() ? label.description : words.say("label.named", label.description, place);
-  if (says_its_place(label)) return label.id;
-  if (!place.empty()) return words.say("label.along", place, words.fixed(label.place.along, 2));
-  return is_article_number(label.id)
-             ? words.say("label.at", words.fixed(label.position.x, 2), words.fixed(label.position.y, 2))
-             : label.id;
+  if (label.place.board > 0 && label.place.face)
+    return words.say("label.along", place, words.fixed(label.place.along, 2));
+  if (place.empty() && !is_article_number(label.id)) return label.id;
+  const auto [x, y, z] = label.position;
+  return words.say("label.at", place.empty() ? words("label.label") : place, words.fixed(x, 2),
+                   words.fixed(y, 2), words.fixed(z, 2));
 }
 
 }  // namespace

@@ -17,8 +17,9 @@ class LabelNames {
  public:
   LabelNames(const Scene& scene, const SignalMatrix& matrix, const Words& words);
 
-  /// "Rye bread (G3 back, board 2)": article and place. The place alone if the store describes no article,
-  /// and the id if it says the place itself ("G3-back-2-5") or the place is unknown.
+  /// "Rye bread (G3 back, board 2)": article and place. Without a description of the article, "G3 back, board
+  /// 2, at 1.25 m" on a board, and coordinates elsewhere: "W1 at 2.00, 0.50 m, 1.20 m high". If the place is
+  /// unknown, the id or, instead of an article number, coordinates.
   const std::string& name(std::uint32_t row) const { return names_[row]; }
   /// By row.
   const std::vector<std::string>& all() const { return names_; }

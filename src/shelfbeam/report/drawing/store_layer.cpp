@@ -49,7 +49,8 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
   for (const std::uint32_t f : fixtures_by_height(scene)) {
     const FixtureOutline& fixture = scene.fixtures[f];
     const std::string title =
-        words.say("drawing.fixture", fixture.id, fixture.type, words.fixed(fixture.height, 2));
+        words.say("drawing.fixture", fixture.id, words(fmt::format("drawing.types.{}", fixture.type)),
+                  words.fixed(fixture.height, 2));
     if (looks[f] == Look::overhead) {
       draw_outline(canvas, view, fixture, "fx-o", title);
       continue;

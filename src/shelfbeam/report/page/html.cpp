@@ -27,8 +27,11 @@ void HtmlTable::add_row(const std::vector<std::string>& cells, const std::string
   rows_ += "<tr>";
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::string text = escape(cells[k]);
+    const std::string label = narrow_ == Narrow::cards
+                                  ? fmt::format(" data-label=\"{}\"", escape(columns_[k].head))
+                                  : std::string();
     rows_ += fmt::format(
-        "<td{}>{}</td>", class_attribute(columns_[k]),
+        "<td{}{}>{}</td>", label, class_attribute(columns_[k]),
         k == 0 && !link.empty() ? fmt::format("<a href=\"{}\">{}</a>", escape(link), text) : text);
   }
   rows_ += "</tr>\n";
@@ -40,8 +43,8 @@ std::string HtmlTable::html() const {
     head += fmt::format("<th scope=\"col\"{}>{}</th>", class_attribute(column), escape(column.head));
   return fmt::format(
       "<div class=\"scroll\" "
-      "tabindex=\"0\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
-      head, rows_);
+      "tabindex=\"0\"><table{}>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+      narrow_ == Narrow::cards ? " class=\"cards\"" : "", head, rows_);
 }
 
 std::string html_header(const PageHeader& header) {

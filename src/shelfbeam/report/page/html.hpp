@@ -9,22 +9,27 @@
 
 namespace shelfbeam {
 
-/// A table that scrolls inside its box on narrow screens. Cells are given as plain text.
+/// A table. Cells are given as plain text.
 class HtmlTable {
  public:
+  /// The form on narrow screens: the table scrolls inside its box, or each row is a card with the headings.
+  enum class Narrow { scroll, cards };
+
   struct Column {
     std::string head;
     bool number = true;  ///< right-aligned
     bool wraps = false;  ///< may break its cells into lines
   };
 
-  explicit HtmlTable(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  explicit HtmlTable(std::vector<Column> columns, Narrow narrow = Narrow::scroll)
+      : columns_(std::move(columns)), narrow_(narrow) {}
   /// `link`: the address to which the first cell leads, if it is not empty.
   void add_row(const std::vector<std::string>& cells, const std::string& link = {});
   std::string html() const;
 
  private:
   std::vector<Column> columns_;
+  Narrow narrow_;
   std::string rows_;
 };
 

@@ -126,7 +126,7 @@ std::string sheet(const ReportData& data, const std::vector<MountedUnit>& units)
   for (const MountedUnit& unit : units)
     rows += row(data.words, cells_of(data.input.scene, unit, has_tolerances));
   return fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\"><table class=\"sheet\">\n<thead><tr>{}</tr></thead>\n"
+      "<div class=\"scroll\" tabindex=\"0\"><table class=\"cards sheet\">\n<thead><tr>{}</tr></thead>\n"
       "<tbody>\n{}</tbody></table></div>\n",
       head, rows);
 }

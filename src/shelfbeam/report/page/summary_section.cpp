@@ -89,7 +89,7 @@ std::string alternatives_table(const ReportData& data) {
   if (has_prices) columns.push_back({data.words.say("summary.alternatives.new_price")});
   for (const char* key : {"reached", "weakest", "secure"})
     columns.push_back({data.words.say(fmt::format("summary.alternatives.{}", key))});
-  HtmlTable table(columns);
+  HtmlTable table(columns, HtmlTable::Narrow::cards);
   const auto price_of = [&](const Alternative& one) {
     return one.price ? money(data.words, one.price->to_spend, one.price) : "–";
   };

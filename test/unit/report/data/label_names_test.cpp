@@ -51,13 +51,13 @@ NamedShop named_shop() {
 TEST(LabelNames, AreArticlesAndPlaces) {
   const NamedShop named = named_shop();
   EXPECT_THAT(named.names().all(),
-              ElementsAre("Rye bread (G3 back, board 2)", "G3 front, board 1, at 0.50 m", "G3-front-1-2",
-                          "Apples (on top of T1)", "Offers (wall at the top)", "label at 1.50, 2.25 m",
-                          "poster", "Milk (C2)"));
+              ElementsAre("Rye bread (G3 back, board 2)", "G3 front, board 1, at 0.50 m",
+                          "G3 front, board 1, at 1.00 m", "Apples (on top of T1)", "Offers (wall at the top)",
+                          "label at 1.50, 2.25 m, 1.00 m high", "poster", "Milk (C2)"));
   EXPECT_THAT(named.names(Language::german).all(),
-              ElementsAre("Rye bread (G3 hinten, Boden 2)", "G3 vorn, Boden 1, bei 0,50 m", "G3-front-1-2",
-                          "Apples (auf T1)", "Offers (obere Wand)", "Etikett bei 1,50; 2,25 m", "poster",
-                          "Milk (C2)"));
+              ElementsAre("Rye bread (G3 hinten, Boden 2)", "G3 vorn, Boden 1, bei 0,50 m",
+                          "G3 vorn, Boden 1, bei 1,00 m", "Apples (auf T1)", "Offers (obere Wand)",
+                          "Etikett bei 1,50; 2,25 m, 1,00 m hoch", "poster", "Milk (C2)"));
 }
 
 TEST(LabelNames, CountManyLabelsByFixture) {
@@ -66,6 +66,8 @@ TEST(LabelNames, CountManyLabelsByFixture) {
   EXPECT_THAT(names.counts(std::vector<std::uint32_t>{7, 0, 2}), ElementsAre("G3: 2 of 3", "C2: 1 of 1"));
   EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 4}), "Milk (C2); Offers (wall at the top)");
   EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 4, 2, 1, 0}), "3 on G3, 1 on wall at the top, 1 on C2");
+  EXPECT_EQ(named.names(Language::german).list(std::vector<std::uint32_t>{7, 6, 4, 2, 1}),
+            "2× G3, 1× obere Wand, 1× andere Stellen, 1× C2");
   EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 6, 4, 3, 2, 1, 0}),
             "3 on G3, 1 on T1, 1 on wall at the top, 1 on other places and others");
 }

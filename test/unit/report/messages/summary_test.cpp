@@ -61,7 +61,7 @@ TEST(Summary, SpeaksOfTheTimeIfTheShopChanges) {
     if (!is_certified) availability.responsible = {3};
     expect_plain_words(all_of(summary_of(ReportData(s.input))));
     EXPECT_TRUE(contains(s, is_certified ? " to reach every label at least 95\u00A0% of the time"
-                                         : "Undecided labels: " + s.matrix.labels[3].id));
+                                         : "Undecided labels: " + ReportData(s.input).names.name(3)));
     EXPECT_TRUE(contains(s, "but not in these states: 1 of 926 labels reached too rarely"));
     EXPECT_TRUE(contains(s, "does not specify it: shelves are 40\u00A0% to 100\u00A0% full"));
   }
@@ -75,7 +75,7 @@ TEST(Summary, ExplainsThatNoPlanReachesAllLabels) {
                              {.label = 4, .requirement = 1, .max_signal = 0.5}};
   EXPECT_TRUE(
       contains(s, "Not possible\nNo plan reaches all labels: 2 of 926 labels cannot be reached, even"));
-  EXPECT_TRUE(contains(s, "Out of reach: " + s.matrix.labels[3].id));
+  EXPECT_TRUE(contains(s, "Out of reach: " + ReportData(s.input).names.name(3)));
   EXPECT_TRUE(contains(s, "Not certified"));
   expect_plain_words(all_of(summary_of(ReportData(s.input))));
   test::certify(s);

@@ -45,7 +45,7 @@ Line line_of(const std::string& text) {
 
 // The rows of the sheet by the headings of their cells, as a reader of the page finds them.
 std::vector<Row> rows_of(const std::string& page) {
-  const std::size_t begin = page.find("<table class=\"sheet\"");
+  const std::size_t begin = page.find("<table class=\"cards sheet\"");
   const std::string table = page.substr(begin, page.find("</table>", begin) - begin);
   const std::regex row("<tr>(.*?)</tr>"), cell("<td data-label=\"([^\"]*)\"[^>]*>(.*?)</td>");
   std::vector<Row> rows;

@@ -136,8 +136,8 @@ TEST(ReportHtml, HasTheNumbersOfTheCertificate) {
   const std::string table = html.substr(html.find("id=\"weakest\""));
   for (std::size_t k = 0, at = 0; k < 20; ++k) {
     const std::uint32_t row = data.outcome.by_margin[k];
-    at = table.find("<tr><td>" + escape(data.label(row).id) + "</td>", at);
-    ASSERT_NE(at, std::string::npos) << data.label(row).id;
+    at = table.find("<tr><td>" + escape(data.names.name(row)) + "</td>", at);
+    ASSERT_NE(at, std::string::npos) << data.names.name(row);
     const std::string line = table.substr(at, table.find("</tr>", at) - at);
     const auto verdict = std::string(to_text(certificate.labels[row].verdict));
     EXPECT_NE(line.find(">" + verdict + "<"), std::string::npos) << line;
@@ -225,7 +225,7 @@ TEST(ReportHtml, StatesAValidCertificate) {
   s.plan.certificate->labels[5].verdict = Verdict::missed;
   const std::string missed = read_markup(test::static_report(s.input)).text;
   EXPECT_EQ(missed.find("Verified"), std::string::npos);
-  EXPECT_NE(missed.find("Missed\n\n1: " + s.matrix.labels[5].id + "\n"), std::string::npos);
+  EXPECT_NE(missed.find("Missed\n\n1: " + ReportData(s.input).names.name(5) + "\n"), std::string::npos);
 }
 
 TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
@@ -233,7 +233,7 @@ TEST(ReportHtml, EveryLabelIsMarkedOnceOnThePlans) {
   const ReportData data(s.input);
   const std::string text = report_html(s.input);
   for (std::uint32_t i = 0; i < data.outcome.labels.size(); i += 37) {
-    const std::string title = "<title>" + data.label(i).id + ": " +
+    const std::string title = "<title>" + data.names.name(i) + ": " +
                               data.unit.text(data.outcome.labels[i].signal) + ", " +
                               english().decibels(data.outcome.labels[i].margin()) + "</title>";
     const std::size_t first = text.find(title);
@@ -343,10 +343,10 @@ TEST(ReportHtml, ExplainsInfeasibility) {
   const std::string html = test::static_report(s.input);
   EXPECT_EQ(fault(html), "");
   const auto cells = pieces(html);
-  const SignalUnit unit = ReportData(s.input).unit;
+  const ReportData data(s.input);
   for (const Unreachable& label : s.placement.unreachable) {
-    EXPECT_TRUE(cells.contains(s.matrix.labels[label.label].id));
-    EXPECT_TRUE(cells.contains(unit.number(label.max_signal)));
+    EXPECT_TRUE(cells.contains(data.names.name(label.label)));
+    EXPECT_TRUE(cells.contains(data.unit.number(label.max_signal)));
   }
   // Triangles on the plans: one per missed label, and no others.
   std::size_t triangles = 0;
