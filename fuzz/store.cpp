@@ -87,6 +87,8 @@ constexpr const char* shapes = R"({
   "labels": [ { "id": "L", "description": "Offers", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "l" } ],
   "planogram": { "file": "planogram.csv", "type": "m", "hook": 0.02, "tilt_deg": 9,
     "fixtures": [ { "fixtures": "A*", "type": "l", "hook": 0.1 }, { "fixtures": "F", "tilt_deg": 30 } ] },
+  "drawing": { "file": "plan.png", "size": [2480, 1754], "at": [-1, -1], "rotation_deg": -1.2, "crop": [0, 0, 2000, 1500],
+    "scale": { "from": [212, 1530.5], "to": [2260, 1530.5], "length": 25 } },
   "measuring_planes": [ { "id": "MP", "type": "l", "origin": [6, 1, 0.5], "axes": [[1, 0, 0], [0, 0.8, 0.6]], "size": [2, 1.5], "spacing": 0.5 },
                         { "id": "MQ", "type": "l", "origin": [6, 4, 1], "axes": [[0, 1, 0], [1, 0, 0]], "size": [1, 1], "counts": [2, 3], "normal": [0, 0, 1] } ],
   "transceivers": {

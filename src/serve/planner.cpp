@@ -21,6 +21,7 @@
 #include "serve/http/server.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/warning_finder.hpp"
+#include "serve/project/picture_file.hpp"
 #include "serve/project/project.hpp"
 #include "serve/text/edit.hpp"
 
@@ -131,11 +132,12 @@ std::string text_of(const Json& json) {
 }  // namespace
 
 struct Planner::State {
-  State(const fs::path& folder, http::Options options, const CancelToken& token,
+  State(const fs::path& given, http::Options options, const CancelToken& token,
         std::function<void(std::string_view)> log)
       : cancel(token),
+        folder(with_store(given)),
         folder_name(fs::weakly_canonical(folder).filename().string()),
-        project(with_store(folder), project_options()),
+        project(folder, project_options()),
         shop((folder / "store.json").lexically_normal(), &token),
         warnings((folder / "store.json").lexically_normal()),
         server(with_page(std::move(options)), handlers(std::move(log))) {
@@ -158,6 +160,7 @@ struct Planner::State {
             .text = [this](TabId tab, std::string_view text) { or_stop([&] { answer(tab, text); }); },
             .closed = [this](TabId tab) { tabs.erase(tab); },
             .get = [this](std::string_view file) { return document(file); },
+            .put = [this](std::string_view file, std::string_view content) { return keep(file, content); },
             .tick = [this] { or_stop([&] { look(); }); },
             .failed = std::move(log)};
   }
@@ -313,7 +316,23 @@ struct Planner::State {
     if (changes.units) send_to_all(http::Message::binary(*changes.units));
   }
 
+  http::Receipt keep(std::string_view file, std::string_view content) const {
+    file.remove_prefix(http::file_names.size());
+    try {
+      const PictureFile kept = keep_picture(folder, file, content);
+      return {true, text_of({{"file", kept.name}, {"width", kept.width}, {"height", kept.height}})};
+    } catch (const InputError& error) {
+      return {false, error.what()};
+    }
+  }
+
   std::optional<http::Document> document(std::string_view file) {
+    if (file.starts_with(http::file_names)) {
+      auto picture = read_picture(folder, file.substr(http::file_names.size()));
+      if (!picture) return {};
+      return http::Document{std::string(picture->type),
+                            std::make_shared<const std::string>(std::move(picture->content))};
+    }
     if (file != "scene") return {};
     if (!scene || scene_revision != project.revision()) {
       scene.reset();
@@ -344,6 +363,7 @@ struct Planner::State {
   }
 
   const CancelToken& cancel;
+  const fs::path folder;
   std::string folder_name;
   Project project;
   Shop shop;

@@ -1,6 +1,7 @@
 #include "serve/http/gate.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -43,13 +44,20 @@ bool has_body(const Request& request) {
          std::ranges::any_of(lengths, [](std::string_view length) { return length != "0"; });
 }
 
+// The bytes of a body whose length is given once; nothing for another body, and for none.
+std::optional<std::uint64_t> body_size(const Request& request) {
+  const auto lengths = request.values("content-length");
+  if (lengths.size() != 1 || !request.values("transfer-encoding").empty()) return {};
+  return to_whole_number(lengths[0], std::numeric_limits<std::int64_t>::max());
+}
+
 // Whether the browser says that the request comes from another site. Older browsers do not say.
 bool comes_from_elsewhere(const Request& request, const Verdict& verdict) {
   const auto is = [&](std::string_view field, std::string_view value) {
     return request.values(field) == std::vector{value};
   };
   if (request.values("sec-fetch-site").empty() || is("sec-fetch-site", "same-origin")) return false;
-  if (verdict.is_socket) return true;
+  if (verdict.is_socket || verdict.upload > 0) return true;
   if (is("sec-fetch-site", "none")) return false;
   return !(verdict.name.empty() && is("sec-fetch-mode", "navigate") && is("sec-fetch-dest", "document"));
 }
@@ -57,8 +65,8 @@ bool comes_from_elsewhere(const Request& request, const Verdict& verdict) {
 }  // namespace
 
 Gate::Gate(std::vector<std::string> own, std::uint16_t port, std::string token,
-           const std::vector<std::string>& names)
-    : token_(std::move(token)) {
+           const std::vector<std::string>& names, std::uint64_t max_upload)
+    : token_(std::move(token)), max_upload_(max_upload) {
   own.insert(own.end(), {"127.0.0.1", "localhost"});
   for (const std::string& host : own) {
     add(fmt::format("{}:{}", host, port));
@@ -91,10 +99,21 @@ Verdict Gate::judge(const Request& request) const {
     verdict.refusal = status;
     return verdict;
   };
-  if (request.method != "GET" && request.method != "HEAD") return refused(405);
-  if (has_body(request)) return refused(413);
+  const bool is_put = request.method == "PUT" && verdict.name.starts_with(file_names);
+  if (!is_put && request.method != "GET" && request.method != "HEAD") return refused(405);
+  if (is_put) {
+    const auto size = body_size(request);
+    if (!size) return refused(411);
+    if (*size == 0 || *size > max_upload_) {
+      verdict.why = "the file is empty or too large";
+      return refused(413);
+    }
+    verdict.upload = *size;
+  } else if (has_body(request)) {
+    return refused(413);
+  }
   const auto origins = request.values("origin");
-  if (origins.size() > 1 || (verdict.is_socket && origins.empty())) return refused(403);
+  if (origins.size() > 1 || ((verdict.is_socket || is_put) && origins.empty())) return refused(403);
   if (!origins.empty() && !contains(origins_, origins[0])) return refused(403);
   if (comes_from_elsewhere(request, verdict)) return refused(403);
   if (verdict.is_socket && !(request.method == "GET" && request.lists("connection", "upgrade") &&

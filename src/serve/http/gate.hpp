@@ -11,6 +11,8 @@ namespace shelfbeam::serve::http {
 
 /// The name of the WebSocket below the token.
 inline constexpr std::string_view socket_name = "socket";
+/// Names below the token that begin with this are files, which pages may bring.
+inline constexpr std::string_view file_names = "files/";
 
 /// What the gate says of a request.
 struct Verdict {
@@ -18,7 +20,8 @@ struct Verdict {
   std::string_view why = {};  ///< for the user, if it may be no attack
   bool has_token = false;     ///< it has shown host and token, whether or not it is let in
   bool is_socket = false;     ///< it opens the WebSocket
-  std::string name = {};      ///< what it asks for, below the token
+  std::string name = {};      ///< what it asks for or brings, below the token
+  std::uint64_t upload = 0;   ///< bytes of the file that it brings; 0: none
 };
 
 /// Decides by its head who may talk to the server. Any website that the user visits can send requests to a
@@ -30,13 +33,15 @@ class Gate {
   /// Only names can be made to point elsewhere. `names`: further hosts by which browsers reach it, each with
   /// its port ("shop.example:8080") or without one, for the default port of http and https and
   /// for `port`. Throws InputError for a name that no browser sends.
+  /// `max_upload`: bytes of a file.
   Gate(std::vector<std::string> own, std::uint16_t port, std::string token,
-       const std::vector<std::string>& names);
+       const std::vector<std::string>& names, std::uint64_t max_upload);
 
   /// In this order: one Host, of the list (else 403); the token (else 404, the same answer as for an unknown
-  /// name); GET or HEAD (405); no body (413); every Origin, which the WebSocket must have, of the list (403);
-  /// Sec-Fetch-Site, if present, `same-origin` or `none`, for the WebSocket `same-origin` (403). A link
-  /// elsewhere may open the page itself, as a top-level document.
+  /// name); GET or HEAD, or PUT of a file (405); no body, but that of a file, whose length is given and
+  /// within the limit (411, 413); every Origin, which the WebSocket and a PUT must have, of the list (403);
+  /// Sec-Fetch-Site, if present, `same-origin` or `none`, for the WebSocket and a PUT `same-origin` (403). A
+  /// link elsewhere may open the page itself, as a top-level document.
   Verdict judge(const Request& request) const;
 
  private:
@@ -44,6 +49,7 @@ class Gate {
 
   std::string token_;
   std::vector<std::string> hosts_, origins_;
+  std::uint64_t max_upload_;
 };
 
 }  // namespace shelfbeam::serve::http

@@ -27,6 +27,7 @@ struct Limits {
   Time silence = std::chrono::seconds(120);   ///< of a page, which is sent a ping after half of it
   Time farewell = std::chrono::seconds(2);    ///< in which a client takes the end of a connection
   std::size_t message = 1 << 20;              ///< bytes of a message of a page, in all fragments together
+  std::uint64_t upload = 64 << 20;            ///< bytes of a file that a page brings
   std::size_t queue = 8 << 20;                ///< bytes that wait for a page (`Outbox`)
 };
 
@@ -50,9 +51,15 @@ struct Document {
   Bytes bytes;
 };
 
+/// The answer to a file that a page brings.
+struct Receipt {
+  bool is_kept = false;
+  std::string text;  ///< JSON if it is kept, otherwise the reason as a sentence for the user
+};
+
 /// What the owner of a server does. The thread in `Server::run` calls all of them, never from within another
 /// call of the server. An exception ends neither the server nor other pages: the page of `opened` and `text`
-/// is closed with code 1011, the request of `get` is answered with status 500, and `failed` is told.
+/// is closed with code 1011, the request of `get` or `put` is answered with status 500, and `failed` is told.
 /// Functions may be empty.
 struct Handlers {
   std::function<void(TabId)> opened = {};
@@ -60,6 +67,8 @@ struct Handlers {
   std::function<void(TabId)> closed = {};                  ///< once for each opened one
   /// A GET or HEAD of a name below the token that is no asset; nothing: there is none.
   std::function<std::optional<Document>(std::string_view name)> get = {};
+  /// A PUT of a name below the token that begins with `file_names`.
+  std::function<Receipt(std::string_view name, std::string_view content)> put = {};
   std::function<void()> tick = {};
   std::function<void(std::string_view what)> failed = {};  ///< what(), for the log
 };

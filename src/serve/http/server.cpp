@@ -50,7 +50,7 @@ struct Server::State final : SessionHost {
       options.port = listener->port();
       hosts = listener->hosts();
     }
-    gate.emplace(hosts, options.port, options.token, options.hosts);
+    gate.emplace(hosts, options.port, options.token, options.hosts, options.limits.upload);
     loop.every(interval(options.limits), [this] { end_late_sessions(); });
     if (options.tick.count() > 0)
       loop.every(options.tick, [this] { attempt([this] { call(handlers.tick); }); });
@@ -73,6 +73,21 @@ struct Server::State final : SessionHost {
       }
       const std::optional<Document> found = handlers.get ? handlers.get(verdict.name) : std::nullopt;
       reply = found ? Reply{.type = found->type, .body = found->bytes} : refusal(404);
+    });
+    return reply;
+  }
+
+  Reply receive(const std::string& name, std::string_view content) override {
+    Reply reply = refusal(500);
+    attempt([&] {
+      if (!handlers.put) {
+        reply = refusal(405);
+        return;
+      }
+      const Receipt receipt = handlers.put(name, content);
+      reply = {.status = receipt.is_kept ? 201U : 422U,
+               .type = receipt.is_kept ? "application/json" : "text/plain; charset=utf-8",
+               .body = std::make_shared<const std::string>(receipt.text)};
     });
     return reply;
   }

@@ -116,7 +116,7 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     allow(limits_.head_time);
     parser_.emplace();
     parser_->header_limit(static_cast<std::uint32_t>(limits_.head));
-    // The gate refuses bodies, which are never read.
+    // The gate refuses bodies but those of files, which `read_file` reads.
     parser_->body_limit(std::numeric_limits<std::uint64_t>::max());
     beast::http::async_read_header(stream_, buffer_, *parser_,
                                    after([this](error_code error) { on_head(error); }));
@@ -141,9 +141,33 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
       answer(refusal(verdict.refusal, verdict.why), false);
     } else if (verdict.is_socket) {
       open_socket();
+    } else if (verdict.upload > 0) {
+      file_name_ = verdict.name;
+      file_.clear();
+      file_size_ = static_cast<std::size_t>(verdict.upload);
+      read_file();
     } else {
       answer(host_.reply(request, verdict), parser_->get().keep_alive());
     }
+  }
+
+  // Takes bytes that have come, and waits for the rest.
+  void read_file() {
+    const std::size_t size = std::min(file_size_ - file_.size(), buffer_.size());
+    const auto bytes = buffer_.cdata();
+    file_.append(static_cast<const char*>(bytes.data()), size);
+    buffer_.consume(size);
+    if (file_.size() == file_size_) {
+      const Reply reply = host_.receive(file_name_, file_);
+      file_ = std::string();
+      return answer(reply, parser_->get().keep_alive());
+    }
+    allow(limits_.write);
+    const std::size_t next = std::min(file_size_ - file_.size(), limits_.head);
+    stream_.async_read_some(buffer_.prepare(next), after([this](error_code error, std::size_t read) {
+                              buffer_.commit(read);
+                              error ? abort() : read_file();
+                            }));
   }
 
   void answer(const Reply& reply, bool keep_alive) {
@@ -260,6 +284,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   Bytes body_;
   std::size_t sent_ = 0;  // of head and body together
   bool keep_alive_ = false;
+  std::string file_name_, file_;  // that is being received
+  std::size_t file_size_ = 0;
 
   std::optional<WebSocket> socket_;  // has taken the stream
   beast::flat_buffer messages_{limits_.message + 1024};

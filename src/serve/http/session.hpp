@@ -27,6 +27,8 @@ class SessionHost {
   virtual Verdict judge(const Request& request) = 0;
   /// The answer to a request that was let in and does not open the WebSocket.
   virtual Reply reply(const Request& request, const Verdict& verdict) = 0;
+  /// The answer to a file.
+  virtual Reply receive(const std::string& name, std::string_view content) = 0;
   /// These two return false if the page is to be closed because its handler failed.
   virtual bool opened(TabId id) = 0;
   virtual bool text(TabId id, std::string_view message) = 0;

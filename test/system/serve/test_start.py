@@ -9,6 +9,7 @@ import re
 import resource
 import signal
 import socket
+import struct
 import subprocess
 import time
 import unittest
@@ -201,13 +202,17 @@ class End(ServeTest):
 
 
 class Address(ServeTest):
-    def answer(self, address, target, host=None, method="GET"):
+    def answer(self, address, target, host=None, method="GET", fields=None, body=b""):
         url = urllib.parse.urlsplit(address)
         connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
         self.addCleanup(connection.close)
         connection.putrequest(method, target, skip_host=True)
         connection.putheader("Host", url.netloc if host is None else host)
-        connection.endheaders()
+        for name, value in (fields or {}).items():
+            connection.putheader(name, value)
+        if body:
+            connection.putheader("Content-Length", str(len(body)))
+        connection.endheaders(body)
         return connection.getresponse()
 
     def status(self, address, target, host):
@@ -223,12 +228,48 @@ class Address(ServeTest):
         for file in files:
             self.assertEqual(self.answer(server.address, path + file).status, 200, file)
 
-    def test_nothing_is_uploaded(self):
+    def test_only_pictures_are_uploaded(self):
         server = self.start()
         url = urllib.parse.urlsplit(server.address)
+        origin = {"Origin": f"http://{url.netloc}"}
+
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + b"crc."
+
+        picture = (
+            b"\x89PNG\r\n\x1a\n"
+            + chunk(b"IHDR", struct.pack(">IIBBBBB", 3, 2, 8, 0, 0, 0, 0))
+            + chunk(b"IEND", b"")
+        )
+
+        def put(name, body, fields=origin):
+            return self.answer(server.address, f"{url.path}files/{name}", method="PUT", fields=fields, body=body)
+
+        before = sorted(path.name for path in self.folder.iterdir())
         for method in ("PUT", "POST", "DELETE", "PATCH", "OPTIONS"):
             self.assertEqual(self.answer(server.address, url.path + "mesh.glb", method=method).status, 405, method)
-        self.assertEqual([path.name for path in self.folder.glob("*.glb")], [])
+        self.assertEqual(put("plan.png", picture, {}).status, 403)
+        self.assertEqual(put("plan.png", picture, {"Origin": "http://attacker.example"}).status, 403)
+        for name, body in (
+            ("plan.png", b"\x89HDF\r\n\x1a\n" + b"0" * 100),
+            ("store.json", b"{}"),
+            (".shelfbeam", picture),
+            ("store.json", picture),
+            ("plan.png", picture[:-5]),
+        ):
+            answer = put(name, body)
+            self.assertEqual(answer.status, 422, name)
+            self.assertTrue(answer.read(), name)
+        for name in ("..%2Fplan.png", "../plan.png", "%2e%2e/plan.png"):
+            self.assertIn(put(name, picture).status, (404, 405, 422), name)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
+        answer = put("plan.png", picture)
+        self.assertEqual(answer.status, 201)
+        self.assertEqual(json.loads(answer.read()), {"file": "plan.png", "width": 3, "height": 2})
+        self.assertEqual((self.folder / "plan.png").read_bytes(), picture)
+        sent = self.answer(server.address, url.path + "files/plan.png")
+        self.assertEqual((sent.status, sent.read()), (200, picture))
+        self.assertEqual(self.answer(server.address, url.path + "files/store.json").status, 404)
 
     def test_only_this_computer_by_default(self):
         server = self.start()

@@ -37,6 +37,8 @@ void read_labels(const JsonCursor& section, const StoreNames& names, const Store
                  Problems& problems);
 void read_measuring_planes(const JsonCursor& section, const StoreNames& names, Store& store,
                            Problems& problems);
+/// Checks the picture beneath the planner's drawing, which the store does not keep.
+void expect_drawing(const JsonCursor& section, const StoreNames& names, Problems& problems);
 /// The areas, rails and faces of the section "transceivers". Requires the room and the fixtures.
 void read_mounts(const JsonCursor& section, const StoreNames& names, Store& store, Problems& problems);
 /// Reads the members of an object by name. A name stays known if its member has problems.

@@ -134,13 +134,30 @@ class StoreReader {
     section(root, "variation", [&](const JsonCursor& json) {
       store_.variation = read_variation(json, names, store_, problems_);
     });
+    section(root, "drawing", [&](const JsonCursor& json) { expect_drawing(json, names, problems_); });
   }
 
  private:
-  static constexpr auto keys = std::to_array<std::string_view>(
-      {"$schema", "format", "units", "currency", "name", "language", "wavelength_nm", "catalogues", "presets",
-       "room", "materials", "label_types", "transceiver_types", "fixtures", "labels", "measuring_planes",
-       "planogram", "transceivers", "variation"});
+  static constexpr auto keys = std::to_array<std::string_view>({"$schema",
+                                                                "format",
+                                                                "units",
+                                                                "currency",
+                                                                "name",
+                                                                "language",
+                                                                "wavelength_nm",
+                                                                "catalogues",
+                                                                "presets",
+                                                                "room",
+                                                                "materials",
+                                                                "label_types",
+                                                                "transceiver_types",
+                                                                "fixtures",
+                                                                "labels",
+                                                                "measuring_planes",
+                                                                "planogram",
+                                                                "transceivers",
+                                                                "variation",
+                                                                "drawing"});
 
   // Returns whether the section is omitted or could be read as a whole.
   template <class Read>

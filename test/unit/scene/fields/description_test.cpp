@@ -11,6 +11,7 @@
 #include "shelfbeam/scene/fixture/fixture.hpp"
 #include "shelfbeam/scene/planogram/article_labels.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
+#include "shelfbeam/scene/store/drawing.hpp"
 
 #include "unit/scene/fields/schema_fields.hpp"
 #include "unit/scene/fields/table_fields.hpp"
@@ -118,6 +119,7 @@ TEST(Description, SchemaIsUpToDate) {
   set("keep_out", KeepOut{});
   set("measuring_plane", MeasuringPlane{});
   set("variation", StoreVariation{});
+  set("drawing", Drawing{});
   schema["$defs"]["ignore"]["items"] = {{"enum", warning_names()}};
   schema["$defs"]["fixture_key"] = {{"enum", all_fixture_keys()}};
   schema["$defs"]["whole_fixture"] = {
@@ -196,6 +198,10 @@ TEST(Description, TablesAreUpToDate) {
   std::string variation = read_file(pages + "variation.md");
   replace_table(variation, "# Variation: a changing shop", fields_of(StoreVariation{}));
   expect_file(pages + "variation.md", variation);
+  std::string drawing = read_file(pages + "drawing.md");
+  replace_table(drawing, "# Drawing", fields_of(Drawing{}));
+  replace_table(drawing, "## Lines of known length", fields_of(ScaleLine{}));
+  expect_file(pages + "drawing.md", drawing);
 }
 
 }  // namespace

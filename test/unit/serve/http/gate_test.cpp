@@ -18,7 +18,7 @@ constexpr auto gate_token = "0123456789abcdef";
 
 Gate gate(std::string_view address = "127.0.0.1", std::uint16_t port = 8080,
           const std::vector<std::string>& names = {}) {
-  return {{std::string(address)}, port, gate_token, names};
+  return {{std::string(address)}, port, gate_token, names, 1000};
 }
 
 unsigned status(const Gate& gate, Fields fields, std::string_view name = "page",
@@ -103,6 +103,48 @@ TEST(Gate, TakesNoOtherMethodsAndNoBodies) {
     EXPECT_EQ(with("Content-Length", length), 413u) << length;
   EXPECT_EQ(with("Transfer-Encoding", "chunked"), 413u);
   EXPECT_EQ(with("transfer-encoding", "identity"), 413u);
+}
+
+TEST(Gate, TakesFilesOfItsOwnPages) {
+  const Fields good{{"Host", "127.0.0.1:8080"},
+                    {"Origin", "http://127.0.0.1:8080"},
+                    {"Content-Length", "1000"},
+                    {"Sec-Fetch-Site", "same-origin"}};
+  const auto put = [&](Fields fields, std::string_view name = "files/plan.png") {
+    return status(gate(), std::move(fields), name, "PUT");
+  };
+  const auto changed = [&](std::size_t field, std::string_view value) {
+    Fields fields = good;
+    fields[field].second = value;
+    return put(fields);
+  };
+  const auto without = [&](std::size_t field) {
+    Fields fields = good;
+    fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(field));
+    return put(fields);
+  };
+  EXPECT_EQ(put(good), 0u);
+  EXPECT_EQ(gate().judge({"PUT", std::string("/") + gate_token + "/files/plan.png", good}).upload, 1000U);
+  EXPECT_EQ(put(good, "scene"), 405u);
+  EXPECT_EQ(put(good, ""), 405u);
+  for (const std::string_view name : {"files/plan.png", "socket"})
+    EXPECT_EQ(status(gate(), good, name, "POST"), 405u) << name;
+  EXPECT_EQ(without(1), 403u) << "no origin";
+  for (const std::string_view origin : {"null", "http://attacker.example", "http://127.0.0.1:8081"})
+    EXPECT_EQ(changed(1, origin), 403u) << origin;
+  EXPECT_EQ(without(2), 411u) << "no length";
+  for (const std::string_view length : {"0", "1001", "9223372036854775807"})
+    EXPECT_EQ(changed(2, length), 413u) << length;
+  for (const std::string_view length : {"", "-1", "+5", "5, 5", "0x10", "18446744073709551616"})
+    EXPECT_EQ(changed(2, length), 411u) << length;
+  Fields twice = good, chunked = good;
+  twice.emplace_back("Content-Length", "1000");
+  chunked.emplace_back("Transfer-Encoding", "chunked");
+  EXPECT_EQ(put(twice), 411u);
+  EXPECT_EQ(put(chunked), 411u);
+  EXPECT_EQ(without(3), 0u) << "an older browser";
+  for (const std::string_view site : {"none", "same-site", "cross-site"})
+    EXPECT_EQ(changed(3, site), 403u) << site;
 }
 
 TEST(Gate, ComparesTheOriginWithTheListAndNotWithTheHost) {

@@ -98,6 +98,13 @@ class RunningServer {
               if (name != "made") return std::nullopt;
               return serve::http::Document{"application/json", std::make_shared<const std::string>("{}")};
             },
+            .put =
+                [](std::string_view name, std::string_view content) {
+                  return name == "files/bad.png"
+                             ? serve::http::Receipt{false, "no picture"}
+                             : serve::http::Receipt{true,
+                                                    fmt::format("{} bytes of {}", content.size(), name)};
+                },
             .tick = [this] { ++ticks; },
             .failed = [this](std::string_view) { ++failed; }};
   }

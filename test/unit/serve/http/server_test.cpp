@@ -68,6 +68,31 @@ TEST(Server, SendsADocumentThatIsNotKept) {
   EXPECT_THAT(server.ask(server.request("other")), testing::StartsWith("HTTP/1.1 404 "));
 }
 
+TEST(Server, TakesFilesInPieces) {
+  const RunningServer server;
+  Client client(server.port());
+  const std::string content(100'000, 'x');
+  for (int i = 0; i < 2; ++i) {
+    const std::string head = server.request(
+        "files/plan.png",
+        fmt::format("Origin: http://{}\r\nContent-Length: {}\r\n", server.host(), content.size()), "PUT");
+    const std::string all = head + content;
+    for (std::size_t at = 0; at < all.size(); at += 33'333)
+      client.send(std::string_view(all).substr(at, 33'333));
+    const std::string answer = client.answer();
+    EXPECT_THAT(answer, testing::StartsWith("HTTP/1.1 201 Created\r\n"));
+    EXPECT_THAT(answer, testing::EndsWith("\r\n\r\n100000 bytes of files/plan.png"));
+  }
+  client.send(server.request("page.txt"));
+  EXPECT_THAT(client.answer(), testing::EndsWith("the page"));
+  const std::string refused = server.ask(
+      server.request("files/bad.png",
+                     fmt::format("Origin: http://{}\r\nContent-Length: 3\r\n", server.host()), "PUT") +
+      "abc");
+  EXPECT_THAT(refused, testing::StartsWith("HTTP/1.1 422 Unprocessable Content\r\n"));
+  EXPECT_THAT(refused, testing::EndsWith("\r\n\r\nno picture"));
+}
+
 TEST(Server, AnswersSeveralRequestsOnOneConnection) {
   const RunningServer server;
   Client client(server.port());

@@ -1,0 +1,139 @@
+#include "serve/project/picture_file.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam::serve {
+namespace {
+
+using test::expect_input_error;
+using test::TempFolder;
+
+std::string number(std::uint64_t value, int bytes, bool is_big) {
+  std::string text;
+  for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> 8 * (is_big ? bytes - 1 - k : k) & 0xff);
+  return text;
+}
+
+std::string png(std::uint64_t width, std::uint64_t height, std::string_view data = "data") {
+  const auto chunk = [](std::string_view type, const std::string& content) {
+    return number(content.size(), 4, true) + std::string(type) + content + "crc.";
+  };
+  const std::string bits(5, '\0');
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", number(width, 4, true) + number(height, 4, true) + bits) +
+         chunk("IDAT", std::string(data)) + chunk("IEND", "");
+}
+
+std::string jpeg(std::uint64_t width, std::uint64_t height) {
+  const auto segment = [](char code, const std::string& content) {
+    return std::string("\xff") + code + number(content.size() + 2, 2, true) + content;
+  };
+  const std::string frame = "\x08" + number(height, 2, true) + number(width, 2, true) + "\x01";
+  return "\xff\xd8" + segment('\xe0', "JFIF") + "\xff" + segment('\xc2', frame) + segment('\xda', "scan") +
+         "data\xff\xd9";
+}
+
+std::string webp(const std::string& chunk) {
+  return "RIFF" + number(chunk.size() + 4, 4, false) + "WEBP" + chunk;
+}
+
+std::string extended_webp(std::uint64_t width, std::uint64_t height) {
+  return webp("VP8X" + number(10, 4, false) + std::string(4, '\0') + number(width - 1, 3, false) +
+              number(height - 1, 3, false));
+}
+
+std::string lossless_webp(std::uint64_t width, std::uint64_t height) {
+  return webp("VP8L" + number(5, 4, false) + "\x2f" + number((width - 1) | (height - 1) << 14, 4, false));
+}
+
+std::string lossy_webp(std::uint64_t width, std::uint64_t height) {
+  return webp("VP8 " + number(10, 4, false) + "fra\x9d\x01\x2a" + number(width, 2, false) +
+              number(height, 2, false));
+}
+
+TEST(PictureFile, HasItsSize) {
+  const TempFolder folder;
+  for (const auto& [name, content] : {std::pair{"a.png", png(640, 480)},
+                                      {"b.jpg", jpeg(640, 480)},
+                                      {"c.JPEG", jpeg(640, 480)},
+                                      {"d.webp", extended_webp(640, 480)},
+                                      {"e.webp", lossless_webp(640, 480)},
+                                      {"f.webp", lossy_webp(640, 480)}}) {
+    const PictureFile kept = keep_picture(folder.path(), name, content);
+    EXPECT_EQ(kept.name, name);
+    EXPECT_EQ(kept.width, 640U) << name;
+    EXPECT_EQ(kept.height, 480U) << name;
+    EXPECT_EQ(read_file(folder / name), content);
+    EXPECT_EQ(read_picture(folder.path(), name)->content, content);
+  }
+  EXPECT_EQ(read_picture(folder.path(), "c.JPEG")->type, "image/jpeg");
+}
+
+TEST(PictureFile, NeverChangesUnderItsName) {
+  const TempFolder folder;
+  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
+  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
+  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "two")).name, "plan-2.png");
+  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "two")).name, "plan-2.png");
+  EXPECT_EQ(read_file(folder / "plan.png"), png(1, 1, "one"));
+  std::filesystem::create_symlink("elsewhere.png", folder / "link.png");
+  EXPECT_EQ(keep_picture(folder.path(), "link.png", png(1, 1)).name, "link-2.png");
+  EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere.png"));
+}
+
+TEST(PictureFile, IsRefusedWithTheReason) {
+  const TempFolder folder;
+  const auto refused = [&](const char* name, const std::string& content, std::string_view reason) {
+    expect_input_error([&] { keep_picture(folder.path(), name, content); }, reason);
+  };
+  refused("plan.jpg", png(1, 1), "plan.jpg: is a PNG picture; rename it to plan.png");
+  refused("plan.png", "%PDF-1.7", "plan.png: is not a PNG, JPEG or WEBP picture");
+  refused("plan.png", "", "is not a PNG, JPEG or WEBP picture");
+  refused("plan.png", png(60'000, 60'000), "has 60000 x 60000 pixels; the maximum is 100 million pixels");
+  refused("plan.webp", extended_webp(1 << 24, 1 << 24), "has 16777216 x 16777216 pixels");
+  refused("plan.png", png(0, 5), "is incomplete or damaged");
+  for (const char* name :
+       {"../plan.png", "a/plan.png", ".png", ".hidden.png", "", "a b.png", "pl\xc3\xa4n.png"})
+    refused(name, png(1, 1), "the name of the picture: is not of letters");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+// Of a lossy WEBP only the length of the file is known here; the browser decodes the rest.
+TEST(PictureFile, IsRefusedIfItIsIncomplete) {
+  const TempFolder folder;
+  for (const auto& [name, content] : {std::pair{"a.png", png(64, 48)},
+                                      {"b.jpg", jpeg(64, 48)},
+                                      {"d.webp", extended_webp(64, 48)},
+                                      {"e.webp", lossless_webp(64, 48)},
+                                      {"f.webp", lossy_webp(64, 48)}})
+    for (std::size_t size = 0; size < content.size(); ++size)
+      EXPECT_THROW(keep_picture(folder.path(), name, content.substr(0, size)), InputError)
+          << name << ": " << size;
+}
+
+TEST(PictureFile, IsARegularFileOfTheFolder) {
+  const TempFolder folder;
+  folder.write("plan.png", png(1, 1));
+  folder.write("plan.jpg", png(1, 1));
+  folder.write("store.json", "{}");
+  folder.write("inner/plan.png", png(1, 1));
+  std::filesystem::create_symlink("plan.png", folder / "link.png");
+  std::filesystem::create_directory(folder / "folder.png");
+  EXPECT_TRUE(read_picture(folder.path(), "plan.png"));
+  for (const char* name :
+       {"plan.jpg", "store.json", "inner/plan.png", "link.png", "folder.png", "other.png", ""})
+    EXPECT_FALSE(read_picture(folder.path(), name)) << name;
+}
+
+}  // namespace
+}  // namespace shelfbeam::serve
