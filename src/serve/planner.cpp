@@ -15,7 +15,6 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
-#include "shelfbeam/base/json_parser.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
 #include "serve/http/server.hpp"
@@ -23,6 +22,7 @@
 #include "serve/live/warning_finder.hpp"
 #include "serve/project/picture_file.hpp"
 #include "serve/project/project.hpp"
+#include "serve/request.hpp"
 #include "serve/text/edit.hpp"
 
 namespace shelfbeam::embedded {
@@ -44,65 +44,6 @@ using http::TabId;
 
 constexpr auto tick = std::chrono::milliseconds(100);
 constexpr auto look_interval = std::chrono::seconds(1);
-
-// A request of a page, and the answer.
-struct Request {
-  TabId tab;
-  Json json;
-
-  std::string text(const char* key) const {
-    const auto found = json.find(key);
-    if (found == json.end() || !found->is_string()) throw InputError(key, "is no text", "");
-    return found->get<std::string>();
-  }
-  std::size_t number(const char* key) const {
-    const auto found = json.find(key);
-    if (found == json.end() || !found->is_number_unsigned()) throw InputError(key, "is no whole number", "");
-    return found->get<std::size_t>();
-  }
-};
-
-std::vector<EditOp> read_ops(const Request& request) {
-  const auto list = request.json.find("ops");
-  if (list == request.json.end() || !list->is_array()) throw InputError("ops", "is no list", "");
-  std::vector<EditOp> ops;
-  for (const Json& op : *list) {
-    const Request part{request.tab, op};
-    const auto value = [&](const char* key) {
-      const auto found = op.find(key);
-      return found == op.end() ? std::nullopt : std::optional(*found);
-    };
-    ops.push_back({part.text("path"), value("before"), value("after")});
-  }
-  return ops;
-}
-
-Json json_of(const std::vector<EditOp>& ops) {
-  Json list = Json::array();
-  for (const EditOp& op : ops) {
-    Json one{{"path", op.path}};
-    if (op.before) one["before"] = *op.before;
-    if (op.after) one["after"] = *op.after;
-    list.push_back(std::move(one));
-  }
-  return list;
-}
-
-Json error_json(const InputError& error) {
-  Json json{{"message", error.what()}};
-  if (const auto* conflict = dynamic_cast<const EditConflict*>(&error)) json["path"] = conflict->path();
-  return json;
-}
-
-// Null if it is not JSON, or has so many levels that it is not from our page: to copy a value takes stack for
-// each level.
-Json message_of(std::string_view text) {
-  try {
-    return parse_json(text, "the message", max_document);
-  } catch (const InputError&) {
-    return {};
-  }
-}
 
 // The folder, with a shop.
 const fs::path& with_store(const fs::path& folder) {
@@ -250,7 +191,7 @@ struct Planner::State {
     if (verb == "device") return device(request);
     ops.reset();
     if (verb == "edit") {
-      edit(request, read_ops(request));
+      edit(request, request.ops());
     } else if (verb == "dissolve") {
       edit(request, shop.dissolved(request.text("path")));
     } else if (verb == "undo") {

@@ -237,9 +237,7 @@ class Address(ServeTest):
             return struct.pack(">I", len(data)) + kind + data + b"crc."
 
         picture = (
-            b"\x89PNG\r\n\x1a\n"
-            + chunk(b"IHDR", struct.pack(">IIBBBBB", 3, 2, 8, 0, 0, 0, 0))
-            + chunk(b"IEND", b"")
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 3, 2, 8, 0, 0, 0, 0)) + chunk(b"IEND", b"")
         )
 
         def put(name, body, fields=origin):
