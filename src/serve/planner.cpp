@@ -187,6 +187,7 @@ struct Planner::State {
   Json result_of(const Request& request) {
     const std::string verb = request.text("do");
     if (verb == "details") return shop.details(request.text("path"));
+    if (verb == "presets") return {{"presets", shop.presets()}};
     if (verb == "find") return {{"hits", shop.find(request.text("text"))}};
     if (verb == "device") return device(request);
     ops.reset();

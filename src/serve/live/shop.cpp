@@ -210,6 +210,13 @@ Json Shop::details(const std::string& pointer) const {
   return details;
 }
 
+Json Shop::presets() const {
+  Json presets = Json::object();
+  for (const auto& [name, keys] : completed_presets(document_, file_.parent_path(), limits()))
+    presets[name] = {{"effective", keys.json}, {"units", units_json(keys)}};
+  return presets;
+}
+
 Json Shop::label(std::size_t index) const {
   const Label& label = draft_.scene.labels[index];
   Json json = device_json(label, draft_.scene.label_types, draft_.sources.labels[index], draft_.store.file);

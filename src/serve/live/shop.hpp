@@ -55,6 +55,9 @@ class Shop {
 
   /// An entry of "fixtures" with the keys of its presets, and with all keys, in m.
   nlohmann::ordered_json details(const std::string& pointer) const;
+  /// The presets of the store and its catalogues by name: `effective` with the keys of its own preset, and
+  /// `units` as in `details`. Throws InputError if one has problems.
+  nlohmann::ordered_json presets() const;
   /// The edit that makes fixtures with places of their own out of an entry (live/dissolve.hpp).
   std::vector<EditOp> dissolved(const std::string& pointer) const;
   /// Precondition for both: the index is below the number of labels or units.

@@ -29,4 +29,10 @@ struct CompletedFixture {
 CompletedFixture completed_fixture(const JsonCursor& document, const std::filesystem::path& folder,
                                    std::size_t index, const StoreLimits& limits = {});
 
+/// The presets of a store file and its catalogues, each with the keys of its own preset. Throws InputError if
+/// one has problems.
+std::map<std::string, FixtureKeys> completed_presets(const JsonCursor& document,
+                                                     const std::filesystem::path& folder,
+                                                     const StoreLimits& limits = {});
+
 }  // namespace shelfbeam

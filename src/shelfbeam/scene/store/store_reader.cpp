@@ -247,30 +247,59 @@ Store parse_store(const JsonCursor& document, const std::filesystem::path& folde
   return store_of([&] { return document; }, document.file(), StoreFolder(folder, trust), problems);
 }
 
-CompletedFixture completed_fixture(const JsonCursor& document, const std::filesystem::path& folder,
-                                   std::size_t index, const StoreLimits& limits) {
-  const JsonCursor root = in_its_unit(document);
-  const StoreFolder files(folder, limits);
-  Problems problems(document.file());
-  Presets presets;
-  for (const JsonCursor& file : read_catalogues(root, files))
-    if (const auto section = file.find("presets")) presets.add(*section, problems);
-  if (const auto section = root.find("presets")) presets.add(*section, problems);
-  presets.check(problems);
-  problems.throw_first();
-  const JsonCursor fixtures = root["fixtures"];
-  if (index >= fixtures.size()) fixtures.fail(fmt::format("has no element {}", index));
-  const auto completed = [&](const JsonCursor& fixture) {
-    const JsonCursor whole = presets.complete(fixture);
+namespace {
+
+// Completes fixtures and presets of a store file.
+class Completer {
+ public:
+  Completer(const JsonCursor& document, const std::filesystem::path& folder, const StoreLimits& limits)
+      : root_(in_its_unit(document)) {
+    const StoreFolder files(folder, limits);
+    Problems problems(document.file());
+    for (const JsonCursor& file : read_catalogues(root_, files))
+      if (const auto section = file.find("presets")) presets_.add(*section, problems);
+    if (const auto section = root_.find("presets")) presets_.add(*section, problems);
+    presets_.check(problems);
+    problems.throw_first();
+  }
+
+  const JsonCursor& root() const { return root_; }
+  std::vector<std::string> names() const { return presets_.names(); }
+
+  FixtureKeys complete(const JsonCursor& fixture) {
+    const JsonCursor whole = presets_.complete(fixture);
     FixtureKeys keys{whole.value(), {}};
     for (const auto& [key, value] : whole.members())
-      if (value.unit() != root.unit()) keys.units.emplace(key, value.unit());
+      if (value.unit() != root_.unit()) keys.units.emplace(key, value.unit());
     return keys;
-  };
+  }
+
+ private:
+  JsonCursor root_;
+  Presets presets_;
+};
+
+}  // namespace
+
+CompletedFixture completed_fixture(const JsonCursor& document, const std::filesystem::path& folder,
+                                   std::size_t index, const StoreLimits& limits) {
+  Completer completer(document, folder, limits);
+  const JsonCursor fixtures = completer.root()["fixtures"];
+  if (index >= fixtures.size()) fixtures.fail(fmt::format("has no element {}", index));
   const JsonCursor fixture = fixtures.element(index);
   const auto preset = fixture.find("preset");
-  if (!preset) return {completed(fixture), {nlohmann::ordered_json::object(), {}}};
-  return {completed(fixture), completed(fixture.replaced({{"preset", preset->value()}}))};
+  if (!preset) return {completer.complete(fixture), {nlohmann::ordered_json::object(), {}}};
+  return {completer.complete(fixture), completer.complete(fixture.replaced({{"preset", preset->value()}}))};
+}
+
+std::map<std::string, FixtureKeys> completed_presets(const JsonCursor& document,
+                                                     const std::filesystem::path& folder,
+                                                     const StoreLimits& limits) {
+  Completer completer(document, folder, limits);
+  std::map<std::string, FixtureKeys> presets;
+  for (const std::string& name : completer.names())
+    presets.emplace(name, completer.complete(completer.root().replaced({{"preset", name}})));
+  return presets;
 }
 
 Store read_store(const std::filesystem::path& path, const StoreLimits& trust, Problems* problems) {

@@ -224,6 +224,10 @@ TEST(Shop, DescribesDevicesAndFixtures) {
   EXPECT_EQ(details["effective"]["type"], details["resolved"]["type"]);
   EXPECT_EQ(details["inherited"]["length"], details["effective"]["length"]);
   EXPECT_FALSE(details["inherited"].contains("id"));
+  const Json presets = shop.presets();
+  EXPECT_EQ(presets["end"]["effective"]["type"], "gondola") << "a key of its own preset";
+  EXPECT_EQ(presets["end"]["effective"]["length"], 0.9);
+  EXPECT_TRUE(presets["end"]["units"].empty());
   shop.update(R"({"fixtures": [{"preset": "none", "id": "a"}]})", 2);
   EXPECT_THROW(shop.details("/fixtures/0"), InputError) << "of a store without presets";
   for (const char* wrong : {"/fixtures/999", "/fixtures/x", "/fixtures/", "/room", ""})
