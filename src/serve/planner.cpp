@@ -17,6 +17,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
+#include "serve/http/gate.hpp"
 #include "serve/http/server.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/warning_finder.hpp"

@@ -51,7 +51,7 @@ TEST(Documentation, EveryExampleIsTested) {
   }
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
-  tested["store/variation.md"] = tested["store/fixtures.md"] = 1;
+  tested["store/variation.md"] = tested["store/fixtures.md"] = tested["store/drawing.md"] = 1;
   tested["store/room.md"] = tested["store/transceivers.md"] = 2;
   tested["store/labels.md"] = 4;
   EXPECT_EQ(stores, tested);
@@ -162,6 +162,16 @@ TEST(Documentation, ExampleOfGivenUnitsIsAccepted) {
   ASSERT_NE(pinned, scene.transceivers.end());
   EXPECT_EQ(pinned->id, "G1-3-2");
   EXPECT_EQ(scene.excluded.size(), 4u);
+}
+
+TEST(Documentation, ExampleOfADrawingIsAcceptedAndChangesNoHash) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  const std::string before = test::scene_of(store).store_hash;
+  const Json part = Json::parse(fenced_blocks("store/drawing.md", "jsonc").at(0), nullptr, true, true);
+  store["drawing"] = part["drawing"];
+  EXPECT_EQ(test::scene_of(store).store_hash, before);
+  store["drawing"]["scale"]["length"] = 0;
+  test::expect_input_error([&] { test::scene_of(store); }, "store.json: drawing.scale.length");
 }
 
 TEST(Documentation, ExampleOfVariationIsAccepted) {
@@ -302,6 +312,7 @@ TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
   const std::map<std::string, std::vector<std::string>> pages{
       {"planogram", {"store/labels.md"}},
       {"variation", {"store/variation.md"}},
+      {"drawing", {"store/drawing.md"}},
       {"share_range", {"store/variation.md"}},
       {"number_of_people", {"store/variation.md"}},
       {"threshold", {"store/label_types.md"}},

@@ -37,7 +37,9 @@ void describe(Drawing& drawing, Fields& f) {
            .most = max_pixels,
            .unit = "pixels"});
   f.plan_point("at", drawing.at,
-               {.says = "`[x, y]` of the picture's lower left corner in the shop", .is_optional = true});
+               {.says = "`[x, y]` of the picture's lower left corner in the shop",
+                .is_optional = true,
+                .otherwise = "the origin"});
   describe_line(f, "scale", drawing.scale, "a line of known length, which gives the scale");
   describe_line(f, "check", drawing.check,
                 "a second line of known length in another direction, which checks the scale");
