@@ -19,6 +19,7 @@ const omitted = new Set([
   "catalogues",
   "zones",
   "inner_walls",
+  "drawing",
 ]);
 
 /** Keys of numbers in the unit of the file that the schema gives as plain numbers. */
