@@ -6,6 +6,7 @@ export type Topic =
   | "warnings"
   | "selection"
   | "layers"
+  | "picture"
   | "viewport"
   | "preview"
   | "tool"

@@ -1,5 +1,9 @@
 // The state of the planner that its parts share.
 
+import { drawingOf, type Drawing } from "./backdrop/drawing";
+import { Look } from "./backdrop/look";
+import { Picture } from "./backdrop/picture";
+import { boundsOfPicture } from "./backdrop/transform";
 import { Changes } from "./changes";
 import { Connection } from "./document/connection";
 import { StoreDocument } from "./document/document";
@@ -14,7 +18,7 @@ import { Layers } from "./view/layers";
 import { copyKey, placeAgain, Selection, type Item, type Place } from "./view/selection";
 import { Viewport } from "./view/viewport";
 
-export type Tool = "select" | "measure";
+export type Tool = "select" | "measure" | "scale" | "check" | "crop";
 
 export interface Notice {
   text: string;
@@ -36,6 +40,8 @@ export class Planner {
   readonly selection = new Selection(this.changes);
   readonly layers = new Layers(this.changes);
   readonly viewport = new Viewport(this.changes);
+  readonly look = new Look(this.changes);
+  readonly picture: Picture;
   readonly fan: Fan;
   tool: Tool = "select";
   /** Whether the plan or the 3-D picture is shown. */
@@ -45,16 +51,18 @@ export class Planner {
   /** The pointer's place in the plan, m; null outside of it. */
   pointer: Point | null = null;
   clip: Clip = { copied: [], unit: "", types: {} };
-  /** The type that the panel edits if nothing is selected: a pointer. */
+  /** The type, or the picture of the floor plan, that the panel edits if nothing is selected: a pointer. */
   typePath: string | null = null;
   notice: Notice | null = null;
   /** At once, because the next event of the pointer belongs to the tool. */
   onTool: () => void = () => {};
+  private held: Drawing | null = null;
   private readonly followers = new Set<(place: Place) => void>();
 
   constructor(address: string) {
     this.connection = new Connection(address);
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
+    this.picture = new Picture(address, this.changes);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.document.onMoved = (place) => this.moved(place);
     this.document.onReplaced = (before) => this.moved(placeAgain(before, this.document.json));
@@ -94,6 +102,17 @@ export class Planner {
     this.selection.clear();
     this.typePath = path;
     this.changes.note("selection");
+  }
+
+  /** The picture of the floor plan, perhaps where a gesture holds it. */
+  get drawing(): Drawing | null {
+    return this.held ?? drawingOf(this.document.json);
+  }
+
+  /** Shows the picture at another place; null: where the store has it. */
+  hold(drawing: Drawing | null): void {
+    this.held = drawing;
+    this.changes.note("picture");
   }
 
   private moved(place: Place): void {
@@ -164,6 +183,8 @@ export class Planner {
   }
 
   get wholeBounds(): Bounds | null {
-    return boundsOfParts(this.document.parts.all);
+    const { drawing, look, document } = this;
+    const picture = drawing && look.now.isShown ? boundsOfPicture(drawing, document.unit) : null;
+    return joined([boundsOfParts(document.parts.all), picture]);
   }
 }

@@ -5,6 +5,7 @@ import { svg } from "../plan/svg";
 const paths = {
   select: "M5 3l6.5 16 2.3-6.7L20.5 10z",
   measure: "M3 16.5L16.5 3 21 7.5 7.5 21zM7 12.5l2 2M10 9.5l1.5 1.5M13 6.5l2 2",
+  scale: "M4 14v6M20 14v6M4 17h16M4 4h16v7H4zM8 11V8M12 11V7M16 11V8",
   undo: "M8 5L3.5 9.5 8 14M4 9.5h9.5a5.5 5.5 0 0 1 0 11H10",
   redo: "M16 5l4.5 4.5L16 14M20 9.5h-9.5a5.5 5.5 0 0 0 0 11H14",
   fit: "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5",

@@ -7,6 +7,8 @@ import type { Gestures } from "../gesture/gestures";
 import type { Planner } from "../planner";
 import { text } from "../text";
 import { say } from "../../data/text";
+import { drawingPath } from "../backdrop/drawing";
+import { editDrawing, turnPicture } from "../backdrop/edits";
 import { assignType } from "./assign";
 import { copySelection, deleteSelection, duplicateSelection, paste } from "./copy";
 import { alignSelection, distributeSelection, mirrorSelection, shiftElements, turnElements } from "./move";
@@ -25,6 +27,7 @@ export interface Surroundings {
   turnSpace: (right: number, up: number) => boolean;
   zoom: (factor: number) => void;
   fit: () => void;
+  choosePicture: () => void;
 }
 
 const command = (
@@ -102,12 +105,14 @@ const arrows: Record<string, [number, number]> = {
 const arrowPixels = 40;
 const crossPixels = 5;
 
+const isLineTool = ({ tool }: Planner) => tool === "measure" || tool === "scale" || tool === "check";
+
 function arrowCommand({ planner, gestures, turnSpace }: Surroundings, [x, y]: [number, number], isFast: boolean): void {
   const { unit } = planner.document;
   const why = planner.selection.items.length > 0 ? whyNot(planner) : null;
   const metres = (isFast ? 10 : 1) * unit.step * unit.factor;
-  if (planner.tool === "measure")
-    gestures.moveCross(x * crossPixels * (isFast ? 10 : 1), -y * crossPixels * (isFast ? 10 : 1));
+  const pixels = (planner.tool === "measure" ? crossPixels : 1) * (isFast ? 10 : 1);
+  if (isLineTool(planner)) gestures.moveCross(x * pixels, y * pixels);
   else if (why !== null) planner.say(why, true);
   else if (planner.selected.length > 0) void shiftElements(planner, planner.selected, [x * metres, y * metres], true);
   else if (planner.isPlan || !turnSpace(x, y)) planner.viewport.pan(-x * arrowPixels, y * arrowPixels);
@@ -141,9 +146,9 @@ function selectCommands({ planner, gestures }: Surroundings): Command[] {
       isOn: () => planner.tool === "measure",
       isEnabled: () => planner.isPlan,
     }),
-    command("tools", "measure_here", ["Enter"], () => gestures.measureAtCross(), {
+    command("tools", "measure_here", ["Enter"], () => gestures.setAtCross(), {
       where: "plan",
-      isEnabled: () => planner.tool === "measure",
+      isEnabled: () => isLineTool(planner),
     }),
     ...Array.from({ length: 9 }, (_, k) =>
       command("types", `type_${k + 1}` as Command["id"], [String(k + 1)], () => assignType(planner, k), {
@@ -190,9 +195,43 @@ function viewCommands({
   ];
 }
 
+function pictureCommands({ planner, choosePicture }: Surroundings): Command[] {
+  const { document, look } = planner;
+  const hasPicture = () => planner.drawing !== null && document.locked === null;
+  const onPlan = { isEnabled: () => hasPicture() && planner.isPlan, why: () => text.why_not.picture };
+  const tool = (name: "scale" | "check" | "crop") => () => planner.setTool(name);
+  const isOn = (name: "scale" | "check" | "crop") => () => planner.tool === name;
+  return [
+    command("picture", "choose_picture", [], choosePicture, { isEnabled: () => document.locked === null }),
+    command("picture", "picture", [], () => planner.openType(drawingPath), {
+      isEnabled: () => planner.drawing !== null,
+    }),
+    command("picture", "scale", ["S"], tool("scale"), { ...onPlan, isOn: isOn("scale") }),
+    command("picture", "check_scale", [], tool("check"), {
+      isEnabled: () => onPlan.isEnabled() && planner.drawing?.scale !== undefined,
+      isOn: isOn("check"),
+    }),
+    command("picture", "crop", [], tool("crop"), { ...onPlan, isOn: isOn("crop") }),
+    command("picture", "turn_picture", [], () => turnPicture(planner, 90), { isEnabled: hasPicture }),
+    command("picture", "turn_picture_back", [], () => turnPicture(planner, -90), { isEnabled: hasPicture }),
+    command("picture", "show_picture", [], () => look.set({ isShown: !look.now.isShown }), {
+      isEnabled: () => planner.drawing !== null,
+      isOn: () => look.now.isShown,
+    }),
+    command("picture", "lock_picture", [], () => look.set({ isLocked: !look.now.isLocked }), {
+      isEnabled: () => planner.drawing !== null,
+      isOn: () => look.now.isLocked,
+    }),
+    command("picture", "remove_picture", [], () => void editDrawing(planner, text.edits.remove_picture, null), {
+      isEnabled: hasPicture,
+    }),
+  ];
+}
+
 export const commandList = (around: Surroundings): Command[] => [
   ...selectCommands(around),
   ...editCommands(around),
   ...moveCommands(around),
+  ...pictureCommands(around),
   ...viewCommands(around),
 ];

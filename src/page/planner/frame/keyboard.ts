@@ -21,6 +21,7 @@ export function listenToKeys(
   commands: Commands,
   gestures: Gestures,
   plans: readonly HTMLElement[],
+  pasteFile: (file: File) => void,
 ): void {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.isComposing) return;
@@ -63,8 +64,15 @@ export function listenToKeys(
   document.addEventListener("cut", (event) => copy(event, true));
   document.addEventListener("paste", (event) => {
     if (!ours(event)) return;
-    // Elements may come from another tab; without text of ours, the last copies of this tab are meant.
-    planner.clip = fromText(event.clipboardData?.getData("text/plain") ?? "") ?? planner.clip;
+    // Elements may come from another tab; without text of ours or a picture, the last copies of this tab are meant.
+    const clip = fromText(event.clipboardData?.getData("text/plain") ?? "");
+    const [file] = event.clipboardData?.files ?? [];
+    if (!clip && file) {
+      event.preventDefault();
+      pasteFile(file);
+      return;
+    }
+    planner.clip = clip ?? planner.clip;
     if (planner.clip.copied.length === 0) return;
     event.preventDefault();
     void paste(planner, planner.isPlan ? planner.pointer : null);

@@ -13,6 +13,11 @@ import { openPicker } from "../access/picker";
 import { openShortcuts } from "../access/shortcuts";
 import { commandList } from "../actions/command_list";
 import { showAll } from "../actions/source";
+import { Arrivals } from "../backdrop/arrivals";
+import { Backdrop } from "../backdrop/backdrop";
+import { drawingPath } from "../backdrop/drawing";
+import { LengthField } from "../backdrop/length_field";
+import { Loupe } from "../backdrop/loupe";
 import { boundsOf, middleOf } from "../geometry/bounds";
 import { Gestures } from "../gesture/gestures";
 import { DeviceMarks } from "../plan/marks";
@@ -61,6 +66,10 @@ export class Page {
   private readonly canvas = element("canvas", { class: "marks", role: "application", "aria-label": text.access.space });
   private readonly names = new Names();
   private readonly plan = element("section", { class: "plan", "aria-label": text.access.drawing });
+  private readonly arrivals: Arrivals;
+  private readonly backdrop: Backdrop;
+  private readonly loupe: Loupe;
+  private readonly lengthField: LengthField;
   private readonly shapes: Shapes;
   private readonly overlay: Overlay;
   private readonly marks: DeviceMarks;
@@ -76,6 +85,7 @@ export class Page {
     address: string,
   ) {
     this.gestures = new Gestures(planner, this.surface);
+    this.arrivals = new Arrivals(planner, address);
     this.commands.add(
       commandList({
         planner,
@@ -91,15 +101,19 @@ export class Page {
         },
         zoom: (factor) => (planner.isPlan ? planner.viewport.zoom(factor) : this.zoomSpace(factor)),
         fit: () => this.stage.showAll(),
+        choosePicture: () => this.arrivals.choose(),
       }),
     );
+    this.backdrop = new Backdrop(planner, this.plan);
+    this.loupe = new Loupe(planner, this.gestures);
+    this.lengthField = new LengthField(planner, this.gestures, () => this.focusPlan());
     this.shapes = new Shapes(planner);
     this.overlay = new Overlay(planner, this.gestures);
     this.scaleBar = new ScaleBar(planner);
     this.properties = new Properties(planner, this.commands);
     const objects = new ObjectList(planner);
     const toolbar = new Toolbar(planner, this.commands);
-    const status = new StatusLine(planner, this.gestures);
+    const status = new StatusLine(planner, this.gestures, this.commands);
     const banner = new Banner(planner);
     this.rail = new Rail(
       [
@@ -112,12 +126,15 @@ export class Page {
       () => this.resize(),
     );
     this.plan.append(
+      this.backdrop.root,
       this.shapes.root,
       this.canvas,
       this.names.root,
       this.overlay.root,
       this.surface,
       this.scaleBar.root,
+      this.loupe.root,
+      this.lengthField.root,
     );
     root.replaceChildren(
       toolbar.root,
@@ -128,6 +145,7 @@ export class Page {
         this.rail.side,
         element("div", { class: "middle" }, banner.root, this.plan, status.root),
         this.properties.root,
+        this.arrivals.root,
       ),
     );
     this.stage = new Stage(this.canvas, emptyScenery([0, 0], [10, 10]), { marks: usualMarks, overlay: true });
@@ -142,10 +160,23 @@ export class Page {
     planner.onTool = () => this.gestures.useTool();
     this.gestures.onMenu = ([x, y]) => this.openMenuAt(x, y);
     this.gestures.onOpen = () => this.commands.run("edit_source");
-    listenToKeys(planner, this.commands, this.gestures, [this.surface, this.canvas]);
+    listenToKeys(
+      planner,
+      this.commands,
+      this.gestures,
+      [this.surface, this.canvas],
+      (file) => void this.arrivals.take(file),
+    );
 
     const { changes } = planner;
     changes.listen(["document"], () => this.opened());
+    changes.listen(["document"], () => this.followPicture());
+    changes.listen(["document", "picture", "layers", "viewport", "tool"], () => this.backdrop.update());
+    changes.listen(["document", "preview", "viewport", "tool", "layers"], () => {
+      this.loupe.update();
+      this.lengthField.update();
+    });
+    changes.listen(["layers"], () => planner.typePath === drawingPath && this.properties.update());
     changes.listen(["document", "preview", "selection", "layers", "warnings"], () => this.shapes.update());
     changes.listen(["document", "preview", "layers", "viewport"], () => this.showNames());
     changes.listen(["viewport"], () => this.follow());
@@ -184,10 +215,20 @@ export class Page {
     const { planner } = this;
     if (this.isFitted || !planner.document.isReady) return;
     this.isFitted = true;
-    planner.layers.open(`${planner.document.name}/${planner.document.file}`);
+    const project = `${planner.document.name}/${planner.document.file}`;
+    planner.layers.open(project);
+    planner.look.open(project);
     const bounds = planner.wholeBounds;
     if (bounds) this.stage.replace(emptyScenery(bounds.lower, bounds.upper));
     showAll(planner);
+  }
+
+  /** Another tab may replace or remove the picture in which a line is drawn. */
+  private followPicture(): void {
+    const { planner } = this;
+    const { drawing, tool } = planner;
+    if (planner.picture.follow(drawing) && this.gestures.scope.kind === "scaling") this.gestures.cancel();
+    if (!drawing && tool !== "select" && tool !== "measure") planner.setTool("select");
   }
 
   private follow(): void {
@@ -205,7 +246,8 @@ export class Page {
     surface.hidden = !planner.isPlan; // takes the focus from it
     stage.setPlan(planner.isPlan);
     this.follow();
-    if (hadFocus) this.focusPlan();
+    // Arrow keys move the cross of a line, wherever its tool was chosen.
+    if (hadFocus || planner.tool === "scale" || planner.tool === "check") this.focusPlan();
   }
 
   private focusPlan(): void {

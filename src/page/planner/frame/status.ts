@@ -2,6 +2,8 @@
 
 import { element } from "../../panel/dom";
 import { say, text } from "../text";
+import type { Commands } from "../access/commands";
+import { ScaleChip } from "../backdrop/chip";
 import type { Gestures } from "../gesture/gestures";
 import { namesOf } from "../elements/names";
 import { lengthText } from "../geometry/units";
@@ -13,7 +15,8 @@ export class StatusLine {
   private readonly place = element("span", { class: "place" });
   private readonly hint = element("span", { class: "hint" });
   private readonly notice = element("span", { class: "notice", role: "status" });
-  readonly root = element("footer", { class: "status" }, this.hint, this.place, this.notice);
+  private readonly chip: ScaleChip;
+  readonly root: HTMLElement;
 
   private said: unknown = null;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -21,7 +24,11 @@ export class StatusLine {
   constructor(
     private readonly planner: Planner,
     private readonly gestures: Gestures,
-  ) {}
+    commands: Commands,
+  ) {
+    this.chip = new ScaleChip(planner, commands);
+    this.root = element("footer", { class: "status" }, this.hint, this.chip.root, this.place, this.notice);
+  }
 
   update(): void {
     const { planner } = this;
@@ -31,6 +38,7 @@ export class StatusLine {
         ? say(text.status.place, lengthText(pointer[0], document.unit), lengthText(pointer[1], document.unit))
         : "";
     this.hint.textContent = this.hintOf();
+    this.chip.update();
     if (planner.notice === this.said) return;
     this.said = planner.notice;
     this.notice.textContent = planner.notice?.text ?? "";
@@ -46,7 +54,9 @@ export class StatusLine {
     const { kind } = gestures.scope;
     if (!planner.isPlan) return text.hints.space;
     if (kind === "moving" || kind === "rotating" || kind === "resizing" || kind === "marquee") return text.hints[kind];
-    if (planner.tool === "measure") return text.hints.measure;
+    if (kind === "shifting") return text.hints.shifting;
+    if (kind === "scaling" && gestures.scope.to) return text.hints.length;
+    if (planner.tool !== "select") return text.hints[planner.tool];
     const { items } = planner.selection;
     if (items.length === 0) return text.hints.nothing;
     const elements = planner.selected;

@@ -11,6 +11,7 @@ import { say, text } from "../text";
 const tools: [CommandId, IconName][] = [
   ["select", "select"],
   ["measure", "measure"],
+  ["scale", "scale"],
 ];
 const steps: [CommandId, IconName][] = [
   ["undo", "undo"],

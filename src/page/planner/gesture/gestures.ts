@@ -1,5 +1,16 @@
 // Turns the events of the pointer into gestures.
 
+import {
+  dragCrop,
+  dragPicture,
+  dropCrop,
+  dropPicture,
+  isOnFreePicture,
+  movedCross,
+  pixelAt,
+  unscaled,
+  withEnd,
+} from "../backdrop/strokes";
 import type { Point } from "../document/messages";
 import { noPreview } from "../document/preview";
 import { contextOf } from "../elements/context";
@@ -17,6 +28,8 @@ import { Touches } from "./touches";
 
 const slack = 4; // pixels between a click and a drag
 const reach = 9; // pixels
+/** Scopes that the press of a button does not end. */
+const resting: ReadonlySet<Scope["kind"]> = new Set(["idle", "measuring", "scaling"]);
 const buttons = { left: 0, middle: 1, right: 2, none: -1 };
 
 export const marqueeOf = ({ from, to }: { from: Point; to: Point }): Bounds => ({
@@ -78,14 +91,21 @@ export class Gestures {
 
   /** Ends the gesture without an effect; false if there was none. */
   cancel(): boolean {
-    const { kind } = this.scope;
-    const isGesture = kind !== "idle" && !(kind === "measuring" && this.scope.from === null);
-    if (kind === "marquee") this.planner.selection.set(this.scope.before);
+    const { scope } = this;
+    const isLine = scope.kind === "measuring" || scope.kind === "scaling";
+    const isGesture = isLine ? scope.from !== null : scope.kind !== "idle";
+    if (scope.kind === "marquee") this.planner.selection.set(scope.before);
+    if (scope.kind === "shifting") this.planner.hold(null);
     this.planner.document.show(null);
-    this.enter(
-      this.planner.tool === "measure" ? { kind: "measuring", from: null, to: { at: [0, 0], to: null } } : idle,
-    );
+    this.enter(this.resting);
     return isGesture;
+  }
+
+  /** What the tool does before the first press. */
+  private get resting(): Scope {
+    const { tool } = this.planner;
+    if (tool === "scale" || tool === "check") return unscaled;
+    return tool === "measure" ? { kind: "measuring", from: null, to: { at: [0, 0], to: null } } : idle;
   }
 
   /** Begins or ends the use of a tool. */
@@ -127,12 +147,18 @@ export class Gestures {
       this.enter({ kind: "pinching" });
       return;
     }
-    if (this.scope.kind !== "idle" && this.scope.kind !== "measuring") return;
+    if (!resting.has(this.scope.kind)) return;
     if (event.button !== buttons.left || this.isSpaceHeld) {
       event.preventDefault();
       this.enter({ kind: "panning", screen, button: event.button, hasMoved: false, before: this.scope });
     } else if (this.planner.tool === "measure") this.measureTo(world);
-    else this.press(event, screen, world);
+    else if (this.scope.kind === "scaling") {
+      event.preventDefault(); // the field at the line keeps the focus
+      this.enter(withEnd(this.planner, { ...this.scope, at: pixelAt(this.planner, world) }));
+    } else if (this.planner.tool === "crop") {
+      const from = pixelAt(this.planner, world);
+      this.enter({ kind: "cropping", from, to: from });
+    } else this.press(event, screen, world);
   }
 
   private press(event: PointerEvent, screen: Point, world: Point): void {
@@ -191,6 +217,15 @@ export class Gestures {
       case "measuring":
         this.enter({ ...scope, to: attach(planner.document.parts.all, world, scope.from, this.reach) });
         break;
+      case "scaling":
+        if (!scope.to) this.enter({ ...scope, at: pixelAt(planner, world) });
+        break;
+      case "cropping":
+        this.enter(dragCrop(planner, scope, world));
+        break;
+      case "shifting":
+        this.enter(dragPicture(planner, scope, world));
+        break;
       case "idle":
         this.hover(event.pointerType === "mouse" ? itemAt(planner, world, this.reach) : null);
         planner.changes.note("preview");
@@ -220,6 +255,10 @@ export class Gestures {
     if (item?.kind === "device") {
       const part = partAt(document.parts.all, scope.world, 0.6 * this.reach, layers);
       item = part && itemOf(part);
+    }
+    if (!item && isOnFreePicture(planner, scope.world)) {
+      this.enter(dragPicture(planner, { kind: "shifting", from: scope.world, to: scope.world }, world));
+      return;
     }
     if (!item) {
       const before = [...selection.items];
@@ -263,30 +302,33 @@ export class Gestures {
     this.enter({ kind: "measuring", from: from ? null : to.at, to });
   }
 
-  /** Moves the end of a measurement by keys. */
+  /** Moves the end of a measurement by pixels of the screen, or that of a line of the picture by pixels of it. */
   moveCross(x: number, y: number): void {
     const { planner } = this;
+    if (this.scope.kind === "scaling") this.enter(movedCross(planner, this.scope, [x, y]));
     if (this.scope.kind !== "measuring") return;
     const { viewport } = planner;
     const screen = viewport.toScreen(planner.pointer ?? viewport.centre);
-    planner.pointer = viewport.toWorld([screen[0] + x, screen[1] + y]);
+    planner.pointer = viewport.toWorld([screen[0] + x, screen[1] - y]);
     this.enter({ ...this.scope, to: attach(planner.document.parts.all, planner.pointer, this.scope.from, 0) });
   }
 
-  measureAtCross(): void {
-    this.measureTo(this.planner.pointer ?? this.planner.viewport.centre);
+  setAtCross(): void {
+    if (this.scope.kind === "scaling") this.enter(withEnd(this.planner, this.scope));
+    else this.measureTo(this.planner.pointer ?? this.planner.viewport.centre);
   }
 
   private up(event: PointerEvent): void {
     const { planner, scope } = this;
     this.touches.release(event);
-    if (scope.kind === "idle" || scope.kind === "measuring") return;
-    this.enter(scope.kind === "panning" ? scope.before : idle);
-    if (planner.tool === "measure" && scope.kind !== "panning") this.cancel();
+    if (resting.has(scope.kind)) return;
+    this.enter(scope.kind === "panning" ? scope.before : this.resting);
     if (scope.kind === "pressed") this.click(scope.item, event.shiftKey);
     else if (scope.kind === "panning" && scope.button === buttons.right && !scope.hasMoved) this.openMenu(event);
     else if (scope.kind === "moving") void dropMove(planner, scope);
     else if (scope.kind === "rotating") void dropTurn(planner, scope);
+    else if (scope.kind === "cropping") dropCrop(planner, scope);
+    else if (scope.kind === "shifting") dropPicture(planner, scope);
     else if (scope.kind === "resizing" && scope.ops.length > 0) void dropSize(planner, scope);
     else if (scope.kind === "resizing") {
       const { world } = this.placeOf(event);

@@ -20,12 +20,26 @@ export type Scope =
   | { kind: "moving"; elements: readonly StoreElement[]; from: Point; shift: Point; isCopying: boolean }
   | { kind: "rotating"; elements: readonly StoreElement[]; middle: Point; from: number; turn: number }
   | { kind: "resizing"; context: Context; handle: string; ops: readonly EditOp[]; preview: Preview }
-  | { kind: "measuring"; from: Point | null; to: Attached };
+  | { kind: "measuring"; from: Point | null; to: Attached }
+  /** A line of the picture, in its pixels: `at` is under the cross; the length of a line with both ends is typed. */
+  | { kind: "scaling"; from: Point | null; at: Point | null; to: Point | null }
+  /** A part of the picture, in its pixels. */
+  | { kind: "cropping"; from: Point; to: Point }
+  /** The picture moves. */
+  | { kind: "shifting"; from: Point; to: Point };
 
 export const idle: Scope = { kind: "idle" };
 
 /** Scopes in which the pointer is changing something or about to. */
-export const busy: ReadonlySet<Scope["kind"]> = new Set(["pressed", "marquee", "moving", "rotating", "resizing"]);
+export const busy: ReadonlySet<Scope["kind"]> = new Set([
+  "pressed",
+  "marquee",
+  "moving",
+  "rotating",
+  "resizing",
+  "cropping",
+  "shifting",
+]);
 
 /** The elements that a gesture works on. */
 export function pathsOf(scope: Scope): string[] {

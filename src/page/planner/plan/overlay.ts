@@ -2,6 +2,8 @@
 // labels and units with problems or warnings.
 
 import type { Part, Point } from "../document/messages";
+import { drawingPath } from "../backdrop/drawing";
+import { worldAt } from "../backdrop/strokes";
 import { moveReadout, sizeReadout, turnReadout } from "../gesture/drags";
 import { marqueeOf, type Gestures } from "../gesture/gestures";
 import { gripsOf } from "../gesture/grips";
@@ -38,6 +40,7 @@ export class Overlay {
       ...(isBusy || scope.kind === "marquee" ? [] : this.grips()),
       ...this.marquee(),
       ...this.measures(),
+      ...this.picture(),
       ...this.reading(),
     ];
   }
@@ -163,7 +166,37 @@ export class Overlay {
     return [...lines.flatMap(([a, b]) => this.measure(a, b)), ...nodes];
   }
 
-  private measure(a: Point, b: Point): Node[] {
+  /** Lines of known length while their tool or the panel of the picture is open, and what is drawn in the picture. */
+  private picture(): Node[] {
+    const { planner } = this;
+    const { scope } = this.gestures;
+    const { drawing, tool } = planner;
+    if (!drawing) return [];
+    const at = (pixel: Point) => worldAt(planner, pixel);
+    const isOpen = planner.typePath === drawingPath && planner.selection.items.length === 0;
+    const { factor } = planner.document.unit;
+    const nodes = [drawing.scale, drawing.check].flatMap((line) =>
+      line && (isOpen || tool === "scale" || tool === "check")
+        ? this.measure(at(line.from), at(line.to), line.length * factor)
+        : [],
+    );
+    if (scope.kind === "cropping") {
+      const [[x, y], [u, v]] = [scope.from, scope.to];
+      const corners: Point[] = [scope.from, [u, y], [u, v], [x, v]];
+      nodes.push(svg("path", { class: "marquee", d: pathOf(this.screen(corners.map(at))) }));
+    }
+    if (scope.kind !== "scaling") return nodes;
+    const end = scope.to ?? scope.at;
+    const d = (scope.from && end ? pathOf(this.screen([at(scope.from), at(end)]), true) : "") + this.crossOf(end);
+    return [...nodes, svg("path", { class: "measure", d })];
+  }
+
+  private crossOf(pixel: Point | null): string {
+    return pixel ? crossAt(...this.planner.viewport.toScreen(worldAt(this.planner, pixel))) : "";
+  }
+
+  /** `length`: m, if it is not that of the plan. */
+  private measure(a: Point, b: Point, length = distance(a, b)): Node[] {
     const [p, q] = this.screen([a, b]);
     const way = directionOf(minus(q, p));
     const [nx, ny] = unitAt(way + 90).map((value) => 6 * value);
@@ -174,7 +207,7 @@ export class Overlay {
     const d = [[p, q], ...ends].map((line) => pathOf(line, true)).join("");
     return [
       svg("path", { class: "measure", d }),
-      this.label(between(p, q), lengthText(distance(a, b), this.planner.document.unit)),
+      this.label(between(p, q), lengthText(length, this.planner.document.unit)),
     ];
   }
 

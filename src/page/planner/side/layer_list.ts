@@ -3,6 +3,7 @@
 import { button, element, replaceChildren } from "../../panel/dom";
 import { grouped } from "../../data/format";
 import { icon } from "../access/icons";
+import { drawingPath } from "../backdrop/drawing";
 import { elementsOf } from "../elements/kinds";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
@@ -31,12 +32,12 @@ export class LayerList {
     ]);
     for (const { kind } of elementsOf(document.json))
       if (kind !== "label" && kind !== "unit") counts.set(kind, (counts.get(kind) ?? 0) + 1);
-    replaceChildren(
-      this.kinds,
-      layers
+    replaceChildren(this.kinds, [
+      ...layers
         .filter((layer) => layer === "names" || counts.get(layer))
         .map((layer) => this.layer(layer, text.layers.names[layer], counts.get(layer))),
-    );
+      ...(this.planner.drawing ? [this.picture()] : []),
+    ]);
     const byLevel = new Map<number, number>();
     for (const level of document.labels.state) byLevel.set(level, (byLevel.get(level) ?? 0) + 1);
     // From the top level down.
@@ -83,6 +84,23 @@ export class LayerList {
             ["locked", "free"],
             (locked) => state.lock(layer, locked),
           ),
+    );
+  }
+
+  private picture(): HTMLElement {
+    const { look } = this.planner;
+    const { isShown, isLocked } = look.now;
+    const name = text.picture.title;
+    return element(
+      "li",
+      { class: isShown ? "" : "off" },
+      this.switchOf(say(text.layers.show, name), "show-picture", isShown, ["shown", "hidden"], (on) =>
+        look.set({ isShown: on }),
+      ),
+      button(name, () => this.planner.openType(drawingPath), { class: "plain", "data-key": "open-picture" }),
+      this.switchOf(say(text.layers.lock, name), "lock-picture", isLocked, ["locked", "free"], (on) =>
+        look.set({ isLocked: on }),
+      ),
     );
   }
 

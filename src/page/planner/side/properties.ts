@@ -3,6 +3,8 @@
 import { button, element } from "../../panel/dom";
 import { counted } from "../../data/format";
 import { commandButton } from "../access/command_button";
+import { drawingPath } from "../backdrop/drawing";
+import { PicturePanel } from "../backdrop/panel";
 import type { IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
 import { turnTo } from "../actions/move";
@@ -35,12 +37,14 @@ export class Properties {
   private targets: Target[] = [];
   /** The elements that it shows. */
   private shown: StoreElement[] = [];
+  private readonly picture: PicturePanel;
   private device: { item: string; answer: DeviceAnswer } | null = null;
 
   constructor(
     private readonly planner: Planner,
     private readonly commands: Commands,
   ) {
+    this.picture = new PicturePanel(planner, commands);
     this.root.addEventListener("focusout", () => {
       if (this.isStale) setTimeout(() => this.update());
     });
@@ -88,6 +92,8 @@ export class Properties {
     const [item] = selection.items;
     if (item?.kind === "copy") return this.copy(item);
     if (item?.kind === "device") return this.labelOrUnit(item);
+    const { drawing } = this.planner;
+    if (typePath === drawingPath && drawing) return this.picture.content(drawing);
     const value = typePath === null ? undefined : valueAt(document.json, typePath);
     if (typePath !== null && isObject(value)) return this.type(typePath, value);
     return this.store();
@@ -250,14 +256,16 @@ export class Properties {
     return [
       this.header(part.id || text.kinds[part.kind], optionText(part.type), this.tools(["fit_selection", "show"])),
       element("p", { class: "locked", text: why }),
-      this.sourceButtons(),
+      this.commandButtons("edit_source", "dissolve"),
     ];
   }
 
-  private sourceButtons(): HTMLElement {
-    const made = (id: CommandId) =>
-      this.commands.isEnabled(id) ? button(text.commands[id], () => this.commands.run(id), { "data-key": id }) : null;
-    return element("div", { class: "buttons" }, made("edit_source"), made("dissolve"));
+  /** Of the commands that are enabled. */
+  private commandButtons(...ids: CommandId[]): HTMLElement {
+    const made = ids
+      .filter((id) => this.commands.isEnabled(id))
+      .map((id) => button(text.commands[id], () => this.commands.run(id), { "data-key": id }));
+    return element("div", { class: "buttons" }, ...made);
   }
 
   private labelOrUnit(item: Extract<Item, { kind: "device" }>): Node[] {
@@ -285,7 +293,7 @@ export class Properties {
         class: "locked",
         text: item.path === null ? text.properties.of_file : text.properties.of_element,
       }),
-      this.sourceButtons(),
+      this.commandButtons("edit_source", "dissolve"),
     ];
   }
 
@@ -309,7 +317,7 @@ export class Properties {
   }
 
   private store(): Node[] {
-    const { document, selection } = this.planner;
+    const { document, selection, drawing } = this.planner;
     const json = isObject(document.json) ? document.json : {};
     const target: Target = { path: "", own: json, effective: json, details: null };
     const facts: [string, string][] = [
@@ -335,6 +343,7 @@ export class Properties {
             { class: "buttons" },
             button(text.properties.room, () => selection.setPaths(["/room"]), { "data-key": "room" }),
           ),
+      this.commandButtons(drawing ? "picture" : "choose_picture"),
       element("p", { class: "note", text: text.properties.hint }),
     ];
   }

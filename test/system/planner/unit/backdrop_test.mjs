@@ -4,6 +4,9 @@ import { test } from "node:test";
 import fc from "fast-check";
 
 import { drawingOf } from "../../../../src/page/planner/backdrop/drawing";
+import { isTraced } from "../../../../src/page/planner/backdrop/edits";
+import { kindOf, nameFor, NotAccepted, upload } from "../../../../src/page/planner/backdrop/files";
+import { Picture } from "../../../../src/page/planner/backdrop/picture";
 import {
   angleBetween,
   boundsOfPicture,
@@ -185,4 +188,116 @@ test("values that the store reader refuses count as missing", () => {
     },
   });
   assert.deepEqual([at, scale, check, crop], [[0, 0], undefined, undefined, undefined]);
+});
+
+test("a rectangle with candidates is not yet a drawn shop", () => {
+  const room = { size: [20, 15, 3] };
+  const transceivers = { areas: [{}] };
+  assert.ok(!isTraced({ room, transceivers }));
+  assert.ok(isTraced({ room: { outline: [] }, transceivers }));
+  assert.ok(isTraced({ room, fixtures: [{}] }));
+});
+
+const bytesOf = (words) => Uint8Array.from(words, (letter) => letter.charCodeAt(0));
+const png = bytesOf("\x89PNG\r\n\x1a\n....");
+
+test("files are recognised by their first bytes", () => {
+  const kinds = {
+    png: ["\x89PNG\r\n\x1a\n"],
+    jpg: ["\xff\xd8\xff\xe0"],
+    webp: ["RIFF\x10\0\0\0WEBPVP8 "],
+    page: ["%PDF-1.7", "  0\r\nSECTION\r\n", "999\nmade by hand\n", "AutoCAD Binary DXF\r\n", "AC1032"],
+    other: ["", "GIF89a", "RIFF\x10\0\0\0WAVE", "<svg>", "0123"],
+  };
+  for (const [kind, samples] of Object.entries(kinds))
+    for (const sample of samples) assert.equal(kindOf(bytesOf(sample)), kind, sample);
+});
+
+test("names are safe, and end as the content says", () => {
+  assert.equal(nameFor("Grundriß Müller & Söhne.PNG", "png"), "Grundri-Muller-Sohne.png");
+  assert.equal(nameFor("..\\..\\.hidden.jpeg", "jpg"), "hidden.jpg");
+  assert.equal(nameFor("平面図.webp", "webp"), "plan.webp");
+  fc.assert(fc.property(fc.string(), (name) => assert.match(nameFor(name, "png"), /^[A-Za-z0-9_][\w.-]*\.png$/)));
+});
+
+/** Runs with a program that answers requests, and a browser that decodes pictures of a size. */
+async function withFakes({ answer, size }, run) {
+  const before = { fetch: globalThis.fetch, createImageBitmap: globalThis.createImageBitmap };
+  const asked = [];
+  globalThis.fetch = async (url, options = {}) => {
+    asked.push([options.method ?? "GET", url]);
+    return answer();
+  };
+  globalThis.createImageBitmap = async (_, { resizeWidth } = {}) => {
+    if (!size) throw new Error("no picture");
+    const factor = resizeWidth === undefined ? 1 : resizeWidth / size[0];
+    return { width: Math.round(size[0] * factor), height: Math.round(size[1] * factor), close: () => {} };
+  };
+  try {
+    await run(asked);
+  } finally {
+    Object.assign(globalThis, before);
+  }
+}
+
+test("a picture is sent, and wrong files are refused with a reason", async () => {
+  const stored = () => Response.json({ file: "plan-2.png", width: 400, height: 300 }, { status: 201 });
+  const file = (content, name = "my plan.png") => Object.assign(new Blob([content]), { name });
+  await withFakes({ answer: stored, size: [400, 300] }, async (asked) => {
+    assert.deepEqual(await upload("http://here/", file(png)), { file: "plan-2.png", size: [400, 300] });
+    assert.deepEqual(asked, [["PUT", "http://here/files/my-plan.png"]]);
+    const refused = (wrong, words) =>
+      assert.rejects(
+        upload("http://here/", wrong),
+        (error) => error instanceof NotAccepted && words.test(error.message),
+      );
+    await refused(file(""), /^my plan.png is empty/);
+    await refused(file("%PDF-1.4"), /^PDF and DXF files cannot be opened yet; export the page as PNG/);
+    await refused(file("hello"), /^my plan.png is not a picture/);
+    assert.equal(asked.length, 1, "wrong files are not sent");
+  });
+  await withFakes({ answer: stored, size: [300, 400] }, async () => {
+    const { size } = await upload("http://here/", file(png));
+    assert.deepEqual(size, [300, 400], "turned as the camera has noted");
+  });
+  const sentence = "plan.png has more than 100 megapixels.";
+  await withFakes({ answer: () => new Response(`${sentence}\n`, { status: 413 }), size: [400, 300] }, () =>
+    assert.rejects(upload("http://here/", file(png)), { message: sentence }),
+  );
+  await withFakes({ answer: stored }, () => assert.rejects(upload("http://here/", file(png)), /is damaged/));
+});
+
+test("the picture is fetched once, kept in several sizes, and says why it is missing", async () => {
+  const settled = (picture) =>
+    new Promise((done) => {
+      const look = () => (picture.state.kind === "loading" ? setTimeout(look) : done(picture.state));
+      look();
+    });
+  const drawing = { file: "plans/a b.png", size: [8000, 5000], at: [0, 0] };
+  await withFakes({ answer: () => new Response("bytes"), size: [20000, 10000] }, async (asked) => {
+    const picture = new Picture("http://here/", changes);
+    assert.ok(picture.follow({ ...drawing, size: [20000, 10000] }));
+    const { levels } = await settled(picture);
+    assert.deepEqual(asked, [["GET", "http://here/files/plans/a%20b.png"]]);
+    assert.ok(levels[0].width * levels[0].height <= 40e6);
+    assert.ok(levels.at(-1).width * levels.at(-1).height <= 1e6);
+    assert.equal(picture.level(1e6), levels[0]);
+    assert.equal(picture.level(10), levels.at(-1));
+    assert.ok(picture.level(3000).width >= 3000 && picture.level(3000).width < 6000);
+    assert.ok(!picture.follow({ ...drawing, size: [20000, 10000] }));
+    assert.ok(picture.follow(null));
+    assert.equal(picture.state.kind, "none");
+  });
+  const failed = async (fakes, words) =>
+    withFakes(fakes, async (asked) => {
+      const picture = new Picture("http://here/", changes);
+      picture.follow(drawing);
+      assert.match((await settled(picture)).why, words);
+      picture.follow(drawing);
+      await settled(picture);
+      return asked.length;
+    });
+  await failed({ answer: () => new Response("", { status: 404 }), size: [1, 1] }, /is missing in the folder/);
+  await failed({ answer: () => new Response("bytes") }, /is damaged/);
+  await failed({ answer: () => Promise.reject(new TypeError()), size: [1, 1] }, /no connection/);
 });

@@ -1,0 +1,113 @@
+// A picture of the floor plan comes from a file dialog, from files that are dragged over the page, or from the clipboard.
+
+import { button, element } from "../../panel/dom";
+import { openDialog } from "../access/dialog";
+import { showAll } from "../actions/source";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import type { Drawing } from "./drawing";
+import { editDrawing } from "./edits";
+import { NotAccepted, upload } from "./files";
+import { replacedBy } from "./transform";
+
+export class Arrivals {
+  /** Covers the page while a file is dragged over it. */
+  readonly root = element("div", { class: "drop", hidden: true }, element("p", { text: text.picture.drop }));
+  private isBusy = false;
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly address: string,
+  ) {
+    const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true;
+    const show = (event: DragEvent) => {
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      this.root.hidden = false;
+    };
+    document.addEventListener("dragenter", show);
+    document.addEventListener("dragover", show);
+    document.addEventListener("dragleave", (event) => {
+      if (event.relatedTarget === null) this.root.hidden = true;
+    });
+    document.addEventListener("drop", (event) => {
+      this.root.hidden = true;
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      const [file] = event.dataTransfer?.files ?? [];
+      if (file) void this.take(file);
+    });
+  }
+
+  choose(): void {
+    const input = element("input", {
+      type: "file",
+      accept: "image/png,image/jpeg,image/webp",
+      on: {
+        change: () => {
+          const [file] = input.files ?? [];
+          if (file) void this.take(file);
+        },
+      },
+    });
+    input.click();
+  }
+
+  /** Adds or replaces the picture. */
+  async take(file: File): Promise<void> {
+    const { planner } = this;
+    if (planner.document.locked) planner.say(text.why_not.locked, true);
+    if (planner.document.locked || !planner.document.isReady || this.isBusy) return;
+    this.isBusy = true;
+    try {
+      const wanted = planner.drawing ? await askToReplace() : "add";
+      if (wanted === null) return;
+      planner.say(say(text.picture.uploading, file.name));
+      const made = await upload(this.address, file);
+      this.place(made, wanted === "replace" ? planner.drawing : null);
+    } catch (error) {
+      planner.say(error instanceof NotAccepted ? error.message : text.notices.no_connection, true);
+    } finally {
+      this.isBusy = false;
+    }
+  }
+
+  private place(made: Pick<Drawing, "file" | "size">, before: Drawing | null): void {
+    const { planner } = this;
+    planner.look.set({ isShown: true, isLocked: true });
+    if (!planner.isPlan) planner.setPlan(true);
+    if (before) {
+      void editDrawing(planner, text.edits.replace_picture, replacedBy(before, made));
+      planner.say(say(text.picture.replaced, made.file));
+      return;
+    }
+    const unplaced = { scale: undefined, check: undefined, rotation_deg: undefined, crop: undefined };
+    void editDrawing(planner, text.edits.add_picture, { ...made, at: [0, 0], ...unplaced });
+    planner.say(say(text.picture.added, made.file));
+    showAll(planner);
+    planner.setTool("scale");
+  }
+}
+
+/** Null: neither. */
+function askToReplace(): Promise<"replace" | "anew" | null> {
+  return new Promise((done) => {
+    const choice = (answer: "replace" | "anew", name: string, says: string) =>
+      element(
+        "p",
+        {},
+        button(name, () => {
+          done(answer);
+          dialog.close();
+        }),
+        says,
+      );
+    const dialog = openDialog(
+      text.picture.ask,
+      "question",
+      choice("replace", text.picture.replace, text.picture.replace_says),
+      choice("anew", text.picture.anew, text.picture.anew_says),
+    );
+    dialog.addEventListener("close", () => done(null));
+  });
+}

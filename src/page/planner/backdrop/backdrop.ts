@@ -1,0 +1,57 @@
+// Draws the picture of the floor plan beneath the outlines.
+
+import { element } from "../../panel/dom";
+import type { Planner } from "../planner";
+import { matrixOf, placementOf, shownCorners, type Matrix } from "./transform";
+
+export class Backdrop {
+  readonly root = element("canvas", { class: "backdrop", "aria-hidden": "true" });
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly plan: HTMLElement,
+  ) {}
+
+  update(): void {
+    const { planner, root } = this;
+    const { drawing, picture, look, isPlan } = planner;
+    const isDrawn = drawing !== null && picture.state.kind === "shown" && look.now.isShown && isPlan;
+    root.hidden = !isDrawn;
+    this.plan.classList.toggle("traced", isDrawn); // the floor is transparent
+    if (!isDrawn) return;
+    root.classList.toggle("grey", look.now.isGrey);
+    root.style.opacity = String(1 - look.now.fade);
+    const { viewport, document } = planner;
+    const ratio = devicePixelRatio;
+    const [width, height] = [viewport.width, viewport.height].map((size) => Math.round(ratio * size));
+    if (root.width !== width || root.height !== height) Object.assign(root, { width, height });
+    const context = root.getContext("2d");
+    if (!context) return;
+    drawPicture(planner, context, matrixOf(placementOf(drawing, document.unit), viewport), ratio);
+  }
+}
+
+/** Draws the picture on an empty canvas. `matrix`: pixels of the picture to CSS pixels. */
+export function drawPicture(
+  { drawing, picture }: Planner,
+  context: CanvasRenderingContext2D,
+  matrix: Matrix,
+  ratio: number,
+): void {
+  if (!drawing) return;
+  const enlargement = ratio * Math.hypot(matrix[0], matrix[1]);
+  const [width, height] = drawing.size;
+  const level = picture.level(enlargement * width);
+  context.resetTransform();
+  context.clearRect(0, 0, context.canvas.width, context.canvas.height);
+  if (!level) return;
+  context.scale(ratio, ratio);
+  context.transform(...matrix);
+  context.imageSmoothingEnabled = enlargement < 3; // from near, single pixels are seen
+  context.save();
+  context.beginPath();
+  for (const [x, y] of shownCorners(drawing)) context.lineTo(x, y);
+  context.clip();
+  context.drawImage(level, 0, 0, width, height);
+  context.restore();
+}

@@ -1,0 +1,25 @@
+// A note in the line below the plan while the scale of the picture is unknown or unchecked. A click does what is missing.
+
+import { button } from "../../panel/dom";
+import type { Commands } from "../access/commands";
+import type { Planner } from "../planner";
+import { text } from "../text";
+import { comparisonOf } from "./transform";
+
+export class ScaleChip {
+  readonly root = button("", () => this.commands.run(this.planner.drawing?.scale ? "check_scale" : "scale"), {
+    class: "chip doubtful",
+    hidden: true,
+  });
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly commands: Commands,
+  ) {}
+
+  update(): void {
+    const { drawing, isPlan } = this.planner;
+    this.root.hidden = !isPlan || drawing === null || comparisonOf(drawing)?.agrees === true;
+    this.root.textContent = drawing?.scale ? text.picture.unchecked : text.picture.no_scale;
+  }
+}

@@ -1,0 +1,60 @@
+// Files that people give as pictures of the floor plan: what they are, and their way to the program.
+
+import type { Point } from "../document/messages";
+import { say, text } from "../text";
+import type { Drawing } from "./drawing";
+
+/** The file is not accepted; the message says why. */
+export class NotAccepted extends Error {}
+
+const longestName = 60;
+
+type Kind = "png" | "jpg" | "webp" | "page" | "other";
+
+/** By its first bytes. `page`: a format of drawings that has to be exported as a picture. */
+export function kindOf(bytes: Uint8Array): Kind {
+  const words = String.fromCharCode(...bytes.subarray(0, 32));
+  if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
+  if (words.startsWith("\xff\xd8\xff")) return "jpg";
+  if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
+  // PDF, DXF as text and as bytes, DWG
+  return /^(%PDF-|\s*(0|999)\r?\n|AutoCAD Binary DXF|AC10\d\d)/.test(words) ? "page" : "other";
+}
+
+/** A name that is safe in every file system. */
+export function nameFor(name: string, kind: Kind): string {
+  const stem = name
+    .replace(/^.*[/\\]/, "")
+    .replace(/\.\w+$/, "")
+    .normalize("NFKD")
+    .replace(/\p{M}/gu, "")
+    .replace(/[^A-Za-z0-9._-]+/g, "-")
+    .replace(/^[-.]+|[-.]+$/g, "")
+    .slice(0, longestName);
+  return `${stem || "plan"}.${kind}`;
+}
+
+/** Whether the browser turns the picture by a right angle, as the camera has noted. */
+async function isTurned(file: Blob, [width, height]: Point): Promise<boolean> {
+  const bitmap = await createImageBitmap(file, { resizeWidth: 256 });
+  const isWide = bitmap.width > bitmap.height;
+  bitmap.close();
+  return isWide !== width > height;
+}
+
+/** Sends a file to the program. Throws NotAccepted, or another error if there is no connection. */
+export async function upload(address: string, file: File): Promise<Pick<Drawing, "file" | "size">> {
+  // A folder has no bytes.
+  const bytes = await file.arrayBuffer().catch(() => new ArrayBuffer(0));
+  if (bytes.byteLength === 0) throw new NotAccepted(say(text.picture.empty, file.name));
+  const kind = kindOf(new Uint8Array(bytes));
+  if (kind === "page") throw new NotAccepted(text.picture.page);
+  if (kind === "other") throw new NotAccepted(say(text.picture.other, file.name));
+  const answer = await fetch(`${address}files/${nameFor(file.name, kind)}`, { method: "PUT", body: bytes });
+  if (!answer.ok) throw new NotAccepted((await answer.text()).trim() || say(text.picture.refused, file.name));
+  const { file: stored, width, height } = (await answer.json()) as { file: string; width: number; height: number };
+  const turned = await isTurned(new Blob([bytes]), [width, height]).catch(() => {
+    throw new NotAccepted(say(text.picture.unreadable, file.name));
+  });
+  return { file: stored, size: turned ? [height, width] : [width, height] };
+}

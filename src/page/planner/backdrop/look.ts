@@ -1,0 +1,46 @@
+// How the picture of the floor plan looks, and whether it can be moved. The browser remembers it.
+
+import type { Changes } from "../changes";
+
+interface Stored {
+  isShown: boolean;
+  isLocked: boolean;
+  isGrey: boolean;
+  /** From 0, as it is, to 1, invisible. */
+  fade: number;
+}
+
+const usual: Stored = { isShown: true, isLocked: true, isGrey: false, fade: 0.3 };
+
+export class Look {
+  private state = usual;
+  private key = "";
+
+  constructor(private readonly changes: Changes) {}
+
+  /** Restores the look in a project. */
+  open(project: string): void {
+    this.key = `shelfbeam.picture.${project}`;
+    try {
+      this.state = { ...usual, ...(JSON.parse(localStorage.getItem(this.key) ?? "{}") as Partial<Stored>) };
+    } catch {
+      // Without a memory, it looks as usual.
+    }
+    this.changes.note("layers");
+  }
+
+  get now(): Readonly<Stored> {
+    return this.state;
+  }
+
+  set(changed: Partial<Stored>): void {
+    this.state = { ...this.state, ...changed };
+    try {
+      localStorage.setItem(this.key, JSON.stringify(this.state));
+    } catch {
+      // Private windows may refuse to remember.
+    }
+    // The slider of the fade stays under the pointer; the other controls are built again.
+    this.changes.note(Object.keys(changed).join() === "fade" ? "picture" : "layers");
+  }
+}

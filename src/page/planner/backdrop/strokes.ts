@@ -1,0 +1,96 @@
+// What the pointer does with the picture of the floor plan: lines of known length, a crop, and a shift.
+
+import type { Point } from "../document/messages";
+import type { Scope } from "../gesture/scope";
+import { contains } from "../geometry/polygon";
+import { stepped } from "../geometry/units";
+import { distance, minus, plus, unitAt } from "../geometry/vector";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import { editDrawing } from "./edits";
+import {
+  angleBetween,
+  cropBetween,
+  leastAngle,
+  placementOf,
+  roundPixel,
+  shifted,
+  shownCorners,
+  toPixel,
+  toWorld,
+} from "./transform";
+
+export type Scaling = Extract<Scope, { kind: "scaling" }>;
+type Cropping = Extract<Scope, { kind: "cropping" }>;
+type Shifting = Extract<Scope, { kind: "shifting" }>;
+
+export const unscaled: Scaling = { kind: "scaling", from: null, at: null, to: null };
+
+/** The pixel at a place in the plan. */
+export function pixelAt({ drawing, document }: Planner, world: Point): Point {
+  return drawing ? roundPixel(toPixel(placementOf(drawing, document.unit), world)) : [0, 0];
+}
+
+/** The place in the plan of a pixel. */
+export function worldAt({ drawing, document }: Planner, pixel: Point): Point {
+  return drawing ? toWorld(placementOf(drawing, document.unit), pixel) : [0, 0];
+}
+
+/** Whether a drag from a place moves the picture. */
+export function isOnFreePicture({ drawing, look, document }: Planner, world: Point): boolean {
+  if (!drawing || look.now.isLocked || !look.now.isShown || document.locked) return false;
+  const placement = placementOf(drawing, document.unit);
+  return contains(
+    shownCorners(drawing).map((corner) => toWorld(placement, corner)),
+    world,
+  );
+}
+
+/** Moves the cross by pixels of the picture, to the right and upwards on the screen. */
+export function movedCross(planner: Planner, scope: Scaling, [x, y]: Point): Scaling {
+  if (scope.to) return scope;
+  const [c, s] = unitAt(planner.drawing?.rotation_deg ?? 0);
+  const at = scope.at ?? pixelAt(planner, planner.viewport.centre);
+  return { ...scope, at: roundPixel(plus(at, [c * x + s * y, s * x - c * y])) };
+}
+
+/** Sets an end of the line at the cross. */
+export function withEnd(planner: Planner, scope: Scaling): Scaling {
+  const { from } = scope;
+  const at = scope.at ?? pixelAt(planner, planner.viewport.centre);
+  if (scope.to || !from) return { ...scope, from: at, at, to: null };
+  if (distance(from, at) < 1) return scope;
+  const { scale } = planner.drawing ?? {};
+  if (planner.tool === "check" && scale && angleBetween(scale, { from, to: at }) < leastAngle) {
+    planner.say(say(text.picture.same_direction, leastAngle), true);
+    return scope;
+  }
+  return { ...scope, at, to: at };
+}
+
+export const dragCrop = (planner: Planner, scope: Cropping, world: Point): Cropping => ({
+  ...scope,
+  to: pixelAt(planner, world),
+});
+
+export function dropCrop(planner: Planner, { from, to }: Cropping): void {
+  const { drawing } = planner;
+  if (!drawing || distance(from, to) < 1) return;
+  void editDrawing(planner, text.edits.crop, { ...drawing, crop: cropBetween(drawing, from, to) });
+  planner.setTool("select");
+}
+
+/** The picture where the pointer has it; it is at whole steps from where it was. */
+export function dragPicture(planner: Planner, scope: Shifting, world: Point): Shifting {
+  const { unit } = planner.document;
+  const [x, y] = minus(world, scope.from).map((way) => stepped(way / unit.factor, unit) * unit.factor);
+  planner.hold(null);
+  if (planner.drawing) planner.hold(shifted(planner.drawing, unit, [x, y]));
+  return { ...scope, to: plus(scope.from, [x, y]) };
+}
+
+export function dropPicture(planner: Planner, { from, to }: Shifting): void {
+  planner.hold(null);
+  const { drawing, document } = planner;
+  if (drawing) void editDrawing(planner, text.edits.move_picture, shifted(drawing, document.unit, minus(to, from)));
+}
