@@ -8,7 +8,7 @@ const plan = wallsOf(1200, 800);
 
 const scopeOf = (tab) => tab.page.evaluate(() => document.querySelector(".surface").dataset.scope);
 const toolOf = (tab) => tab.page.evaluate(() => document.querySelector(".plan").dataset.tool);
-const chip = (tab) => tab.page.evaluate(() => document.querySelector(".status .chip:not([hidden])")?.textContent ?? "");
+const chip = (tab) => tab.page.evaluate(() => document.querySelector(".scale-state:not([hidden])")?.textContent ?? "");
 const notice = async (tab, ...parts) => {
   await tab.until(
     (words) => document.querySelector(".notice").textContent.replaceAll("\u00a0", " ").includes(words),
@@ -91,7 +91,7 @@ testPlanner("picture: dropped, scaled and checked", { smoke: true }, async (tab)
   await tab.steps(3);
   await notice(tab, "The picture is stretched by 7.", "instead of 14.00 m");
   equal([await toolOf(tab), await chip(tab)], ["select", "Scale not checked"]);
-  await tab.push(".status .chip");
+  await tab.push(".scale-state");
   equal(await toolOf(tab), "check");
   await clickPixel(tab, 22, 22);
   await clickPixel(tab, 22, 778);
@@ -317,29 +317,28 @@ testPlanner("picture: a missing file is named", { keeps: true }, async (tab) => 
   tab.errors.length = 0; // of the missing file
 });
 
-testPlanner("picture: the next parts of it have no findings of axe", {}, async (tab, { axe }) => {
-  await withPicture(tab);
-  const clean = async (what) => {
-    await tab.page.evaluate(axe);
-    const found = await tab.page.evaluate(async () => {
-      const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-      return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join("; ")}`);
-    });
-    equal(found, [], what);
-  };
-  await run(tab, "Properties of the floor plan");
-  await tab.push("#tab-layers");
-  await clean("panel");
-  await tab.picture("picture-panel");
-  await tab.press("s");
-  await clickPixel(tab, 22, 400);
-  await clickPixel(tab, 1178, 400);
-  await tab.press("Enter");
-  await clean("field with an error");
-  await tab.picture("picture-field");
-  await tab.press("Escape", "Escape");
-  await drop(tab, "other.png", plan, () => clean("drop target"));
-  await clean("question");
-  await tab.picture("picture-question");
-  await tab.press("Escape");
-});
+for (const dark of [false, true])
+  testPlanner(`picture: axe has no findings, ${dark ? "dark" : "light"}`, { dark }, async (tab, { axe }) => {
+    await withPicture(tab);
+    const clean = async (what) => {
+      await tab.page.evaluate(axe);
+      const found = await tab.page.evaluate(async () => {
+        const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+        return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join("; ")}`);
+      });
+      equal(found, [], what);
+    };
+    await run(tab, "Properties of the floor plan");
+    await tab.push("#tab-layers");
+    await clean("panel");
+    await tab.picture(`picture-panel-${dark}`);
+    await tab.press("s");
+    await clickPixel(tab, 22, 400);
+    await clickPixel(tab, 1178, 400);
+    await tab.press("Enter");
+    await clean("field with an error");
+    await tab.press("Escape", "Escape");
+    await drop(tab, "other.png", plan, () => clean("drop target"));
+    await clean("question");
+    await tab.press("Escape");
+  });

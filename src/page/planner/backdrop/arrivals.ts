@@ -96,10 +96,14 @@ function askToReplace(): Promise<"replace" | "anew" | null> {
       element(
         "p",
         {},
-        button(name, () => {
-          done(answer);
-          dialog.close();
-        }),
+        button(
+          name,
+          () => {
+            done(answer);
+            dialog.close();
+          },
+          { autofocus: answer === "replace" },
+        ),
         says,
       );
     const dialog = openDialog(

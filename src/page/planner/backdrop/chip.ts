@@ -8,7 +8,7 @@ import { comparisonOf } from "./transform";
 
 export class ScaleChip {
   readonly root = button("", () => this.commands.run(this.planner.drawing?.scale ? "check_scale" : "scale"), {
-    class: "chip doubtful",
+    class: "scale-state",
     hidden: true,
   });
 

@@ -23,7 +23,7 @@ export class LengthField {
     "aria-describedby": "line-length-why",
   });
   private readonly unit = element("span", { class: "unit" });
-  private readonly why = element("p", { class: "why", role: "alert", id: "line-length-why" });
+  private readonly why = element("p", { class: "why", role: "alert", id: "line-length-why", hidden: true });
   private readonly straight = element("input", { type: "checkbox" });
   private readonly straightRow = element("label", { class: "straight" }, this.straight, text.picture.straighten);
   private line: Pick<Line, "from" | "to"> | null = null;

@@ -8,7 +8,7 @@ import type { Planner } from "../planner";
 import { say, text } from "../text";
 import type { Drawing, Line } from "./drawing";
 import { checkText, editDrawing, isTraced } from "./edits";
-import { cropBetween, turnedTo, withScale } from "./transform";
+import { comparisonOf, cropBetween, turnedTo, withScale } from "./transform";
 
 const row = (name: string, ...controls: (HTMLElement | null)[]) =>
   element(
@@ -35,7 +35,12 @@ export class PicturePanel {
         element("h2", { text: drawing.file }),
         element("p", { class: "subtitle", text: text.picture.title }),
         why === "" ? null : element("p", { class: "problem", role: "alert", text: why }),
-        this.buttons("choose_picture", "remove_picture"),
+        element(
+          "div",
+          { class: "buttons" },
+          this.command("choose_picture", text.picture.other_file),
+          this.command("remove_picture", text.form.remove),
+        ),
       ),
       element("section", { class: "form" }, ...this.lookRows()),
       element("section", { class: "form" }, ...this.placeRows(drawing)),
@@ -48,15 +53,11 @@ export class PicturePanel {
     ];
   }
 
-  private buttons(...ids: CommandId[]): HTMLElement {
-    const made = ids.map((id) => this.command(id, text.commands[id]));
-    return element("div", { class: "buttons" }, ...made);
-  }
-
   private command(id: CommandId, name: string): HTMLElement {
     return button(name, () => this.commands.run(id), {
       class: "small",
       title: text.commands[id],
+      "aria-label": `${name}: ${text.commands[id]}`,
       disabled: !this.commands.isEnabled(id),
       "data-key": id,
     });
@@ -203,7 +204,10 @@ export class PicturePanel {
         length("check", (check, now) => ({ ...now, check })),
         this.command("check_scale", text.picture.draw),
       ),
-      element("p", { class: "note", text: words || (drawing.scale ? text.picture.unchecked : text.picture.no_scale) }),
+      element("p", {
+        class: comparisonOf(drawing)?.agrees === false ? "problem" : "note",
+        text: words || (drawing.scale ? text.picture.unchecked : text.picture.no_scale),
+      }),
     ];
   }
 }
