@@ -53,13 +53,13 @@ export class Wire {
 
   #serve(request, response) {
     const { hostname, port, host, origin } = this.server;
+    const { method, url } = request;
     const headers = { ...request.headers, host, ...(request.headers.origin ? { origin } : {}) };
-    ask({ hostname, port, path: request.url, headers }, (answer) => {
+    const asked = ask({ hostname, port, method, path: url, headers }, (answer) => {
       response.writeHead(answer.statusCode, answer.headers);
       answer.pipe(response);
-    })
-      .on("error", () => response.destroy())
-      .end();
+    }).on("error", () => response.destroy());
+    request.pipe(asked);
   }
 
   #join(socket, server) {
