@@ -30,11 +30,14 @@ export function checkText({ document }: Planner, drawing: Drawing): string {
   const comparison = comparisonOf(drawing);
   if (!comparison || !drawing.check) return "";
   const { difference, agrees, byScale } = comparison;
-  const share = percent(Math.abs(difference));
   const lengths = [byScale, drawing.check.length].map((length) =>
     lengthText(length * document.unit.factor, document.unit),
   );
-  return agrees ? say(text.picture.agrees, share) : say(text.picture.stretched, share, ...lengths);
+  const share = Math.abs(difference);
+  // "Within" is rounded upwards.
+  return agrees
+    ? say(text.picture.agrees, percent(Math.max(Math.ceil(1000 * share), 1) / 1000))
+    : say(text.picture.stretched, percent(share), ...lengths);
 }
 
 /** The scale from a line, and then perhaps its check. */
