@@ -47,6 +47,17 @@ bool touches_no_zone(const RoomShape& shape, const Vec2& plan) {
   return false;
 }
 
+// Inside is to the left of a counter-clockwise outline.
+double inner_side(const Polygon& outline) {
+  return signed_area(outline) > 0 ? 1 : -1;
+}
+
+OuterWall wall_of(const Polygon& outline, double side, std::size_t k) {
+  const Vec2 &from = outline[k], &to = outline[(k + 1) % outline.size()];
+  const double x = to[0] - from[0], y = to[1] - from[1], length = std::hypot(x, y);
+  return {from, to, {-side * y / length, side * x / length}};
+}
+
 }  // namespace
 
 double CeilingHeight::at(const Vec2& p) const {
@@ -91,11 +102,14 @@ Vec3 RoomShape::upper() const {
 }
 
 OuterWall RoomShape::wall(std::size_t k) const {
-  const Vec2 &from = outline[k], &to = outline[(k + 1) % outline.size()];
-  const double x = to[0] - from[0], y = to[1] - from[1], length = std::hypot(x, y);
-  // Inside is to the left of a counter-clockwise outline.
-  const double side = signed_area(outline) > 0 ? 1 : -1;
-  return {from, to, {-side * y / length, side * x / length}};
+  return wall_of(outline, inner_side(outline), k);
+}
+
+std::vector<OuterWall> RoomShape::walls() const {
+  const double side = inner_side(outline);
+  std::vector<OuterWall> all;
+  for (std::size_t k = 0; k < outline.size(); ++k) all.push_back(wall_of(outline, side, k));
+  return all;
 }
 
 double OuterWall::length() const {

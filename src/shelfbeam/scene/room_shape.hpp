@@ -98,6 +98,8 @@ struct RoomShape {
   Vec3 upper() const;
   /// Precondition: k is the number of a wall.
   OuterWall wall(std::size_t k) const;
+  /// All walls; faster than one by one, each of which computes the direction of the outline again.
+  std::vector<OuterWall> walls() const;
   /// The openings in a wall, in the order of their rows.
   std::vector<WallOpening> openings_in(std::size_t k) const;
   /// The points in plan at two distances from the first corner of a wall.

@@ -43,7 +43,8 @@ struct Column {
 /// the vertical line over a point of the plan, the surfaces of the others have a vertex, too.
 class RoomShell {
  public:
-  RoomShell(const Room& room, TriangleMesh& mesh) : room_(room), shape_(room.shape), mesh_(mesh) {
+  RoomShell(const Room& room, TriangleMesh& mesh)
+      : room_(room), shape_(room.shape), mesh_(mesh), outer_walls_(shape_.walls()) {
     const PlanLines lines = PlanLines::of(shape_);
     footprints_ = lines.inner_walls;
     map_ = planar_map(lines.polygons, lines.creases);
@@ -164,7 +165,7 @@ class RoomShell {
 
   // From the first corner of a wall to a point on it.
   std::optional<double> distance_along(std::size_t k, const Vec2& p) const {
-    const OuterWall wall = shape_.wall(k);
+    const OuterWall& wall = outer_walls_[k];
     const double x = p[0] - wall.from[0], y = p[1] - wall.from[1];
     if (std::abs(x * wall.inward[0] + y * wall.inward[1]) > plan_rounding) return {};
     return wall.along(p);
@@ -253,9 +254,9 @@ class RoomShell {
     if (!wall) return add_strip(u, v, from, to, {room_.usual_wall});
     const Surface surface{room_.walls[*wall]};
     const double high = to.at(middle);
+    const auto along = distance_along(*wall, middle);
     CeilingHeight done = from;
     for (const auto& [opening, material] : openings_[*wall]) {
-      const auto along = distance_along(*wall, middle);
       if (!along || *along < opening.at || *along > opening.at + opening.width) continue;
       const double low = done.at(middle);
       if (opening.top < low + height_rounding || opening.bottom > high - height_rounding) continue;
@@ -322,6 +323,7 @@ class RoomShell {
   const Room& room_;
   const RoomShape& shape_;
   TriangleMesh& mesh_;
+  std::vector<OuterWall> outer_walls_;
   std::vector<Triangles> of_walls_;                // by inner wall; they follow those of the room
   std::vector<PlanLines::Footprints> footprints_;  // by inner wall
   PlanarMap map_;

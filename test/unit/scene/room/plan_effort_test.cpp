@@ -45,6 +45,20 @@ TEST(PlanEffort, GrowsInProportionToTheZones) {
   EXPECT_LT(time.seconds(), 16);
 }
 
+TEST(PlanEffort, AllowsAnOpeningInEveryWall) {
+  constexpr int walls = 1000;
+  Json room{{"height", 3}, {"floor", "tile"}, {"ceiling", "white"}, {"walls", "white"}};
+  for (int k = 0; k < walls; ++k) {
+    const double phi = 2 * pi * k / walls;
+    room["outline"].push_back({100 * std::cos(phi), 100 * std::sin(phi)});
+    room["openings"].push_back({{"wall", k}, {"at", 0.1}, {"width", 0.4}, {"top", 2}});
+  }
+  const test::ProcessorTime time;
+  const Scene scene = make_scene(test::read_text(test::store_of_room(room.dump()).dump()));
+  EXPECT_GT(scene.mesh.triangles.size(), static_cast<std::size_t>(6 * walls));
+  EXPECT_LT(time.seconds(), 2);  // 0.3 s; 8 s when every point on a wall examined the whole outline
+}
+
 TEST(PlanEffort, RefusesOpeningsNearTooManyZones) {
   Json store = strips(1000, 0.08);
   for (int w = 0; w < 10; ++w) {
