@@ -24,6 +24,18 @@ void expect_size(const JsonCursor& json, const Field& field) {
                                   : fmt::format("give {} to {}", field.fewest, field.longest));
 }
 
+// "'a', 'b' and 'c'"
+std::string listed(std::initializer_list<std::string_view> keys, std::string_view before_last) {
+  std::string list;
+  for (const std::string_view& key : keys)
+    list += fmt::format("{}'{}'",
+                        list.empty()             ? ""
+                        : &key == keys.end() - 1 ? fmt::format(" {} ", before_last)
+                                                 : ", ",
+                        key);
+  return list;
+}
+
 }  // namespace
 
 bool read_object(const JsonCursor& json, const StoreNames& names, Problems& problems,
@@ -186,12 +198,13 @@ void FieldReader::either(std::initializer_list<std::string_view> marks, bool, co
 
 void FieldReader::one_of(std::initializer_list<std::string_view> keys) {
   if (std::count_if(keys.begin(), keys.end(), [&](auto key) { return is_given(key); }) == 1) return;
-  problems_.collect([&] {
-    std::string list;
-    for (const std::string_view key : keys)
-      list += fmt::format("{}'{}'", list.empty() ? "" : key == *(keys.end() - 1) ? " and " : ", ", key);
-    json_.fail("must have one of " + list, "keep one of them");
-  });
+  problems_.collect([&] { json_.fail("must have one of " + listed(keys, "and"), "keep one of them"); });
+}
+
+void FieldReader::any_of(std::initializer_list<std::string_view> keys) {
+  if (std::any_of(keys.begin(), keys.end(), [&](auto key) { return is_given(key); })) return;
+  problems_.collect(
+      [&] { json_.fail("has no effect without " + listed(keys, "or"), "add one of them, or remove it"); });
 }
 
 }  // namespace shelfbeam

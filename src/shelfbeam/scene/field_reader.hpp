@@ -58,6 +58,7 @@ class FieldReader final : public Fields, public KeyRules {
   void either(std::initializer_list<std::string_view> marks, bool is_first, const Part& first,
               const Part& second) override;
   void one_of(std::initializer_list<std::string_view> keys) override;
+  void any_of(std::initializer_list<std::string_view> keys) override;
 
  private:
   template <class Read>

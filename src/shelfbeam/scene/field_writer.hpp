@@ -75,6 +75,7 @@ class FieldWriter final : public Fields {
     (is_first ? first : second)(*this);
   }
   void one_of(std::initializer_list<std::string_view>) override {}
+  void any_of(std::initializer_list<std::string_view>) override {}
 
  private:
   template <class Value>

@@ -50,6 +50,7 @@ class EachKey : public Fields {
     second(*this);
   }
   void one_of(std::initializer_list<std::string_view>) override {}
+  void any_of(std::initializer_list<std::string_view>) override {}
 
  private:
   bool visit(std::string_view name, const Field& field) {

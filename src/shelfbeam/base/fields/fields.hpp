@@ -102,6 +102,8 @@ class Fields {
                       const Part& second) = 0;
   /// Exactly one of these optional keys is present.
   virtual void one_of(std::initializer_list<std::string_view> keys) = 0;
+  /// At least one of these optional keys is present, because the element has no effect without them.
+  virtual void any_of(std::initializer_list<std::string_view> keys) = 0;
 
   bool length(std::string_view key, double& value, const Field& field) {
     return scalar(key, Scalar::length, value, field);

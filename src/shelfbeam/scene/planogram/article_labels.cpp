@@ -34,6 +34,7 @@ void StyledFixtures::fields(Fields& f) {
                 .is_optional = true,
                 .otherwise = otherwise}))
     style.tilt_deg = own.tilt_deg;
+  f.any_of({"type", "hook", "tilt_deg"});
 }
 
 void SegmentPlace::fields(Fields& f) {

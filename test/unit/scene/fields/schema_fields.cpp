@@ -96,6 +96,7 @@ Json SchemaFields::object_schema() const {
   Json schema{{"type", "object"}, {"additionalProperties", false}};
   if (!required_.empty()) schema["required"] = required_;
   if (!one_of_.empty()) schema["oneOf"] = one_of_;
+  if (!any_of_.empty()) schema["anyOf"] = any_of_;
   schema["properties"] = properties_;
   return schema;
 }
@@ -218,6 +219,10 @@ void SchemaFields::either(std::initializer_list<std::string_view>, bool, const P
 
 void SchemaFields::one_of(std::initializer_list<std::string_view> keys) {
   for (const std::string_view key : keys) one_of_.push_back({{"required", {key}}});
+}
+
+void SchemaFields::any_of(std::initializer_list<std::string_view> keys) {
+  for (const std::string_view key : keys) any_of_.push_back({{"required", {key}}});
 }
 
 }  // namespace shelfbeam::test

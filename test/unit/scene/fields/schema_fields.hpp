@@ -42,13 +42,15 @@ class SchemaFields final : public Fields {
   void either(std::initializer_list<std::string_view> marks, bool is_first, const Part& first,
               const Part& second) override;
   void one_of(std::initializer_list<std::string_view> keys) override;
+  void any_of(std::initializer_list<std::string_view> keys) override;
 
  private:
   bool describe(std::string_view key, Json schema, const Field& field, const Json& value = {});
   Json part_schema(const Part& part) const;
 
   bool is_first_form_, has_forms_ = false;
-  Json required_ = Json::array(), properties_ = Json::object(), one_of_ = Json::array();
+  Json required_ = Json::array(), properties_ = Json::object(), one_of_ = Json::array(),
+       any_of_ = Json::array();
 };
 
 /// One schema, or the alternatives of a struct with two forms; `more` adds keys.

@@ -192,10 +192,15 @@ TEST(Planogram, LabelsHaveTheStyleOfRecordFixtureOrPlanogram) {
     test::expect_input_error(labels, std::string_view(message));
   }
   folder.write("p.csv", "article,fixture,face,level,x\n1,A1,front,2,1\n");
-  store["planogram"]["fixtures"] = Json::parse(R"([{"fixtures": "A*"}, {"fixtures": "B*", "hook": 0.1}])");
+  store["planogram"]["fixtures"] =
+      Json::parse(R"([{"fixtures": "A*", "hook": 0.1}, {"fixtures": "B*", "hook": 0.1}])");
   test::expect_input_error(labels, std::string_view("planogram.fixtures[1].fixtures: matches no fixture"));
   store["planogram"]["fixtures"] = Json::parse(R"([{"fixtures": "A*", "hook": 0}])");
   test::expect_input_error(labels, std::string_view("planogram.fixtures[0].hook: is 0"));
+  store["planogram"]["fixtures"] = Json::parse(R"([{"fixtures": "A1", "tilt_deg": 0}, {"fixtures": "A*"}])");
+  test::expect_input_error(labels,
+                           std::string_view("planogram.fixtures[1]: has no effect without 'type', 'hook' or "
+                                            "'tilt_deg'; add one of them, or remove it"));
 }
 
 TEST(Planogram, LabelsStandOnBoxes) {
