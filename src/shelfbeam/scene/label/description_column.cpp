@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "shelfbeam/base/csv.hpp"
 #include "shelfbeam/base/text.hpp"
 
@@ -13,12 +15,19 @@ std::vector<std::string> column_keys(const CsvReader& header) {
   return names;
 }
 
+void fail_repeated(const CsvReader& header, std::string_view name) {
+  header.fail(fmt::format("has several columns {}", in_quotes(name)), "rename or remove all but one");
+}
+
 std::optional<std::size_t> description_column(const CsvReader& header, std::size_t first) {
   const std::vector<std::string> names = column_keys(header);
   const auto begin = names.begin() + static_cast<std::ptrdiff_t>(std::min(first, names.size()));
-  for (const std::string_view known : description_columns)
-    if (const auto found = std::find(begin, names.end(), known); found != names.end())
-      return static_cast<std::size_t>(found - names.begin());
+  for (const std::string_view known : description_columns) {
+    const auto found = std::find(begin, names.end(), known);
+    if (found == names.end()) continue;
+    if (std::find(found + 1, names.end(), known) != names.end()) fail_repeated(header, known);
+    return static_cast<std::size_t>(found - names.begin());
+  }
   return {};
 }
 

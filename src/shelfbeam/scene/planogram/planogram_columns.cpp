@@ -45,16 +45,24 @@ class PlanogramHeader {
     names_ = column_keys(csv);
   }
 
+  /// With several of the names, it would depend on the program that wrote the file which one is meant.
   std::size_t required(ColumnNames known) const {
     const auto found = optional(known);
+    std::string_view first;
+    for (const std::string_view name : known) {
+      if (std::find(names_.begin(), names_.end(), name) == names_.end()) continue;
+      if (!first.empty())
+        csv_.fail(fmt::format("has both columns {} and {}", in_quotes(first), in_quotes(name)),
+                  "remove or rename one of the two");
+      first = name;
+    }
     if (!found) csv_.fail(fmt::format("has no column {}", in_quotes(known.front())), meant(known.front()));
     return *found;
   }
   std::size_t required(std::string_view name) const { return required(ColumnNames(&name, 1)); }
   std::optional<std::size_t> optional(ColumnNames known) const {
     for (const std::string_view name : known) {
-      if (std::count(names_.begin(), names_.end(), name) > 1)
-        csv_.fail(fmt::format("has several columns {}", in_quotes(name)), "rename or remove all but one");
+      if (std::count(names_.begin(), names_.end(), name) > 1) fail_repeated(csv_, name);
       if (const auto found = std::find(names_.begin(), names_.end(), name); found != names_.end())
         return static_cast<std::size_t>(found - names_.begin());
     }

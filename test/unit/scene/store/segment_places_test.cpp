@@ -157,6 +157,20 @@ TEST_F(SegmentPlacesTest, RefuseFaultsWithTheirPlace) {
   expect_error(R"([{"fixture": "G", "face": "front"}])", two_segments + "1,Salt,Q,1,1,1\n",
                "planogram.segments[0]: does not name its planogram, but the file has 2; add 'planogram'");
   expect_error(front, "article,segment,shelf\n", "p.csv: line 1: has no column 'sequence'");
+  for (const auto& [first_line, message] : std::vector<std::pair<const char*, const char*>>{
+           {"UPC,EAN,segment,shelf,sequence",
+            "p.csv: line 1: has both columns 'upc' and 'ean'; remove or rename one of the two"},
+           {"article,segment,shelf,level,sequence", "has both columns 'shelf' and 'level'"},
+           {"article,segment,shelf,sequence,Name,name",
+            "p.csv: line 1: has several columns 'name'; rename or remove all but one"}})
+    expect_error(front, std::string(first_line) + "\n1,1,1,1,1,1\n", message);
+  // Both are usual, and one of them is enough.
+  EXPECT_EQ(labels(R"([{"planogram": "A", "fixture": "G", "face": "front"}])",
+                   "article,segment,shelf,sequence,planogram_name,planogram_id,name,description\n"
+                   "1,1,1,1,Bakery,A,x,Rye bread\n")
+                .front()
+                .description,
+            "Rye bread");
   expect_error(R"([{"fixture": "T", "face": "top"}])", "article,segment,shelf,sequence,hook\n1,1,1,1,0.1\n",
                "p.csv: line 2, field 5: does not apply to labels on the top");
   store_["planogram"].erase("segments");
