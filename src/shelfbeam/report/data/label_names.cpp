@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string_view>
 #include <unordered_map>
@@ -80,6 +79,7 @@ LabelNames::LabelNames(const Scene& scene, const SignalMatrix& matrix, const Wor
     fixtures_.push_back(fixture);
     boards_.push_back(at.board);
   }
+  for (const std::string& fixture : fixtures_) ++labels_on_[fixture];
 }
 
 std::vector<std::pair<std::string, std::size_t>> LabelNames::per_fixture(
@@ -97,14 +97,10 @@ std::vector<std::pair<std::string, std::size_t>> LabelNames::per_fixture(
 }
 
 std::vector<std::string> LabelNames::counts(std::span<const std::uint32_t> rows) const {
-  std::vector<std::uint32_t> every(names_.size());
-  std::iota(every.begin(), every.end(), 0U);
-  std::unordered_map<std::string, std::size_t> all;
-  for (const auto& [fixture, count] : per_fixture(every)) all.emplace(fixture, count);
   std::vector<std::string> texts;
   for (const auto& [fixture, count] : per_fixture(rows))
     texts.push_back(
-        words_.say("label.count", fixture, words_.grouped(count), words_.grouped(all.at(fixture))));
+        words_.say("label.count", fixture, words_.grouped(count), words_.grouped(labels_on_.at(fixture))));
   return texts;
 }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/report/text/words.hpp"
@@ -41,6 +43,7 @@ class LabelNames {
   Words words_;
   std::vector<std::string> names_, fixtures_;
   std::vector<int> boards_;
+  std::unordered_map<std::string, std::size_t> labels_on_;  ///< by fixture
 };
 
 }  // namespace shelfbeam

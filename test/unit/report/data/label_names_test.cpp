@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/processor_time.hpp"
 #include "unit/report/supermarket_report.hpp"
 
 namespace shelfbeam {
@@ -70,6 +71,17 @@ TEST(LabelNames, CountManyLabelsByFixture) {
             "2× G3, 1× obere Wand, 1× andere Stellen, 1× C2");
   EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 6, 4, 3, 2, 1, 0}),
             "3 on G3, 1 on T1, 1 on wall at the top, 1 on other places and others");
+}
+
+TEST(LabelNames, AreCountedInProportionToTheLabelsAskedFor) {
+  NamedShop shop;
+  for (std::size_t k = 0; k < 20'000; ++k)
+    shop.add(fmt::format("{}", k).c_str(), "Sweets", {.fixture = fmt::format("G{}", k % 50)});
+  const LabelNames names = shop.names();
+  const test::ProcessorTime time;
+  for (std::uint32_t row = 0; row < 1000; ++row)
+    EXPECT_EQ(names.counts({&row, 1}).front(), fmt::format("G{}: 1 of 400", row % 50));
+  EXPECT_LT(time.seconds(), 0.3);  // 2 s when all labels were counted each time
 }
 
 /// The supermarket with labels of a planogram: article numbers as ids.
