@@ -82,6 +82,7 @@ struct ShopPlaces::Near {
 
 ShopPlaces::ShopPlaces(const Scene& scene)
     : scene_(scene),
+      inner_walls_(std::span(scene.fixtures).last(scene.inner_walls())),
       standing_(standing_fixtures(scene)),
       index_(
           BoxIndex::over(standing_, [&](std::size_t f) { return plan_box(scene.fixtures[f].footprint); })) {}
@@ -91,9 +92,8 @@ bool ShopPlaces::is_hidden(const Vec2& from, const Vec2& to) const {
   const auto is_between = [&](const Polygon& polygon) { return crosses(polygon, from, to); };
   return is_between(scene_.room->outline) ||
          std::any_of(scene_.room->holes.begin(), scene_.room->holes.end(), is_between) ||
-         std::any_of(scene_.fixtures.begin(), scene_.fixtures.end(), [&](const FixtureOutline& fixture) {
-           return fixture.is_wall() && is_between(fixture.footprint);
-         });
+         std::any_of(inner_walls_.begin(), inner_walls_.end(),
+                     [&](const FixtureOutline& wall) { return is_between(wall.footprint); });
 }
 
 // Nearest first; ties in the order of the store.

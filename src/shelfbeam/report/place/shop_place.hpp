@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,7 @@ class ShopPlaces {
   std::vector<Near> walls_near(const Vec2& from) const;
 
   const Scene& scene_;
+  std::span<const FixtureOutline> inner_walls_;
   std::vector<std::size_t> standing_;  ///< of scene.fixtures, by the order of the index
   BoxIndex index_;
 };

@@ -1,9 +1,11 @@
 #include "shelfbeam/report/place/shop_place.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/place/place_text.hpp"
 
+#include "support/processor_time.hpp"
 #include "unit/report/corner_shop.hpp"
 
 namespace shelfbeam {
@@ -44,6 +46,20 @@ TEST(ShopPlace, EndsAtAWall) {
   store.room->inner_walls = {{MaterialId{0}, {}}};
   EXPECT_EQ(text_at(make_scene(store), {10.5, 4.5, 3}), "") << "the wall hides G3";
   EXPECT_EQ(text_at(make_scene(store), {9.2, 4.5, 3}), "beside G3") << "on its own side of the wall";
+}
+
+TEST(ShopPlace, IsFoundAsFastWithManyFixturesElsewhere) {
+  Store store = sample_store::empty_store("Bins", {200, 100, 4});
+  for (int k = 0; k < 20'000; ++k) {
+    const double x = k % 200 + 0.2, y = k / 200 + 0.2;
+    store.fixtures.push_back({Box{fmt::format("B{}", k), {x, y, 0}, {x + 0.4, y + 0.4, 1}, {}}, "fixtures"});
+  }
+  sample_store::add_devices(store, {1.8, 1.8, 1}, {15, 8, 3.9});
+  const Scene scene = make_scene(store);
+  const ShopPlaces places(scene);
+  const test::ProcessorTime time;
+  for (int k = 0; k < 500; ++k) EXPECT_NE(places.of({k % 99 + 0.9, k % 59 + 0.9, 3}).fixture, "");
+  EXPECT_LT(time.seconds(), 0.2);
 }
 
 TEST(ShopPlace, IsAZoneWithoutAFixture) {
