@@ -25,24 +25,27 @@ constexpr double smallest_id = 1;  // drawing units; the plan can be enlarged wi
 // Areas in the drawing that are taken, by the squares that they touch.
 class TakenSpace {
  public:
-  TakenSpace(const PlanView& view, const std::vector<Obstacle>& texts) : view_(view), texts_(texts) {}
+  TakenSpace(const PlanView& view, const std::vector<Obstacle>& texts) : view_(view) {
+    for (const Obstacle& text : texts) take(text);
+  }
 
   bool is_free(const Rectangle& text) const {
     if (text.left < 0 || text.top < 0 || text.right > view_.width() || text.bottom > view_.height())
       return false;
-    bool meets = std::any_of(texts_.begin(), texts_.end(), [&](const Obstacle& o) { return o.meets(text); });
+    bool meets = false;
     each_square(text, [&](std::uint64_t square) {
       const auto found = taken_.find(square);
       if (found != taken_.end() && !meets)
         meets = std::any_of(found->second.begin(), found->second.end(),
-                            [&](const Rectangle& o) { return o.meets(text); });
+                            [&](const Obstacle& o) { return o.meets(text); });
     });
     return !meets;
   }
 
-  void take(const Rectangle& area) {
-    each_square(area, [&](std::uint64_t square) { taken_[square].push_back(area); });
+  void take(const Obstacle& area) {
+    each_square(area.bounds(), [&](std::uint64_t square) { taken_[square].push_back(area); });
   }
+  void take(const Rectangle& area) { take(Obstacle(area)); }
 
  private:
   template <class Use>
@@ -55,8 +58,7 @@ class TakenSpace {
   }
 
   const PlanView& view_;
-  const std::vector<Obstacle>& texts_;
-  std::unordered_map<std::uint64_t, std::vector<Rectangle>> taken_;
+  std::unordered_map<std::uint64_t, std::vector<Obstacle>> taken_;
 };
 
 Rectangle around(const Point& middle, double width, double height) {

@@ -26,6 +26,7 @@ class Obstacle {
   explicit Obstacle(std::vector<Point> polygon);
 
   bool meets(const Rectangle& text) const;
+  const Rectangle& bounds() const { return bounds_; }
 
  private:
   Rectangle bounds_;

@@ -13,6 +13,7 @@
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
 
+#include "support/processor_time.hpp"
 #include "unit/report/markup.hpp"
 #include "unit/report/sample_store.hpp"
 
@@ -144,6 +145,14 @@ TEST(IdLayer, IsInThePlanOnlyIfAskedFor) {
   EXPECT_EQ(test::count_of("<g id=\"ids\">", with), 1U);
   EXPECT_NE(with.find(".cid{"), std::string::npos);
   EXPECT_EQ(test::read_markup(with).problem, "");
+}
+
+TEST(IdLayer, IsDrawnAsFastWithManyTextsElsewhere) {
+  const Scene scene = make_scene(shop(0.25));
+  const std::vector<Obstacle> elsewhere(20'000, Obstacle(Rectangle{1, 1, 2, 2}));
+  const test::ProcessorTime time;
+  EXPECT_EQ(layer_of(scene, elsewhere).size(), layer_of(scene).size());
+  EXPECT_LT(time.seconds(), 1);
 }
 
 }  // namespace
