@@ -56,13 +56,15 @@ std::string risk_table(const ReportData& data, const Availability& availability)
   HtmlTable table({{data.words.say("column.label"), false},
                    {data.words.say("availability.column.reached")},
                    {data.words.say("availability.column.required")},
-                   {data.words.say("availability.column.causes"), false}});
+                   {data.words.say("availability.column.causes"), false},
+                   {data.words.say("column.id"), false}});
   const StateOutcome& outcome = availability.has_answer()        ? availability.answer()
                                 : availability.sample.states > 0 ? availability.sample
                                                                  : availability.nominal;
   for (const LabelAtRisk& label : availability.at_risk)
     table.add_row({data.names.name(label.label), time_share(data.words, outcome.availability(label.label)),
-                   time_share(data.words, availability.required[label.label]), causes_of(data.words, label)});
+                   time_share(data.words, availability.required[label.label]), causes_of(data.words, label),
+                   data.label(label.label).id});
   return fmt::format("<h3>{}</h3>\n", escape(data.words("availability.at_risk"))) + table.html() +
          paragraph(data.words.say("availability.cause_note"), "note");
 }

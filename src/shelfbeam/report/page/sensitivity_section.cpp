@@ -43,11 +43,14 @@ std::string signed_percent(const Words& words, double share) {
 std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   TornadoChart chart;
   chart.description = data.words.say("sensitivity.description");
+  const auto label = [&](const MinMargin& one) {
+    const std::string &called = data.names.name(one.label), &id = data.label(one.label).id;
+    return called == id ? id : fmt::format("{}, {}", called, id);
+  };
   const auto add = [&](const std::string& name, const MinMargin& low, const MinMargin& high) {
-    chart.bars.push_back(
-        {name, drawn_db(low), drawn_db(high),
-         data.words.say("sensitivity.bar", name, margin(data.words, low), data.names.name(low.label),
-                        margin(data.words, high), data.names.name(high.label))});
+    chart.bars.push_back({name, drawn_db(low), drawn_db(high),
+                          data.words.say("sensitivity.bar", name, margin(data.words, low), label(low),
+                                         margin(data.words, high), label(high))});
   };
   add(data.words.say("sensitivity.together"), sensitivity.low.min_margin, sensitivity.high.min_margin);
   for (std::size_t k = 0; k < std::min(max_bars, sensitivity.materials.size()); ++k) {
@@ -69,6 +72,7 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
                    {data.words.say("sensitivity.column.reflectance"), false},
                    {data.words.say("sensitivity.column.low_margin")},
                    {data.words.say("sensitivity.column.label"), false},
+                   {data.words.say("column.id"), false},
                    {data.words.say("sensitivity.column.change")},
                    {data.words.say("sensitivity.column.missed")},
                    {data.words.say("sensitivity.column.low_change")},
@@ -80,6 +84,7 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
          fmt::format("{} ({}){}", rounded(data.words, one.reflectance), range_of(data.words, one),
                      one.is_assumed ? " *" : ""),
          margin(data.words, one.at_lower.min_margin), data.names.name(one.at_lower.min_margin.label),
+         data.label(one.at_lower.min_margin.label).id,
          fmt::format("{} (±\u00A0{})", signed_percent(data.words, one.at_lower.change),
                      data.words.fixed(100 * one.at_lower.change_error, 2)),
          data.words.grouped(one.at_lower.labels_short), signed_percent(data.words, one.at_lower.mean_change),

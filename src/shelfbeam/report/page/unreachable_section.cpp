@@ -40,13 +40,14 @@ std::string unreachable_section(const ReportData& data) {
                    {data.words.say("column.height")},
                    {data.words.say("unreachable.requirement", data.unit.name)},
                    {data.words.say("unreachable.maximum", data.unit.name)},
-                   {data.words.say("unreachable.shortfall"), true, true}});
+                   {data.words.say("unreachable.shortfall"), true, true},
+                   {data.words.say("column.id"), false}});
   for (std::size_t k = 0; k < std::min(worst.size(), max_rows); ++k) {
     const LabelRow& label = data.label(worst[k].label);
     table.add_row({data.names.name(worst[k].label), data.words.fixed(label.position.x, 2),
                    data.words.fixed(label.position.y, 2), data.words.fixed(label.position.z, 2),
                    data.unit.number(worst[k].requirement), data.unit.number(worst[k].max_signal),
-                   shortfall(data, worst[k])});
+                   shortfall(data, worst[k]), label.id});
   }
   std::string html = paragraph(maximum_signal_note(data)) + table.html();
   if (worst.size() > max_rows)

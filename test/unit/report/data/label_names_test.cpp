@@ -122,6 +122,33 @@ TEST(LabelNames, PrecedeArticleNumbersOnThePage) {
   EXPECT_EQ(cells, 20U);
 }
 
+// An article twice on a board: two labels with the same name.
+TEST(LabelNames, LeaveIdsInTablesWithoutPositions) {
+  Planogram s;
+  for (std::size_t k = 5; k < 9; ++k) {
+    s.scene.labels[k].description = "Sweets";
+    s.scene.labels[k].place = {.fixture = "A1", .face = Face::front, .board = 1};
+  }
+  const auto id = [&](std::uint32_t row) { return s.matrix.labels[row].id; };
+  const auto cells = [&](std::uint32_t row) { return test::pieces(report_html(s.input)).count(id(row)); };
+  const std::size_t before = cells(7) + cells(8);
+  Sensitivity& sensitivity = s.plan.sensitivity.emplace();
+  MaterialSensitivity grey{"grey", 0.6, 0.45, 0.75, false, {}, {}};
+  grey.at_lower.min_margin = {0.8, 0.008, 5};
+  grey.at_upper.min_margin = {1.6, 0.008, 6};
+  sensitivity.materials = {grey};
+  sensitivity.low.min_margin = sensitivity.high.min_margin = {0.8, 0.008, 5};
+  EXPECT_EQ(cells(5), 1U);
+  EXPECT_NE(report_html(s.input).find(", " + id(6) + ")"), std::string::npos) << "the bar of the chart";
+  Availability& availability = s.plan.availability.emplace();
+  availability.required.assign(s.matrix.rows(), 0.9);
+  availability.examined = {{2, 10, std::vector<std::uint32_t>(s.matrix.rows(), 2), 10}};
+  availability.at_risk = {{7, {}}, {8, {}}};
+  EXPECT_EQ(cells(7) + cells(8), before + 2);
+  s.plan.placement.unreachable = {{7, 1, 0.5}, {8, 1, 0.5}};
+  EXPECT_EQ(cells(7) + cells(8), before + 4);
+}
+
 TEST(LabelNames, AreInTheTable) {
   const Planogram s;
   const std::string csv = labels_csv(s.input);
