@@ -20,8 +20,7 @@ enum class Cover { none, below, cut };
 Cover cover_of(const InnerWall& wall, const Vec2& p, double height) {
   if (wall.height && *wall.height <= height) return Cover::below;
   for (const WallOpening& opening : wall.openings)
-    if (opening.bottom <= height && height < opening.top &&
-        contains(wall.footprint(opening.at, opening.at + opening.width), p))
+    if (is_open_at(opening, height) && contains(wall.footprint(opening.at, opening.at + opening.width), p))
       return opening.bottom > 0 ? Cover::below : Cover::none;
   return Cover::cut;
 }
@@ -99,6 +98,26 @@ std::array<double, 2> ends_of(const RoomShape& shape, std::size_t wall_index) {
   };
   return {-extension(wall.from, longer[0], longer[3]),
           wall.length() + extension(wall.to, longer[1], longer[2])};
+}
+
+std::vector<std::array<Vec2, 2>> outer_wall_lines(const RoomShape& room, std::size_t wall, double height) {
+  std::vector<WallOpening> openings = room.openings_in(wall);
+  std::erase_if(openings, [&](const WallOpening& one) { return !is_open_at(one, height); });
+  std::sort(openings.begin(), openings.end(),
+            [](const WallOpening& a, const WallOpening& b) { return a.at < b.at; });
+  const auto& [first, last, inward] = room.wall(wall);
+  const double length = room.wall(wall).length();
+  std::vector<std::array<Vec2, 2>> lines;
+  Vec2 from = first;
+  double done = 0;
+  for (const WallOpening& one : openings) {
+    const auto [begin, end] = room.along_wall(wall, one.at, one.at + one.width);
+    if (one.at > done + cut_rounding) lines.push_back({from, begin});
+    from = end;
+    done = one.at + one.width;
+  }
+  if (length > done + cut_rounding) lines.push_back({from, last});
+  return lines;
 }
 
 std::vector<WallSection> wall_sections(const RoomShape& room, double height) {

@@ -22,4 +22,12 @@ struct WallSection {
 /// The inner walls within the room. Where several meet, the area belongs to the first.
 std::vector<WallSection> wall_sections(const RoomShape& room, double height);
 
+/// Whether a wall is open at a height within the width of an opening.
+inline bool is_open_at(const WallOpening& opening, double height) {
+  return opening.bottom <= height && height < opening.top;
+}
+
+/// The lines of a wall of the outline, from its first corner on, where it is solid at a height.
+std::vector<std::array<Vec2, 2>> outer_wall_lines(const RoomShape& room, std::size_t wall, double height);
+
 }  // namespace shelfbeam

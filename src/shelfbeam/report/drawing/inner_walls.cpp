@@ -25,7 +25,7 @@ void draw_panes(SvgCanvas& canvas, const PlanView& view, const InnerWall& wall) 
   const double x = (wall.to[0] - wall.from[0]) / wall.length(),
                y = (wall.to[1] - wall.from[1]) / wall.length();
   for (const WallOpening& opening : wall.openings) {
-    if (!opening.has_pane || opening.bottom > section_height || opening.top <= section_height) continue;
+    if (!opening.has_pane || !is_open_at(opening, section_height)) continue;
     const double end = opening.at + opening.width;
     canvas.line(view.at(wall.from[0] + opening.at * x, wall.from[1] + opening.at * y),
                 view.at(wall.from[0] + end * x, wall.from[1] + end * y), "pane");

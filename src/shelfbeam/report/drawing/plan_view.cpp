@@ -9,6 +9,7 @@
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/text/words.hpp"
+#include "shelfbeam/scene/wall_section.hpp"
 
 namespace shelfbeam {
 
@@ -26,7 +27,7 @@ void draw_opening(SvgCanvas& canvas, const PlanView& view, const RoomShape& room
   const auto beside = [&](const Point& p, double by) {
     return Point{p.x + by * inward[0], p.y - by * inward[1]};
   };
-  if (opening.bottom <= section_height && section_height < opening.top)
+  if (is_open_at(opening, section_height))
     canvas.polygon(std::array{beside(a, -half), beside(b, -half), beside(b, half), beside(a, half)}, "hole");
   for (const Point& end : {a, b}) canvas.line(beside(end, -jamb), beside(end, jamb), "tick");
   if (opening.has_pane) canvas.line(a, b, "pane");

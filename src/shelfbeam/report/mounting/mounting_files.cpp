@@ -27,7 +27,7 @@ constexpr const char* store_layer = "SHELFBEAM_STORE";
 constexpr const char* note_layer = "SHELFBEAM_NOTE";
 constexpr const char* block = "SHELFBEAM_UNIT";
 constexpr double radius = 0.15, text_height = 0.2, line_height = 0.3;  // m
-constexpr double cut_height = 1.2;                                     // of inner walls, m
+constexpr double cut_height = 1.2;                                     // of walls, m
 
 /// A drawing in the exchange format of AutoCAD release 12, which every reader knows: pairs of a group code
 /// and a value, a line each.
@@ -99,11 +99,13 @@ void add_note(const Words& words, Dxf& dxf, double x, double y, std::string_view
   dxf.put(0, "TEXT").put(8, note_layer).at(x, y).put(40, text_height).put(1, cad_text(words(key)));
 }
 
+void add_line(Dxf& dxf, const Vec2& from, const Vec2& to) {
+  dxf.put(0, "LINE").put(8, store_layer).at(from[0], from[1]).at(to[0], to[1], 0, 1);
+}
+
 void add_outline(Dxf& dxf, std::span<const Vec2> corners) {
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const auto &a = corners[k], &b = corners[(k + 1) % corners.size()];
-    dxf.put(0, "LINE").put(8, store_layer).at(a[0], a[1]).at(b[0], b[1], 0, 1);
-  }
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    add_line(dxf, corners[k], corners[(k + 1) % corners.size()]);
 }
 
 void add_unit(const Words& words, Dxf& dxf, const MountedUnit& unit) {
@@ -156,7 +158,8 @@ std::string mounting_dxf(const ReportInput& input) {
   if (!input.plan.is_verified())
     add_note(words, dxf, corner.x, corner.y + line_height, "certificate.lacking");
   if (scene.room) {
-    add_outline(dxf, scene.room->outline);
+    for (std::size_t k = 0; k < scene.room->outline.size(); ++k)
+      for (const auto& [from, to] : outer_wall_lines(*scene.room, k, cut_height)) add_line(dxf, from, to);
     for (const Polygon& hole : scene.room->holes) add_outline(dxf, hole);
     for (const CeilingZone& zone : scene.room->zones) add_outline(dxf, zone.polygon);
   }

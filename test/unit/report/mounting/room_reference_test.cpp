@@ -60,5 +60,30 @@ TEST(RoomReference, TheDrawingForCadHasTheWallsInSection) {
   EXPECT_EQ(dxf.find("10\n5.900000\n20\n0.000000\n30\n0.000000\n11\n5.900000\n21\n3"), std::string::npos);
 }
 
+// The lines of the drawing from one point of the plan to another.
+std::size_t lines_between(const std::string& dxf, const Vec2& from, const Vec2& to) {
+  return test::count_of(fmt::format("10\n{:.6f}\n20\n{:.6f}\n30\n0.000000\n11\n{:.6f}\n21\n{:.6f}\n", from[0],
+                                    from[1], to[0], to[1]),
+                        dxf);
+}
+
+TEST(RoomReference, TheDrawingForCadHasTheOpeningsOfThePlan) {
+  test::CornerShop shop;
+  const auto [first, last, inward] = shop.scene.room->wall(0);
+  const auto at = [&](double along) { return shop.scene.room->along_wall(0, along, along).front(); };
+  const std::string closed = mounting_dxf(shop.input);
+  EXPECT_EQ(lines_between(closed, first, last), 1U);
+  // A door, a window behind it, and a high window, which the section does not meet.
+  shop.scene.room->openings = {{0, {4, 1, 0.8, 2.4, true}, 1, 0.4},
+                               {0, {1, 0.9, 0, 2.1, false}, 1, 0.4},
+                               {0, {6, 1, 2, 2.4, true}, 1, 0.4}};
+  const std::string dxf = mounting_dxf(shop.input);
+  EXPECT_EQ(lines_between(dxf, first, last), 0U);
+  EXPECT_EQ(lines_between(dxf, first, at(1)), 1U);
+  EXPECT_EQ(lines_between(dxf, at(1.9), at(4)), 1U);
+  EXPECT_EQ(lines_between(dxf, at(5), last), 1U);
+  EXPECT_EQ(test::count_of("\nLINE\n", dxf), test::count_of("\nLINE\n", closed) + 2);
+}
+
 }  // namespace
 }  // namespace shelfbeam
