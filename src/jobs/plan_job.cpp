@@ -147,7 +147,7 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   store.cancel = nullptr;  // the results of an interrupted run are written, too
   const SimulationSummary& summary = end.plan.simulation.summary;
   end.table = table_of(request, end.plan.simulation.matrix, name);
-  end.answer = plan_json(end.plan, end.table);
+  end.answer = plan_json(end.plan, end.table, scene.labels);
   end.is_imprecise = !end.plan.certificate && !end.plan.availability && summary.unmet_error;
   end.is_kept = !end.plan.complete && folder.has_finished_plan();
   const std::string run = run_json(end.plan, clock.effort(job.threads));

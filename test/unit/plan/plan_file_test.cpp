@@ -63,6 +63,34 @@ TEST(PlanFile, IsReadBack) {
   EXPECT_FALSE(read.curve.is_complete);
 }
 
+TEST(PlanFile, NamesTheLabelsOfItsLists) {
+  const test::TempFolder folder;
+  CertifiedPlan plan = example_plan();
+  const SignalTable table = example();
+  plan.sensitivity.reset();
+  plan.certificate->labels[1].verdict = Verdict::missed;
+  std::vector<Label> labels(3);
+  for (std::size_t k = 0; k < table.rows(); ++k) labels[k].id = table.labels[k].id;
+  const std::string plain = plan_json(plan, table, labels);
+  EXPECT_EQ(plain, plan_json(plan, table)) << "a store without descriptions";
+  labels[0].description = "Rye bread";
+  labels[1].description = "Rolls";
+  labels[2].id = "elsewhere";
+  labels[2].description = "Jam";
+  const auto names = [&] {
+    return nlohmann::json::parse(plan_json(plan, table, labels)).value("label_names", nlohmann::json());
+  };
+  EXPECT_EQ(names(), (nlohmann::json{{table.labels[0].id, "Rye bread"}, {table.labels[1].id, "Rolls"}}))
+      << "the critical and the missed one";
+  EXPECT_EQ(plan_json(read_plan(folder.write("p.json", plan_json(plan, table, labels)), table), table),
+            plain);
+  plan.placement.selected = {0};
+  plan.certificate->labels[1].verdict = Verdict::unverified;
+  EXPECT_FALSE(names().contains(table.labels[1].id)) << "not verified yet";
+  plan.placement.unreachable = {{1, 2, 1.5}};
+  EXPECT_TRUE(names().contains(table.labels[1].id));
+}
+
 TEST(PlanFile, KeepsItsSeed) {
   const test::TempFolder folder;
   CertifiedPlan plan = example_plan();

@@ -1,5 +1,11 @@
 #include "shelfbeam/plan/io/plan_file.hpp"
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+#include <unordered_map>
+
 #include <fmt/format.h>
 
 #include "shelfbeam/base/csv.hpp"
@@ -76,12 +82,50 @@ void describe(Record& record, CertifiedPlan& plan) {
 
 using detail::Record;
 
-std::string plan_json(const CertifiedPlan& plan, const SignalTable& table) {
-  detail::Json file = Record::write(plan, {table});
+namespace {
+
+using detail::Json;
+
+/// The descriptions of the labels that a file names.
+class NamesOfLabels {
+ public:
+  explicit NamesOfLabels(std::span<const Label> labels) {
+    for (const Label& label : labels)
+      if (!label.description.empty()) descriptions_.emplace(label.id, label.description);
+  }
+
+  /// The labels that are `not_verified_yet`, which may be all, are only listed.
+  void add_from(const Json& value, bool names_labels = false) {
+    if (value.is_object())
+      for (const auto& [key, member] : value.items())
+        add_from(member, std::find(keys.begin(), keys.end(), key) != keys.end());
+    else if (value.is_array())
+      for (const Json& member : value) add_from(member, names_labels);
+    else if (names_labels && value.is_string())
+      if (const auto found = descriptions_.find(value.get_ref<const std::string&>());
+          found != descriptions_.end())
+        names_.insert(*found);
+  }
+  const std::map<std::string, std::string>& names() const { return names_; }
+
+ private:
+  static constexpr std::array<std::string_view, 4> keys{"label", "labels", "missed", "undecided"};
+
+  std::unordered_map<std::string, std::string> descriptions_;
+  std::map<std::string, std::string> names_;
+};
+
+}  // namespace
+
+std::string plan_json(const CertifiedPlan& plan, const SignalTable& table, std::span<const Label> labels) {
+  Json file = Record::write(plan, {table});
   if (plan.availability && plan.availability->has_answer())
     file["verification"] = "states";
   else if (plan.has_verdicts())
     file["verification"] = "certificate";
+  NamesOfLabels of_labels(labels);
+  of_labels.add_from(file);
+  if (!of_labels.names().empty()) file["label_names"] = of_labels.names();
   return detail::file_text(file);
 }
 

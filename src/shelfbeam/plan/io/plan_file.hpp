@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "shelfbeam/plan/answer/certified_plan.hpp"
@@ -10,8 +11,10 @@
 namespace shelfbeam {
 
 /// The placement.json of a plan (docs/formats/placement.md): that of the placement, then certificate,
-/// states and sensitivity if present, then the warnings.
-std::string plan_json(const CertifiedPlan& plan, const SignalTable& table);
+/// states and sensitivity if present, then the warnings, and the descriptions that `labels` give to labels in
+/// it.
+std::string plan_json(const CertifiedPlan& plan, const SignalTable& table,
+                      std::span<const Label> labels = {});
 
 /// The object under `states` alone.
 std::string availability_text(const Availability& availability, const SignalTable& table);
