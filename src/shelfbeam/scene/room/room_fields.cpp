@@ -272,7 +272,7 @@ void Room::outer_opening_fields(Fields& f, std::size_t k) {
   describe_opening(f, row.first, "distance along the wall from its first corner to the opening");
   describe_pane(f, "material",
                 "material of the pane or the door leaf, usually a `thin_dielectric`; not a solid "
-                "`dielectric`; light that leaves the room does not return",
+                "`dielectric`; light that leaves a convex room does not return",
                 "none: the opening is open to the outside", row.first, openings[k]);
   f.object("repeat", [&](Fields& repeat) { describe_repeat(row, repeat); },
            {.says = "several equal openings with [piers](#rows-with-piers) between them",
