@@ -12,6 +12,7 @@
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/label/label_name.hpp"
 
 namespace shelfbeam {
 
@@ -122,7 +123,8 @@ class LabelChecks {
   void warn(FindingCode code, std::size_t i, std::string_view problem) {
     const Vec3& p = labels_[i].position;
     const std::string text =
-        fmt::format("label '{}' at ({:.6g}, {:.6g}, {:.6g}) {}", labels_[i].id, p.x, p.y, p.z, problem);
+        fmt::format("label {} at ({:.6g}, {:.6g}, {:.6g}) {}",
+                    label_name(labels_[i].id, labels_[i].description), p.x, p.y, p.z, problem);
     warnings_.add_text(code, store_.sources.labels[i], text, {labels_[i].id, p.x, p.y, p.z});
   }
 
@@ -141,9 +143,10 @@ class LabelChecks {
     const auto faces_alike = [&](const Label& other) { return dot(other.normal, labels_[i].normal) > 0.5; };
     if (const auto other = earlier(labels_, index_, i, nearest, faces_alike))
       warn(FindingCode::label_twice, i,
-           fmt::format("is {:.2g} mm from label '{}'; labels are typically at least 3 cm apart; remove one "
-                       "of them, or correct its position",
-                       1000 * length(labels_[*other].position - labels_[i].position), labels_[*other].id));
+           fmt::format("is {:.2g} mm from label {}; labels are typically at least 3 cm apart; remove one of "
+                       "them, or correct its position",
+                       1000 * length(labels_[*other].position - labels_[i].position),
+                       label_name(labels_[*other].id, labels_[*other].description)));
   }
 
   void check_direction(std::size_t i) {

@@ -17,6 +17,7 @@
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/scene/label/label_name.hpp"
 
 namespace shelfbeam {
 
@@ -236,11 +237,15 @@ void warn_of_separated(const Inspected& store, WarningList& warnings) {
     if ((units > 0 && static_cast<double>(labels) >= few) || !groups.is_known(i) ||
         store.blocks.contain(label.position))
       continue;
-    warnings.add(FindingCode::label_separated, store.sources.labels[store.labels[i]],
-                 "label '{}' at {} is separated from {} by closed surfaces, so that no light "
-                 "reaches it; usually some light passes between all parts of a shop; check its "
-                 "position, the walls, and doors of an opaque material",
-                 label.id, position_text(label.position), units == 0 ? "all transceivers" : "most labels");
+    const std::string at = position_text(label.position),
+                      others = units == 0 ? "all transceivers" : "most labels";
+    warnings.add_text(
+        FindingCode::label_separated, store.sources.labels[store.labels[i]],
+        fmt::format("label {} at {} is separated from {} by closed surfaces, so that no light reaches it; "
+                    "usually some light passes between all parts of a shop; check its position, the walls, "
+                    "and doors of an opaque material",
+                    label_name(label.id, label.description), at, others),
+        {label.id, at, others});
   }
   for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j) {
     const Transceiver& unit = scene.transceivers[j];

@@ -63,6 +63,22 @@ TEST(Mistakes, ReceiversOfAMeasuringPlaneAreInMidAir) {
   EXPECT_THAT(objections(label), testing::Not(testing::IsEmpty())) << "negative control: a label there";
 }
 
+TEST(Mistakes, OfLabelsNameTheArticleBeforeTheId) {
+  for (const auto& [name, sentence] :
+       {std::pair("a label in mid-air", "label 'Rye bread' \\(.*\\) at .* has no surface"),
+        std::pair("a label in a closed store room", "label 'Rye bread' \\(inside\\) at .* is separated from"),
+        std::pair("two labels at one place",
+                  "label 'Rye bread' \\(copy\\) .* mm from label 'Rye bread' \\(")})
+    for (const Mistake& mistake : test::expected_mistakes()) {
+      if (mistake.name != name) continue;
+      const Mistake described{name, [&](test::Json& store) {
+                                mistake.make(store);
+                                for (test::Json& label : store["labels"]) label["description"] = "Rye bread";
+                              }};
+      EXPECT_THAT(objections(described), testing::Contains(testing::ContainsRegex(sentence))) << name;
+    }
+}
+
 // The error of a list outside the room names the probable mistake.
 TEST(Mistakes, OfWholeListsAreNamed) {
   for (const auto& [name, cause] : {std::pair("labels with x and y exchanged", "x and y look exchanged"),

@@ -138,6 +138,8 @@ class Comparison {
       StoreChange change{part, StoreChangeKind::changed, {}, {}, {}};
       if (i) change.before_id = before.identities[*i].id;
       if (j) change.after_id = after.identities[*j].id;
+      if (part == StorePart::labels)
+        change.description = (j ? after.values[*j] : before.values[*i]).value("description", "");
       if (i && j) {
         add_changes(change.values, "", &before.values[*i], &after.values[*j]);
         const bool is_renamed = change.before_id != change.after_id;

@@ -63,6 +63,7 @@ struct StoreChange {
   StoreChangeKind kind = StoreChangeKind::changed;
   std::string before_id, after_id;  ///< empty: it does not exist, or the part has no elements
   std::vector<ValueChange> values;
+  std::string description = {};  ///< of the article of a label
 
   const std::string& id() const { return after_id.empty() ? before_id : after_id; }
   bool operator==(const StoreChange&) const = default;

@@ -160,6 +160,7 @@ Json store_json(const std::vector<StoreChange>& store) {
     Json json = {{"part", to_text(change.part)}, {"change", to_text(change.kind)}};
     if (!change.id().empty()) json["id"] = change.id();
     if (!change.before_id.empty() && change.before_id != change.id()) json["id_before"] = change.before_id;
+    if (!change.description.empty()) json["description"] = change.description;
     if (!change.values.empty()) json["values"] = Json::array();
     for (const auto& [key, before, after] : change.values)
       json["values"].push_back({{"key", key}, {"before", value_json(before)}, {"after", value_json(after)}});

@@ -233,8 +233,9 @@ std::string ids_text(const Words& words, const std::vector<const StoreChange*>& 
   for (const StoreChange* change : changes) {
     const bool is_renamed =
         !change->before_id.empty() && !change->after_id.empty() && change->before_id != change->after_id;
-    ids.push_back(is_renamed ? words.say("difference.store.renamed", change->after_id, change->before_id)
-                             : change->id());
+    std::string id = is_renamed ? words.say("difference.store.renamed", change->after_id, change->before_id)
+                                : change->id();
+    ids.push_back(change->description.empty() ? id : words.say("label.named", change->description, id));
   }
   const std::vector<std::string> ranges = id_ranges(ids);
   std::string text;

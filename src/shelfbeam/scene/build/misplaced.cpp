@@ -18,6 +18,7 @@
 #include "shelfbeam/math/warp.hpp"
 #include "shelfbeam/scene/build/blocks.hpp"
 #include "shelfbeam/scene/expect_running.hpp"
+#include "shelfbeam/scene/label/label_name.hpp"
 #include "shelfbeam/scene/plan_parts.hpp"
 
 namespace shelfbeam {
@@ -127,18 +128,19 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     expect_running(cancel);
     const Label& label = scene.labels[i];
+    const std::string name = label_name(label.id, label.description);
     const auto looks_at = [&](const std::string& what, double distance) {
       warnings.add(FindingCode::label_faces_surface, sources[i],
                    "label {} faces {}, {:.2g} cm in front of it; reverse its normal, or move "
                    "it away from the surface",
-                   in_quotes(label.id), what, 100 * std::max(0.0, distance));
+                   name, what, 100 * std::max(0.0, distance));
     };
     const auto hit = blocks.next(label.position, label.normal);
     if (hit && hit->is_within())
       warnings.add(FindingCode::label_inside_fixture, sources[i],
                    "label {} is inside fixture {} and receives no light; "
                    "move one of them",
-                   in_quotes(label.id), in_quotes(*hit->fixture));
+                   name, in_quotes(*hit->fixture));
     else if (hit)
       looks_at(fmt::format("fixture {}", in_quotes(*hit->fixture)), hit->distance);
     else if (const auto surface = room_surface_before(scene, label))
@@ -147,9 +149,9 @@ void warn_of_labels(const Scene& scene, const Blocks& blocks, const std::vector<
       warnings.add(FindingCode::label_hidden, sources[i],
                    "part of label {} is inside fixture {} and receives no light; move it, turn it, "
                    "or change the 'size' of its type",
-                   in_quotes(label.id), in_quotes(*fixture));
+                   name, in_quotes(*fixture));
     else
-      warn_of_overhang(scene, sources[i], fmt::format("label {}", in_quotes(label.id)), label, warnings);
+      warn_of_overhang(scene, sources[i], fmt::format("label {}", name), label, warnings);
   }
 }
 

@@ -1,11 +1,14 @@
 #include "shelfbeam/report/data/label_names.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "shelfbeam/report/difference/difference_report.hpp"
 
 #include "support/processor_time.hpp"
 #include "unit/report/supermarket_report.hpp"
@@ -94,13 +97,16 @@ struct Planogram : Supermarket {
   }
 };
 
-// Texts that contain an article number as a word, except a cell of its own.
+// Texts with an article number that its description does not precede, except cells of its own.
 std::vector<std::string> bare_numbers(const std::string& page) {
+  constexpr std::size_t digits = 13, name_length = 45;
   std::vector<std::string> found;
-  for (const std::string& piece : test::pieces(page)) {
-    const std::size_t at = piece.find("40011700");
-    if (at != std::string::npos && piece.size() != 13) found.push_back(piece);
-  }
+  for (const std::string& piece : test::pieces(page))
+    for (std::size_t at = 0; (at = piece.find("40011700", at)) != std::string::npos; at += digits) {
+      const std::size_t from = at - std::min(at, name_length);
+      if (piece.size() != digits && piece.substr(from, at - from).find("Sweets ") == std::string::npos)
+        found.push_back(piece);
+    }
   return found;
 }
 
@@ -111,6 +117,7 @@ TEST(LabelNames, PrecedeArticleNumbersOnThePage) {
   const std::string page = report_html(s.input);
   EXPECT_THAT(bare_numbers(page), testing::IsEmpty());
   EXPECT_THAT(bare_numbers("<p>label 4001170000012 is weak</p>"), testing::SizeIs(1)) << "the control";
+  EXPECT_THAT(bare_numbers("<p>Sweets 3, 4001170000003: 4001170000012</p>"), testing::IsEmpty());
   // An article number has a cell of its own only in the table of the weakest labels, after the name.
   const std::string html = test::without_scripts(page);
   std::size_t cells = 0;
@@ -147,6 +154,56 @@ TEST(LabelNames, LeaveIdsInTablesWithoutPositions) {
   EXPECT_EQ(cells(7) + cells(8), before + 2);
   s.plan.placement.unreachable = {{7, 1, 0.5}, {8, 1, 0.5}};
   EXPECT_EQ(cells(7) + cells(8), before + 4);
+}
+
+/// A rack with articles, one of them in a locker.
+struct Bakery {
+  Store store = sample_store::empty_store("Bakery", {12, 10, 3});
+  Scene scene;
+  SignalMatrix matrix;
+  CertifiedPlan plan;
+  ReportInput input{scene, matrix, plan};
+
+  explicit Bakery(double shift = 0) {
+    store.language = Language::german;
+    store.fixtures.push_back(
+        {sample_store::gondola("G3", {5, 5}, 3, 0.8, {0.4, 1.2}, 0, {Face::front}), "fixtures[0]"});
+    store.fixtures.push_back({Box{"locker", {1, 1, 0}, {2, 2, 1}, {}}, "fixtures[1]"});
+    sample_store::add_devices(store, {5, 4.9, 1.2}, {6, 3, 2.9});
+    const auto add = [&](const char* id, const char* description, const Vec3& position, const char* where) {
+      store.labels.push_back({Label{id, position, {0, -1, 0}, LabelTypeId{0}}, where});
+      store.labels.back().value.description = description;
+    };
+    add("4001170000001", "Sweets 1", {6 + shift, 4.99, 0.4}, "q.csv: line 2");
+    add("4001170000002", "Sweets 2", {1.5, 1.5, 0.5}, "q.csv: line 3");
+    scene = make_scene(store);
+    matrix = sample_store::matrix_of(scene);
+    plan.placement = sample_store::cover(matrix);
+    plan.warnings = scene.warnings;
+  }
+  ComparedPlan compared() const {
+    ComparedPlan compared = compared_plan(matrix, plan, resolved_store_json(store, scene));
+    compared.label_names = LabelNames(scene, matrix, words_of(scene)).all();
+    return compared;
+  }
+};
+
+TEST(LabelNames, PrecedeArticleNumbersInWarnings) {
+  const Bakery bakery;
+  const std::string page = report_html(bakery.input);
+  const std::string text = test::read_markup(test::without_scripts(page)).text;
+  EXPECT_NE(text.find("q.csv: line 3: label 'Sweets 2' (4001170000002) is inside fixture 'locker'"),
+            std::string::npos);
+  EXPECT_THAT(bare_numbers(page), testing::IsEmpty());
+}
+
+TEST(LabelNames, PrecedeArticleNumbersInDifferences) {
+  const Bakery before, after(0.5);
+  const ComparedPlan first = before.compared(), second = after.compared();
+  const PlanDifference difference = difference_of(first, second);
+  const std::string page = difference_html({{first, second, difference}, after.scene, "1", "2"});
+  EXPECT_NE(page.find("Sweets 1 (4001170000001): position [6.5, 4.99, 0.4]"), std::string::npos);
+  EXPECT_THAT(bare_numbers(page), testing::IsEmpty());
 }
 
 TEST(LabelNames, AreInTheTable) {
