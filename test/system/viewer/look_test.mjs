@@ -54,7 +54,7 @@ testReport("everything can be done by keyboard", { of: "grocery" }, async (page,
   await page.press("Tab");
   for (let k = 0; k < 5 && !(await focused(page)).startsWith("label"); ++k) await page.press("Tab");
   await page.press("Enter");
-  equal(await page.text(".v3-card h3"), wanted, "label chosen by keyboard");
+  says(await page.text(".v3-card"), wanted);
   // Space switches a unit off; the focus stays.
   await page.focus("input[value=labels][type=radio]");
   await page.press("ArrowLeft");

@@ -32,9 +32,18 @@ function shows(cell, value, what) {
 /** Compares cells, in order or by name, with the files; numbers to the last displayed digit. */
 function cellsAre(cells, expected, what) {
   for (const [name, value] of Object.entries(expected))
-    if (typeof value === "number") shows(cells[name], value, `${what}, ${name}`);
+    if (typeof value === "function") check(value(cells[name]), `${what}, ${name}: ${cells[name]}`);
+    else if (typeof value === "number") shows(cells[name], value, `${what}, ${name}`);
     else equal(cells[name], value, `${what}, ${name}`);
 }
+
+/** Whether a name is that of a label without an article: its place, and the distance along the edge. */
+const namesPlace =
+  ({ fixture, face, board }) =>
+  (name) =>
+    new RegExp(
+      `^${fixture}( ${face}( end)?)?(, board ${board}, at [0-9.]+ m| at [-0-9.]+, [-0-9.]+ m, .+ m high)$`,
+    ).test(name);
 
 const place = ({ x, y, z }) => [x, y, z].map(Number);
 
@@ -60,7 +69,7 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
   says(
     summary,
     `Mount ${count} new transceivers: ${share} labels ${receive} enough signal`,
-    `The weakest label, ${byMargin[0].id}, receives ${(10 ** (byMargin[0].margin_db / 10)).toPrecision(3)} times`,
+    `The weakest label, ${weakest[0][0]}, receives ${(10 ** (byMargin[0].margin_db / 10)).toPrecision(3)} times`,
   );
   equal(units.length, chosen.length, "rows of units");
   chosen.forEach((row, k) => {
@@ -69,12 +78,16 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
   });
   equal(weakest.length, 20, "labels with the smallest margin");
   weakest.forEach((cells, k) => {
-    const row = labels.find(({ id }) => id === cells[0]);
+    const row = labels.find(({ id }) => id === cells[10]);
     const [margin, signal, needs] = [row.margin_db, row.signal / factor, row.requirement / factor];
     const verdict = certificate && verdictOf(certificate, row.id);
     shows(cells[1], Number(byMargin[k].margin_db), `margin ${k}`);
     equal(cells[4].replace(/^[0-9]+: /, ""), row.strongest, `strongest for ${row.id}`);
-    cellsAre(cells, [row.id, Number(margin), signal, needs, , , ...place(row), row.type, row.id, verdict], row.id);
+    cellsAre(
+      cells,
+      [namesPlace(row), Number(margin), signal, needs, , , ...place(row), row.type, row.id, verdict],
+      row.id,
+    );
   });
   const { Placement: found, "Certificate from independent samples": fresh } = facts;
   const gap = (100 * (count - needed)) / count;
@@ -156,6 +169,7 @@ const decibelsOf = (ratio) => 10 * Math.log10(ratio);
 
 function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
   const of = placement.sensitivity;
+  const named = (label) => namesPlace(labels.find(({ id }) => id === label));
   equal(sensitivity.length, of.materials.length, "materials");
   of.materials.forEach(({ name, reflectance, range: [least, most], assumed, low, high }, k) => {
     const cells = sensitivity[k];
@@ -165,6 +179,7 @@ function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
         name,
         ,
         decibelsOf(low.smallest_margin),
+        named(low.label),
         low.label,
         100 * low.change,
         String(low.labels_short),
@@ -174,7 +189,7 @@ function sectionsAre({ answer, sensitivity, curve }, { placement, labels }) {
       ],
       name,
     );
-    shows(/± ([\d.]+)\)/.exec(cells[4])[1], 100 * low.change_standard_error, `error with ${name}`);
+    shows(/± ([\d.]+)\)/.exec(cells[5])[1], 100 * low.change_standard_error, `error with ${name}`);
     const [, given, lower, upper, star] = /^([\d.]+) \(([\d.]+) to ([\d.]+)\)( \*)?$/.exec(cells[1]);
     for (const [cell, value] of [
       [given, reflectance],
