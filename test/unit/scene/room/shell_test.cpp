@@ -25,16 +25,6 @@ namespace {
 
 using test::Json;
 
-Json store_with(const std::string& room) {
-  Json store = test::sample_store();
-  store["room"] = Json::parse(room);
-  store["fixtures"] = Json::array();
-  store["labels"] =
-      Json::parse(R"([{"id": "L", "position": [1, 1, 1], "normal": [1, 0, 0], "type": "small"}])");
-  store["transceivers"] = Json::parse(R"({"list": [{"id": "T", "position": [1, 1, 2], "type": "down"}]})");
-  return store;
-}
-
 const std::string l_shape = test::l_shaped_room("tile", "door");
 
 std::array<std::uint32_t, 2> sorted(std::uint32_t a, std::uint32_t b) {
@@ -77,7 +67,7 @@ double enclosed_volume(const Scene& scene, MaterialId pane) {
 }
 
 TEST(Shell, IsClosedAndEnclosesTheAir) {
-  const Scene scene = make_scene(test::read_text(store_with(l_shape).dump()));
+  const Scene scene = make_scene(test::read_text(test::store_of_room(l_shape).dump()));
   const auto pane = static_cast<std::uint32_t>(std::find_if(scene.materials.begin(), scene.materials.end(),
                                                             [](const auto& m) { return m.name == "door"; }) -
                                                scene.materials.begin());
@@ -193,7 +183,7 @@ TEST(Shell, IsClosedForRandomRooms) {
     const Json room = rooms.next();
     Scene scene;
     try {
-      scene = make_scene(test::read_text(store_with(room.dump()).dump()));
+      scene = make_scene(test::read_text(test::store_of_room(room.dump()).dump()));
     } catch (const InputError&) {
       continue;  // overlapping zones, a wall shorter than its opening
     }
@@ -213,7 +203,7 @@ TEST(Shell, IsClosedForRandomRooms) {
 }
 
 Json changed(const std::string& pointer, const std::string& value) {
-  Json store = store_with(l_shape);
+  Json store = test::store_of_room(l_shape);
   store[Json::json_pointer(pointer)] = Json::parse(value);
   return store;
 }
@@ -286,7 +276,8 @@ TEST(RoomReader, RefusesFaultsWithTheirPlace) {
 }
 
 TEST(RoomReader, StatesLengthsInTheUnitOfTheStore) {
-  Json store = store_with(R"({"outline": [[0, 0], [8, 6], [8, 0], [0, 6]], "height": 3, "floor": "tile",
+  Json store =
+      test::store_of_room(R"({"outline": [[0, 0], [8, 6], [8, 0], [0, 6]], "height": 3, "floor": "tile",
                               "ceiling": "white", "walls": "white"})");
   store["units"] = "ft";
   test::expect_input_error([&] { test::read_text(store.dump()); },
@@ -342,7 +333,7 @@ TEST(RoomReader, LabelInADoorBelowATransomIsInTheOpen) {
 
 // Rooms that would take minutes or very much memory.
 TEST(RoomReader, RefusesTooManyEdgesAndCrossings) {
-  Json store = store_with(l_shape);
+  Json store = test::store_of_room(l_shape);
   Json& walls = store["room"]["inner_walls"] = Json::array();
   for (int k = 0; k < 1000; ++k)
     walls.push_back({{"id", std::to_string(k)}, {"from", {0.01 * k, 0.1}}, {"to", {10 - 0.01 * k, 13.9}}});
@@ -379,7 +370,7 @@ TEST(RoomReader, WarnsOfLabelsThatFaceOrLieInInnerWalls) {
 }
 
 TEST(RoomReader, ResolvedStoreHasTheSameRoom) {
-  const Store store = test::read_text(store_with(l_shape).dump());
+  const Store store = test::read_text(test::store_of_room(l_shape).dump());
   const Scene scene = make_scene(store);
   const std::string text = resolved_store_json(store, scene);
   const Store again = test::read_text(text);

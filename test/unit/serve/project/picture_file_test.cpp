@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -61,14 +63,19 @@ std::string lossy_webp(std::uint64_t width, std::uint64_t height) {
               number(height, 2, false));
 }
 
+/// Pictures of 640 x 480 pixels in every format and form, with their names.
+std::vector<std::pair<std::string, std::string>> pictures() {
+  return {{"a.png", png(640, 480)},
+          {"b.jpg", jpeg(640, 480)},
+          {"c.JPEG", jpeg(640, 480)},
+          {"d.webp", extended_webp(640, 480)},
+          {"e.webp", lossless_webp(640, 480)},
+          {"f.webp", lossy_webp(640, 480)}};
+}
+
 TEST(PictureFile, HasItsSize) {
   const TempFolder folder;
-  for (const auto& [name, content] : {std::pair{"a.png", png(640, 480)},
-                                      {"b.jpg", jpeg(640, 480)},
-                                      {"c.JPEG", jpeg(640, 480)},
-                                      {"d.webp", extended_webp(640, 480)},
-                                      {"e.webp", lossless_webp(640, 480)},
-                                      {"f.webp", lossy_webp(640, 480)}}) {
+  for (const auto& [name, content] : pictures()) {
     const PictureFile kept = keep_picture(folder.path(), name, content);
     EXPECT_EQ(kept.name, name);
     EXPECT_EQ(kept.width, 640U) << name;
@@ -111,11 +118,7 @@ TEST(PictureFile, IsRefusedWithTheReason) {
 // Of a lossy WEBP only the length of the file is known here; the browser decodes the rest.
 TEST(PictureFile, IsRefusedIfItIsIncomplete) {
   const TempFolder folder;
-  for (const auto& [name, content] : {std::pair{"a.png", png(64, 48)},
-                                      {"b.jpg", jpeg(64, 48)},
-                                      {"d.webp", extended_webp(64, 48)},
-                                      {"e.webp", lossless_webp(64, 48)},
-                                      {"f.webp", lossy_webp(64, 48)}})
+  for (const auto& [name, content] : pictures())
     for (std::size_t size = 0; size < content.size(); ++size)
       EXPECT_THROW(keep_picture(folder.path(), name, content.substr(0, size)), InputError)
           << name << ": " << size;
