@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/drawing/fixture_look.hpp"
 #include "shelfbeam/report/drawing/store_layer.hpp"
@@ -42,11 +40,7 @@ void draw_inner_walls(SvgCanvas& canvas, const PlanView& view, const Scene& scen
   const std::size_t first = scene.fixtures.size() - sections.size();
   const auto draw = [&](std::size_t w, std::span<const Polygon> loops, const char* css_class) {
     const FixtureOutline& fixture = scene.fixtures[first + w];
-    if (!loops.empty())
-      canvas.path(
-          path_of(view, loops), css_class,
-          words.say("drawing.fixture", fixture.id, words(fmt::format("drawing.types.{}", fixture.type)),
-                    words.fixed(fixture.height, 2)));
+    if (!loops.empty()) canvas.path(path_of(view, loops), css_class, fixture_title(words, fixture));
   };
   for (std::size_t w = 0; w < sections.size(); ++w) draw(w, sections[w].below, "wall-low");
   for (std::size_t w = 0; w < sections.size(); ++w) draw(w, sections[w].cut, "wall");

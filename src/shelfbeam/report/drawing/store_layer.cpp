@@ -37,6 +37,11 @@ std::string fixture_class(const FixtureOutline& fixture) {
 
 }  // namespace
 
+std::string fixture_title(const Words& words, const FixtureOutline& fixture) {
+  return words.say("drawing.fixture", fixture.id, words(fmt::format("drawing.types.{}", fixture.type)),
+                   words.fixed(fixture.height, 2));
+}
+
 void draw_outline(SvgCanvas& canvas, const PlanView& view, const FixtureOutline& fixture,
                   std::string_view css_class, const std::string& title) {
   const std::vector<Point> outline = view.outline(fixture.footprint);
@@ -48,9 +53,7 @@ void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene) 
   const std::vector<Look> looks = looks_of(scene);
   for (const std::uint32_t f : fixtures_by_height(scene)) {
     const FixtureOutline& fixture = scene.fixtures[f];
-    const std::string title =
-        words.say("drawing.fixture", fixture.id, words(fmt::format("drawing.types.{}", fixture.type)),
-                  words.fixed(fixture.height, 2));
+    const std::string title = fixture_title(words, fixture);
     if (looks[f] == Look::overhead) {
       draw_outline(canvas, view, fixture, "fx-o", title);
       continue;

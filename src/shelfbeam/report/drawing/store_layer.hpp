@@ -17,6 +17,9 @@ namespace shelfbeam {
 /// Footprints of all fixtures in plain colours and the inner walls, as a background.
 void draw_fixtures(SvgCanvas& canvas, const PlanView& view, const Scene& scene);
 
+/// The tooltip of a fixture: "G3 (gondola, 1.80 m high)".
+std::string fixture_title(const Words& words, const FixtureOutline& fixture);
+
 /// The footprint of a fixture; that of an upright panel is a line.
 void draw_outline(SvgCanvas& canvas, const PlanView& view, const FixtureOutline& fixture,
                   std::string_view css_class, const std::string& title = {});

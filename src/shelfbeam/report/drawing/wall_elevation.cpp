@@ -36,8 +36,9 @@ std::vector<Vec2> ceiling_along(const RoomShape& room, std::size_t wall, double 
 double draw_wall(SvgCanvas& canvas, const Words& words, const RoomShape& room, std::size_t wall, double top,
                  double width) {
   constexpr double left = 52, right = 60, heading = 34, below = 34, largest = 60, row = 14;
-  const auto [from, to, inward] = room.wall(wall);
-  const double length = room.wall(wall).length();
+  const OuterWall outer = room.wall(wall);
+  const auto& [from, to, inward] = outer;
+  const double length = outer.length();
   const std::vector<Vec2> ceiling = ceiling_along(room, wall, length);
   double highest = 0;
   for (const Vec2& p : ceiling) highest = std::max(highest, p[1]);
