@@ -1,4 +1,4 @@
-// A note in the line below the plan while the scale of the picture is unknown or unchecked. A click does what is missing.
+// A note in the line below the plan while the scale of the picture is unknown or unchecked. A click starts the missing step.
 
 import { button } from "../../panel/dom";
 import type { Commands } from "../access/commands";

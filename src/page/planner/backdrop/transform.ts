@@ -75,8 +75,7 @@ export const roundPixel = ([x, y]: Point): Point => [Number(x.toFixed(2)), Numbe
 /** `drawing` at another place, so that a pixel stays where it was before. */
 function keeping(pixel: Point, before: Drawing, drawing: Drawing, unit: LengthUnit): Drawing {
   const [old, now] = [before, drawing].map((one) => toWorld(placementOf(one, unit), pixel));
-  const [x, y] = plus(drawing.at, times(minus(old, now), 1 / unit.factor));
-  return { ...drawing, at: [tidy(x, unit), tidy(y, unit)] };
+  return shifted(drawing, unit, minus(old, now));
 }
 
 /** An angle without the digits that only rounding makes, from -180 to 180; undefined for none. */
@@ -108,7 +107,7 @@ export function withScale(
   return keeps === "line" ? keeping(line.from, drawing, scaled, unit) : scaled;
 }
 
-/** Turns the picture about the middle of what is shown of it. */
+/** Turns the picture about the middle of its shown part. */
 export function turnedTo(drawing: Drawing, unit: LengthUnit, degrees: number): Drawing {
   const [a, , b] = shownCorners(drawing);
   return keeping(between(a, b), drawing, { ...drawing, rotation_deg: tidyTurn(degrees) }, unit);

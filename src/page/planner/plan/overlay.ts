@@ -166,7 +166,7 @@ export class Overlay {
     return [...lines.flatMap(([a, b]) => this.measure(a, b)), ...nodes];
   }
 
-  /** Lines of known length while their tool or the panel of the picture is open, and what is drawn in the picture. */
+  /** Lines of known length while their tool or the panel of the picture is open, and the line or crop in progress. */
   private picture(): Node[] {
     const { planner } = this;
     const { scope } = this.gestures;
