@@ -94,6 +94,7 @@ struct Planner::State {
       options.assets.emplace(file == "index.html" ? "" : file,
                              http::Asset(std::string(type), std::string(content)));
     options.tick = tick;
+    options.limits.upload = max_picture_bytes;
     return options;
   }
 

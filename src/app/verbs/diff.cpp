@@ -115,7 +115,7 @@ int run_diff(const DiffArguments& options) {
     name_labels(words_of(second.scene));
     write_file(options.output, difference_html({input, second.scene, before.string(), after.string()}));
   }
-  name_labels(english());
+  if (options.common.json || !options.common.quiet) name_labels(english());
   if (options.common.json) {
     nlohmann::ordered_json json = difference_json(input);
     if (!options.output.empty()) json["report"] = options.output.string();
