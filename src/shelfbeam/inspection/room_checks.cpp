@@ -31,15 +31,17 @@ void warn_of_materials(const Inspected& store, WarningList& warnings) {
   const std::vector<bool> named = named_materials(store.store, scene);
   for (std::size_t k = 0; k < named.size(); ++k) {
     const auto& [name, material, range] = scene.materials[k];
-    if (!named[k])
-      warnings.add(FindingCode::material_unused, fmt::format("{}: materials.{}", store.store.file, name),
-                   "no surface has it; remove it, or name it where it belongs");
-    else if (const auto reflectance = given_reflectance(material); reflectance && *reflectance < 0.02)
+    if (!named[k]) {
+      if (k >= store.store.shared.materials)
+        warnings.add(FindingCode::material_unused, fmt::format("{}: materials.{}", store.store.file, name),
+                     "no surface has it; remove it, or name it where it belongs");
+    } else if (const auto reflectance = given_reflectance(material); reflectance && *reflectance < 0.02) {
       warnings.add(FindingCode::material_dark,
                    fmt::format("{}: materials.{}.reflectance", store.store.file, name),
                    "is {:.3g}; 0.03 (black paint) to 0.95 are typical; "
                    "give a fraction, such as 0.8 for 80 %",
                    *reflectance);
+    }
   }
 }
 

@@ -51,6 +51,7 @@ class TypeChecks {
  public:
   TypeChecks(const Inspected& store, WarningList& warnings)
       : file_(store.store.file),
+        shared_(store.store.shared),
         scene_(store.scene),
         farthest_(std::max(usual_range, length(store.scene.upper - store.scene.lower))),
         warnings_(warnings),
@@ -75,7 +76,7 @@ class TypeChecks {
     for (std::size_t k = 0; k < labels_.size(); ++k) {
       const LabelType& type = scene_.label_types[k];
       if (labels_[k] == 0) {
-        unused("label_types", type.name, "no label has it");
+        if (k >= shared_.label_types) unused("label_types", type.name, "no label has it");
         continue;
       }
       check_requirement(type);
@@ -83,10 +84,10 @@ class TypeChecks {
     }
     for (std::size_t k = 0; k < units_.size(); ++k) {
       const TransceiverType& type = scene_.transceiver_types[k];
-      if (units_[k] == 0)
-        unused("transceiver_types", type.name, "no candidate has it");
-      else
+      if (units_[k] > 0)
         check_unit(type, k);
+      else if (k >= shared_.transceiver_types)
+        unused("transceiver_types", type.name, "no candidate has it");
     }
     compare_requirements();
     compare_flux();
@@ -221,6 +222,7 @@ class TypeChecks {
   }
 
   const std::string& file_;
+  const NameCounts& shared_;
   const Scene& scene_;
   double farthest_;  // m, up to which a unit may be heard: the diagonal of the shop
   WarningList& warnings_;

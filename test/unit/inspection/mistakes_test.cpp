@@ -14,6 +14,9 @@
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
+#include "support/small_store.hpp"
+#include "support/temp_folder.hpp"
+
 // Stores with one mistake each. A planner must hear of it before any simulation.
 
 namespace shelfbeam {
@@ -116,6 +119,27 @@ TEST(Mistakes, SpacingsOfAllGeneratedCandidatesAreChecked) {
 TEST(Mistakes, PlausibleChangesAreAccepted) {
   for (const Mistake& change : test::plausible_changes())
     for (const std::string& objection : objections(change)) ADD_FAILURE() << change.name << ": " << objection;
+}
+
+TEST(Mistakes, UnusedPartsOfCataloguesAreNone) {
+  const test::TempFolder folder;
+  const test::Json more = test::Json::parse(R"({
+    "materials": { "wood": { "type": "lambertian", "reflectance": 0.5 } },
+    "label_types": { "old": { "threshold": 0.02 } },
+    "transceiver_types": { "old": { "emission": { "type": "lambertian", "flux": 1 } } } })");
+  folder.write("chain.json", more.dump());
+  const auto warnings = [&](const test::Json& store) {
+    return sentences(make_inspected_scene(parse_store(store.dump(), "store.json", folder.path())).warnings);
+  };
+  test::SmallStore small;
+  small.labels.clear();
+  test::Json store = test::Json::parse(small.text());
+  EXPECT_THAT(warnings(store), testing::IsEmpty());
+  test::Json shared = store;
+  shared["catalogues"] = {"chain.json"};
+  EXPECT_THAT(warnings(shared), testing::IsEmpty());
+  for (const auto& [section, parts] : more.items()) store[section].update(parts);
+  EXPECT_THAT(warnings(store), testing::SizeIs(3));
 }
 
 TEST(Mistakes, ChecksCanBeCancelled) {

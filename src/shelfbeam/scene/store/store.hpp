@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -42,6 +43,11 @@ struct Listed {
   std::string where;
 };
 
+/// Numbers of materials and types.
+struct NameCounts {
+  std::size_t materials = 0, label_types = 0, transceiver_types = 0;
+};
+
 /// The content of a store file, with names resolved to indices and with tables and meshes loaded.
 struct Store {
   std::string file;                 ///< for messages
@@ -54,6 +60,7 @@ struct Store {
   std::vector<NamedMaterial> materials;
   std::vector<LabelType> label_types;
   std::vector<TransceiverType> transceiver_types;
+  NameCounts shared;                 ///< those from catalogues, which come first; a store need not use them
   std::vector<std::string> presets;  ///< names
   std::vector<Listed<Fixture>> fixtures;
   std::vector<Listed<Fixture>> unfinished;  ///< fixtures with problems whose size is known

@@ -189,22 +189,30 @@ class StoreReader {
         problems_.mark("preset");
     presets_.check(problems_);
     store_.presets = presets_.names();
-    each_section(files, "materials", "material",
-                 [&](const JsonCursor& json) { read_materials(json, folder_.cache(), store_, problems_); });
-    each_section(files, "transceiver_types", "transceiver type",
-                 [&](const JsonCursor& json) { read_transceiver_types(json, folder_, store_, problems_); });
-    each_section(files, "label_types", "label type",
-                 [&](const JsonCursor& json) { read_label_types(json, folder_, store_, problems_); });
+    each_section(files, "materials", "material", [&](const JsonCursor& json, bool is_shared) {
+      read_materials(json, folder_.cache(), store_, problems_);
+      if (is_shared) store_.shared.materials = store_.materials.size();
+    });
+    each_section(files, "transceiver_types", "transceiver type", [&](const JsonCursor& json, bool is_shared) {
+      read_transceiver_types(json, folder_, store_, problems_);
+      if (is_shared) store_.shared.transceiver_types = store_.transceiver_types.size();
+    });
+    each_section(files, "label_types", "label type", [&](const JsonCursor& json, bool is_shared) {
+      read_label_types(json, folder_, store_, problems_);
+      if (is_shared) store_.shared.label_types = store_.label_types.size();
+    });
   }
 
   // The section of every catalogue and of the store file, which comes last and may omit it if a catalogue has
-  // it.
+  // it. `read` is told which it is.
   template <class Read>
   void each_section(const std::vector<JsonCursor>& files, const char* key, const char* list, Read read) {
     const bool is_found = std::any_of(files.begin(), files.end(),
                                       [&](const JsonCursor& file) { return file.find(key).has_value(); });
-    for (const JsonCursor& file : files)
-      if (!section(file, key, read)) problems_.mark(list);
+    for (const JsonCursor& file : files) {
+      const bool is_shared = &file != &files.back();
+      if (!section(file, key, [&](const JsonCursor& json) { read(json, is_shared); })) problems_.mark(list);
+    }
     if (!is_found && !problems_.collect([&] { static_cast<void>(files.back()[key]); })) problems_.mark(list);
   }
 
