@@ -12,7 +12,7 @@ install(FILES data/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vend
         RENAME _shelfbeam COMPONENT program)
 install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-install(FILES data/store.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/shelfbeam COMPONENT program)
+install(FILES data/store.schema.json data/catalogue.json DESTINATION ${CMAKE_INSTALL_DATADIR}/shelfbeam COMPONENT program)
 
 install(TARGETS shelfbeam_library EXPORT shelfbeam
         ARCHIVE COMPONENT library FILE_SET HEADERS COMPONENT library)

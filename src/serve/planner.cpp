@@ -23,6 +23,7 @@
 #include "serve/live/warning_finder.hpp"
 #include "serve/project/picture_file.hpp"
 #include "serve/project/project.hpp"
+#include "serve/project/starter.hpp"
 #include "serve/request.hpp"
 #include "serve/text/edit.hpp"
 
@@ -30,8 +31,6 @@ namespace shelfbeam::embedded {
 
 // The files of the page: name, media type, and the content in gzip format.
 extern const std::span<const std::array<std::string_view, 3>> planner_files;
-
-extern const std::string_view starter_store;
 
 }  // namespace shelfbeam::embedded
 
@@ -48,13 +47,7 @@ constexpr auto look_interval = std::chrono::seconds(1);
 
 // The folder, with a shop.
 const fs::path& with_store(const fs::path& folder) {
-  make_output_folder(folder);
-  const auto is_own = [](const fs::directory_entry& entry) {
-    return entry.path().filename() == ".shelfbeam";
-  };
-  if (std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_own) &&
-      !fs::exists(folder / ".shelfbeam" / "history.jsonl"))
-    write_file(folder / "store.json", embedded::starter_store);
+  start_project(folder);
   return folder;
 }
 

@@ -1,5 +1,6 @@
 """Tests the checks of guide.py."""
 
+import json
 import os
 import pathlib
 import re
@@ -155,6 +156,36 @@ class Keys(unittest.TestCase):
         rows = re.findall(r"^\| (`.*?) \| (.*) \|$", section, re.MULTILINE)
         named = [key for row in rows for column in row for key in re.findall(r"`([^`]+)`", column)]
         self.assertEqual(set(named), known)
+
+
+class Catalogue(unittest.TestCase):
+    """The table of presets in the page of the planner."""
+
+    @staticmethod
+    def presets():
+        text = (guide.DOCS.parent / "data/catalogue.json").read_text(encoding="utf-8")
+        text = re.sub(r'("[^"]*")|//.*', lambda match: match[1] or "", text)
+        given = json.loads(text)["presets"]
+
+        def completed(name):
+            keys = given[name]
+            return {**completed(keys["preset"]), **keys} if "preset" in keys else keys
+
+        return {name: completed(name) for name in given}
+
+    def test_rows_are_those_of_the_file(self):
+        page = (guide.DOCS / "planner.md").read_text(encoding="utf-8")
+        section = page.split("\n## The catalogue of a new shop\n")[1].split("\n## ")[0]
+        rows = re.findall(r"^\| `(.*?)` \| (\d+)" + r" \| (.*?)" * 3 + r" \| ", section, re.MULTILINE)
+        left = self.presets()
+        for kind, number, *sizes in rows:
+            found = [left.pop(name) for name in list(left) if name.startswith(f"{kind} ")]
+            self.assertEqual(len(found), int(number), kind)
+            each = [keys.get("size") or [keys[key] for key in ("length", "depth", "height")] for keys in found]
+            for size, values in zip(sizes, zip(*each)):
+                ends = [f"{end:.2f}" for end in (min(values), max(values))]
+                self.assertEqual(size.split(" to "), ends[: len(set(ends))], kind)
+        self.assertEqual(left, {})
 
 
 def floors(page):

@@ -54,6 +54,11 @@ class Start(ServeTest):
             server = self.start(folder=folder)
             tab = self.open(server)
             self.assertEqual(tab.json["name"], "New shop")
+            fixture = {"preset": "gondola 1.25 m, double, 1.6 m high", "id": "A1", "at": [8, 6]}
+            self.assertIn(fixture["preset"], tab.project["shared"]["presets"])
+            self.assertEqual(len(tab.problems), 1, "it has no labels")
+            self.assertNotIn("error", tab.edit({"path": "/fixtures/0", "after": fixture}))
+            self.assertEqual(tab.problems, [])
             self.assertEqual(tab.project["name"], "New shop")
             tab.set("/name", "Mine")
             self.assertIn('"name": "Mine"', (folder / "store.json").read_text(encoding="utf-8"))

@@ -6,6 +6,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/scene/store/completed_fixture.hpp"
 
 #include "support/process.hpp"
 #include "support/temp_folder.hpp"
@@ -159,6 +160,31 @@ TEST_F(Schema, LeavesSomeErrorsToTheReader) {
   twice.replace(twice.find("\"name\""), 6, "\"name\":\"first\",\"name\"");
   EXPECT_EQ(verdicts(std::vector<std::string>{twice})[0], "ok");
   EXPECT_TRUE(reader_verdict(twice).starts_with("store.json: name: ")) << reader_verdict(twice);
+}
+
+// A catalogue has no schema of its own: its parts are those of a store.
+TEST_F(Schema, AcceptsTheCatalogue) {
+  const auto parse = [](const char* file) {
+    return Json::parse(read_file(std::string(SHELFBEAM_SOURCE_DIR) + file), nullptr, true, true);
+  };
+  Json store = parse("/src/serve/project/starter.json");
+  const Json catalogue = parse("/data/catalogue.json");
+  store.erase("catalogues");
+  store["presets"] = catalogue["presets"];
+  store["materials"].update(catalogue["materials"]);
+  store["fixtures"] = {{{"preset", ""}}};
+  Json fixtures = Json::array();
+  for (const auto& [name, keys] : catalogue["presets"].items()) {
+    store["fixtures"][0]["preset"] = name;
+    Json whole = completed_fixture(JsonCursor::parse(store.dump(), name), ".", 0).whole.json;
+    whole.update({{"id", name}, {"at", {0, 0}}});
+    if (whole["type"] == "box") whole["at"].push_back(0);
+    fixtures.push_back(std::move(whole));
+  }
+  store["fixtures"] = fixtures;
+  EXPECT_EQ(verdicts(std::vector<std::string>{store.dump()})[0], "ok");
+  store["fixtures"].back()["height"] = -1;
+  EXPECT_NE(verdicts(std::vector<std::string>{store.dump()})[0], "ok") << "negative control";
 }
 
 TEST_F(Schema, AcceptsExamplesAndResolvedStores) {
