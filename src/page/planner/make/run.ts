@@ -1,0 +1,162 @@
+// Fixtures from presets along a line: rows of shelving, wall shelving, freezers, tables and check-outs.
+
+import type { EditBuilder } from "../document/edit";
+import { valueAt, type Json, type JsonObject } from "../document/json";
+import type { Point } from "../document/messages";
+import { directionOf, distance, dot, minus, plus, times, unitAt, wholeTurn } from "../geometry/vector";
+import { along, type WallLine } from "./walls";
+import { freeId, inFile, type Site } from "./site";
+
+/** A preset with all its keys, in the unit of the store. */
+export interface Preset {
+  name: string;
+  effective: JsonObject;
+}
+
+/** m */
+export interface Size {
+  length: number;
+  depth: number;
+  height: number;
+}
+
+const clinging = 1; // m from a wall
+const parallel = 8; // degrees
+
+/** Null for presets that are not rectangles. */
+export function sizeOf({ unit }: Site, { effective }: Preset): Size | null {
+  const metres = (pointer: string) => Number(valueAt(effective, pointer)) * unit.factor;
+  const size =
+    effective.size === undefined
+      ? { length: metres("/length"), depth: metres("/depth"), height: metres("/height") }
+      : { length: metres("/size/0"), depth: metres("/size/1"), height: metres("/size/2") };
+  return Object.values(size).every((value) => value > 0) ? size : null;
+}
+
+/** Whether goods and labels are on one side alone, so that the other one stands against a wall. */
+export function isOneSided({ effective: { type, faces } }: Preset): boolean {
+  return type === "gondola" && Array.isArray(faces) && faces.length === 1 && faces[0] === "front";
+}
+
+export interface Run {
+  /** The corner with minimum x and y before rotation, m. */
+  at: Point;
+  /** Degrees. */
+  rotation: number;
+  modules: number;
+  length: number;
+  depth: number;
+  /** The outer wall that it stands against, and how far along it, m. */
+  against: { wall: number; from: number } | null;
+}
+
+/** The outer wall along which a line runs at a distance that means "at the wall". */
+function wallAlong(walls: readonly WallLine[], from: Point, to: Point): WallLine | null {
+  const way = minus(to, from);
+  const near = walls.filter((wall) => {
+    if (wall.number === null) return false;
+    const turn = Math.abs(((directionOf(minus(wall.to, wall.from)) - directionOf(way) + 270) % 180) - 90);
+    const middle = times(plus(from, to), 0.5);
+    const reached = along(wall, middle);
+    const length = distance(wall.from, wall.to);
+    const foot = plus(wall.from, times(minus(wall.to, wall.from), reached / (length || 1)));
+    return turn < parallel && reached > 0 && reached < length && distance(foot, middle) <= clinging;
+  });
+  const away = (wall: WallLine) => Math.abs(offLine(wall, from)) + Math.abs(offLine(wall, to));
+  return near.sort((a, b) => away(a) - away(b))[0] ?? null;
+}
+
+function offLine({ from, to }: WallLine, point: Point): number {
+  const way = minus(to, from);
+  const [x, y] = times(way, 1 / (Math.hypot(...way) || 1));
+  return dot(minus(point, from), [-y, x]);
+}
+
+/**
+ * The modules along a line: the middle line of a fixture with two sides, and the back of one with a front alone, which
+ * faces the right of the line or away from the wall near it.
+ */
+export function runAlong(
+  site: Site,
+  preset: Preset,
+  walls: readonly WallLine[],
+  [from, to]: readonly [Point, Point],
+  isFree = false,
+): Run | null {
+  const size = sizeOf(site, preset);
+  if (!size) return null;
+  const drawn = distance(from, to);
+  const modules = Math.max(1, Math.round(drawn / size.length));
+  const length = modules * size.length;
+  const { depth } = size;
+  const wall = isOneSided(preset) && !isFree ? wallAlong(walls, from, to) : null;
+  if (wall?.number != null) return runAgainst(wall, [from, to], { modules, length, depth });
+  const rotation = drawn > 0 ? wholeTurn(directionOf(minus(to, from))) : 0;
+  const across = unitAt(rotation + 90);
+  const at = minus(from, times(across, isOneSided(preset) ? depth : 0.5 * depth));
+  return { at, rotation, modules, length, depth, against: null };
+}
+
+function runAgainst(
+  wall: WallLine,
+  [from, to]: readonly [Point, Point],
+  { modules, length, depth }: { modules: number; length: number; depth: number },
+): Run {
+  const whole = distance(wall.from, wall.to);
+  // The end where the line begins stays there.
+  const [begin, end] = [along(wall, from), along(wall, to)];
+  const first = begin <= end ? begin : begin - length;
+  const start = Math.min(Math.max(first, 0), Math.max(whole - length, 0));
+  const direction = directionOf(minus(wall.to, wall.from));
+  const way = unitAt(direction);
+  return {
+    at: plus(wall.from, times(way, start)),
+    rotation: wholeTurn(direction),
+    modules,
+    length,
+    depth,
+    against: { wall: wall.number ?? 0, from: start },
+  };
+}
+
+const prefixes: Record<string, string> = { gondola: "G", freezer: "F", box: "B", mesh: "M" };
+
+export function addRun(builder: EditBuilder, site: Site, preset: Preset, run: Run): string {
+  const { effective, name } = preset;
+  const id = freeId(site, prefixes[String(effective.type)] ?? "E");
+  const length = inFile(site, run.length);
+  const isOwnLength = run.modules > 1;
+  const [x, y] = run.at.map((value) => inFile(site, value));
+  const size = effective.size as number[] | undefined;
+  const own: JsonObject = size
+    ? isOwnLength
+      ? { size: [length, size[1], size[2]] }
+      : {}
+    : isOwnLength
+      ? { length }
+      : {};
+  const place: JsonObject = run.against
+    ? { against: { wall: run.against.wall, from: inFile(site, run.against.from) } }
+    : { at: size ? [x, y, 0] : [x, y], ...turned(run.rotation) };
+  return builder.append("/fixtures", { preset: name, id, ...place, ...own });
+}
+
+function turned(rotation: number): JsonObject {
+  const degrees: Json = Number(rotation.toFixed(3));
+  return degrees === 0 || degrees === 360 ? {} : { rotation_deg: degrees };
+}
+
+/** "6 rows every 2.4 m": copies of a fixture, which stay one element. `step`: m. */
+export function setRows(builder: EditBuilder, site: Site, path: string, count: number, step: Point): void {
+  const id = builder.get(`${path}/id`);
+  if (typeof id === "string" && !id.includes("{n}")) {
+    const [, stem, digits] = /^(.*?)(\d*)$/s.exec(id) as unknown as [string, string, string];
+    builder.set(`${path}/id`, `${stem}{n}`);
+    if (digits !== "" && digits !== "1") builder.set(`${path}/repeat`, { first: Number(digits) });
+  }
+  builder.set(`${path}/repeat/count`, count);
+  builder.set(
+    `${path}/repeat/step`,
+    step.map((value) => inFile(site, value)),
+  );
+}

@@ -1,0 +1,108 @@
+// Walls that are drawn as lines, and the doors and windows in them.
+
+import type { EditBuilder } from "../document/edit";
+import { pointerTo, valueAt } from "../document/json";
+import type { Point } from "../document/messages";
+import { rectangle } from "../geometry/bounds";
+import { nearestOn } from "../geometry/polygon";
+import { between, distance, dot, minus, times } from "../geometry/vector";
+import { freeId, inFile, pointInFile, type Site } from "./site";
+
+export function addWalls(builder: EditBuilder, site: Site, line: readonly Point[], thickness: number): string[] {
+  const taken = new Set(site.taken);
+  return line.slice(1).map((to, k) => {
+    const id = freeId({ ...site, taken }, "W");
+    taken.add(id);
+    return builder.append("/room/inner_walls", {
+      id,
+      from: pointInFile(site, line[k]),
+      to: pointInFile(site, to),
+      thickness: inFile(site, thickness),
+    });
+  });
+}
+
+/** A wall as a line, with the list of its openings. */
+export interface WallLine {
+  from: Point;
+  to: Point;
+  list: string;
+  /** The number of an outer wall; null: an inner wall. */
+  number: number | null;
+}
+
+/** All walls, outer ones in the order of their numbers. */
+export function wallLines({ json, unit }: Site): WallLine[] {
+  const inMetres = (value: unknown): Point => {
+    const [x, y] = value as number[];
+    return [x * unit.factor, y * unit.factor];
+  };
+  const size = valueAt(json, "/room/size") as number[] | undefined;
+  const outline = size
+    ? rectangle({ lower: [0, 0], upper: inMetres(size) })
+    : ((valueAt(json, "/room/outline") ?? []) as number[][]).map(inMetres);
+  const outer = outline.map((from, number) => ({
+    from,
+    to: outline[(number + 1) % outline.length],
+    list: "/room/openings",
+    number,
+  }));
+  const walls = (valueAt(json, "/room/inner_walls") ?? []) as Record<string, unknown>[];
+  const inner = walls.map(({ from, to }, k) => ({
+    from: inMetres(from),
+    to: inMetres(to),
+    list: pointerTo("/room/inner_walls", k, "openings"),
+    number: null,
+  }));
+  return [...outer, ...inner];
+}
+
+/** The wall nearest to a point within a reach; null: none is. */
+export function wallNear(walls: readonly WallLine[], point: Point, reach: number): WallLine | null {
+  let [found, least] = [null as WallLine | null, reach];
+  for (const wall of walls) {
+    const away = distance(nearestOn(wall.from, wall.to, point), point);
+    if (away <= least) [found, least] = [wall, away];
+  }
+  return found;
+}
+
+/** How far along a wall a point is, m. */
+export function along({ from, to }: WallLine, point: Point): number {
+  const way = minus(to, from);
+  const length = Math.hypot(...way);
+  return Math.min(Math.max(dot(minus(point, from), times(way, 1 / (length || 1))), 0), length);
+}
+
+export interface OpeningForm {
+  bottom: number;
+  top: number;
+  /** Of the pane or the door leaf. */
+  material?: string;
+}
+
+/** A door or window between two points near a wall. */
+export function addOpening(
+  builder: EditBuilder,
+  site: Site,
+  wall: WallLine,
+  [a, b]: readonly [Point, Point],
+  { bottom, top, material }: OpeningForm,
+): string {
+  const [from, until] = [along(wall, a), along(wall, b)].sort((one, other) => one - other);
+  const isOuter = wall.number !== null;
+  return builder.append(wall.list, {
+    ...(isOuter ? { wall: wall.number } : {}),
+    at: inFile(site, from),
+    width: inFile(site, until - from),
+    ...(bottom > 0 ? { bottom: inFile(site, bottom) } : {}),
+    top: inFile(site, top),
+    ...(material === undefined ? {} : { [isOuter ? "material" : "pane"]: material }),
+  });
+}
+
+/** The two ends of an opening on its wall, m. */
+export function openingEnds(wall: WallLine, a: Point, b: Point): [Point, Point] {
+  const length = distance(wall.from, wall.to) || 1;
+  return [a, b].map((point) => between(wall.from, wall.to, along(wall, point) / length)) as [Point, Point];
+}

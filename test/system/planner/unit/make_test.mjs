@@ -1,0 +1,263 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import fc from "fast-check";
+
+import { EditBuilder } from "../../../../src/page/planner/document/edit";
+import { unitNamed } from "../../../../src/page/planner/geometry/units";
+import { outlineOf } from "../../../../src/page/planner/geometry/rigid";
+import { addBlock } from "../../../../src/page/planner/make/block";
+import { addHole, addZone, isBare, roomHeight, setRoom } from "../../../../src/page/planner/make/room";
+import { addRun, runAlong, setRows } from "../../../../src/page/planner/make/run";
+import { addOpening, addWalls, along, wallLines, wallNear } from "../../../../src/page/planner/make/walls";
+
+const room = { size: [20, 15, 3.5], floor: "floor", ceiling: "white", walls: { x0: "plaster", x1: "glass" } };
+const bare = { room, fixtures: [], transceivers: { areas: [{ type: "t", area: "room", spacing: 1 }] } };
+const site = (json, unit = "m") => ({ json, unit: unitNamed(unit), taken: new Set() });
+const close = (a, b, slack = 1e-6) => a.length === b.length && a.every((value, k) => Math.abs(value - b[k]) < slack);
+const rectangle = (x, y, u, v) => [
+  [x, y],
+  [u, y],
+  [u, v],
+  [x, v],
+];
+
+test("the first rectangle is a box at the origin", () => {
+  const builder = new EditBuilder(bare);
+  assert.ok(isBare(bare));
+  assert.deepEqual(setRoom(builder, site(bare), rectangle(2, 3, 14, 11)), [2, 3]);
+  assert.deepEqual(builder.json.room, { size: [12, 8, 3.5], floor: "floor", ceiling: "white", walls: "plaster" });
+  assert.equal(roomHeight(site(builder.json)), 3.5);
+});
+
+test("another outline keeps materials, zones and inner walls, and begins at 0 only in a bare shop", () => {
+  const outline = [
+    [1, 1],
+    [9, 1],
+    [9, 5],
+    [4, 7],
+    [1, 7],
+  ];
+  const first = new EditBuilder(bare);
+  assert.deepEqual(setRoom(first, site(bare), outline), [1, 1]);
+  assert.deepEqual(first.json.room.outline[3], [3, 6]);
+  assert.equal(first.json.room.height, 3.5);
+  const walls = [{ id: "W1", from: [1, 1], to: [2, 2] }];
+  const drawn = { ...bare, room: { ...room, inner_walls: walls, openings: [{ wall: "y0", at: 1, width: 1, top: 2 }] } };
+  const second = new EditBuilder(drawn);
+  assert.deepEqual(setRoom(second, site(drawn), outline), [0, 0]);
+  assert.deepEqual(second.json.room.outline, outline);
+  assert.deepEqual(second.json.room.inner_walls, walls);
+  assert.equal(second.json.room.openings, undefined);
+});
+
+test("a hole makes an outline of a box", () => {
+  const builder = new EditBuilder(bare);
+  addHole(builder, site(bare), rectangle(2, 2, 4, 4));
+  const { outline, height, walls, holes } = builder.json.room;
+  assert.deepEqual(outline, rectangle(0, 0, 20, 15));
+  assert.deepEqual([height, walls], [3.5, "plaster"]);
+  assert.deepEqual(holes, [rectangle(2, 2, 4, 4)]);
+});
+
+test("lengths are those of the file", () => {
+  const feet = { ...bare, units: "ft", room: { ...room, size: [60, 40, 12] } };
+  const builder = new EditBuilder(feet);
+  addZone(builder, site(feet, "ft"), rectangle(0, 0, 3.048, 6.096), 2.4384);
+  addWalls(
+    builder,
+    site(feet, "ft"),
+    [
+      [0, 0],
+      [3.048, 0],
+      [3.048, 3.048],
+    ],
+    0.1524,
+  ); // prettier-ignore
+  assert.deepEqual(builder.json.room.zones[0].polygon, rectangle(0, 0, 10, 20));
+  assert.equal(builder.json.room.zones[0].height, 8);
+  const walls = builder.json.room.inner_walls;
+  assert.deepEqual([walls[0].id, walls[1].id, walls[1].from, walls[1].to], ["W1", "W2", [10, 0], [10, 10]]);
+  assert.equal(walls[0].thickness, 0.5);
+});
+
+test("doors and windows are on the nearest wall, in either direction", () => {
+  const json = { ...bare, room: { ...room, inner_walls: [{ id: "W1", from: [5, 2], to: [5, 8] }] } };
+  const walls = wallLines(site(json));
+  assert.equal(walls.length, 5);
+  const top = wallNear(walls, [8, 14.8], 0.5);
+  assert.equal(top.number, 2);
+  assert.equal(wallNear(walls, [8, 7], 0.5), null);
+  const builder = new EditBuilder(json);
+  addOpening(
+    builder,
+    site(json),
+    top,
+    [
+      [8, 14.9],
+      [6.5, 15],
+    ],
+    { bottom: 0.9, top: 2.1, material: "glass" },
+  ); // prettier-ignore
+  assert.deepEqual(builder.json.room.openings, [
+    { wall: 2, at: 12, width: 1.5, bottom: 0.9, top: 2.1, material: "glass" },
+  ]);
+  const inner = wallNear(walls, [5.1, 3], 0.5);
+  addOpening(
+    builder,
+    site(json),
+    inner,
+    [
+      [5, 3],
+      [5, 4],
+    ],
+    { bottom: 0, top: 2.1 },
+  ); // prettier-ignore
+  assert.deepEqual(builder.json.room.inner_walls[0].openings, [{ at: 1, width: 1, top: 2.1 }]);
+  assert.equal(along(inner, [5, 20]), 6);
+});
+
+const double = {
+  name: "row",
+  effective: { type: "gondola", length: 1.25, depth: 0.9, height: 1.6, faces: ["front", "back"] },
+};
+const single = { name: "wall", effective: { ...double.effective, depth: 0.5, faces: ["front"] } };
+
+test("a run has whole modules, and its middle line or its back is where it was drawn", () => {
+  fc.assert(
+    fc.property(
+      fc.tuple(fc.double({ min: 6, max: 14, noNaN: true }), fc.double({ min: 5, max: 10, noNaN: true })),
+      fc.double({ min: 0.2, max: 8, noNaN: true }),
+      fc.double({ min: 0, max: 360, noNaN: true }),
+      (from, length, degrees) => {
+        const way = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+        const to = from.map((value, k) => value + length * way[k]);
+        const builder = new EditBuilder(bare);
+        for (const preset of [double, single]) {
+          const run = runAlong(site(bare), preset, [], [from, to]);
+          assert.equal(run.modules, Math.max(1, Math.round(length / 1.25)));
+          const corners = outlineOf({ ...run, rotation: run.rotation });
+          const middle = (a, b) => a.map((value, k) => 0.5 * (value + b[k]));
+          const line =
+            preset === double
+              ? [middle(corners[0], corners[3]), middle(corners[1], corners[2])]
+              : [corners[3], corners[2]];
+          assert.ok(close(line[0], from, 1e-9));
+          assert.ok(
+            close(
+              line[1],
+              from.map((value, k) => value + run.length * way[k]),
+              1e-9,
+            ),
+          ); // prettier-ignore
+          const path = addRun(builder, site(bare), preset, run);
+          const { at } = builder.get(path);
+          assert.ok(close(at, run.at, 1e-4));
+        }
+      },
+    ),
+  );
+});
+
+test("shelving with a front alone clings to a wall near its line", () => {
+  const walls = wallLines(site(bare));
+  const run = runAlong(site(bare), single, walls, [
+    [18, 14.4],
+    [8, 14.5],
+  ]); // prettier-ignore
+  assert.deepEqual(run.against, { wall: 2, from: 2 });
+  assert.equal(run.modules, 8);
+  const back = runAlong(site(bare), single, walls, [
+    [8, 14.4],
+    [18, 14.4],
+  ]); // prettier-ignore
+  assert.deepEqual(back.against, { wall: 2, from: 2 }, "the beginning of the line stays");
+  for (const far of [
+    [
+      [8, 12],
+      [16, 12],
+    ],
+    [
+      [8, 14.5],
+      [14, 10],
+    ],
+  ]) // prettier-ignore
+    assert.equal(runAlong(site(bare), single, walls, far).against, null);
+  assert.equal(
+    runAlong(site(bare), double, walls, [
+      [8, 14.5],
+      [18, 14.5],
+    ]).against,
+    null,
+  ); // prettier-ignore
+  assert.equal(
+    runAlong(
+      site(bare),
+      single,
+      walls,
+      [
+        [8, 14.5],
+        [18, 14.5],
+      ],
+      true,
+    ).against,
+    null,
+  ); // prettier-ignore
+  const builder = new EditBuilder(bare);
+  addRun(builder, site(bare), single, run);
+  assert.deepEqual(builder.json.fixtures, [{ preset: "wall", id: "G1", against: { wall: 2, from: 2 }, length: 10 }]);
+});
+
+test("rows of a run are one element", () => {
+  const builder = new EditBuilder({ ...bare, fixtures: [{ preset: "row", id: "G7", at: [1, 1] }] });
+  setRows(builder, site(bare), "/fixtures/0", 6, [0, 2.4]);
+  assert.deepEqual(builder.json.fixtures[0], {
+    preset: "row",
+    id: "G{n}",
+    at: [1, 1],
+    repeat: { first: 7, count: 6, step: [0, 2.4] },
+  });
+});
+
+test("a block of four right angles is a box, another one a prism", () => {
+  const turned = (degrees, points) =>
+    points.map(([x, y]) => {
+      const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+      return [5 + c * x - s * y, 5 + s * x + c * y];
+    });
+  fc.assert(
+    fc.property(
+      fc.double({ min: -180, max: 180, noNaN: true }),
+      fc.integer({ min: 0, max: 3 }),
+      fc.boolean(),
+      (degrees, first, isReversed) => {
+        const corners = turned(degrees, rectangle(0, 0, 2, 1));
+        const order = [0, 1, 2, 3].map((k) => corners[(first + (isReversed ? 4 - k : k)) % 4]);
+        const builder = new EditBuilder(bare);
+        const box = builder.get(addBlock(builder, site(bare), order, 0.9, "steel"));
+        assert.equal(box.type, "box");
+        const rotation = box.rotation_deg ?? 0;
+        const outline = outlineOf({ at: box.at.slice(0, 2), rotation, length: box.size[0], depth: box.size[1] });
+        for (const corner of corners) assert.ok(outline.some((other) => close(corner, other, 1e-3)));
+        assert.ok(rotation <= 45.001 || rotation >= 314.999);
+      },
+    ),
+  );
+  const builder = new EditBuilder(bare);
+  const triangle = builder.get(
+    addBlock(
+      builder,
+      site(bare),
+      [
+        [1, 1],
+        [2, 1],
+        [1, 2],
+      ],
+      1,
+      "steel",
+    ),
+  ); // prettier-ignore
+  assert.equal(triangle.type, "prism");
+  const column = builder.get(addBlock(builder, site(bare), rectangle(1, 1, 1.5, 1.5), "ceiling", "steel"));
+  assert.deepEqual([column.type, column.top], ["prism", "ceiling"]);
+});
