@@ -1,0 +1,66 @@
+// Finds segments, and bodies with aisles between them, near a place.
+
+import Flatbush from "flatbush";
+
+import type { Point } from "../document/messages";
+import { boundsOf, type Bounds } from "../geometry/bounds";
+import { nearestOn } from "../geometry/polygon";
+import { distance } from "../geometry/vector";
+import type { Segment } from "./segments";
+
+function indexOf(all: readonly Bounds[]): Flatbush | null {
+  if (all.length === 0) return null;
+  const index = new Flatbush(all.length);
+  for (const { lower, upper } of all) index.add(...lower, ...upper);
+  index.finish();
+  return index;
+}
+
+const around = (points: readonly Point[]): Bounds => boundsOf(points) as Bounds;
+
+export class SegmentIndex {
+  /** The number of segments and bodies that were looked at since it was set. */
+  examined = 0;
+
+  private readonly index: Flatbush | null;
+  private readonly bodies: Point[][];
+  private readonly bodyIndex: Flatbush | null;
+
+  constructor(private readonly segments: readonly Segment[]) {
+    this.index = indexOf(segments.map(({ from, to }) => around([from, to])));
+    const corners = new Map<string, Point[]>();
+    for (const { key, isBody, from, to } of segments) {
+      if (!isBody || key === undefined) continue;
+      const known = corners.get(key);
+      if (known) known.push(from, to);
+      else corners.set(key, [from, to]);
+    }
+    this.bodies = [...corners.values()];
+    this.bodyIndex = indexOf(this.bodies.map(around));
+  }
+
+  /** The nearest segments within a distance, at most `most`. */
+  near(point: Point, reach: number, most: number): Segment[] {
+    return this.take(this.index?.neighbors(...point, most, reach)).filter(
+      ({ from, to }) => distance(nearestOn(from, to, point), point) <= reach,
+    );
+  }
+
+  /** Segments whose bounds touch a rectangle, at most `most`. */
+  within({ lower, upper }: Bounds, most: number): Segment[] {
+    let found = 0;
+    return this.take(this.index?.search(...lower, ...upper, () => ++found <= most));
+  }
+
+  /** The corners of each of the bodies that are nearest to a point. */
+  bodiesNear(point: Point, reach: number, most: number): Point[][] {
+    const found = this.bodyIndex?.neighbors(...point, most, reach) ?? [];
+    this.examined += found.length;
+    return found.map((index) => this.bodies[index]);
+  }
+
+  private take(found: readonly number[] = []): Segment[] {
+    this.examined += found.length;
+    return found.map((index) => this.segments[index]);
+  }
+}
