@@ -7,7 +7,6 @@ import { distance, minus, plus } from "../geometry/vector";
 import { joining, type Guide, type SnapKind } from "./choice";
 import { bodiesAround, gapGuides, gapsOf, intoFrame, outOfFrame } from "./gaps";
 import { tolerance } from "./lines";
-import { weak } from "./pulls";
 import type { Segment } from "./segments";
 import type { Snapper } from "./snap";
 
@@ -27,7 +26,8 @@ export interface Moved {
 }
 
 const most = { near: 256, wide: 128, corners: 32 };
-const wide = 20; // times the reach
+const wide = 10; // times the reach
+const weak = 0.5; // the share of the reach of what does not touch
 const leastOverlap = 0.01; // m of sides that lie on each other
 
 /** A movement along one axis of the frame. `guides`: of the bounds after it. */
@@ -49,12 +49,17 @@ interface Neighbours {
   near: Segment[];
   wide: Segment[];
   bodies: Bounds[];
+  /** Those of them that are near enough to be in line with. */
+  beside: Bounds[];
 }
 
 const turned = ({ from, to }: Segment, frame: number): Segment => ({
   from: intoFrame(from, frame),
   to: intoFrame(to, frame),
 });
+
+const isBeside = (a: Bounds, b: Bounds, margin: number): boolean =>
+  [0, 1].every((k) => a.lower[k] <= b.upper[k] + margin && a.upper[k] >= b.lower[k] - margin);
 
 function neighboursOf({ index }: Snapper, box: Bounds, { reach, frame = 0 }: MoveRequest): Neighbours {
   const out = (point: Point) => outOfFrame(point, frame);
@@ -64,10 +69,12 @@ function neighboursOf({ index }: Snapper, box: Bounds, { reach, frame = 0 }: Mov
   const middle = out(middleOf(box));
   const around = 0.5 * distance(box.lower, box.upper) + wide * reach;
   const inFrame = (segments: Segment[]) => segments.map((one) => turned(one, frame));
+  const bodies = bodiesAround(index, middle, frame);
   return {
     near: inFrame(index.within(area, most.near)),
     wide: inFrame(index.near(middle, around, most.wide)),
-    bodies: bodiesAround(index, middle, frame),
+    bodies,
+    beside: bodies.filter((body) => isBeside(body, box, wide * reach)),
   };
 }
 
@@ -106,7 +113,7 @@ function contacts({ near }: Neighbours, box: Bounds, axis: 0 | 1): Step[] {
 }
 
 /** A side or the middle in line with that of a neighbour. */
-function alignments({ wide: segments, bodies }: Neighbours, box: Bounds, axis: 0 | 1): Step[] {
+function alignments({ wide: segments, beside }: Neighbours, box: Bounds, axis: 0 | 1): Step[] {
   const other = 1 - axis;
   const guides = (at: Point) => (after: Bounds) => {
     const to: Point = [...at];
@@ -119,7 +126,7 @@ function alignments({ wide: segments, bodies }: Neighbours, box: Bounds, axis: 0
     ...segments
       .flatMap(({ from, to }) => [from, to])
       .flatMap((end) => [step(end, box.lower[axis]), step(end, box.upper[axis])]),
-    ...bodies.map((body) => step(middleOf(body), middleOf(box)[axis])),
+    ...beside.map((body) => step(middleOf(body), middleOf(box)[axis])),
   ];
 }
 
@@ -130,8 +137,8 @@ function stepAlong(neighbours: Neighbours, box: Bounds, axis: 0 | 1, reach: numb
   );
   return (
     least(contacts(neighbours, box, axis), size, reach) ??
-    least(alignments(neighbours, box, axis), size, weak * reach) ??
-    least(gaps, size, weak * reach)
+    least(gaps, size, reach) ??
+    least(alignments(neighbours, box, axis), size, weak * reach)
   );
 }
 

@@ -10,11 +10,11 @@ import type { SegmentIndex } from "./segment_index";
 import type { Segment } from "./segments";
 
 /** The largest numbers of lines; more of them would only flicker. */
-const most = { near: 256, wide: 64, crossing: 24, inferred: 16, through: 8 };
+const most = { near: 128, wide: 64, crossing: 24, inferred: 16, through: 8 };
 /** How many times farther corners may be to show extensions and alignments. */
 const wide = 20;
 /** The share of the reach of lines that have nothing at the pointer. */
-export const weak = 0.5;
+const weak = 0.5;
 /** The last edges to which new ones may be parallel or perpendicular. */
 const lastEdges = 3;
 

@@ -3,33 +3,11 @@ import { test } from "node:test";
 
 import fc from "fast-check";
 
-import { moved, movedPart, movedVector, outlineOf, turnAbout } from "../../../../src/page/planner/geometry/rigid";
-import { snapMove } from "../../../../src/page/planner/snap/box";
-import { selfCrossings, shortEdges, signedArea } from "../../../../src/page/planner/snap/crossings";
+import { moved, movedPart, movedVector, turnAbout } from "../../../../src/page/planner/geometry/rigid";
 import { mainDirection, segmentsOf } from "../../../../src/page/planner/snap/segments";
 import { Snapper } from "../../../../src/page/planner/snap/snap";
+import { distance, near, part, reach, rejects, room, shop, square } from "./snap_shop.mjs";
 
-const reach = 0.1;
-const square = (x, y, width, height = width) => [
-  [x, y],
-  [x + width, y],
-  [x + width, y + height],
-  [x, y + height],
-];
-const part = (key, kind, outline, more = {}) => ({ key, path: `/${key}`, kind, id: key, outline, ...more });
-const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
-const isNear = (a, b, slack = 1e-6) => distance(a, b) <= slack;
-const near = (a, b, slack) => assert.ok(isNear(a, b, slack), `${a} is not ${b}`);
-const rejects = (check) => assert.throws(check, { name: /AssertionError|Error/ });
-
-const room = part("room", "room", square(0, 0, 12, 9));
-/** Two rows with an aisle of 1.5 m, and a table that is turned. */
-const shop = [
-  room,
-  part("A", "fixture", square(2, 2, 6, 1)),
-  part("B", "fixture", square(2, 4.5, 6, 1)),
-  part("T", "fixture", outlineOf({ at: [9.5, 2], rotation: 30, length: 1.2, depth: 0.8 })),
-];
 const shopSnapper = new Snapper(segmentsOf(shop));
 const snap = (pointer, more = {}) => shopSnapper.snap({ pointer, reach, ...more });
 
@@ -287,64 +265,6 @@ test("what is typed holds exactly", () => {
   rejects(() => typed((all, { length, angle, ...request }) => usual(all, request)));
 });
 
-/** The exact answer for whole numbers. */
-function meet([a, b], [c, d]) {
-  const turn = (p, q, r) => Math.sign((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
-  const holds = (p, q, r) =>
-    turn(p, q, r) === 0 &&
-    Math.min(p[0], q[0]) <= r[0] &&
-    r[0] <= Math.max(p[0], q[0]) &&
-    Math.min(p[1], q[1]) <= r[1] &&
-    r[1] <= Math.max(p[1], q[1]);
-  if (holds(a, b, c) || holds(a, b, d) || holds(c, d, a) || holds(c, d, b)) return true;
-  return turn(a, b, c) !== turn(a, b, d) && turn(c, d, a) !== turn(c, d, b);
-}
-
-const whole = fc.integer({ min: -5, max: 5 });
-const polygon = fc
-  .uniqueArray(fc.tuple(whole, whole), { minLength: 3, maxLength: 8, selector: String })
-  .map((corners) => corners.map(([x, y]) => [x, y]));
-
-const findsCrossings = (crossingsOf) =>
-  fc.assert(
-    fc.property(polygon, fc.boolean(), (corners, isClosed) => {
-      const count = corners.length - (isClosed ? 0 : 1);
-      const edge = (k) => [corners[k], corners[(k + 1) % corners.length]];
-      const expected = [];
-      for (let j = 1; j < count; ++j)
-        for (let i = 0; i < j; ++i) {
-          const [shared] = edge(i).filter((corner) => edge(j).includes(corner));
-          const others = [...edge(i), ...edge(j)].filter((corner) => corner !== shared);
-          // With a common corner, edges overlap if they leave it in the same direction.
-          const [u, v] = others.map((corner) => corner.map((value, k) => value - (shared?.[k] ?? 0)));
-          const isWrong = shared
-            ? u[0] * v[1] === u[1] * v[0] && u[0] * v[0] + u[1] * v[1] > 0
-            : meet(edge(i), edge(j));
-          if (isWrong) expected.push([i, j]);
-        }
-      assert.deepEqual(crossingsOf(corners, isClosed), expected);
-    }),
-    { numRuns: 1000 },
-  );
-
-test("edges of a drawing that cross or touch are found, and no others", () => {
-  findsCrossings(selfCrossings);
-  rejects(() => findsCrossings((corners, isClosed) => selfCrossings(corners, isClosed).slice(1)));
-  rejects(() => findsCrossings((corners) => selfCrossings(corners, false)));
-});
-
-test("area and length of a drawing", () => {
-  assert.equal(signedArea(square(1, 1, 2)), 4);
-  assert.equal(signedArea(square(1, 1, 2).reverse()), -4);
-  const corners = [
-    [0, 0],
-    [1, 0],
-    [1.004, 0.003],
-    [0, 0.001],
-  ];
-  assert.deepEqual([shortEdges(corners, false), shortEdges(corners, true)], [[1], [1, 3]]);
-});
-
 /** The numbers of changes of the kind while the pointer trembles by a pixel along a way. */
 function changes(from, to, isHeld) {
   let most = 0;
@@ -407,97 +327,4 @@ test("the last centimetre joins, even with a short reach and another place held"
   assert.equal(snap([2.006, 3.006], { ...close, held }).kind, "end");
   assert.equal(snap([2.008, 3.008], { ...close, held }).kind, null);
   assert.equal(snap([2.006, 3.006], { ...close, isFree: true }).kind, null);
-});
-
-test("a rectangle keeps the width of the aisle", () => {
-  // A and B are 1.5 m apart.
-  const drawn = snap([7.03, 6.98], { drawn: [[3, 8.2]], isBox: true });
-  assert.equal(drawn.kind, "gap");
-  assert.ok(Math.abs(drawn.at[1] - 7) < 1e-9);
-  assert.deepEqual(
-    drawn.guides.filter(({ kind }) => kind === "gap").map((one) => one.distance),
-    [1.5, 1.5],
-  );
-});
-
-test("a moved outline joins corners, lies on sides, and keeps gaps", () => {
-  const box = square(20, 20, 1.3, 0.6);
-  const to = (x, y, more) => {
-    const { shift, guides } = snapMove(shopSnapper, box, [x - 20, y - 20], { reach, ...more });
-    return { at: [20 + shift[0], 20 + shift[1]], kinds: guides.map(({ kind }) => kind), guides };
-  };
-  near(to(8.06, 2.04).at, [8, 2]);
-  assert.ok(to(8.06, 2.04).kinds.includes("end"));
-  near(to(4.44, 5.56).at, [4.44, 5.5]);
-  assert.deepEqual(to(4.44, 5.56).kinds, ["line"]);
-  near(to(4.44, 6.97).at, [4.44, 7]);
-  assert.deepEqual(
-    to(4.44, 6.97).guides.map((one) => one.distance),
-    [1.5, 1.5],
-  );
-  near(to(2.04, 6.2).at, [2, 6.2]);
-  // In the middle between B and the wall, a single movement of a box between two rows.
-  near(to(4.44, 3.44).at, [4.44, 3.45]);
-  near(to(4.44, 3.44, { axis: 0 }).at, [4.44, 3.44]);
-  near(to(8.06, 2.04, { isFree: true }).at, [8.06, 2.04]);
-  near(to(6, 1).at, [6, 1]);
-});
-
-test("a moved outline follows a turned room", () => {
-  const turn = 23;
-  const motion = turnAbout(turn, [4, -2]);
-  const snapper = new Snapper(segmentsOf(shop.map((one) => movedPart(one, motion))));
-  const box = square(20, 20, 1.3, 0.6);
-  const shifts = fc.tuple(
-    fc.double({ min: -21, max: -8, noNaN: true }),
-    fc.double({ min: -21, max: -10, noNaN: true }),
-  );
-  const isRight = (frame) =>
-    fc.assert(
-      fc.property(shifts, (shift) => {
-        const before = snapMove(shopSnapper, box, shift, { reach });
-        const after = snapMove(
-          snapper,
-          box.map((corner) => moved(corner, motion)),
-          movedVector(shift, motion),
-          { reach, frame },
-        );
-        near(after.shift, movedVector(before.shift, motion), 1e-6);
-        assert.ok(distance(before.shift, shift) <= Math.SQRT2 * reach);
-      }),
-      { numRuns: 500 },
-    );
-  isRight(turn);
-  rejects(() => isRight(0));
-});
-
-test("the work does not grow with the shop", () => {
-  const corner = fc.double({ min: 0, max: 80, noNaN: true });
-  const footing = fc.record({
-    at: fc.tuple(corner, corner),
-    rotation: fc.constantFrom(0, 90, 180, 270, 30),
-    length: fc.double({ min: 0.5, max: 8, noNaN: true }),
-    depth: fc.double({ min: 0.4, max: 1.2, noNaN: true }),
-  });
-  const fixtures = (count) =>
-    fc.sample(footing, { numRuns: count, seed: 7 }).map((one, k) => part(`${k}`, "fixture", outlineOf(one)));
-  const drawn = [
-    [1, 1],
-    [5, 1.2],
-  ];
-  const most = (parts) => {
-    const snapper = new Snapper(segmentsOf(parts));
-    let found = 0;
-    for (const [k, pointer] of fc.sample(fc.tuple(corner, corner), { numRuns: 100, seed: 8 }).entries())
-      for (const size of [0.002, 0.1, 0.3, 20]) {
-        snapper.snap({ pointer, reach: size, drawn, isOrtho: k % 3 === 0, isBox: k % 3 === 1 });
-        found = Math.max(found, snapper.index.examined);
-        snapMove(snapper, parts[0].outline, pointer, { reach: size });
-        found = Math.max(found, snapper.index.examined);
-      }
-    return found;
-  };
-  // 256 segments and 64 near the pointer, 8 at the beginning, and 64 bodies; of a moved outline 256, 128 and 64.
-  assert.ok(most(fixtures(500)) <= 448);
-  assert.ok(most(fixtures(2500)) <= 448);
 });
