@@ -13,6 +13,7 @@ import type { Clip } from "./elements/copies";
 import { inUnit } from "./form/convert";
 import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
+import { Snapping } from "./snap/snapping";
 import { Fan } from "./view/fan";
 import { Layers } from "./view/layers";
 import { copyKey, placeAgain, Selection, type Item, type Place } from "./view/selection";
@@ -43,6 +44,7 @@ export class Planner {
   readonly look = new Look(this.changes);
   readonly picture: Picture;
   readonly fan: Fan;
+  readonly snapping: Snapping;
   tool: Tool = "select";
   /** Whether the plan or the 3-D picture is shown. */
   isPlan = true;
@@ -64,6 +66,7 @@ export class Planner {
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
     this.picture = new Picture(address, this.changes);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
+    this.snapping = new Snapping(this);
     this.document.onMoved = (place) => this.moved(place);
     this.document.onReplaced = (before) => this.moved(placeAgain(before, this.document.json));
     for (const devices of [this.document.labels, this.document.units])

@@ -4,6 +4,7 @@ import { check, equal } from "../viewer/check.mjs";
 import { placed, testPlanner } from "./opened.mjs";
 
 testPlanner("a drag moves, whole centimetres, one step", { smoke: true }, async (tab) => {
+  await tab.press("+", "+", "+"); // so that neighbours attract from 14 cm only
   await tab.drag([10, 9.85], [11, 10.35]);
   await tab.steps(1);
   placed(tab.json.fixtures[2].at, [6, 9.9]);
@@ -22,6 +23,15 @@ testPlanner("a drag moves, whole centimetres, one step", { smoke: true }, async 
     ],
   );
   equal((await tab.labels())[1], "Move 2 fixtures");
+});
+
+testPlanner("a dragged element holds on to its neighbour", {}, async (tab) => {
+  // F1 touches F2.
+  const [, y] = tab.json.fixtures[8].at;
+  const during = async () => check((await tab.page.$(".overlay .guide.line")) !== null, "no guide");
+  await tab.drag([11, 14.6], [11.3, 14.4], { during });
+  await tab.steps(1);
+  equal(tab.json.fixtures[8].at[1], y);
 });
 
 for (const key of ["Escape", "Control+z"])

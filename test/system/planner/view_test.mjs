@@ -93,6 +93,12 @@ testPlanner("layers hide kinds and levels", {}, async (tab) => {
 
 testPlanner("measurements hold on to edges, and stay until Esc", {}, async (tab) => {
   await tab.press("m");
+  await tab.point(5.05, 4.65);
+  says(await tab.text(".overlay .word"), "corner");
+  await tab.page.keyboard.down("Alt");
+  await tab.point(5.1, 4.65);
+  equal(await tab.page.$(".overlay .word"), null);
+  await tab.page.keyboard.up("Alt");
   // The aisle between A1 and A2: from the back of one to the front of the other.
   await tab.click(10, 5.55);
   await tab.click(10, 6.95);

@@ -14,6 +14,7 @@ import { shiftBy, turnAbout } from "../geometry/rigid";
 import { lengthText } from "../geometry/units";
 import { directionOf, distance, minus, plus, times, wholeTurn } from "../geometry/vector";
 import type { Planner } from "../planner";
+import { snapMove, type Moved } from "../snap/box";
 import { say, text } from "../text";
 import type { Scope } from "./scope";
 
@@ -26,13 +27,34 @@ export interface Keys {
   alt: boolean;
 }
 
+/** No key frees a movement from its neighbours, so they attract from nearer than places do. */
+const shareOfReach = 0.6;
+
+/** Where elements hold on to what stands beside them. Copies also hold on to their originals. */
+function attracted(planner: Planner, { elements, isCopying }: Moving, shift: Point, axis?: 0 | 1): Moved {
+  const { snapping, document } = planner;
+  const paths = elements.map(({ path }) => path);
+  const parts = paths.flatMap((path) => document.parts.of(path));
+  const isBound = elements.some(({ kind }) => kind === "room") || parts.some(({ against }) => against !== undefined);
+  const { frame } = snapping;
+  const reach = shareOfReach * snapping.reach;
+  return snapMove(
+    snapping.without(new Set(isCopying ? [] : paths)),
+    parts.flatMap(({ outline }) => outline),
+    shift,
+    { reach, frame, axis, isFree: isBound || (axis !== undefined && frame !== 0) || Math.hypot(...shift) === 0 },
+  );
+}
+
 /** Shift keeps the direction of the longer side. */
 export function dragMove(planner: Planner, scope: Moving, to: Point, keys: Keys): Moving {
-  let [x, y] = minus(to, scope.from);
-  if (keys.shift) [x, y] = Math.abs(x) > Math.abs(y) ? [x, 0] : [0, y];
-  const next = { ...scope, shift: wholeSteps(planner, [x, y]), isCopying: keys.alt };
+  const [x, y] = minus(to, scope.from);
+  const axis = keys.shift ? (Math.abs(x) > Math.abs(y) ? 0 : 1) : undefined;
+  const way: Point = axis === 0 ? [x, 0] : axis === 1 ? [0, y] : [x, y];
+  planner.document.show(null); // outlines attract, and copies begin, at the places before the gesture
+  const own = { ...scope, isCopying: keys.alt };
+  const next = { ...own, ...attracted(planner, own, wholeSteps(planner, way), axis) };
   const { elements, shift, isCopying } = next;
-  planner.document.show(null); // the copies begin at the places before the gesture
   planner.document.show(
     isCopying
       ? { ...noPreview, added: ghostsOf(planner, elements, shift) }

@@ -14,16 +14,16 @@ import {
 import type { Point } from "../document/messages";
 import { noPreview } from "../document/preview";
 import { contextOf } from "../elements/context";
-import { attach } from "../geometry/attach";
 import { middleOf, type Bounds } from "../geometry/bounds";
 import { directionOf, distance, minus } from "../geometry/vector";
 import type { Planner } from "../planner";
+import type { Snapped } from "../snap/choice";
 import { text } from "../text";
 import { itemAt, itemOf, itemsWithin, partAt } from "../view/hit";
 import type { Item, Place } from "../view/selection";
 import { dragMove, dragSize, dragTurn, dropMove, dropSize, dropTurn, type Keys } from "./drags";
 import { gripAt, gripsOf } from "./grips";
-import { busy, idle, pathsOf, type Scope } from "./scope";
+import { busy, idle, measuring, pathsOf, type Scope } from "./scope";
 import { Touches } from "./touches";
 
 const slack = 4; // pixels between a click and a drag
@@ -31,6 +31,11 @@ const reach = 9; // pixels
 /** Scopes that the press of a button does not end. */
 const resting: ReadonlySet<Scope["kind"]> = new Set(["idle", "measuring", "scaling"]);
 const buttons = { left: 0, middle: 1, right: 2, none: -1 };
+
+type Measuring = Extract<Scope, { kind: "measuring" }>;
+
+const noKeys: Keys = { shift: false, alt: false };
+const keysOf = ({ shiftKey, altKey }: MouseEvent): Keys => ({ shift: shiftKey, alt: altKey });
 
 export const marqueeOf = ({ from, to }: { from: Point; to: Point }): Bounds => ({
   lower: [Math.min(from[0], to[0]), Math.min(from[1], to[1])],
@@ -105,7 +110,7 @@ export class Gestures {
   private get resting(): Scope {
     const { tool } = this.planner;
     if (tool === "scale" || tool === "check") return unscaled;
-    return tool === "measure" ? { kind: "measuring", from: null, to: { at: [0, 0], to: null } } : idle;
+    return tool === "measure" ? measuring : idle;
   }
 
   /** Begins or ends the use of a tool. */
@@ -151,7 +156,7 @@ export class Gestures {
     if (event.button !== buttons.left || this.isSpaceHeld) {
       event.preventDefault();
       this.enter({ kind: "panning", screen, button: event.button, hasMoved: false, before: this.scope });
-    } else if (this.planner.tool === "measure") this.measureTo(world);
+    } else if (this.planner.tool === "measure") this.measureTo(world, keysOf(event));
     else if (this.scope.kind === "scaling") {
       event.preventDefault(); // the field at the line keeps the focus
       this.enter(withEnd(this.planner, { ...this.scope, at: pixelAt(this.planner, world) }));
@@ -190,7 +195,7 @@ export class Gestures {
       this.touches.move(event, screen);
       return;
     }
-    const keys: Keys = { shift: event.shiftKey, alt: event.altKey };
+    const keys = keysOf(event);
     if (this.isSpaceHeld && scope.kind !== "panning") {
       planner.viewport.pan(x, y);
       return;
@@ -215,7 +220,7 @@ export class Gestures {
         this.enter(dragSize(planner, scope, world));
         break;
       case "measuring":
-        this.enter({ ...scope, to: attach(planner.document.parts.all, world, scope.from, this.reach) });
+        this.enter({ ...scope, to: this.endOf(scope, world, keys) });
         break;
       case "scaling":
         if (!scope.to) this.enter({ ...scope, at: pixelAt(planner, world) });
@@ -280,6 +285,7 @@ export class Gestures {
       elements: planner.selected,
       from: scope.world,
       shift: [0, 0],
+      guides: [],
       isCopying: keys.alt,
     };
     this.enter(dragMove(planner, moving, world, { ...keys, shift: false }));
@@ -294,10 +300,16 @@ export class Gestures {
     this.enter(next);
   }
 
-  private measureTo(world: Point): void {
+  /** Where a measurement goes with the pointer. */
+  private endOf({ from, to }: Measuring, pointer: Point, { shift, alt }: Keys): Snapped {
+    const drawn = from ? [from] : [];
+    return this.planner.snapping.at(pointer, { drawn, isOrtho: shift, isFree: alt, held: to });
+  }
+
+  private measureTo(world: Point, keys: Keys): void {
     if (this.scope.kind !== "measuring") return;
     const { from } = this.scope;
-    const to = attach(this.planner.document.parts.all, world, from, this.reach);
+    const to = this.endOf(this.scope, world, keys);
     if (from) this.measured.push([from, to.at]);
     this.enter({ kind: "measuring", from: from ? null : to.at, to });
   }
@@ -310,12 +322,12 @@ export class Gestures {
     const { viewport } = planner;
     const screen = viewport.toScreen(planner.pointer ?? viewport.centre);
     planner.pointer = viewport.toWorld([screen[0] + x, screen[1] - y]);
-    this.enter({ ...this.scope, to: attach(planner.document.parts.all, planner.pointer, this.scope.from, 0) });
+    this.enter({ ...this.scope, to: this.endOf(this.scope, planner.pointer, noKeys) });
   }
 
   setAtCross(): void {
     if (this.scope.kind === "scaling") this.enter(withEnd(this.planner, this.scope));
-    else this.measureTo(this.planner.pointer ?? this.planner.viewport.centre);
+    else this.measureTo(this.planner.pointer ?? this.planner.viewport.centre, noKeys);
   }
 
   private up(event: PointerEvent): void {

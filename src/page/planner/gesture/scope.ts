@@ -5,8 +5,8 @@ import type { Point } from "../document/messages";
 import type { Preview } from "../document/preview";
 import type { Context } from "../elements/context";
 import type { StoreElement } from "../elements/kinds";
+import type { Guide, Snapped } from "../snap/choice";
 import type { Item } from "../view/selection";
-import type { Attached } from "../geometry/attach";
 
 /** Places on the screen are pixels, others m. */
 export type Scope =
@@ -17,10 +17,17 @@ export type Scope =
   | { kind: "panning"; screen: Point; button: number; hasMoved: boolean; before: Scope }
   | { kind: "pinching" }
   | { kind: "marquee"; from: Point; to: Point; kept: readonly Item[]; before: readonly Item[] }
-  | { kind: "moving"; elements: readonly StoreElement[]; from: Point; shift: Point; isCopying: boolean }
+  | {
+      kind: "moving";
+      elements: readonly StoreElement[];
+      from: Point;
+      shift: Point;
+      guides: readonly Guide[];
+      isCopying: boolean;
+    }
   | { kind: "rotating"; elements: readonly StoreElement[]; middle: Point; from: number; turn: number }
   | { kind: "resizing"; context: Context; handle: string; ops: readonly EditOp[]; preview: Preview }
-  | { kind: "measuring"; from: Point | null; to: Attached }
+  | { kind: "measuring"; from: Point | null; to: Snapped }
   /** A line of the picture, in its pixels: `at` is under the cross; the length of a line with both ends is typed. */
   | { kind: "scaling"; from: Point | null; at: Point | null; to: Point | null }
   /** A part of the picture, in its pixels. */
@@ -29,6 +36,7 @@ export type Scope =
   | { kind: "shifting"; from: Point; to: Point };
 
 export const idle: Scope = { kind: "idle" };
+export const measuring: Scope = { kind: "measuring", from: null, to: { at: [0, 0], kind: null, guides: [] } };
 
 /** Scopes in which the pointer is changing something or about to. */
 export const busy: ReadonlySet<Scope["kind"]> = new Set([

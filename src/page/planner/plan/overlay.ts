@@ -13,6 +13,7 @@ import { between, distance, directionOf, minus, unitAt } from "../geometry/vecto
 import type { Planner } from "../planner";
 import { deviceItem, isOpenLine } from "../view/hit";
 import type { Item } from "../view/selection";
+import { guidesOf, markOf, reading } from "./guides";
 import { markedOf } from "./shapes";
 import { pathOf, svg } from "./svg";
 
@@ -41,6 +42,7 @@ export class Overlay {
       ...this.marquee(),
       ...this.measures(),
       ...this.picture(),
+      ...(scope.kind === "moving" ? guidesOf(this.planner, scope.guides) : []),
       ...this.reading(),
     ];
   }
@@ -156,14 +158,17 @@ export class Overlay {
 
   private measures(): Node[] {
     const { scope, measured } = this.gestures;
-    const lines = [...measured];
-    const nodes: Node[] = [];
-    if (scope.kind === "measuring") {
-      if (scope.from) lines.push([scope.from, scope.to.at]);
-      const [x, y] = this.planner.viewport.toScreen(scope.to.at);
-      if (this.planner.pointer) nodes.push(svg("path", { class: `cross ${scope.to.to ?? "free"}`, d: crossAt(x, y) }));
-    }
-    return [...lines.flatMap(([a, b]) => this.measure(a, b)), ...nodes];
+    const { planner } = this;
+    const lines = (all: readonly [Point, Point][]) => all.flatMap(([a, b]) => this.measure(a, b));
+    if (scope.kind !== "measuring") return lines(measured);
+    const { from, to } = scope;
+    const [x, y] = planner.viewport.toScreen(to.at);
+    const isShown = planner.pointer !== null;
+    return [
+      ...(isShown ? guidesOf(planner, to.guides) : []),
+      ...lines(from ? [...measured, [from, to.at]] : measured),
+      ...(isShown ? [svg("path", { class: "cross", d: crossAt(x, y) }), ...markOf(planner, to)] : []),
+    ];
   }
 
   /** Lines of known length while their tool or the panel of the picture is open, and the line or crop in progress. */
@@ -207,20 +212,8 @@ export class Overlay {
     const d = [[p, q], ...ends].map((line) => pathOf(line, true)).join("");
     return [
       svg("path", { class: "measure", d }),
-      this.label(between(p, q), lengthText(length, this.planner.document.unit)),
+      reading(between(p, q), lengthText(length, this.planner.document.unit)),
     ];
-  }
-
-  private label([x, y]: Point, words: string): SVGGElement {
-    const width = 7.2 * words.length + 14;
-    const text = svg("text", { x, y: y + 4.5 });
-    text.textContent = words;
-    return svg(
-      "g",
-      { class: "reading" },
-      svg("rect", { x: x - 0.5 * width, y: y - 11, width, height: 22, rx: 5 }),
-      text,
-    );
   }
 
   private reading(): Node[] {
@@ -236,7 +229,7 @@ export class Overlay {
             : "";
     if (words === "" || !planner.pointer) return [];
     const [x, y] = planner.viewport.toScreen(planner.pointer);
-    return [this.label([x, y + 34], words)];
+    return [reading([x, y + 34], words)];
   }
 }
 

@@ -3,7 +3,6 @@ import { test } from "node:test";
 
 import fc from "fast-check";
 
-import { attach } from "../../../../src/page/planner/geometry/attach";
 import { area, contains, distanceTo, touches } from "../../../../src/page/planner/geometry/polygon";
 import { roundLength } from "../../../../src/page/planner/plan/scale_bar";
 import { distanceTo as distanceAlong } from "../../../../src/page/planner/space/prisms";
@@ -75,14 +74,6 @@ test("the smallest outline at a point is found, and lines only at their lines", 
   assert.equal(at([15, 15]), null, "on the floor");
   assert.equal(at([20, 15]), "/room");
   assert.equal(at([4.5, 4.5], ["fixture"]), null);
-});
-
-test("a measurement holds on to corners, perpendiculars and edges", () => {
-  const all = [part("a", "fixture", square(0, 0, 2)), part("b", "fixture", square(0, 5, 2))];
-  assert.deepEqual(attach(all, [2.05, 2.05], null, 0.1), { at: [2, 2], to: "corner" });
-  assert.deepEqual(attach(all, [1.3, 2.04], null, 0.1), { at: [1.3, 2], to: "edge" });
-  assert.deepEqual(attach(all, [1.35, 5.04], [1.3, 2], 0.1), { at: [1.3, 5], to: "perpendicular" });
-  assert.deepEqual(attach(all, [3, 3], [1.3, 2], 0.1), { at: [3, 3], to: null });
 });
 
 test("the scale bar has a round length that fits", () => {
