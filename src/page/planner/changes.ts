@@ -7,6 +7,7 @@ export type Topic =
   | "selection"
   | "layers"
   | "picture"
+  | "presets"
   | "viewport"
   | "preview"
   | "tool"

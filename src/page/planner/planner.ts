@@ -5,6 +5,9 @@ import { Look } from "./backdrop/look";
 import { Picture } from "./backdrop/picture";
 import { boundsOfPicture } from "./backdrop/transform";
 import { Changes } from "./changes";
+import { Presets } from "./draw/presets";
+import { ToolSettings } from "./draw/settings";
+import type { DrawTool } from "./draw/tools";
 import { Connection } from "./document/connection";
 import { StoreDocument } from "./document/document";
 import { isObject } from "./document/json";
@@ -19,7 +22,7 @@ import { Layers } from "./view/layers";
 import { copyKey, placeAgain, Selection, type Item, type Place } from "./view/selection";
 import { Viewport } from "./view/viewport";
 
-export type Tool = "select" | "measure" | "scale" | "check" | "crop";
+export type Tool = "select" | "measure" | "scale" | "check" | "crop" | DrawTool;
 
 export interface Notice {
   text: string;
@@ -45,6 +48,8 @@ export class Planner {
   readonly picture: Picture;
   readonly fan: Fan;
   readonly snapping: Snapping;
+  readonly presets: Presets;
+  readonly settings = new ToolSettings(this.changes);
   tool: Tool = "select";
   /** Whether the plan or the 3-D picture is shown. */
   isPlan = true;
@@ -65,6 +70,7 @@ export class Planner {
     this.connection = new Connection(address);
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
     this.picture = new Picture(address, this.changes);
+    this.presets = new Presets(this.document, this.changes);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.snapping = new Snapping(this);
     this.document.onMoved = (place) => this.moved(place);

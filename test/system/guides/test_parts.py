@@ -147,7 +147,9 @@ class Keys(unittest.TestCase):
         text = actions.read_text(encoding="utf-8")
         lists = re.findall(r"\bcommand\(\s*\S+,\s*[^,\[\]]+,\s*\[(.*?)\]", text)
         known = {key for keys in lists for key in re.findall(r'"([^"]+)"', keys)}
-        self.assertGreaterEqual(len(known), 30)
+        drawing = text.split("const drawKeys")[1].split("};")[0]
+        known |= set(re.findall(r'"([^"]+)"', drawing.split("= {")[1]))
+        self.assertGreaterEqual(len(known), 38)
         self.assertIn("[String(k + 1)]", text)
         self.assertIn("held + key", lists)
         self.assertIn('commands("move", "Shift+")', text)

@@ -2,6 +2,7 @@
 
 import type { Command } from "../access/commands";
 import { alignments } from "../elements/arrange";
+import { drawTools, isDrawTool, type DrawTool } from "../draw/tools";
 import { layers } from "../view/layers";
 import type { Gestures } from "../gesture/gestures";
 import type { Planner } from "../planner";
@@ -105,13 +106,14 @@ const arrows: Record<string, [number, number]> = {
 const arrowPixels = 40;
 const crossPixels = 5;
 
-const isLineTool = ({ tool }: Planner) => tool === "measure" || tool === "scale" || tool === "check";
+const isLineTool = ({ tool }: Planner) =>
+  tool === "measure" || tool === "scale" || tool === "check" || isDrawTool(tool);
 
 function arrowCommand({ planner, gestures, turnSpace }: Surroundings, [x, y]: [number, number], isFast: boolean): void {
   const { unit } = planner.document;
   const why = planner.selection.items.length > 0 ? whyNot(planner) : null;
   const metres = (isFast ? 10 : 1) * unit.step * unit.factor;
-  const pixels = (planner.tool === "measure" ? crossPixels : 1) * (isFast ? 10 : 1);
+  const pixels = (planner.tool === "scale" || planner.tool === "check" ? 1 : crossPixels) * (isFast ? 10 : 1);
   if (isLineTool(planner)) gestures.moveCross(x * pixels, y * pixels);
   else if (why !== null) planner.say(why, true);
   else if (planner.selected.length > 0) void shiftElements(planner, planner.selected, [x * metres, y * metres], true);
@@ -195,6 +197,34 @@ function viewCommands({
   ];
 }
 
+const drawKeys: Record<DrawTool, string[]> = {
+  room: ["R"],
+  wall: ["W"],
+  opening: ["O"],
+  zone: ["Z"],
+  run: ["G"],
+  block: ["B"],
+  hole: [],
+  keep_out: ["K"],
+  area: ["A"],
+  rows: ["N"],
+};
+
+const drawCommands = ({ planner }: Surroundings): Command[] =>
+  drawTools.map((tool) =>
+    command("draw", `draw_${tool}`, drawKeys[tool], () => planner.setTool(tool), {
+      isOn: () => planner.tool === tool,
+      isEnabled: () => planner.isPlan && planner.document.locked === null && (tool !== "rows" || isRow(planner)),
+      why: () => (tool === "rows" ? text.draw.no_row : text.why_not.locked),
+    }),
+  );
+
+/** Whether the selection is one fixture with a place of its own. */
+function isRow({ selected }: Planner): boolean {
+  const [row] = selected;
+  return selected.length === 1 && row.kind === "fixture" && row.value.against === undefined;
+}
+
 function pictureCommands({ planner, choosePicture }: Surroundings): Command[] {
   const { document, look } = planner;
   const hasPicture = () => planner.drawing !== null && document.locked === null;
@@ -232,6 +262,7 @@ export const commandList = (around: Surroundings): Command[] => [
   ...selectCommands(around),
   ...editCommands(around),
   ...moveCommands(around),
+  ...drawCommands(around), // after the others, because R turns a selection
   ...pictureCommands(around),
   ...viewCommands(around),
 ];

@@ -22,6 +22,7 @@ export function listenToKeys(
   gestures: Gestures,
   plans: readonly HTMLElement[],
   pasteFile: (file: File) => void,
+  beginLength: (typed: string) => boolean,
 ): void {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.isComposing) return;
@@ -40,6 +41,13 @@ export function listenToKeys(
       return;
     }
     if (clipboardChords.has(chord)) return;
+    if (
+      inPlan &&
+      ((chord === "Backspace" && gestures.takeBack()) || (/^[\d.,]$/.test(event.key) && beginLength(event.key)))
+    ) {
+      event.preventDefault();
+      return;
+    }
     const place = { inField, inPlan, isBusy: gestures.isBusy };
     if (commands.press(chord, place) || commands.press(digitOf(event), place)) event.preventDefault();
   });

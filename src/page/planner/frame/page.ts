@@ -17,6 +17,8 @@ import { Arrivals } from "../backdrop/arrivals";
 import { Backdrop } from "../backdrop/backdrop";
 import { drawingPath } from "../backdrop/drawing";
 import { LengthField } from "../backdrop/length_field";
+import { EdgeFields } from "../draw/edge_fields";
+import { isDrawTool } from "../draw/tools";
 import { Loupe } from "../backdrop/loupe";
 import { boundsOf, middleOf } from "../geometry/bounds";
 import { Gestures } from "../gesture/gestures";
@@ -70,6 +72,7 @@ export class Page {
   private readonly backdrop: Backdrop;
   private readonly loupe: Loupe;
   private readonly lengthField: LengthField;
+  private readonly edgeFields: EdgeFields;
   private readonly shapes: Shapes;
   private readonly overlay: Overlay;
   private readonly marks: DeviceMarks;
@@ -107,6 +110,7 @@ export class Page {
     this.backdrop = new Backdrop(planner, this.plan);
     this.loupe = new Loupe(planner, this.gestures);
     this.lengthField = new LengthField(planner, this.gestures, () => this.focusPlan());
+    this.edgeFields = new EdgeFields(planner, this.gestures, () => this.focusPlan());
     this.shapes = new Shapes(planner);
     this.overlay = new Overlay(planner, this.gestures);
     this.scaleBar = new ScaleBar(planner);
@@ -135,6 +139,7 @@ export class Page {
       this.scaleBar.root,
       this.loupe.root,
       this.lengthField.root,
+      this.edgeFields.root,
     );
     root.replaceChildren(
       toolbar.root,
@@ -166,6 +171,7 @@ export class Page {
       this.gestures,
       [this.surface, this.canvas],
       (file) => void this.arrivals.take(file),
+      (typed) => this.edgeFields.begin(typed),
     );
 
     const { changes } = planner;
@@ -175,6 +181,7 @@ export class Page {
     changes.listen(["document", "preview", "viewport", "tool", "layers"], () => {
       this.loupe.update();
       this.lengthField.update();
+      this.edgeFields.update();
     });
     changes.listen(["layers"], () => planner.typePath === drawingPath && this.properties.update());
     changes.listen(["document", "preview", "selection", "layers", "warnings"], () => this.shapes.update());
@@ -193,7 +200,9 @@ export class Page {
     changes.listen(["document", "selection", "layers", "devices", "warnings"], () => this.rail.update());
     changes.listen(["selection"], () => objects.follow());
     changes.listen(["document", "warnings"], () => this.countProblems());
-    changes.listen(["document", "selection", "devices", "warnings", "status"], () => this.properties.update());
+    changes.listen(["document", "selection", "devices", "warnings", "status", "tool", "presets"], () =>
+      this.properties.update(),
+    );
     changes.listen(["document", "selection", "tool", "status", "devices"], () => toolbar.update());
     changes.listen(["document", "status"], () => banner.update());
     changes.listen(["document", "selection", "preview", "viewport", "tool", "status"], () => status.update());
@@ -228,7 +237,7 @@ export class Page {
     const { planner } = this;
     const { drawing, tool } = planner;
     if (planner.picture.follow(drawing) && this.gestures.scope.kind === "scaling") this.gestures.cancel();
-    if (!drawing && tool !== "select" && tool !== "measure") planner.setTool("select");
+    if (!drawing && (tool === "scale" || tool === "check" || tool === "crop")) planner.setTool("select");
   }
 
   private follow(): void {
@@ -247,7 +256,7 @@ export class Page {
     stage.setPlan(planner.isPlan);
     this.follow();
     // Arrow keys move the cross of a line, wherever its tool was chosen.
-    if (hadFocus || planner.tool === "scale" || planner.tool === "check") this.focusPlan();
+    if (hadFocus || planner.tool === "scale" || planner.tool === "check" || isDrawTool(planner.tool)) this.focusPlan();
   }
 
   private focusPlan(): void {

@@ -13,6 +13,14 @@ const tools: [CommandId, IconName][] = [
   ["measure", "measure"],
   ["scale", "scale"],
 ];
+const drawing: [CommandId, IconName][] = [
+  ["draw_room", "room"],
+  ["draw_wall", "wall"],
+  ["draw_opening", "opening"],
+  ["draw_run", "run"],
+  ["draw_block", "block"],
+  ["draw_zone", "zone"],
+];
 const steps: [CommandId, IconName][] = [
   ["undo", "undo"],
   ["redo", "redo"],
@@ -46,6 +54,7 @@ export class Toolbar {
       { class: "toolbar" },
       this.name,
       group(tools, text.groups.tools),
+      group(drawing, text.groups.draw),
       group(steps, text.groups.edit),
       element("div", { class: "group", role: "group", "aria-label": text.groups.view }, this.space),
       element("span", { class: "gap" }),

@@ -19,6 +19,12 @@ export function boundsOf(points: Iterable<Point>): Bounds | null {
   return lower[0] <= upper[0] ? { lower, upper } : null;
 }
 
+/** From corner to corner. */
+export const boundsBetween = ({ from, to }: { from: Point; to: Point }): Bounds => ({
+  lower: [Math.min(from[0], to[0]), Math.min(from[1], to[1])],
+  upper: [Math.max(from[0], to[0]), Math.max(from[1], to[1])],
+});
+
 export const boundsOfParts = (parts: readonly Part[]): Bounds | null =>
   boundsOf(parts.flatMap(({ outline }) => outline));
 

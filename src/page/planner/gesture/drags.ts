@@ -2,6 +2,7 @@
 
 import { dropCopies, ghostsOf, wholeSteps } from "../actions/copy";
 import { motionPreview, moveElements } from "../actions/move";
+import { dropCrop, dropPicture } from "../backdrop/strokes";
 import { EditBuilder } from "../document/edit";
 import type { Point } from "../document/messages";
 import { noPreview, type Preview } from "../document/preview";
@@ -63,7 +64,7 @@ export function dragMove(planner: Planner, scope: Moving, to: Point, keys: Keys)
   return next;
 }
 
-export function dropMove(planner: Planner, { elements, shift, isCopying }: Moving): Promise<boolean> {
+function dropMove(planner: Planner, { elements, shift, isCopying }: Moving): Promise<boolean> {
   if (shift[0] === 0 && shift[1] === 0) {
     planner.document.show(null);
     return Promise.resolve(false);
@@ -88,7 +89,7 @@ export function dragTurn(planner: Planner, scope: Rotating, to: Point, keys: Key
   return { ...scope, turn };
 }
 
-export function dropTurn(planner: Planner, { elements, middle, turn }: Rotating): Promise<boolean> {
+function dropTurn(planner: Planner, { elements, middle, turn }: Rotating): Promise<boolean> {
   if (turn === 0) {
     planner.document.show(null);
     return Promise.resolve(false);
@@ -149,7 +150,7 @@ export function dragSize(planner: Planner, scope: Resizing, to: Point): Resizing
   return { ...scope, ops: builder.ops, preview };
 }
 
-export function dropSize(planner: Planner, { context, ops, preview }: Resizing): Promise<boolean> {
+function dropSize(planner: Planner, { context, ops, preview }: Resizing): Promise<boolean> {
   if (ops.length > 0) return planner.document.edit({ label: say(text.edits.resize, nameOf(context)), ops }, preview);
   planner.document.show(null);
   return Promise.resolve(false);
@@ -162,4 +163,15 @@ export function sizeReadout(planner: Planner, { context }: Resizing): string {
   const size = (a: number, b: number) =>
     outline[a] && outline[b] ? lengthText(distance(outline[a], outline[b]), document.unit) : "";
   return outline.length === 4 ? say(text.readout.size, size(0, 1), size(1, 2)) : "";
+}
+
+/** Ends a drag with its effect; false if it has none. */
+export function drop(planner: Planner, scope: Scope): boolean {
+  if (scope.kind === "moving") void dropMove(planner, scope);
+  else if (scope.kind === "rotating") void dropTurn(planner, scope);
+  else if (scope.kind === "cropping") dropCrop(planner, scope);
+  else if (scope.kind === "shifting") dropPicture(planner, scope);
+  else if (scope.kind === "resizing" && scope.ops.length > 0) void dropSize(planner, scope);
+  else return false;
+  return true;
 }

@@ -1,46 +1,42 @@
 // Turns the events of the pointer into gestures.
 
+import { dragCrop, dragPicture, isOnFreePicture, movedCross, pixelAt, unscaled, withEnd } from "../backdrop/strokes";
 import {
-  dragCrop,
-  dragPicture,
-  dropCrop,
-  dropPicture,
-  isOnFreePicture,
-  movedCross,
-  pixelAt,
-  unscaled,
-  withEnd,
-} from "../backdrop/strokes";
+  endStroke,
+  hasBegun,
+  moveCrossOf,
+  penDown,
+  penMove,
+  penUp,
+  setCorner,
+  takeBack,
+  undrawn,
+  withTyped,
+} from "../draw/pen";
+import { isDrawTool } from "../draw/tools";
 import type { Point } from "../document/messages";
 import { noPreview } from "../document/preview";
 import { contextOf } from "../elements/context";
-import { middleOf, type Bounds } from "../geometry/bounds";
+import { boundsBetween, middleOf } from "../geometry/bounds";
 import { directionOf, distance, minus } from "../geometry/vector";
 import type { Planner } from "../planner";
-import type { Snapped } from "../snap/choice";
 import { text } from "../text";
 import { itemAt, itemOf, itemsWithin, partAt } from "../view/hit";
 import type { Item, Place } from "../view/selection";
-import { dragMove, dragSize, dragTurn, dropMove, dropSize, dropTurn, type Keys } from "./drags";
+import { dragMove, dragSize, dragTurn, drop, type Keys } from "./drags";
 import { gripAt, gripsOf } from "./grips";
-import { busy, idle, measuring, pathsOf, type Scope } from "./scope";
+import { aimMeasure, setMeasure, unmeasured } from "./measuring";
+import { busy, idle, pathsOf, type Scope } from "./scope";
 import { Touches } from "./touches";
 
 const slack = 4; // pixels between a click and a drag
 const reach = 9; // pixels
 /** Scopes that the press of a button does not end. */
-const resting: ReadonlySet<Scope["kind"]> = new Set(["idle", "measuring", "scaling"]);
+const resting: ReadonlySet<Scope["kind"]> = new Set(["idle", "measuring", "scaling", "drawing"]);
 const buttons = { left: 0, middle: 1, right: 2, none: -1 };
-
-type Measuring = Extract<Scope, { kind: "measuring" }>;
 
 const noKeys: Keys = { shift: false, alt: false };
 const keysOf = ({ shiftKey, altKey }: MouseEvent): Keys => ({ shift: shiftKey, alt: altKey });
-
-export const marqueeOf = ({ from, to }: { from: Point; to: Point }): Bounds => ({
-  lower: [Math.min(from[0], to[0]), Math.min(from[1], to[1])],
-  upper: [Math.max(from[0], to[0]), Math.max(from[1], to[1])],
-});
 
 export class Gestures {
   scope: Scope = idle;
@@ -71,7 +67,7 @@ export class Gestures {
       planner.pointer = null;
       this.hover(null);
     });
-    surface.addEventListener("dblclick", () => this.onOpen());
+    surface.addEventListener("dblclick", () => this.scope.kind === "idle" && this.onOpen());
     surface.addEventListener("contextmenu", (event) => event.preventDefault());
     surface.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     planner.follow((place) => this.follow(place));
@@ -98,7 +94,8 @@ export class Gestures {
   cancel(): boolean {
     const { scope } = this;
     const isLine = scope.kind === "measuring" || scope.kind === "scaling";
-    const isGesture = isLine ? scope.from !== null : scope.kind !== "idle";
+    const isGesture =
+      scope.kind === "drawing" ? hasBegun(this.planner, scope) : isLine ? scope.from !== null : scope.kind !== "idle";
     if (scope.kind === "marquee") this.planner.selection.set(scope.before);
     if (scope.kind === "shifting") this.planner.hold(null);
     this.planner.document.show(null);
@@ -110,7 +107,8 @@ export class Gestures {
   private get resting(): Scope {
     const { tool } = this.planner;
     if (tool === "scale" || tool === "check") return unscaled;
-    return tool === "measure" ? measuring : idle;
+    if (isDrawTool(tool)) return undrawn(this.planner, tool);
+    return tool === "measure" ? unmeasured : idle;
   }
 
   /** Begins or ends the use of a tool. */
@@ -156,7 +154,9 @@ export class Gestures {
     if (event.button !== buttons.left || this.isSpaceHeld) {
       event.preventDefault();
       this.enter({ kind: "panning", screen, button: event.button, hasMoved: false, before: this.scope });
-    } else if (this.planner.tool === "measure") this.measureTo(world, keysOf(event));
+    } else if (this.scope.kind === "drawing")
+      this.enter(penDown(this.planner, this.scope, screen, world, keysOf(event)));
+    else if (this.scope.kind === "measuring") this.measureTo(world, keysOf(event));
     else if (this.scope.kind === "scaling") {
       event.preventDefault(); // the field at the line keeps the focus
       this.enter(withEnd(this.planner, { ...this.scope, at: pixelAt(this.planner, world) }));
@@ -220,7 +220,10 @@ export class Gestures {
         this.enter(dragSize(planner, scope, world));
         break;
       case "measuring":
-        this.enter({ ...scope, to: this.endOf(scope, world, keys) });
+        this.enter(aimMeasure(planner, scope, world, keys));
+        break;
+      case "drawing":
+        this.enter(penMove(planner, scope, world, keys));
         break;
       case "scaling":
         if (!scope.to) this.enter({ ...scope, at: pixelAt(planner, world) });
@@ -295,54 +298,59 @@ export class Gestures {
   private stretch(scope: Extract<Scope, { kind: "marquee" }>, to: Point): void {
     const { document, layers, selection } = this.planner;
     const next = { ...scope, to };
-    const found = itemsWithin(document, layers, marqueeOf(next), to[0] < scope.from[0]);
+    const found = itemsWithin(document, layers, boundsBetween(next), to[0] < scope.from[0]);
     selection.set([...scope.kept, ...found]);
     this.enter(next);
   }
 
-  /** Where a measurement goes with the pointer. */
-  private endOf({ from, to }: Measuring, pointer: Point, { shift, alt }: Keys): Snapped {
-    const drawn = from ? [from] : [];
-    return this.planner.snapping.at(pointer, { drawn, isOrtho: shift, isFree: alt, held: to });
-  }
-
   private measureTo(world: Point, keys: Keys): void {
     if (this.scope.kind !== "measuring") return;
-    const { from } = this.scope;
-    const to = this.endOf(this.scope, world, keys);
-    if (from) this.measured.push([from, to.at]);
-    this.enter({ kind: "measuring", from: from ? null : to.at, to });
+    const aimed = aimMeasure(this.planner, this.scope, world, keys);
+    this.enter(setMeasure(aimed, (line) => this.measured.push(line)));
   }
 
   /** Moves the end of a measurement by pixels of the screen, or that of a line of the picture by pixels of it. */
   moveCross(x: number, y: number): void {
     const { planner } = this;
     if (this.scope.kind === "scaling") this.enter(movedCross(planner, this.scope, [x, y]));
+    if (this.scope.kind === "drawing") this.enter(moveCrossOf(planner, this.scope, [x, y]));
     if (this.scope.kind !== "measuring") return;
     const { viewport } = planner;
     const screen = viewport.toScreen(planner.pointer ?? viewport.centre);
     planner.pointer = viewport.toWorld([screen[0] + x, screen[1] - y]);
-    this.enter({ ...this.scope, to: this.endOf(this.scope, planner.pointer, noKeys) });
+    this.enter(aimMeasure(planner, this.scope, planner.pointer, noKeys));
   }
 
   setAtCross(): void {
     if (this.scope.kind === "scaling") this.enter(withEnd(this.planner, this.scope));
+    else if (this.scope.kind === "drawing") this.enter(setCorner(this.planner, this.scope));
     else this.measureTo(this.planner.pointer ?? this.planner.viewport.centre, noKeys);
+  }
+
+  /** Takes the last corner back; false if there is none. */
+  takeBack(): boolean {
+    const before = this.scope.kind === "drawing" ? takeBack(this.planner, this.scope) : null;
+    if (before) this.enter(before);
+    return before !== null;
+  }
+
+  /** Values that a person types for the edge that is being drawn. */
+  type(typed: { length: string; angle: string }): void {
+    if (this.scope.kind === "drawing") this.enter(withTyped(this.planner, this.scope, typed));
   }
 
   private up(event: PointerEvent): void {
     const { planner, scope } = this;
     this.touches.release(event);
+    if (scope.kind === "drawing") {
+      const { screen, world } = this.placeOf(event);
+      this.enter(penUp(planner, scope, screen, world, keysOf(event)));
+    }
     if (resting.has(scope.kind)) return;
     this.enter(scope.kind === "panning" ? scope.before : this.resting);
     if (scope.kind === "pressed") this.click(scope.item, event.shiftKey);
-    else if (scope.kind === "panning" && scope.button === buttons.right && !scope.hasMoved) this.openMenu(event);
-    else if (scope.kind === "moving") void dropMove(planner, scope);
-    else if (scope.kind === "rotating") void dropTurn(planner, scope);
-    else if (scope.kind === "cropping") dropCrop(planner, scope);
-    else if (scope.kind === "shifting") dropPicture(planner, scope);
-    else if (scope.kind === "resizing" && scope.ops.length > 0) void dropSize(planner, scope);
-    else if (scope.kind === "resizing") {
+    else if (scope.kind === "panning" && scope.button === buttons.right && !scope.hasMoved) this.rightClick(event);
+    else if (!drop(planner, scope) && scope.kind === "resizing") {
       const { world } = this.placeOf(event);
       this.click(itemAt(planner, world, this.reach), event.shiftKey);
     }
@@ -353,6 +361,13 @@ export class Gestures {
     if (item && isAdding) selection.toggle(item);
     else if (item) selection.set([item]);
     else if (!isAdding) selection.clear();
+  }
+
+  /** Ends the line that is being drawn, or opens the menu. */
+  private rightClick(event: PointerEvent): void {
+    const { scope } = this;
+    if (scope.kind === "drawing" && scope.stroke.points.length > 0) this.enter(endStroke(this.planner, scope));
+    else this.openMenu(event);
   }
 
   private openMenu(event: PointerEvent): void {
@@ -371,10 +386,6 @@ export class Gestures {
 
   private wheel(event: WheelEvent): void {
     event.preventDefault();
-    const { viewport, wheelPans } = this.planner;
-    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 24 : 1;
-    // A pinch on a trackpad arrives as a wheel with Ctrl.
-    if (wheelPans && !event.ctrlKey) viewport.pan(-event.deltaX * unit, -event.deltaY * unit);
-    else viewport.zoom(Math.exp(-event.deltaY * unit * (event.ctrlKey ? 0.01 : 0.0018)), this.placeOf(event).screen);
+    this.planner.viewport.turnWheel(event, this.placeOf(event).screen, this.planner.wheelPans);
   }
 }

@@ -4,6 +4,7 @@ import type { EditOp } from "../document/json";
 import type { Point } from "../document/messages";
 import type { Preview } from "../document/preview";
 import type { Context } from "../elements/context";
+import type { Stroke } from "../draw/stroke";
 import type { StoreElement } from "../elements/kinds";
 import type { Guide, Snapped } from "../snap/choice";
 import type { Item } from "../view/selection";
@@ -32,11 +33,20 @@ export type Scope =
   | { kind: "scaling"; from: Point | null; at: Point | null; to: Point | null }
   /** A part of the picture, in its pixels. */
   | { kind: "cropping"; from: Point; to: Point }
+  /** `end`: where the edge from the last corner ends; `pressed`: the button is down, at a place of the plan. */
+  | {
+      kind: "drawing";
+      stroke: Stroke;
+      end: Snapped | null;
+      pressed: { screen: Point; at: Point } | null;
+      typed: { length: string; angle: string };
+      /** Arrow keys have moved the cross to `end`. */
+      byKeys: boolean;
+    }
   /** The picture moves. */
   | { kind: "shifting"; from: Point; to: Point };
 
 export const idle: Scope = { kind: "idle" };
-export const measuring: Scope = { kind: "measuring", from: null, to: { at: [0, 0], kind: null, guides: [] } };
 
 /** Scopes in which the pointer is changing something or about to. */
 export const busy: ReadonlySet<Scope["kind"]> = new Set([

@@ -54,10 +54,6 @@ function mark([x, y]: Point, kind: SnapKind): Node[] {
   return [...outlined(`mark ${kind}`, marks[kind], `translate(${x} ${y})`), word];
 }
 
-/** The mark and the word of a place. */
-export const markOf = ({ viewport }: Planner, { at, kind }: Snapped): Node[] =>
-  kind === null ? [] : mark(viewport.toScreen(at), kind);
-
 /** The ends of a width: both ends have a tick. */
 function ticks(from: Point, to: Point): string {
   const [nx, ny] = unitAt(directionOf(minus(to, from)) + 90).map((value) => tick * value);
@@ -95,3 +91,10 @@ function guide(planner: Planner, { from, to, kind, distance: metres }: Guide): N
 
 export const guidesOf = (planner: Planner, guides: readonly Guide[]): Node[] =>
   guides.flatMap((one) => guide(planner, one));
+
+/** What holds a place, its guides first; a cross marks a place that nothing attracts. */
+export function snapMarks(planner: Planner, { at, kind, guides }: Snapped): Node[] {
+  const place = planner.viewport.toScreen(at);
+  const cross = outlined("cross", "M-9 0H9M0 -9V9", `translate(${place[0]} ${place[1]})`);
+  return [...guidesOf(planner, guides), ...(kind === null ? cross : mark(place, kind))];
+}

@@ -4,16 +4,17 @@
 import type { Part, Point } from "../document/messages";
 import { drawingPath } from "../backdrop/drawing";
 import { worldAt } from "../backdrop/strokes";
+import { traces } from "../draw/traces";
 import { moveReadout, sizeReadout, turnReadout } from "../gesture/drags";
-import { marqueeOf, type Gestures } from "../gesture/gestures";
+import type { Gestures } from "../gesture/gestures";
 import { gripsOf } from "../gesture/grips";
-import { rectangle } from "../geometry/bounds";
+import { boundsBetween, rectangle } from "../geometry/bounds";
 import { lengthText } from "../geometry/units";
 import { between, distance, directionOf, minus, unitAt } from "../geometry/vector";
 import type { Planner } from "../planner";
 import { deviceItem, isOpenLine } from "../view/hit";
 import type { Item } from "../view/selection";
-import { guidesOf, markOf, reading } from "./guides";
+import { guidesOf, reading, snapMarks } from "./guides";
 import { markedOf } from "./shapes";
 import { pathOf, svg } from "./svg";
 
@@ -43,6 +44,7 @@ export class Overlay {
       ...this.measures(),
       ...this.picture(),
       ...(scope.kind === "moving" ? guidesOf(this.planner, scope.guides) : []),
+      ...this.drawing(),
       ...this.reading(),
     ];
   }
@@ -152,7 +154,7 @@ export class Overlay {
   private marquee(): Node[] {
     const { scope } = this.gestures;
     if (scope.kind !== "marquee") return [];
-    const d = pathOf(this.screen(rectangle(marqueeOf(scope))));
+    const d = pathOf(this.screen(rectangle(boundsBetween(scope))));
     return [svg("path", { class: scope.to[0] < scope.from[0] ? "marquee touching" : "marquee", d })];
   }
 
@@ -162,13 +164,16 @@ export class Overlay {
     const lines = (all: readonly [Point, Point][]) => all.flatMap(([a, b]) => this.measure(a, b));
     if (scope.kind !== "measuring") return lines(measured);
     const { from, to } = scope;
-    const [x, y] = planner.viewport.toScreen(to.at);
-    const isShown = planner.pointer !== null;
     return [
-      ...(isShown ? guidesOf(planner, to.guides) : []),
       ...lines(from ? [...measured, [from, to.at]] : measured),
-      ...(isShown ? [svg("path", { class: "cross", d: crossAt(x, y) }), ...markOf(planner, to)] : []),
+      ...(planner.pointer === null ? [] : snapMarks(planner, to)),
     ];
+  }
+
+  private drawing(): Node[] {
+    const { scope } = this.gestures;
+    if (scope.kind !== "drawing") return [];
+    return [...traces(this.planner, scope), ...(scope.end ? snapMarks(this.planner, scope.end) : [])];
   }
 
   /** Lines of known length while their tool or the panel of the picture is open, and the line or crop in progress. */

@@ -11,6 +11,8 @@ import { turnTo } from "../actions/move";
 import { EditBuilder } from "../document/edit";
 import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
 import { withoutPlace, type DeviceAnswer } from "../document/messages";
+import { ToolPanel } from "../draw/panel";
+import { isDrawTool } from "../draw/tools";
 import { contextOf } from "../elements/context";
 import { kinds, type StoreElement } from "../elements/kinds";
 import { nameOf, namesOf } from "../elements/names";
@@ -85,8 +87,9 @@ export class Properties {
   }
 
   private content(): Node[] {
-    const { selection, typePath, document } = this.planner;
+    const { selection, typePath, document, tool } = this.planner;
     if (!document.isReady) return [];
+    if (isDrawTool(tool)) return new ToolPanel(this.planner).content(tool);
     const elements = this.planner.selected;
     if (elements.length > 0) return this.elements(elements);
     const [item] = selection.items;

@@ -53,6 +53,14 @@ export class Viewport {
     this.changes.note("viewport");
   }
 
+  /** A turn of the wheel at a place of the screen. `pans`: it moves the plan, as on trackpads. */
+  turnWheel(event: WheelEvent, at: Point, pans: boolean): void {
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 24 : 1;
+    // A pinch on a trackpad arrives as a wheel with Ctrl.
+    if (pans && !event.ctrlKey) this.pan(-event.deltaX * unit, -event.deltaY * unit);
+    else this.zoom(Math.exp(-event.deltaY * unit * (event.ctrlKey ? 0.01 : 0.0018)), at);
+  }
+
   fit(bounds: Bounds | null, largest = mostPixelsOfCentimetre * 100): void {
     if (!bounds) return;
     const [width, height] = [bounds.upper[0] - bounds.lower[0], bounds.upper[1] - bounds.lower[1]];

@@ -1,0 +1,84 @@
+// The fields at the pointer: length and angle of the edge that is being drawn. What is typed there wins over snapping.
+
+import { element } from "../../panel/dom";
+import type { Gestures } from "../gesture/gestures";
+import { tidy } from "../geometry/units";
+import { directionOf, distance, minus } from "../geometry/vector";
+import type { Planner } from "../planner";
+import { text } from "../text";
+import { lastOf } from "./stroke";
+
+const aside = 18; // pixels from the pointer
+
+export class EdgeFields {
+  readonly root = element("div", { class: "edge-fields", role: "group", hidden: true, "aria-label": text.draw.edge });
+  private readonly length = this.field(text.draw.length);
+  private readonly angle = this.field(text.draw.angle);
+  private readonly unit = element("span", { class: "unit" });
+
+  /** `done`: the plan gets the focus. */
+  constructor(
+    private readonly planner: Planner,
+    private readonly gestures: Gestures,
+    private readonly done: () => void,
+  ) {
+    this.root.append(this.length, this.unit, this.angle, element("span", { class: "unit", text: "°" }));
+    // A form of two fields without a button has no Enter of its own.
+    this.root.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      this.gestures.setAtCross();
+      this.clear();
+      this.done();
+    });
+  }
+
+  private field(name: string): HTMLInputElement {
+    return element("input", {
+      type: "text",
+      "aria-label": name,
+      autocomplete: "off",
+      spellcheck: "false",
+      on: { input: () => this.gestures.type({ length: this.length.value.trim(), angle: this.angle.value.trim() }) },
+    });
+  }
+
+  /** A digit that is typed over the plan begins the length. */
+  begin(typed: string): boolean {
+    if (this.root.hidden) return false;
+    this.length.value = typed;
+    this.length.focus({ preventScroll: true });
+    this.gestures.type({ length: typed, angle: this.angle.value.trim() });
+    return true;
+  }
+
+  private clear(): void {
+    this.length.value = "";
+    this.angle.value = "";
+  }
+
+  update(): void {
+    const { scope } = this.gestures;
+    const { planner, root } = this;
+    const from = scope.kind === "drawing" ? lastOf(scope.stroke) : undefined;
+    const end = scope.kind === "drawing" ? scope.end : null;
+    const hadFocus = root.contains(document.activeElement);
+    root.hidden = !from || !end || !planner.isPlan;
+    if (!from || !end) {
+      this.clear();
+      if (hadFocus) this.done();
+      return;
+    }
+    const { unit } = planner.document;
+    const way = minus(end.at, from);
+    this.unit.textContent = unit.name;
+    this.length.placeholder = String(
+      tidy(distance(from, end.at) / unit.factor, { ...unit, decimals: unit.decimals - 2 }),
+    );
+    this.angle.placeholder = String(Math.round(10 * directionOf(way)) / 10);
+    const [x, y] = planner.viewport.toScreen(end.at);
+    const within = (at: number, most: number) => `${Math.min(Math.max(at, 8), Math.max(most, 8))}px`;
+    root.style.left = within(x + aside, planner.viewport.width - root.offsetWidth - 8);
+    root.style.top = within(y + aside, planner.viewport.height - root.offsetHeight - 8);
+  }
+}

@@ -1,0 +1,133 @@
+// What a finished stroke adds to the store.
+
+import { EditBuilder } from "../document/edit";
+import { pointerTo, type Json } from "../document/json";
+import type { Part, Point } from "../document/messages";
+import { noPreview, type Preview } from "../document/preview";
+import { idsOf } from "../elements/copies";
+import { drawingPath } from "../backdrop/drawing";
+import { shifted } from "../backdrop/transform";
+import { outlineOf } from "../geometry/rigid";
+import { minus, times } from "../geometry/vector";
+import { addArea, addBlock, addKeepOut } from "../make/block";
+import { addHole, addZone, setRoom } from "../make/room";
+import { addRun, runAlong, setRows } from "../make/run";
+import { firstName, type Site } from "../make/site";
+import { addOpening, addWalls, wallLines, wallNear } from "../make/walls";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import type { DrawTool } from "./tools";
+
+const openingReach = 0.6; // m from a wall
+
+export const siteOf = ({ document }: Planner): Site => ({
+  json: document.json,
+  unit: document.unit,
+  taken: idsOf(
+    document.json,
+    document.parts.all.map(({ id }) => id),
+  ),
+});
+
+/** The outline in the plan until the server has resolved it. */
+const ghost = (kind: Part["kind"], outline: readonly Point[]): Preview => ({
+  ...noPreview,
+  added: [{ key: "drawn", path: null, kind, id: "", outline: [...outline] }],
+});
+
+interface Made {
+  paths: readonly string[];
+  preview: Preview;
+  /** By how much the plan moves under everything drawn. */
+  origin?: Point;
+}
+
+function make(planner: Planner, builder: EditBuilder, tool: DrawTool, points: readonly Point[]): Made | string {
+  const site = siteOf(planner);
+  const { settings } = planner;
+  const { preset, thickness, zoneHeight, blockHeight, isColumn, spacing } = settings.now;
+  const { json } = planner.document;
+  const one = (path: string, kind: Part["kind"], outline = points): Made => ({
+    paths: [path],
+    preview: ghost(kind, outline),
+  });
+  switch (tool) {
+    case "room": {
+      const origin = setRoom(builder, site, points);
+      return { paths: ["/room"], preview: noPreview, origin };
+    }
+    case "hole":
+      addHole(builder, site, points);
+      return { paths: ["/room"], preview: noPreview };
+    case "zone":
+      return one(addZone(builder, site, points, zoneHeight), "zone");
+    case "wall":
+      return { paths: addWalls(builder, site, points, thickness), preview: ghost("wall", points) };
+    case "opening": {
+      const wall = wallNear(wallLines(site), points[0], openingReach);
+      if (!wall) return text.draw.no_wall;
+      return {
+        paths: [addOpening(builder, site, wall, [points[0], points[1]], openingForm(planner))],
+        preview: noPreview,
+      };
+    }
+    case "run": {
+      const chosen = preset === null ? null : planner.presets.get(preset);
+      const run = chosen && runAlong(site, chosen, wallLines(site), [points[0], points[1]]);
+      if (!chosen || !run) return text.draw.no_preset;
+      return one(addRun(builder, site, chosen, run), "fixture", outlineOf(run));
+    }
+    case "block": {
+      const material = settings.now.material ?? firstName(json, "materials") ?? planner.document.shared.materials?.[0];
+      if (material === undefined) return text.draw.no_material;
+      return one(addBlock(builder, site, points, isColumn ? "ceiling" : blockHeight, material), "fixture");
+    }
+    case "rows": {
+      const [row] = planner.selected;
+      if (row?.kind !== "fixture" || row.value.against !== undefined) return text.draw.no_row;
+      setRows(builder, site, row.path, settings.now.count, minus(points[1], points[0]));
+      return { paths: [row.path], preview: noPreview };
+    }
+    case "keep_out":
+      return one(addKeepOut(builder, site, points), "keep_out");
+    case "area": {
+      const type = firstName(json, "transceiver_types") ?? planner.document.shared.transceiver_types?.[0];
+      if (type === undefined) return text.draw.no_type;
+      return one(addArea(builder, site, points, type, spacing), "area");
+    }
+  }
+}
+
+/** The picture and the view follow the origin, so that nothing moves on the screen. */
+function moveOrigin({ drawing, document, viewport }: Planner, builder: EditBuilder, origin: Point): void {
+  const back = times(origin, -1);
+  if (drawing) builder.set(pointerTo(drawingPath, "at"), shifted(drawing, document.unit, back).at as Json);
+  viewport.centre = [viewport.centre[0] + back[0], viewport.centre[1] + back[1]];
+}
+
+function openingForm({ settings, document }: Planner) {
+  const { opening, doorHeight, sill, lintel } = settings.now;
+  const material = opening === "open" ? undefined : (settings.now.material ?? firstName(document.json, "materials"));
+  return opening === "window" ? { bottom: sill, top: lintel, material } : { bottom: 0, top: doorHeight, material };
+}
+
+/** Adds what was drawn, and selects it. */
+export async function finish(planner: Planner, tool: DrawTool, points: readonly Point[]): Promise<boolean> {
+  const { document } = planner;
+  if (document.locked) {
+    planner.say(text.why_not.locked, true);
+    return false;
+  }
+  const builder = new EditBuilder(document.json);
+  const made = make(planner, builder, tool, points);
+  if (typeof made === "string") {
+    planner.say(made, true);
+    return false;
+  }
+  const { paths, preview, origin } = made;
+  if (origin) moveOrigin(planner, builder, origin);
+  const done = document.edit({ label: say(text.edits.draw, text.drawn[tool]), ops: builder.ops }, preview);
+  if (tool === "rows") planner.setTool("select");
+  planner.selection.setPaths(tool === "room" || tool === "hole" ? [] : paths);
+  return done;
+}

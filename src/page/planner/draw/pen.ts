@@ -1,0 +1,144 @@
+// How the pointer and the keys draw: one scope from the first corner to the last.
+
+import type { Point } from "../document/messages";
+import type { Keys } from "../gesture/drags";
+import type { Scope } from "../gesture/scope";
+import { middleOf } from "../geometry/bounds";
+import { parseLength, parseNumber } from "../geometry/lengths";
+import { stepped } from "../geometry/units";
+import { distance } from "../geometry/vector";
+import type { Planner } from "../planner";
+import { text } from "../text";
+import { finish } from "./finish";
+import { addPoint, back, begin, dragged, end, type Step } from "./stroke";
+import { formOf, type DrawTool } from "./tools";
+
+export type Drawing = Extract<Scope, { kind: "drawing" }>;
+
+const slack = 4; // pixels between a click and a drag
+
+/** Rows begin at the middle of the fixture that is selected. */
+function startOf(planner: Planner, tool: DrawTool): readonly Point[] {
+  const bounds = tool === "rows" ? planner.boundsOfElements(planner.selected.slice(0, 1)) : null;
+  return bounds ? [middleOf(bounds)] : [];
+}
+
+export const undrawn = (planner: Planner, tool: DrawTool): Drawing => ({
+  kind: "drawing",
+  stroke: begin(tool, startOf(planner, tool)),
+  end: null,
+  pressed: null,
+  typed: { length: "", angle: "" },
+  byKeys: false,
+});
+
+/** Whether there is something to cancel. */
+export const hasBegun = (planner: Planner, { stroke, pressed }: Drawing): boolean =>
+  pressed !== null || stroke.points.length > startOf(planner, stroke.tool).length;
+
+/** What the fields at the pointer fix: a length in m and an angle in degrees. */
+function fixed(planner: Planner, { typed }: Drawing): { length?: number; angle?: number } {
+  const { factor } = planner.document.unit;
+  const length = typed.length === "" ? null : parseLength(typed.length, factor);
+  const angle = typed.angle === "" ? null : parseNumber(typed.angle);
+  return { length: length === null ? undefined : length * factor, angle: angle ?? undefined };
+}
+
+/** The end of the edge for a place of the pointer. Places that nothing attracts are at whole steps. */
+function aim(planner: Planner, scope: Drawing, pointer: Point, { shift, alt }: Keys, isBox = false): Drawing {
+  const { stroke } = scope;
+  const end = planner.snapping.at(pointer, {
+    drawn: stroke.points,
+    closes: formOf[stroke.tool] === "outline",
+    isBox,
+    isFree: alt,
+    isOrtho: shift,
+    ...fixed(planner, scope),
+    held: scope.end ?? undefined,
+  });
+  return { ...scope, end: end.kind === null ? { ...end, at: atSteps(planner, end.at) } : end };
+}
+
+function atSteps({ document: { unit } }: Planner, [x, y]: Point): Point {
+  const round = (metres: number) => stepped(metres / unit.factor, unit) * unit.factor;
+  return [round(x), round(y)];
+}
+
+export function penDown(planner: Planner, scope: Drawing, screen: Point, world: Point, keys: Keys): Drawing {
+  const aimed = aim(planner, scope, world, keys);
+  if (!aimed.end) return aimed;
+  // The first corner may begin a drag, so the release decides.
+  return { ...aimed, pressed: { screen, at: aimed.end.at } };
+}
+
+export function penMove(planner: Planner, scope: Drawing, world: Point, keys: Keys): Drawing {
+  const { pressed, stroke } = scope;
+  const isDrag = pressed !== null && stroke.points.length === 0;
+  if (!isDrag) return aim(planner, scope, world, keys);
+  // A drag snaps as the end of a line, or as the opposite corner of a rectangle.
+  const begun = { ...scope, stroke: { ...stroke, points: [pressed.at] } };
+  const aimed = aim(planner, begun, world, keys, formOf[stroke.tool] === "outline");
+  return { ...aimed, stroke };
+}
+
+/** The outline or line that a drag draws so far. */
+export function draggedSoFar(planner: Planner, { pressed, stroke, end }: Drawing): readonly Point[] | null {
+  const isDrag = pressed && stroke.points.length === 0 && end;
+  return isDrag ? dragged(stroke, pressed.at, end.at, planner.snapping.frame) : null;
+}
+
+export function penUp(planner: Planner, scope: Drawing, screen: Point, world: Point, keys: Keys): Drawing {
+  const { pressed, stroke } = scope;
+  if (!pressed) return scope;
+  const isDrag = stroke.points.length === 0 && distance(screen, pressed.screen) > slack;
+  if (!isDrag) return proceed(planner, { ...scope, pressed: null }, addPoint(stroke, pressed.at));
+  const points = draggedSoFar(planner, penMove(planner, scope, world, keys));
+  if (!points) return undrawn(planner, stroke.tool);
+  return proceed(planner, { ...scope, pressed: null }, { done: points });
+}
+
+const none: Keys = { shift: false, alt: false };
+
+const aimAtPointer = (planner: Planner, scope: Drawing): Drawing =>
+  aim(planner, scope, planner.pointer ?? planner.viewport.centre, none);
+
+/** Enter: sets a corner at typed values or where arrow keys have moved the cross, and ends the stroke otherwise. */
+export function setCorner(planner: Planner, scope: Drawing): Drawing {
+  const isMeant = scope.byKeys || isTyped(scope) || scope.stroke.points.length === 0;
+  if (!isMeant) return endStroke(planner, scope);
+  const aimed = scope.end ? scope : aimAtPointer(planner, scope);
+  return aimed.end ? proceed(planner, aimed, addPoint(aimed.stroke, aimed.end.at)) : aimed;
+}
+
+const isTyped = ({ typed }: Drawing): boolean => typed.length !== "" || typed.angle !== "";
+
+export const withTyped = (planner: Planner, scope: Drawing, typed: Drawing["typed"]): Drawing =>
+  aimAtPointer(planner, { ...scope, typed });
+
+/** Moves the cross by pixels of the screen, to the right and upwards. */
+export function moveCrossOf(planner: Planner, scope: Drawing, [x, y]: Point): Drawing {
+  const { viewport } = planner;
+  const screen = viewport.toScreen(scope.end?.at ?? planner.pointer ?? viewport.centre);
+  planner.pointer = viewport.toWorld([screen[0] + x, screen[1] - y]);
+  return { ...aim(planner, scope, planner.pointer, { shift: false, alt: true }), byKeys: true };
+}
+
+export const endStroke = (planner: Planner, scope: Drawing): Drawing => proceed(planner, scope, end(scope.stroke));
+
+/** Null: there is no corner to take back. */
+export function takeBack(planner: Planner, scope: Drawing): Drawing | null {
+  const { stroke } = scope;
+  return stroke.points.length === 0 ? null : { ...undrawn(planner, stroke.tool), stroke: back(stroke) };
+}
+
+/** Typed values are for one edge. */
+function proceed(planner: Planner, scope: Drawing, step: Step): Drawing {
+  const { tool } = scope.stroke;
+  if ("done" in step) {
+    void finish(planner, tool, step.done);
+    return undrawn(planner, tool);
+  }
+  if (step.stroke.crossings.length > 0) planner.say(text.draw.crossing, true);
+  const next = { ...undrawn(planner, tool), stroke: step.stroke };
+  return step.stroke.points.length > 0 ? aimAtPointer(planner, next) : next;
+}

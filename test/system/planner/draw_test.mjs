@@ -1,0 +1,169 @@
+// Tests the tools that draw: corners by clicks, drags, typed values and keys, and what they add to the store.
+
+import { check, equal, near, says } from "../viewer/check.mjs";
+import { placed, testPlanner } from "./opened.mjs";
+
+const scope = (tab) => tab.page.evaluate(() => window.shelfbeamPlanner.page.gestures.scope);
+const corners = async (tab) => (await scope(tab)).stroke.points.length;
+const word = (tab) => tab.page.evaluate(() => document.querySelector(".overlay .word")?.textContent ?? "");
+const last = (list) => list[list.length - 1];
+
+/** Clicks on places that nothing attracts. */
+async function freely(tab, ...places) {
+  await tab.page.keyboard.down("Alt");
+  for (const [x, y] of places) await tab.click(x, y);
+  await tab.page.keyboard.up("Alt");
+}
+
+testPlanner("draw: a room by its corners, closed at the first one", { smoke: true }, async (tab) => {
+  const { room } = tab.json;
+  await tab.press("r");
+  await freely(tab, [1, 1], [24, 1], [24, 12], [18, 16], [1, 16]);
+  equal(await corners(tab), 5);
+  await tab.point(1.1, 1.15);
+  equal(await word(tab), "first corner");
+  await tab.click(1.1, 1.15);
+  await tab.steps(1);
+  equal(await tab.labels(), ["Draw the room"]);
+  placed(tab.json.room.outline, [
+    [1, 1],
+    [24, 1],
+    [24, 12],
+    [18, 16],
+    [1, 16],
+  ]); // prettier-ignore
+  equal([tab.json.room.height, tab.json.room.floor], [room.size[2], room.floor]);
+});
+
+testPlanner("draw: Esc, Ctrl+Z and Backspace in the middle", {}, async (tab) => {
+  await tab.press("z");
+  await freely(tab, [2, 2], [4, 2], [4, 4]);
+  await tab.press("Backspace");
+  equal(await corners(tab), 2);
+  await tab.press("Escape");
+  equal(await corners(tab), 0);
+  await freely(tab, [2, 2], [4, 2], [4, 4]);
+  await tab.press("Control+z");
+  equal(await corners(tab), 0);
+  check(await tab.isUntouched(), "nothing was drawn");
+  await tab.drag([2, 2], [5, 4], { during: () => tab.press("Escape") });
+  check(await tab.isUntouched(), "a cancelled drag draws nothing");
+  await tab.press("Escape");
+  equal((await scope(tab)).kind, "idle");
+});
+
+testPlanner("draw: edges must not cross", {}, async (tab) => {
+  await tab.press("b");
+  await freely(tab, [20, 1], [22, 1], [22, 3], [21, 0.5]);
+  equal(await corners(tab), 3);
+  equal((await scope(tab)).stroke.crossings.length, 2);
+  check(await tab.page.evaluate(() => document.querySelectorAll(".crossing").length === 2), "both edges are shown");
+  says(await tab.text(".notice"), "Edges would cross here.");
+  await tab.press("Escape");
+});
+
+testPlanner("draw: walls by typed lengths and angles, ended by Enter", {}, async (tab) => {
+  await tab.press("w");
+  await freely(tab, [2, 1]);
+  await tab.point(4, 1.5);
+  await tab.page.keyboard.type("2*1.5");
+  await tab.press("Tab");
+  await tab.page.keyboard.type("90");
+  await tab.press("Enter");
+  equal(await corners(tab), 2);
+  await tab.page.keyboard.type("180cm");
+  await tab.press("Tab");
+  await tab.page.keyboard.type("0");
+  await tab.press("Enter", "Enter");
+  await tab.steps(1);
+  const walls = tab.json.room.inner_walls.slice(-2);
+  const [x, y] = walls[0].from;
+  placed([x, y], [2, 1]);
+  near(walls[0].to[1] - y, 3, 1e-6, "the typed length");
+  near(walls[1].to[0] - x, 1.8, 1e-6, "the second typed length");
+  equal(walls[0].to, walls[1].from);
+});
+
+testPlanner("draw: a door in an outer wall, and in an inner one", {}, async (tab) => {
+  await tab.press("o");
+  await freely(tab, [3, 0.05], [4.2, 0.05]);
+  await tab.steps(1);
+  const door = last(tab.json.room.openings);
+  placed([door.at, door.width], [3, 1.2]);
+  equal([door.wall, door.top], [0, 2.1]);
+  await tab.click(12, 12);
+  await tab.click(13, 12);
+  await tab.until(() => document.querySelector(".notice").textContent.includes("There is no wall here."));
+  await tab.press("Escape");
+});
+
+testPlanner("draw: a row of whole modules, and shelving that clings to a wall", {}, async (tab) => {
+  await tab.press("g");
+  await tab.page.evaluate(() => document.querySelector('[data-key="tool/preset/end"]').click());
+  await tab.page.evaluate(() => document.querySelector(".surface").focus());
+  await freely(tab, [20, 14], [20, 17]);
+  await tab.steps(1);
+  const row = last(tab.json.fixtures);
+  equal([row.preset, row.rotation_deg], ["end", 90]);
+  near(row.length, 2.7, 1e-9, "three modules of 0.9 m");
+  await tab.page.keyboard.press("Escape");
+});
+
+testPlanner("draw: rows of copies at a typed distance", {}, async (tab) => {
+  await tab.click(22, 9);
+  await tab.press("Escape");
+  await tab.click(10, 9.85);
+  await tab.press("n");
+  await tab.fill("tool/count", "3");
+  await tab.page.evaluate(() => document.querySelector(".surface").focus());
+  await tab.point(10, 8.5);
+  await tab.page.keyboard.type("0.5");
+  await tab.press("Tab");
+  await tab.page.keyboard.type("-90");
+  await tab.press("Enter");
+  await tab.steps(1);
+  const { repeat } = tab.json.fixtures[2];
+  equal([repeat.count, repeat.step], [3, [0, -0.5]]);
+  equal(await tab.labels(), ["Draw rows"]);
+  await tab.press("Escape");
+});
+
+testPlanner("draw: a block by a drag, and by keys alone", {}, async (tab) => {
+  await tab.press("b");
+  await tab.drag([20, 0.6], [22, 1.8], { keys: ["Alt"] });
+  await tab.steps(1);
+  const box = last(tab.json.fixtures);
+  placed([box.at[0], box.at[1], box.size[0], box.size[1]], [20, 0.6, 2, 1.2]);
+  await tab.press("Escape");
+  await tab.press("k", "ArrowLeft", "Enter");
+  equal(await corners(tab), 1);
+  for (const [key, times] of [
+    ["ArrowRight", 4],
+    ["ArrowUp", 4],
+    ["ArrowLeft", 4],
+  ]) {
+    // prettier-ignore
+    for (let k = 0; k < times; ++k) await tab.press(`Shift+${key}`);
+    await tab.press("Enter");
+  }
+  equal(await corners(tab), 4);
+  await tab.press("Enter");
+  await tab.steps(2);
+  equal((await tab.labels())[1], "Draw a keep-out area");
+  equal(last(tab.json.transceivers.keep_out).polygon.length, 4);
+  await tab.press("Escape");
+});
+
+testPlanner("draw: Shift keeps to steps of 15 degrees, and corners attract", {}, async (tab) => {
+  await tab.press("w");
+  await freely(tab, [3, 1]);
+  await tab.page.keyboard.down("Shift");
+  await tab.point(6, 1.2);
+  const { end } = await scope(tab);
+  near(end.at[1], (await scope(tab)).stroke.points[0][1], 1e-9, "along the frame");
+  await tab.page.keyboard.up("Shift");
+  const [x, y] = tab.json.fixtures[2].at;
+  await tab.point(x + 0.03, y - 0.03);
+  equal(await word(tab), "corner");
+  await tab.press("Escape", "Escape");
+});
