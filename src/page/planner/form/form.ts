@@ -119,7 +119,8 @@ export class Form {
     const pointer = pointerTo(parent, key);
     const isRequired = field.isRequired && !this.isInherited(pointer);
     const shown = this.shown(pointer, field);
-    const place = this.place(pointer, key, isRequired);
+    const isRemovable = !field.isRequired && shown.origin !== "";
+    const place = { ...this.place(pointer, key, isRequired), isRemovable };
     const active = type.kind === "either" ? optionOf(type.options, shown.own ?? shown.base) : type;
     const commit = (next: (present: Json | undefined) => Json | undefined) => this.set(place.label, pointer, next);
     const choice = type.kind === "either" ? typeChoice(place, type.options, shown, commit) : null;

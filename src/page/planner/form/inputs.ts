@@ -30,6 +30,8 @@ export interface Place {
   around: Surroundings;
   isDisabled: boolean;
   isRequired: boolean;
+  /** Null removes the value of a preset. */
+  isRemovable?: boolean;
   /** The id of the error text. */
   problemId: string;
 }
@@ -212,7 +214,10 @@ function listInput(
   });
 }
 
-/** One of several names. The first option is the inherited value, or none. */
+/** Not a name of the store. */
+const nothing = "\0";
+
+/** One of several names. The first option is the inherited value, or none; another one removes an inherited value. */
 function choiceInput(place: Place, names: string[], shown: Shown, commit: Commit, nameOf = (value: string) => value) {
   const inherited = typeof shown.base === "string" ? nameOf(shown.base) : "";
   const select = element("select", {
@@ -222,9 +227,11 @@ function choiceInput(place: Place, names: string[], shown: Shown, commit: Commit
     "aria-describedby": place.problemId,
     disabled: place.isDisabled,
     class: shown.own === undefined ? "inherited" : "",
-    on: { change: () => commit(() => (select.value === "" ? undefined : select.value)) },
+    on: {
+      change: () => commit(() => (select.value === nothing ? null : select.value === "" ? undefined : select.value)),
+    },
   });
-  const own = typeof shown.own === "string" ? shown.own : "";
+  const own = shown.own === null ? nothing : typeof shown.own === "string" ? shown.own : "";
   const first = shown.isMixed
     ? text.form.mixed
     : inherited !== ""
@@ -234,7 +241,10 @@ function choiceInput(place: Place, names: string[], shown: Shown, commit: Commit
       : text.form.none;
   if (!place.isRequired || own === "") select.append(element("option", { value: "", text: first }));
   // A name that is not there (any more) stays visible; the server says what is wrong with it.
-  const all = own !== "" && !names.includes(own) ? [own, ...names] : names;
+  const isKnown = own === "" || own === nothing || names.includes(own);
+  const all = isKnown ? names : [own, ...names];
+  if (own === nothing || (place.isRemovable && inherited !== ""))
+    select.append(element("option", { value: nothing, text: text.form.none }));
   for (const name of all) select.append(element("option", { value: name, text: nameOf(name) }));
   select.value = own;
   return select;
