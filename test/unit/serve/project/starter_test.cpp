@@ -100,7 +100,7 @@ TEST(StarterCatalogue, HasUsableFixtures) {
   for (const auto& [name, keys] : shop.presets().items()) {
     const Json whole = shop.completed(name);
     const bool is_box = whole["type"] == "box", has_labels = whole.contains("labels");
-    EXPECT_NE(has_labels, name.starts_with("check-out")) << name;
+    EXPECT_NE(has_labels, name == "check-out 1.80 m") << name;
     Json fixtures = Json::array({placed(name, is_box)});
     if (!has_labels) {  // a store needs some
       fixtures.push_back(placed("gondola 1.25 m, double, 1.6 m high", false));
