@@ -99,7 +99,7 @@ testPlanner("draw: a door in an outer wall, and in an inner one", {}, async (tab
 
 testPlanner("draw: a row of whole modules, and shelving that clings to a wall", {}, async (tab) => {
   await tab.press("g");
-  await tab.page.evaluate(() => document.querySelector('[data-key="tool/preset/end"]').click());
+  await tab.choose("tool/Preset", "end");
   await tab.page.evaluate(() => document.querySelector(".surface").focus());
   await freely(tab, [20, 14], [20, 17]);
   await tab.steps(1);
@@ -107,6 +107,33 @@ testPlanner("draw: a row of whole modules, and shelving that clings to a wall", 
   equal([row.preset, row.rotation_deg], ["end", 90]);
   near(row.length, 2.7, 1e-9, "three modules of 0.9 m");
   await tab.page.keyboard.press("Escape");
+});
+
+testPlanner("draw: like the last fixture, with the widths of the aisles", {}, async (tab) => {
+  await tab.press("g");
+  await tab.choose("tool/Preset", "row");
+  await freely(tab, [3.5, 1]);
+  await tab.page.keyboard.down("Alt");
+  await tab.point(15.2, 1);
+  const widths = await tab.page.evaluate(() =>
+    [...document.querySelectorAll(".overlay .distance")].map((one) => Number.parseFloat(one.textContent)),
+  );
+  await tab.page.keyboard.up("Alt");
+  await freely(tab, [15.2, 1]);
+  await tab.steps(1);
+  const { at, ...others } = last(tab.json.fixtures);
+  equal([others.preset, others.length], ["row", undefined]);
+  placed(at, [3.5, 0.55]);
+  placed(widths.sort(), [2 - at[1] - 0.9, at[1]].sort(), "the aisles to the check-outs and the wall");
+  await tab.fill("field/depth", "0.7");
+  await tab.steps(2);
+  placed(last(tab.json.fixtures).at, [3.5, 0.65], "the middle stays");
+  await tab.click(20, 16.5);
+  await tab.click(20, 4.6);
+  await tab.steps(3);
+  const { preset, depth, length, rotation_deg } = last(tab.json.fixtures);
+  equal([preset, depth, length, rotation_deg], ["row", 0.7, undefined, 270]);
+  await tab.press("Escape");
 });
 
 testPlanner("draw: rows of copies at a typed distance", {}, async (tab) => {

@@ -1,4 +1,5 @@
-// The fields at the pointer: length and angle of the edge that is being drawn. What is typed there wins over snapping.
+// The fields at the pointer: length and angle of the edge that is being drawn. Typed values win over snapping. The fields
+// follow the pointer, which goes through them; digits and Tab begin to type.
 
 import { element } from "../../panel/dom";
 import type { Gestures } from "../gesture/gestures";
@@ -9,6 +10,7 @@ import { text } from "../text";
 import { lastOf } from "./stroke";
 
 const aside = 18; // pixels from the pointer
+const margin = 8; // pixels from the edges of the plan
 
 export class EdgeFields {
   readonly root = element("div", { class: "edge-fields", role: "group", hidden: true, "aria-label": text.draw.edge });
@@ -77,8 +79,10 @@ export class EdgeFields {
     );
     this.angle.placeholder = String(Math.round(10 * directionOf(way)) / 10);
     const [x, y] = planner.viewport.toScreen(end.at);
-    const within = (at: number, most: number) => `${Math.min(Math.max(at, 8), Math.max(most, 8))}px`;
-    root.style.left = within(x + aside, planner.viewport.width - root.offsetWidth - 8);
-    root.style.top = within(y + aside, planner.viewport.height - root.offsetHeight - 8);
+    // Never below the pointer: on its other side at the right and lower edges of the plan.
+    const beside = (at: number, size: number, most: number) =>
+      `${Math.max(at + aside + size + margin > most ? at - aside - size : at + aside, margin)}px`;
+    root.style.left = beside(x, root.offsetWidth, planner.viewport.width);
+    root.style.top = beside(y, root.offsetHeight, planner.viewport.height);
   }
 }

@@ -16,6 +16,7 @@ import { firstName, type Site } from "../make/site";
 import { addOpening, addWalls, wallLines, wallNear } from "../make/walls";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
+import { templateOf } from "./template";
 import type { DrawTool } from "./tools";
 
 const openingReach = 0.6; // m from a wall
@@ -42,10 +43,22 @@ interface Made {
   origin?: Point;
 }
 
-function make(planner: Planner, builder: EditBuilder, tool: DrawTool, points: readonly Point[]): Made | string {
+/** `isExact`: a fixture is as long as its line; `isFree`: it clings to no wall. */
+export interface Freedom {
+  isExact: boolean;
+  isFree: boolean;
+}
+
+function make(
+  planner: Planner,
+  builder: EditBuilder,
+  tool: DrawTool,
+  points: readonly Point[],
+  freedom: Freedom,
+): Made | string {
   const site = siteOf(planner);
   const { settings } = planner;
-  const { preset, thickness, zoneHeight, blockHeight, isColumn, spacing } = settings.now;
+  const { thickness, zoneHeight, blockHeight, isColumn, spacing } = settings.now;
   const { json } = planner.document;
   const one = (path: string, kind: Part["kind"], outline = points): Made => ({
     paths: [path],
@@ -72,10 +85,11 @@ function make(planner: Planner, builder: EditBuilder, tool: DrawTool, points: re
       };
     }
     case "run": {
-      const chosen = preset === null ? null : planner.presets.get(preset);
-      const run = chosen && runAlong(site, chosen, wallLines(site), [points[0], points[1]]);
-      if (!chosen || !run) return text.draw.no_preset;
-      return one(addRun(builder, site, chosen, run), "fixture", outlineOf(run));
+      const template = templateOf(planner);
+      const run = template && runAlong(site, template, wallLines(site), [points[0], points[1]], freedom);
+      if (!template || !run) return text.draw.no_preset;
+      settings.set({ isLike: true, preset: template.preset });
+      return one(addRun(builder, site, template, run), "fixture", outlineOf(run));
     }
     case "block": {
       const material = settings.now.material ?? firstName(json, "materials") ?? planner.document.shared.materials?.[0];
@@ -112,14 +126,19 @@ function openingForm({ settings, document }: Planner) {
 }
 
 /** Adds what was drawn, and selects it. */
-export async function finish(planner: Planner, tool: DrawTool, points: readonly Point[]): Promise<boolean> {
+export async function finish(
+  planner: Planner,
+  tool: DrawTool,
+  points: readonly Point[],
+  freedom: Freedom,
+): Promise<boolean> {
   const { document } = planner;
   if (document.locked) {
     planner.say(text.why_not.locked, true);
     return false;
   }
   const builder = new EditBuilder(document.json);
-  const made = make(planner, builder, tool, points);
+  const made = make(planner, builder, tool, points, freedom);
   if (typeof made === "string") {
     planner.say(made, true);
     return false;
@@ -128,6 +147,6 @@ export async function finish(planner: Planner, tool: DrawTool, points: readonly 
   if (origin) moveOrigin(planner, builder, origin);
   const done = document.edit({ label: say(text.edits.draw, text.drawn[tool]), ops: builder.ops }, preview);
   if (tool === "rows") planner.setTool("select");
-  planner.selection.setPaths(tool === "room" || tool === "hole" ? [] : paths);
+  planner.selection.setPaths(paths);
   return done;
 }

@@ -5,12 +5,15 @@ import { namesIn } from "../form/initial";
 import { entry, type Place } from "../form/inputs";
 import { numberFrom, Unreadable } from "../form/parse";
 import { lengthText, tidy } from "../geometry/units";
-import { isOneSided, sizeOf, type Preset } from "../make/run";
+import { isOneSided, sizeOf, type Template } from "../make/run";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
-import { siteOf } from "./finish";
 import type { OpeningKind, Settings } from "./settings";
+import { modelOf, templateOf } from "./template";
 import type { DrawTool } from "./tools";
+
+/** Not the name of a preset. */
+const likeKey = "\0";
 
 type LengthKey = {
   [Key in keyof Settings]: Settings[Key] extends number ? (Key extends "count" ? never : Key) : never;
@@ -57,7 +60,7 @@ export class ToolPanel {
       case "area":
         return [this.length("spacing")];
       case "run":
-        return [this.presets()];
+        return this.presets();
       case "rows":
         return [this.count()];
       default:
@@ -159,40 +162,36 @@ export class ToolPanel {
     );
   }
 
-  /** The catalogue: one preset is chosen. Arrow keys move through the list. */
-  private presets(): HTMLElement {
-    const { presets, settings, document } = this.planner;
-    const site = siteOf(this.planner);
-    const usable = presets.all.filter((preset) => sizeOf(site, preset) !== null);
-    if (usable.length === 0) return element("p", { class: "note", text: text.draw.no_presets });
-    const says = (preset: Preset) => {
-      const size = sizeOf(site, preset);
-      const side = isOneSided(preset) ? text.draw.one_sided : "";
-      const parts = size
-        ? [size.length, size.depth, size.height].map((metres) => lengthText(metres, document.unit))
-        : [];
-      return say(text.draw.preset_size, ...parts, side);
-    };
-    return element(
-      "fieldset",
-      { class: "catalogue" },
-      element("legend", { text: text.draw.settings.preset }),
-      ...usable.map((preset) => {
-        const input = element("input", {
-          type: "radio",
-          name: "preset",
-          "data-key": `tool/preset/${preset.name}`,
-          on: { change: () => settings.set({ preset: preset.name }) },
-        });
-        input.checked = settings.now.preset === preset.name;
-        return element(
-          "label",
-          {},
-          input,
-          element("span", { text: preset.name }),
-          element("small", { text: says(preset) }),
-        );
-      }),
+  /** The catalogue of the project, and the fixture that the next one is like. */
+  private presets(): HTMLElement[] {
+    const { planner } = this;
+    const { presets, settings, document } = planner;
+    const usable = presets.all.filter(({ effective }) => sizeOf(effective, document.unit) !== null);
+    const template = templateOf(planner);
+    const model = template && modelOf(planner);
+    if (usable.length === 0 && !model) return [element("p", { class: "note", text: text.draw.no_presets })];
+    const like: [string, string][] = model
+      ? [[likeKey, say(text.draw.like, model.id)]]
+      : template
+        ? []
+        : [["", text.draw.choose]];
+    const control = this.select(
+      text.draw.settings.preset,
+      [...like, ...usable.map(({ name }): [string, string] => [name, name])],
+      model ? likeKey : (template?.preset ?? ""),
+      (preset) => settings.set({ preset, isLike: false }),
     );
+    return template ? [control, element("p", { class: "note", text: this.saysOf(template) })] : [control];
+  }
+
+  private saysOf({ effective, preset, module }: Template): string {
+    const { unit } = this.planner.document;
+    const size = sizeOf(effective, unit);
+    const name = modelOf(this.planner) && preset !== null ? `${preset}: ` : "";
+    const [length, depth, height] = [module ?? 0, size?.depth ?? 0, size?.height ?? 0].map((metres) =>
+      lengthText(metres, unit),
+    );
+    const side = isOneSided(effective) ? text.draw.one_sided : "";
+    return name + say(module === null ? text.draw.free_size : text.draw.preset_size, length, depth, height, side);
   }
 }

@@ -6,11 +6,13 @@ import type { Scope } from "../gesture/scope";
 import { middleOf } from "../geometry/bounds";
 import { parseLength, parseNumber } from "../geometry/lengths";
 import { stepped } from "../geometry/units";
-import { distance } from "../geometry/vector";
+import { distance, dot, minus, plus, times, unitAt } from "../geometry/vector";
 import type { Planner } from "../planner";
+import type { Snapped } from "../snap/choice";
 import { text } from "../text";
-import { finish } from "./finish";
-import { addPoint, back, begin, dragged, end, type Step } from "./stroke";
+import { rowSteps } from "../make/run";
+import { finish, type Freedom } from "./finish";
+import { addPoint, back, begin, dragged, end, lastOf, type Step } from "./stroke";
 import { formOf, type DrawTool } from "./tools";
 
 export type Drawing = Extract<Scope, { kind: "drawing" }>;
@@ -30,6 +32,7 @@ export const undrawn = (planner: Planner, tool: DrawTool): Drawing => ({
   pressed: null,
   typed: { length: "", angle: "" },
   byKeys: false,
+  isFree: false,
 });
 
 /** Whether there is something to cancel. */
@@ -56,7 +59,31 @@ function aim(planner: Planner, scope: Drawing, pointer: Point, { shift, alt }: K
     ...fixed(planner, scope),
     held: scope.end ?? undefined,
   });
-  return { ...scope, end: end.kind === null ? { ...end, at: atSteps(planner, end.at) } : end };
+  const isFree = alt;
+  if (stroke.tool === "rows" && !isFree) return { ...scope, isFree, end: rowEnd(planner, scope, end) };
+  return { ...scope, isFree, end: end.kind === null ? { ...end, at: atSteps(planner, end.at) } : end };
+}
+
+/**
+ * Rows are beside or behind each other, as far as other rows if the pointer is near, and at whole steps unless something
+ * attracts the next one or its distance is typed.
+ */
+function rowEnd(planner: Planner, { stroke, typed }: Drawing, end: Snapped): Snapped {
+  const from = lastOf(stroke);
+  const [footing] = planner.selected.flatMap(({ path }) => planner.document.parts.of(path)[0]?.footing ?? []);
+  if (!from || !footing || typed.angle !== "") return end;
+  const way = minus(end.at, from);
+  const [along, across] = [0, 90].map((turn) => unitAt(footing.rotation + turn));
+  const [x, y] = [dot(way, along), dot(way, across)];
+  const [axis, length] = Math.abs(x) > Math.abs(y) ? [along, x] : [across, y];
+  const { document, snapping } = planner;
+  const { unit } = document;
+  const known = rowSteps(document.json).map((step) => step * unit.factor);
+  const same = known.find((step) => Math.abs(step - Math.abs(length)) <= snapping.reach);
+  const whole = same ?? stepped(Math.abs(length) / unit.factor, unit) * unit.factor;
+  const size = Math.sign(length) * (typed.length === "" ? whole : Math.hypot(...way));
+  const at = plus(from, times(axis, size));
+  return { at, kind: same === undefined || typed.length !== "" ? null : "gap", guides: [] };
 }
 
 function atSteps({ document: { unit } }: Planner, [x, y]: Point): Point {
@@ -120,7 +147,7 @@ export function moveCrossOf(planner: Planner, scope: Drawing, [x, y]: Point): Dr
   const { viewport } = planner;
   const screen = viewport.toScreen(scope.end?.at ?? planner.pointer ?? viewport.centre);
   planner.pointer = viewport.toWorld([screen[0] + x, screen[1] - y]);
-  return { ...aim(planner, scope, planner.pointer, { shift: false, alt: true }), byKeys: true };
+  return { ...aim(planner, scope, planner.pointer, { shift: false, alt: true }), byKeys: true, isFree: false };
 }
 
 export const endStroke = (planner: Planner, scope: Drawing): Drawing => proceed(planner, scope, end(scope.stroke));
@@ -131,11 +158,17 @@ export function takeBack(planner: Planner, scope: Drawing): Drawing | null {
   return stroke.points.length === 0 ? null : { ...undrawn(planner, stroke.tool), stroke: back(stroke) };
 }
 
+/** What modules and walls do not change. */
+export const freedomOf = ({ isFree, typed }: Drawing): Freedom => ({
+  isExact: typed.length !== "",
+  isFree,
+});
+
 /** Typed values are for one edge. */
 function proceed(planner: Planner, scope: Drawing, step: Step): Drawing {
   const { tool } = scope.stroke;
   if ("done" in step) {
-    void finish(planner, tool, step.done);
+    void finish(planner, tool, step.done, freedomOf(scope));
     return undrawn(planner, tool);
   }
   if (step.stroke.crossings.length > 0) planner.say(text.draw.crossing, true);

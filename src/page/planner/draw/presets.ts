@@ -4,10 +4,15 @@ import type { Changes } from "../changes";
 import type { StoreDocument } from "../document/document";
 import { equal, isObject, valueAt, type Json, type JsonObject } from "../document/json";
 import { inUnit } from "../form/convert";
-import type { Preset } from "../make/run";
 
 interface Answer {
   presets: Record<string, { effective: JsonObject; units: Record<string, string> }>;
+}
+
+/** A preset with all its keys, in the unit of the store. */
+export interface Preset {
+  name: string;
+  effective: JsonObject;
 }
 
 export class Presets {

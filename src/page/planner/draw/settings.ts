@@ -7,6 +7,8 @@ export type OpeningKind = "door" | "window" | "open";
 /** Lengths in m. */
 export interface Settings {
   preset: string | null;
+  /** The next fixture is like the selected one. */
+  isLike: boolean;
   thickness: number;
   zoneHeight: number;
   opening: OpeningKind;
@@ -24,6 +26,7 @@ export interface Settings {
 
 const usual: Settings = {
   preset: null,
+  isLike: true,
   thickness: 0.12,
   zoneHeight: 2.6,
   opening: "door",

@@ -3,12 +3,15 @@
 import type { Point } from "../document/messages";
 import { outlineOf } from "../geometry/rigid";
 import { minus, plus, times } from "../geometry/vector";
-import { runAlong, sizeOf } from "../make/run";
+import { runAlong } from "../make/run";
 import { wallLines } from "../make/walls";
+import { guidesOf } from "../plan/guides";
 import { pathOf, svg } from "../plan/svg";
 import type { Planner } from "../planner";
+import { aisleGuides } from "../snap/gaps";
 import { siteOf } from "./finish";
-import { draggedSoFar, type Drawing } from "./pen";
+import { draggedSoFar, freedomOf, type Drawing } from "./pen";
+import { templateOf } from "./template";
 import { formOf } from "./tools";
 
 /** The corners so far, with the one at the pointer. */
@@ -17,15 +20,20 @@ function corners(planner: Planner, scope: Drawing): readonly Point[] {
   return draggedSoFar(planner, scope) ?? (end ? [...stroke.points, end.at] : stroke.points);
 }
 
-/** The fixture that a line means. */
-function runOutline(planner: Planner, points: readonly Point[]): Point[] | null {
-  const { preset } = planner.settings.now;
-  const chosen = preset === null ? null : planner.presets.get(preset);
-  if (!chosen || points.length < 2) return null;
+/** The fixture that a line means, with the aisles beside it. */
+function runTraces(planner: Planner, scope: Drawing, points: readonly Point[]): Node[] {
+  const template = templateOf(planner);
+  if (!template || points.length < 2) return [];
   const site = siteOf(planner);
-  const run = sizeOf(site, chosen) && runAlong(site, chosen, wallLines(site), [points[0], points[1]]);
-  return run ? outlineOf(run) : null;
+  const run = runAlong(site, template, wallLines(site), [points[0], points[1]], freedomOf(scope));
+  if (!run) return [];
+  const outline = outlineOf(run);
+  const guides = aisleGuides(planner.snapping.without(new Set()).index, outline, run.rotation);
+  return [outlined(planner, outline), ...guidesOf(planner, guides)];
 }
+
+const outlined = ({ viewport }: Planner, outline: readonly Point[]): Node =>
+  svg("path", { class: "trace run", d: pathOf(outline.map((point) => viewport.toScreen(point))) });
 
 /** The copies that a step makes, for the outlines of the selected fixture. */
 function rowOutlines(planner: Planner, [from, to]: readonly Point[]): Point[][] {
@@ -43,10 +51,9 @@ export function traces(planner: Planner, scope: Drawing): Node[] {
   const { tool, points, crossings } = scope.stroke;
   const all = corners(planner, scope);
   const isClosed = formOf[tool] === "outline" && all.length > 2;
-  const run = tool === "run" ? runOutline(planner, all) : null;
-  const fixtures = run ? [run] : tool === "rows" ? rowOutlines(planner, all) : [];
+  const rows = tool === "rows" ? rowOutlines(planner, all) : [];
   return [
-    ...fixtures.map((outline) => svg("path", { class: "trace run", d: pathOf(screen(outline)) })),
+    ...(tool === "run" ? runTraces(planner, scope, all) : rows.map((outline) => outlined(planner, outline))),
     ...(all.length > 1
       ? [svg("path", { class: isClosed ? "trace closed" : "trace", d: pathOf(screen(all), !isClosed) })]
       : []),

@@ -21,15 +21,15 @@ export function contextOf(document: StoreDocument, path: string): Context | null
   const known = needsDetails(element) ? document.details.now(path)?.effective : undefined;
   return {
     ...element,
-    effective: { ...known, ...element.value, ...joinedObjects(known, element.value) },
+    effective: withPreset(known, element.value),
     parts: document.parts.of(path),
     unit: document.unit,
   };
 }
 
 /** Objects of a preset and of the element are joined key by key; the element's keys may be newer than the answer. */
-function joinedObjects(known: JsonObject | undefined, own: JsonObject): JsonObject {
-  const joined: JsonObject = {};
+export function withPreset(known: JsonObject | undefined, own: JsonObject): JsonObject {
+  const joined: JsonObject = { ...known, ...own };
   for (const [key, value] of Object.entries(own)) {
     const base = known?.[key];
     if (isObject(value) && isObject(base)) joined[key] = { ...base, ...value };

@@ -205,7 +205,9 @@ export class Page {
     );
     changes.listen(["document", "selection", "tool", "status", "devices"], () => toolbar.update());
     changes.listen(["document", "status"], () => banner.update());
-    changes.listen(["document", "selection", "preview", "viewport", "tool", "status"], () => status.update());
+    changes.listen(["document", "selection", "preview", "viewport", "tool", "status", "devices"], () =>
+      status.update(),
+    );
     onThemeChange(() => this.marks.recolour());
     new ResizeObserver(() => this.resize()).observe(this.plan);
     this.resize();

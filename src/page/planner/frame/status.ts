@@ -1,6 +1,7 @@
 // The line below the plan: what the pointer is at, a hint, and the last notice, which screen readers speak.
 
 import { element } from "../../panel/dom";
+import { counted } from "../../data/format";
 import { say, text } from "../text";
 import type { Commands } from "../access/commands";
 import { ScaleChip } from "../backdrop/chip";
@@ -13,6 +14,7 @@ const noticeTime = 6000; // ms
 
 export class StatusLine {
   private readonly place = element("span", { class: "place" });
+  private readonly counts = element("span", { class: "counts" });
   private readonly hint = element("span", { class: "hint" });
   private readonly notice = element("span", { class: "notice", role: "status" });
   private readonly chip: ScaleChip;
@@ -27,7 +29,7 @@ export class StatusLine {
     commands: Commands,
   ) {
     this.chip = new ScaleChip(planner, commands);
-    this.root = element("footer", { class: "status" }, this.hint, this.chip.root, this.place, this.notice);
+    this.root = element("footer", { class: "status" }, this.hint, this.chip.root, this.counts, this.place, this.notice);
   }
 
   update(): void {
@@ -37,6 +39,8 @@ export class StatusLine {
       pointer && isPlan
         ? say(text.status.place, lengthText(pointer[0], document.unit), lengthText(pointer[1], document.unit))
         : "";
+    const count = (kind: "label" | "unit", { count }: { count: number }) => counted(text.counted[kind], count);
+    this.counts.textContent = `${count("label", document.labels)}, ${count("unit", document.units)}`;
     this.hint.textContent = this.hintOf();
     this.chip.update();
     if (planner.notice === this.said) return;

@@ -42,6 +42,8 @@ export type Scope =
       typed: { length: string; angle: string };
       /** Arrow keys have moved the cross to `end`. */
       byKeys: boolean;
+      /** Nothing attracts the end. */
+      isFree: boolean;
     }
   /** The picture moves. */
   | { kind: "shifting"; from: Point; to: Point };

@@ -1,4 +1,4 @@
-// Fixtures from presets along a line: rows of shelving, wall shelving, freezers, tables and check-outs.
+// Fixtures along a line: rows of shelving, wall shelving, freezers, tables and check-outs.
 
 import type { EditBuilder } from "../document/edit";
 import { valueAt, type Json, type JsonObject } from "../document/json";
@@ -6,11 +6,20 @@ import type { Point } from "../document/messages";
 import { directionOf, distance, dot, minus, plus, times, unitAt, wholeTurn } from "../geometry/vector";
 import { along, type WallLine } from "./walls";
 import { freeId, inFile, type Site } from "./site";
+import type { LengthUnit } from "../geometry/units";
 
-/** A preset with all its keys, in the unit of the store. */
-export interface Preset {
-  name: string;
+/** What a fixture is made of. */
+export interface Template {
+  /** The name of its preset; null: it has none. */
+  preset: string | null;
+  /** Its keys beside those of the preset and those of its place. */
+  own: JsonObject;
+  /** All its keys, in the unit of the store. */
   effective: JsonObject;
+  /** Ids begin with it; null: with a letter for the type. */
+  prefix: string | null;
+  /** m; null: the fixture is as long as the line. */
+  module: number | null;
 }
 
 /** m */
@@ -23,9 +32,9 @@ export interface Size {
 const clinging = 1; // m from a wall
 const parallel = 8; // degrees
 
-/** Null for presets that are not rectangles. */
-export function sizeOf({ unit }: Site, { effective }: Preset): Size | null {
-  const metres = (pointer: string) => Number(valueAt(effective, pointer)) * unit.factor;
+/** m; null for fixtures that are not rectangles. */
+export function sizeOf(effective: JsonObject, { factor }: LengthUnit): Size | null {
+  const metres = (pointer: string) => Number(valueAt(effective, pointer)) * factor;
   const size =
     effective.size === undefined
       ? { length: metres("/length"), depth: metres("/depth"), height: metres("/height") }
@@ -34,7 +43,7 @@ export function sizeOf({ unit }: Site, { effective }: Preset): Size | null {
 }
 
 /** Whether goods and labels are on one side alone, so that the other one stands against a wall. */
-export function isOneSided({ effective: { type, faces } }: Preset): boolean {
+export function isOneSided({ type, faces }: JsonObject): boolean {
   return type === "gondola" && Array.isArray(faces) && faces.length === 1 && faces[0] === "front";
 }
 
@@ -43,7 +52,6 @@ export interface Run {
   at: Point;
   /** Degrees. */
   rotation: number;
-  modules: number;
   length: number;
   depth: number;
   /** The outer wall that it stands against, and how far along it, m. */
@@ -74,33 +82,34 @@ function offLine({ from, to }: WallLine, point: Point): number {
 
 /**
  * The modules along a line: the middle line of a fixture with two sides, and the back of one with a front alone, which
- * faces the right of the line or away from the wall near it.
+ * faces the right of the line or away from the wall near it. `isExact`: it is as long as the line. `isFree`: it clings to
+ * no wall.
  */
 export function runAlong(
-  site: Site,
-  preset: Preset,
+  { unit }: Site,
+  { effective, module }: Template,
   walls: readonly WallLine[],
   [from, to]: readonly [Point, Point],
-  isFree = false,
+  { isExact = false, isFree = false } = {},
 ): Run | null {
-  const size = sizeOf(site, preset);
-  if (!size) return null;
+  const size = sizeOf(effective, unit);
   const drawn = distance(from, to);
-  const modules = Math.max(1, Math.round(drawn / size.length));
-  const length = modules * size.length;
+  if (!size || drawn === 0) return null;
+  const length = module === null || isExact ? drawn : Math.max(1, Math.round(drawn / module)) * module;
   const { depth } = size;
-  const wall = isOneSided(preset) && !isFree ? wallAlong(walls, from, to) : null;
-  if (wall?.number != null) return runAgainst(wall, [from, to], { modules, length, depth });
-  const rotation = drawn > 0 ? wholeTurn(directionOf(minus(to, from))) : 0;
+  const isSingle = isOneSided(effective);
+  const wall = isSingle && !isFree ? wallAlong(walls, from, to) : null;
+  if (wall?.number != null) return runAgainst(wall, [from, to], { length, depth });
+  const rotation = wholeTurn(directionOf(minus(to, from)));
   const across = unitAt(rotation + 90);
-  const at = minus(from, times(across, isOneSided(preset) ? depth : 0.5 * depth));
-  return { at, rotation, modules, length, depth, against: null };
+  const at = minus(from, times(across, isSingle ? depth : 0.5 * depth));
+  return { at, rotation, length, depth, against: null };
 }
 
 function runAgainst(
   wall: WallLine,
   [from, to]: readonly [Point, Point],
-  { modules, length, depth }: { modules: number; length: number; depth: number },
+  { length, depth }: { length: number; depth: number },
 ): Run {
   const whole = distance(wall.from, wall.to);
   // The end where the line begins stays there.
@@ -112,7 +121,6 @@ function runAgainst(
   return {
     at: plus(wall.from, times(way, start)),
     rotation: wholeTurn(direction),
-    modules,
     length,
     depth,
     against: { wall: wall.number ?? 0, from: start },
@@ -121,24 +129,24 @@ function runAgainst(
 
 const prefixes: Record<string, string> = { gondola: "G", freezer: "F", box: "B", mesh: "M" };
 
-export function addRun(builder: EditBuilder, site: Site, preset: Preset, run: Run): string {
-  const { effective, name } = preset;
-  const id = freeId(site, prefixes[String(effective.type)] ?? "E");
+export function addRun(builder: EditBuilder, site: Site, template: Template, run: Run): string {
+  const { effective, preset, own, prefix, module } = template;
+  const id = freeId(site, prefix ?? prefixes[String(effective.type)] ?? "E");
   const length = inFile(site, run.length);
-  const isOwnLength = run.modules > 1;
   const [x, y] = run.at.map((value) => inFile(site, value));
   const size = effective.size as number[] | undefined;
-  const own: JsonObject = size
-    ? isOwnLength
-      ? { size: [length, size[1], size[2]] }
-      : {}
-    : isOwnLength
-      ? { length }
-      : {};
+  const isOwn = module === null || inFile(site, module) !== length;
+  const lengths: JsonObject = size ? { size: [length, size[1], size[2]] } : { length };
   const place: JsonObject = run.against
     ? { against: { wall: run.against.wall, from: inFile(site, run.against.from) } }
     : { at: size ? [x, y, 0] : [x, y], ...turned(run.rotation) };
-  return builder.append("/fixtures", { preset: name, id, ...place, ...own });
+  return builder.append("/fixtures", {
+    ...(preset === null ? {} : { preset }),
+    ...own,
+    id,
+    ...place,
+    ...(isOwn ? lengths : {}),
+  });
 }
 
 function turned(rotation: number): JsonObject {
@@ -158,5 +166,14 @@ export function setRows(builder: EditBuilder, site: Site, path: string, count: n
   builder.set(
     `${path}/repeat/step`,
     step.map((value) => inFile(site, value)),
+  );
+}
+
+/** The distances of all rows, in the unit of the store. */
+export function rowSteps(json: Json): number[] {
+  const fixtures = (valueAt(json, "/fixtures") ?? []) as JsonObject[];
+  const steps = fixtures.map((fixture) => valueAt(fixture, "/repeat/step"));
+  return steps.flatMap((step) =>
+    Array.isArray(step) ? [Math.hypot(...(step as number[]))] : typeof step === "number" ? [Math.abs(step)] : [],
   );
 }

@@ -5,7 +5,7 @@ import { pointerTo, valueAt } from "../document/json";
 import type { Point } from "../document/messages";
 import { rectangle } from "../geometry/bounds";
 import { nearestOn } from "../geometry/polygon";
-import { between, distance, dot, minus, times } from "../geometry/vector";
+import { distance, dot, minus, times } from "../geometry/vector";
 import { freeId, inFile, pointInFile, type Site } from "./site";
 
 export function addWalls(builder: EditBuilder, site: Site, line: readonly Point[], thickness: number): string[] {
@@ -99,10 +99,4 @@ export function addOpening(
     top: inFile(site, top),
     ...(material === undefined ? {} : { [isOuter ? "material" : "pane"]: material }),
   });
-}
-
-/** The two ends of an opening on its wall, m. */
-export function openingEnds(wall: WallLine, a: Point, b: Point): [Point, Point] {
-  const length = distance(wall.from, wall.to) || 1;
-  return [a, b].map((point) => between(wall.from, wall.to, along(wall, point) / length)) as [Point, Point];
 }

@@ -7,7 +7,7 @@ import { drawingPath } from "../backdrop/drawing";
 import { PicturePanel } from "../backdrop/panel";
 import type { IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
-import { turnTo } from "../actions/move";
+import { overrideOf } from "../actions/override";
 import { EditBuilder } from "../document/edit";
 import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
 import { withoutPlace, type DeviceAnswer } from "../document/messages";
@@ -89,9 +89,10 @@ export class Properties {
   private content(): Node[] {
     const { selection, typePath, document, tool } = this.planner;
     if (!document.isReady) return [];
-    if (isDrawTool(tool)) return new ToolPanel(this.planner).content(tool);
     const elements = this.planner.selected;
-    if (elements.length > 0) return this.elements(elements);
+    const ofTool = isDrawTool(tool) ? new ToolPanel(this.planner).content(tool) : [];
+    if (elements.length > 0) return [...ofTool, ...this.elements(elements)];
+    if (ofTool.length > 0) return ofTool;
     const [item] = selection.items;
     if (item?.kind === "copy") return this.copy(item);
     if (item?.kind === "device") return this.labelOrUnit(item);
@@ -218,12 +219,7 @@ export class Properties {
         ? [
             this.form(targets, groups, name, {
               part: first.parts[0] ?? null,
-              // A fixture turns about its middle.
-              override: (pointer, value) => {
-                if (pointer !== "/rotation_deg" || single?.kind !== "fixture" || single.effective.against) return false;
-                void turnTo(this.planner, elements, value === undefined ? undefined : Number(value));
-                return true;
-              },
+              override: single?.kind === "fixture" ? overrideOf(this.planner, single) : undefined,
             }),
           ]
         : []),

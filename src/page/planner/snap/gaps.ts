@@ -132,3 +132,24 @@ export function gapPulls(index: SegmentIndex, from: Point, to: Point, frame: num
     }),
   );
 }
+
+/** The aisles on both long sides of a fixture, to its neighbours there. `direction`: of the fixture, degrees. */
+export function aisleGuides(index: SegmentIndex, outline: readonly Point[], direction: number): Guide[] {
+  const box = boundsOf(outline.map((corner) => intoFrame(corner, direction))) as Bounds;
+  const bodies = bodiesAround(index, outOfFrame(middleOf(box), direction), direction);
+  const side = (all: readonly Bounds[], of: Bounds) => {
+    const neighbour = next(all, of, 1);
+    const level = neighbour && common(neighbour, of, 0);
+    return neighbour && level ? { to: neighbour.lower[1], at: 0.5 * (level[0] + level[1]) } : null;
+  };
+  const turned = bodies.map((body) => flipped(body, 1));
+  const [above, below] = [side(bodies, box), side(turned, flipped(box, 1))];
+  const guide = (at: number, from: number, to: number): Guide[] => {
+    const [a, b] = [from, to].map((level) => outOfFrame([at, level], direction));
+    return Math.abs(to - from) < leastGap ? [] : [{ from: a, to: b, kind: "gap", distance: Math.abs(to - from) }];
+  };
+  return [
+    ...(above ? guide(above.at, box.upper[1], above.to) : []),
+    ...(below ? guide(below.at, box.lower[1], -below.to) : []),
+  ];
+}

@@ -29,11 +29,11 @@ export class SegmentIndex {
   constructor(private readonly segments: readonly Segment[]) {
     this.index = indexOf(segments.map(({ from, to }) => around([from, to])));
     const corners = new Map<string, Point[]>();
-    for (const { key, isBody, from, to } of segments) {
-      if (!isBody || key === undefined) continue;
-      const known = corners.get(key);
+    for (const { body, from, to } of segments) {
+      if (body === undefined) continue;
+      const known = corners.get(body);
       if (known) known.push(from, to);
-      else corners.set(key, [from, to]);
+      else corners.set(body, [from, to]);
     }
     this.bodies = [...corners.values()];
     this.bodyIndex = indexOf(this.bodies.map(around));

@@ -10,12 +10,18 @@ export interface Segment {
   to: Point;
   /** The key of its part; that of a drawing in progress has none. */
   key?: string;
-  /** Whether the part stands on the floor, so that people need room beside it. */
-  isBody?: boolean;
+  /** The part of the plan beside which people need room; undefined: it is none. */
+  body?: string;
 }
 
 const unseen: ReadonlySet<PartKind> = new Set<PartKind>(["grid", "area"]);
 const bodies: ReadonlySet<PartKind> = new Set<PartKind>(["fixture", "wall"]);
+
+/** Each outer wall is a body of its own. */
+function bodyOf({ kind, key }: Part, edge: number): string | undefined {
+  if (kind === "room") return `${key}/${edge}`;
+  return bodies.has(kind) ? key : undefined;
+}
 
 /** `without`: keys of parts that move themselves. */
 export function segmentsOf(parts: readonly Part[], without: ReadonlySet<string> = new Set()): Segment[] {
@@ -25,7 +31,7 @@ export function segmentsOf(parts: readonly Part[], without: ReadonlySet<string> 
       [part.outline, ...(part.holes ?? [])].flatMap((outline) =>
         edgesOf(outline, isOpenLine(part))
           .filter(([from, to]) => distance(from, to) > 0)
-          .map(([from, to]) => ({ from, to, key: part.key, isBody: bodies.has(part.kind) })),
+          .map(([from, to], k) => ({ from, to, key: part.key, body: bodyOf(part, k) })),
       ),
     );
 }

@@ -118,10 +118,13 @@ test("doors and windows are on the nearest wall, in either direction", () => {
 });
 
 const double = {
-  name: "row",
+  preset: "row",
+  own: {},
   effective: { type: "gondola", length: 1.25, depth: 0.9, height: 1.6, faces: ["front", "back"] },
+  prefix: null,
+  module: 1.25,
 };
-const single = { name: "wall", effective: { ...double.effective, depth: 0.5, faces: ["front"] } };
+const single = { ...double, preset: "wall", effective: { ...double.effective, depth: 0.5, faces: ["front"] } };
 
 test("a run has whole modules, and its middle line or its back is where it was drawn", () => {
   fc.assert(
@@ -135,7 +138,11 @@ test("a run has whole modules, and its middle line or its back is where it was d
         const builder = new EditBuilder(bare);
         for (const preset of [double, single]) {
           const run = runAlong(site(bare), preset, [], [from, to]);
-          assert.equal(run.modules, Math.max(1, Math.round(length / 1.25)));
+          assert.equal(run.length, Math.max(1, Math.round(length / 1.25)) * 1.25);
+          assert.equal(
+            runAlong(site(bare), preset, [], [from, to], { isExact: true }).length,
+            Math.hypot(to[0] - from[0], to[1] - from[1]),
+          );
           const corners = outlineOf({ ...run, rotation: run.rotation });
           const middle = (a, b) => a.map((value, k) => 0.5 * (value + b[k]));
           const line =
@@ -166,7 +173,7 @@ test("shelving with a front alone clings to a wall near its line", () => {
     [8, 14.5],
   ]); // prettier-ignore
   assert.deepEqual(run.against, { wall: 2, from: 2 });
-  assert.equal(run.modules, 8);
+  assert.equal(run.length, 10);
   const back = runAlong(site(bare), single, walls, [
     [8, 14.4],
     [18, 14.4],
@@ -199,13 +206,31 @@ test("shelving with a front alone clings to a wall near its line", () => {
         [8, 14.5],
         [18, 14.5],
       ],
-      true,
+      { isFree: true },
     ).against,
     null,
   ); // prettier-ignore
   const builder = new EditBuilder(bare);
   addRun(builder, site(bare), single, run);
   assert.deepEqual(builder.json.fixtures, [{ preset: "wall", id: "G1", against: { wall: 2, from: 2 }, length: 10 }]);
+});
+
+test("a run like another fixture has its keys and the letter of its id", () => {
+  const builder = new EditBuilder({ ...bare, fixtures: [{ id: "A1" }] });
+  const around = { ...site(bare), taken: new Set(["A1"]) };
+  const like = { ...double, own: { height: 2, labels: { spacing: 0.8 } }, prefix: "A" };
+  const line = [
+    [1, 1],
+    [4, 1],
+  ]; // prettier-ignore
+  addRun(builder, around, like, runAlong(around, like, [], line));
+  const { at, ...others } = builder.json.fixtures[1];
+  assert.deepEqual(others, { preset: "row", height: 2, labels: { spacing: 0.8 }, id: "A2", length: 2.5 });
+  const box = { preset: null, own: { type: "box" }, prefix: null, module: null };
+  const sized = { ...box, effective: { type: "box", size: [1, 0.8, 0.9] } };
+  addRun(builder, around, sized, runAlong(around, sized, [], line));
+  assert.deepEqual(builder.json.fixtures[2].size, [3, 0.8, 0.9]);
+  assert.equal(runAlong(around, { ...box, effective: { type: "prism" } }, [], line), null);
 });
 
 test("rows of a run are one element", () => {

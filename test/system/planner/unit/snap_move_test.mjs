@@ -32,13 +32,14 @@ test("a moved outline joins corners, lies on sides, and keeps gaps", () => {
   assert.ok(to(8.06, 2.04).kinds.includes("end"));
   near(to(4.44, 5.56).at, [4.44, 5.5]);
   assert.deepEqual(to(4.44, 5.56).kinds, ["line"]);
-  near(to(4.44, 6.97).at, [4.44, 7]);
+  near(to(4.44, 7.02).at, [4.44, 7]);
+  near(to(4.44, 6.93).at, [4.44, 6.95]); // in the middle between B and the wall
   assert.deepEqual(
-    to(4.44, 6.97).guides.map((one) => one.distance),
+    to(4.44, 7.02).guides.map((one) => one.distance),
     [1.5, 1.5],
   );
   near(to(2.04, 6.2).at, [2, 6.2]);
-  // In the middle between B and the wall, a single movement of a box between two rows.
+  // In the middle between A and B.
   near(to(4.44, 3.44).at, [4.44, 3.45]);
   near(to(4.44, 3.44, { axis: 0 }).at, [4.44, 3.44]);
   near(to(8.06, 2.04, { isFree: true }).at, [8.06, 2.04]);

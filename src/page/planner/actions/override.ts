@@ -1,0 +1,47 @@
+// Values of a fixture that change more than one key: it turns about its middle, and its back stays where it stands.
+
+import { EditBuilder } from "../document/edit";
+import type { Json } from "../document/json";
+import { contextOf, knowDetails, type Context } from "../elements/context";
+import { nameOf } from "../elements/names";
+import { tidy } from "../geometry/units";
+import { plus, times, unitAt } from "../geometry/vector";
+import { isOneSided } from "../make/run";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import { turnTo } from "./move";
+
+/** The result gets the value of a field, undefined for that of the preset; false: it is a value like any other. */
+export function overrideOf(planner: Planner, fixture: Context) {
+  const { against, type } = fixture.effective;
+  return (pointer: string, value: Json | undefined): boolean => {
+    if (against !== undefined) return false;
+    const number = value === undefined ? undefined : Number(value);
+    if (pointer === "/rotation_deg") void turnTo(planner, [fixture], number);
+    else if (pointer === "/depth" && (type === "gondola" || type === "freezer"))
+      void deepen(planner, fixture.path, number);
+    else return false;
+    return true;
+  };
+}
+
+/** Another depth, in the unit of the store. Shelving with a front alone keeps its back, others keep their middle. */
+async function deepen({ document }: Planner, path: string, depth: number | undefined): Promise<void> {
+  await knowDetails(document, [path], false);
+  const context = contextOf(document, path);
+  const footing = context?.parts[0]?.footing;
+  if (!context) return;
+  const builder = new EditBuilder(document.json);
+  builder.set(`${path}/depth`, depth);
+  const wanted = depth ?? Number(document.details.now(path)?.inherited.depth);
+  if (footing && wanted > 0) {
+    const { factor } = context.unit;
+    const change = (isOneSided(context.effective) ? 1 : 0.5) * (footing.depth - wanted * factor);
+    const at = plus(footing.at, times(unitAt(footing.rotation + 90), change));
+    builder.set(
+      `${path}/at`,
+      at.map((metres) => tidy(metres / factor, context.unit)),
+    );
+  }
+  await document.edit({ label: say(text.edits.change, text.fields.depth, nameOf(context)), ops: builder.ops });
+}

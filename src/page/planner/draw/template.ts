@@ -1,0 +1,54 @@
+// The fixture that the next line makes: one of a preset, or one like the fixture that is selected.
+
+import type { JsonObject } from "../document/json";
+import { withPreset } from "../elements/context";
+import { sizeOf, type Template } from "../make/run";
+import type { Planner } from "../planner";
+
+/** What belongs to one fixture alone. */
+const placed = new Set([
+  "preset",
+  "id",
+  "at",
+  "min",
+  "max",
+  "rotation_deg",
+  "against",
+  "repeat",
+  "length",
+  "arrangement",
+]);
+
+/** "A" of "A4" and of "A{n}". */
+const prefixOf = (id: unknown): string | null =>
+  (typeof id === "string" && /^(.*?\D)(\d+|\{n\})$/.exec(id)?.[1]) || null;
+
+function withKeys(planner: Planner, preset: string | null, value: JsonObject): Template | null {
+  const { presets, document } = planner;
+  const base = preset === null ? undefined : presets.get(preset)?.effective;
+  if (preset !== null && !base) return null;
+  const own = Object.fromEntries(Object.entries(value).filter(([key]) => !placed.has(key)));
+  if (base) delete own.size; // its length is that of the line
+  const effective = withPreset(base, base && Array.isArray(value.size) ? { ...own, size: value.size } : own);
+  const all = base ? effective : { ...effective, length: value.length };
+  if (!sizeOf(all, document.unit)) return null;
+  const usual = base ? (sizeOf(base, document.unit)?.length ?? null) : null;
+  // The model may be one module of another length.
+  const length = sizeOf({ ...all, ...value }, document.unit)?.length;
+  const module = usual !== null && length !== undefined && length < 1.5 * usual ? length : usual;
+  return { preset, own, effective: all, prefix: prefixOf(value.id), module };
+}
+
+/** The fixture that the next one is like; null: it follows the chosen preset. */
+export function modelOf({ selected, settings }: Planner): { id: string; value: JsonObject } | null {
+  const [model] = selected;
+  const isModel = settings.now.isLike && selected.length === 1 && model.kind === "fixture";
+  return isModel ? { id: String(model.value.id ?? ""), value: model.value } : null;
+}
+
+export function templateOf(planner: Planner): Template | null {
+  const { preset } = planner.settings.now;
+  const model = modelOf(planner);
+  const like = model && withKeys(planner, (model.value.preset as string | undefined) ?? null, model.value);
+  return like ?? (preset === null ? null : withKeys(planner, preset, {}));
+}
