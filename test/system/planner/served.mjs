@@ -1,4 +1,4 @@
-// A project folder with a copy of an example, and `shelfbeam serve` for it behind a wire.
+// A project folder with a copy of an example or without anything, and `shelfbeam serve` for it behind a wire.
 
 import { spawn } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -8,13 +8,13 @@ import { parse } from "./jsonc.mjs";
 import { Wire } from "./wire.mjs";
 
 export class Served {
-  /** `prepare` gets the folder before the program starts. */
+  /** `example`: null for an empty folder. `prepare` gets the folder before the program starts. */
   constructor(program, example, work, prepare) {
     this.program = program;
-    this.folder = mkdtempSync(join(work, `${basename(example)}-`));
-    cpSync(example, this.folder, { recursive: true });
+    this.folder = mkdtempSync(join(work, `${example === null ? "empty" : basename(example)}-`));
+    if (example !== null) cpSync(example, this.folder, { recursive: true });
     prepare(this.folder);
-    this.first = this.text;
+    this.first = example === null ? null : this.text;
   }
 
   get text() {

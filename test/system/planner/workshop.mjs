@@ -15,10 +15,10 @@ export class Workshop {
     this.axe = tools.axe;
   }
 
-  /** `prepare`: gets the folder of the project before the program starts. */
+  /** `store`: the name of an example; null: an empty folder. `prepare`: gets the folder before the program starts. */
   async serve(store, prepare = () => {}) {
     const { shelfbeam, packages, examples, work } = this.tools;
-    const server = new Served(shelfbeam, join(examples, store), work, prepare);
+    const server = new Served(shelfbeam, store === null ? null : join(examples, store), work, prepare);
     this.#servers.push(server);
     await server.start(packages);
     return server;

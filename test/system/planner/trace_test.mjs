@@ -1,0 +1,191 @@
+// From an empty folder and a scan of the grocery's floor plan to a certified plan.
+
+import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { pixelOf, scannedPlan } from "../../data/scanned_plan.mjs";
+import { check, equal, test } from "../viewer/check.mjs";
+import { drop, shown } from "./floor_plan.mjs";
+import { Tracer } from "./tracer.mjs";
+
+const actions = 67; // the number in docs/planner.md
+
+/** The outlines that a server resolves, in m. */
+const partsOf = (tab) =>
+  tab.page.evaluate(() =>
+    window.shelfbeamPlanner.planner.document.parts.all.map(({ kind, id, outline }) => ({ kind, id, outline })),
+  );
+
+async function drawShelves(person) {
+  await person.take("g");
+  await person.choose("tool/Preset", "gondola 1.00 m, double, 1.6 m high");
+  await person.click([5, 5.05]);
+  await person.click([17, 5.05]);
+  await person.fill("field/depth", "0.9");
+  await person.fill("field/height", "2");
+  await person.fill("field/shelves", "0.35, 0.8, 1.25, 1.7");
+  await person.fill("field/labels/spacing", "80cm");
+  await person.take("n");
+  await person.fill("tool/count", "4");
+  await person.click([11, 7.45]);
+
+  await person.take("g");
+  await person.choose("tool/Preset", "end cap 0.94 m, 1.6 m high");
+  await person.click([5, 5.5]);
+  await person.click([5, 4.6]);
+  await person.fill("field/length", "0.9");
+  await person.fill("field/depth", "0.45");
+  await person.fill("field/shelves", "0.5, 1.0");
+  await person.fill("field/labels/spacing", "0.9");
+  await person.take("n");
+  await person.click([4.775, 7.45]);
+  await person.take("g");
+  await person.click([17, 4.6]);
+  await person.click([17, 5.5]);
+  await person.take("n");
+  await person.click([17.225, 7.45]);
+}
+
+async function drawWalls(person) {
+  await person.take("g");
+  await person.choose("tool/Preset", "wall shelving 1.00 m, 2.2 m high");
+  await person.click([21.5, 17.95]);
+  await person.click([1.5, 17.95]);
+  await person.fill("field/depth", "0.55");
+  await person.fill("field/shelves", "0.4, 0.85, 1.3, 1.75");
+  await person.fill("field/labels/spacing", "1");
+  await person.click([0.05, 15.5]);
+  await person.click([0.05, 5.5]);
+}
+
+async function drawTheRest(person) {
+  await person.choose("tool/Preset", "freezer island 2.10 m, glass lid");
+  await person.click([6, 15]);
+  await person.click([16, 15]);
+  await person.fill("field/length", "10");
+  await person.fill("field/depth", "1.6");
+  await person.fill("field/height", "0.9");
+  await person.fill("field/labels/spacing", "0.8");
+  await person.choose("field/doors", "none");
+
+  await person.choose("tool/Preset", "produce table 1.25 m, double, 1.1 m high");
+  await person.click([19.6, 6]);
+  await person.click([19.6, 11]);
+  await person.fill("field/height", "1.3");
+  await person.fill("field/shelves", "0.45, 0.9");
+  await person.fill("field/labels/spacing", "1");
+  await person.take("n");
+  await person.fill("tool/count", "2");
+  await person.click([22.7, 8.5]);
+
+  await person.take("g");
+  await person.choose("tool/Preset", "check-out 3.60 m, with belt");
+  await person.click([4.5, 2.3]);
+  await person.click([7.9, 2.3]);
+  await person.take("n");
+  await person.fill("tool/count", "3");
+  await person.click([10.7, 2.3]);
+
+  await person.take("b");
+  await person.choose("tool/Kind", "Column up to the ceiling");
+  for (const [x, y] of [
+    [2.5, 3.5],
+    [18.4, 3.5],
+    [2.5, 13.4],
+    [18.4, 13.4],
+  ])
+    await person.drag([x, y], [x + 0.4, y + 0.4], { pixels: 200 });
+  await person.take("k");
+  await person.drag([20, 12.5], [23, 15]);
+}
+
+/** Rows of the traced shop have other numbers, so the nearest outline is the same fixture. */
+function compare(found, expected, isMeant) {
+  const shelves = (parts) => parts.filter(({ kind, id }) => kind === "room" || (kind === "fixture" && isMeant(id)));
+  const middle = ({ outline }) =>
+    [0, 1].map((k) => outline.reduce((sum, corner) => sum + corner[k], 0) / outline.length);
+  const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+  const others = found.filter(({ kind }) => kind === "room" || kind === "fixture");
+  let worst = 0;
+  for (const part of shelves(expected)) {
+    const same = others
+      .filter(({ kind }) => kind === part.kind)
+      .reduce((best, one) => (distance(middle(one), middle(part)) < distance(middle(best), middle(part)) ? one : best));
+    for (const corner of part.outline) {
+      const away = Math.min(...same.outline.map((other) => distance(other, corner)));
+      // The scale line is the wall at y = 0.
+      worst = Math.max(worst, away / (0.05 + 0.002 * corner[1]));
+    }
+  }
+  return worst;
+}
+
+function plan({ shelfbeam }, folder) {
+  const output = join(folder, "plan");
+  const { status, stderr } = spawnSync(
+    shelfbeam,
+    ["plan", join(folder, "store.json"), "-o", output, "--samples", "500", "--quiet"],
+    { encoding: "utf8" },
+  );
+  equal(status, 0, `exit code of plan (${stderr})`);
+  return JSON.parse(readFileSync(join(output, "placement.json"), "utf8"));
+}
+
+test("trace: from a scan to a certified plan", async (given) => {
+  const example = await given.serve("grocery");
+  const expected = await partsOf(await given.tab(example));
+  const scan = await scannedPlan(given.tools.browser, "Corner grocery", expected);
+  writeFileSync(join(given.tools.pictures, "scan.png"), scan);
+
+  const shop = await given.serve(null);
+  const tab = await given.tab(shop);
+  const person = new Tracer(tab, pixelOf);
+  const pictures = async (name) => {
+    await tab.press("f");
+    await tab.picture(`trace-${name}`);
+  };
+  await drop(tab, "scan.png", scan);
+  ++person.actions;
+  await shown(tab);
+  await person.click([0, 0]);
+  await person.click([25, 0]);
+  await person.type("25", "Enter");
+  await person.click([0, 0]);
+  await person.click([0, 18]);
+  await person.type("18", "Enter");
+  await pictures("scale");
+  check(tab.json.drawing.check, "the scale is checked");
+  await person.take("r");
+  for (const corner of [
+    [0, 0],
+    [25, 0],
+    [25, 18],
+    [0, 18],
+  ])
+    await person.click(corner); // prettier-ignore
+  await tab.press("Enter");
+  await person.fill("field/size/2", "3.6");
+  await drawShelves(person);
+  await pictures("shelves");
+  await drawWalls(person);
+  await drawTheRest(person);
+  await tab.press("Escape", "Escape");
+  await pictures("done");
+  equal(tab.errors, [], "errors in the console");
+
+  console.log(`        ${person.actions} actions`);
+  equal(person.actions, actions, "actions");
+  const found = await partsOf(tab);
+  const worst = compare(found, expected, (id) => /^[AWP]/.test(id));
+  console.log(`        largest error: ${(100 * worst).toFixed(0)} % of the tolerance`);
+  check(worst <= 1, "outlines are beside their tolerance");
+  const moved = found.map((part) => ({ ...part, outline: part.outline.map(([x, y]) => [x + 0.1, y]) }));
+  check(compare(moved, expected, (id) => /^A/.test(id)) > 1, "negative control: a shop that is 10 cm off");
+
+  const [traced, original] = [shop, example].map(({ folder }) => plan(given.tools, folder));
+  equal(traced.labels, original.labels, "labels");
+  equal(traced.count, original.count, "units");
+  for (const { certificate } of [traced, original])
+    equal([certificate.missed, certificate.undecided, certificate.not_verified_yet], [[], [], []], "certificate");
+});

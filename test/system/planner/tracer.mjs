@@ -1,0 +1,102 @@
+// A person who traces a picture: clicks at whole pixels that are up to two pixels beside what is meant, drags, typed
+// fields, and the wheel. All but the wheel and single keys count as actions.
+
+import { pixelAt } from "./floor_plan.mjs";
+
+export class Tracer {
+  actions = 0;
+  #seed = 1;
+
+  /** `pixelOf`: the place of a point of the shop in the picture. */
+  constructor(tab, pixelOf) {
+    this.tab = tab;
+    this.pixelOf = pixelOf;
+  }
+
+  #unsteady() {
+    this.#seed = (Math.imul(this.#seed, 1103515245) + 12345) & 0x7fffffff;
+    return ((this.#seed >> 16) % 5) - 2;
+  }
+
+  #screen(point) {
+    return pixelAt(this.tab, ...this.pixelOf(point));
+  }
+
+  /** Zooms by the wheel until the point is on the plan, and a metre of the shop has so many pixels. */
+  async look(point, pixels = 110) {
+    const { tab } = this;
+    const { mouse } = tab.page;
+    const { x, y, width, height } = await tab.page.evaluate(() =>
+      document.querySelector(".surface").getBoundingClientRect().toJSON(),
+    );
+    const turn = async ([u, v], delta) => {
+      await mouse.move(Math.round(u), Math.round(v));
+      await mouse.wheel(0, delta);
+      await tab.settle();
+    };
+    const margin = 60;
+    for (let k = 0; k < 60; ++k) {
+      const [place, beside] = [await this.#screen(point), await this.#screen([point[0] + 1, point[1]])];
+      const [u, v] = [place[0] - x, place[1] - y];
+      const isSeen = u > margin && v > margin && u < width - margin && v < height - margin;
+      const now = Math.hypot(beside[0] - place[0], beside[1] - place[1]);
+      if (!isSeen) await turn([x + 0.5 * width, y + 0.5 * height], 300);
+      else if (now < pixels) await turn(place, -Math.min(200, Math.ceil(Math.log(pixels / now) / 0.0018) + 10));
+      else return;
+    }
+    throw new Error(`cannot look at ${point}`);
+  }
+
+  async #aim(point) {
+    const [x, y] = await this.#screen(point);
+    const place = [Math.round(x) + this.#unsteady(), Math.round(y) + this.#unsteady()];
+    await this.tab.page.mouse.move(place[0] - 7, place[1] + 3);
+    await this.tab.page.mouse.move(...place);
+    await this.tab.settle();
+    return place;
+  }
+
+  async click(point, { pixels, keys = [] } = {}) {
+    const { tab } = this;
+    ++this.actions;
+    await this.look(point, pixels);
+    for (const key of keys) await tab.page.keyboard.down(key);
+    await tab.page.mouse.click(...(await this.#aim(point)));
+    for (const key of keys) await tab.page.keyboard.up(key);
+    await tab.settle();
+  }
+
+  async drag(from, to, { pixels } = {}) {
+    const { tab } = this;
+    ++this.actions;
+    await this.look([0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])], pixels);
+    await this.#aim(from);
+    await tab.page.mouse.down();
+    await this.#aim(to);
+    await tab.page.mouse.up();
+    await tab.settle();
+  }
+
+  /** Types a length or another value at the pointer. */
+  async type(words, ...keys) {
+    ++this.actions;
+    await this.tab.page.keyboard.type(words);
+    await this.tab.press(...keys);
+  }
+
+  async fill(key, words) {
+    ++this.actions;
+    await this.tab.fill(key, words);
+  }
+
+  async choose(key, label) {
+    ++this.actions;
+    await this.tab.choose(key, label);
+  }
+
+  /** A tool by its key. */
+  async take(key) {
+    await this.tab.page.evaluate(() => document.querySelector(".surface").focus());
+    await this.tab.press(key);
+  }
+}
