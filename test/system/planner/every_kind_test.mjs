@@ -110,13 +110,17 @@ const kindOfRow = (kind) => {
   return ["gondola", "freezer", "box", "mesh", "prism", "cylinder", "panel"].includes(first) ? "fixture" : first;
 };
 
-/** Selects an element in the list; its path. */
+/** Selects an element in the list, a row of "A{n}" by its numbers; its path. */
 async function select(tab, kind, name) {
   await tab.page.selectOption(".objects select", kindOfRow(kind));
-  await tab.page.fill(".objects input[type=search]", kindOfRow(kind) === "fixture" ? name : "");
+  await tab.page.fill(".objects input[type=search]", kindOfRow(kind) === "fixture" ? name.split("{")[0] : "");
   await tab.settle();
   const row = await tab.page.evaluate(
-    (of) => [...document.querySelectorAll(".object")].findIndex((one) => one.querySelector(".name").textContent === of),
+    (of) =>
+      [...document.querySelectorAll(".object")].findIndex((one) => {
+        const [first, last] = one.querySelector(".name").textContent.split("–");
+        return last === undefined ? first === of : first === of.replace("{n}", "1");
+      }),
     name,
   );
   check(row >= 0, `${name} is in the list`);

@@ -17,7 +17,7 @@ const partsOf = (tab) =>
     window.shelfbeamPlanner.planner.document.parts.all.map(({ kind, id, outline }) => ({ kind, id, outline })),
   );
 
-async function drawShelves(person) {
+async function drawRows(person) {
   await person.take("g");
   await person.choose("tool/Preset", "gondola 1.00 m, double, 1.6 m high");
   await person.click([5, 5.05]);
@@ -29,7 +29,9 @@ async function drawShelves(person) {
   await person.take("n");
   await person.fill("tool/count", "4");
   await person.click([11, 7.45]);
+}
 
+async function drawEnds(person) {
   await person.take("g");
   await person.choose("tool/Preset", "end cap 0.94 m, 1.6 m high");
   await person.click([5, 5.5]);
@@ -139,7 +141,7 @@ test("trace: from a scan to a certified plan", async (given) => {
   writeFileSync(join(given.tools.pictures, "scan.png"), scan);
 
   const shop = await given.serve(null);
-  const tab = await given.tab(shop);
+  const tab = await given.tab(shop, { deviceScaleFactor: 1.25 });
   const person = new Tracer(tab, pixelOf);
   const pictures = async (name) => {
     await tab.press("f");
@@ -166,8 +168,9 @@ test("trace: from a scan to a certified plan", async (given) => {
     await person.click(corner); // prettier-ignore
   await tab.press("Enter");
   await person.fill("field/size/2", "3.6");
-  await drawShelves(person);
-  await pictures("shelves");
+  await drawRows(person);
+  await pictures("rows");
+  await drawEnds(person);
   await drawWalls(person);
   await drawTheRest(person);
   await tab.press("Escape", "Escape");

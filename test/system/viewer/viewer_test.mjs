@@ -4,7 +4,7 @@
 // independent count. Without a browser, exits with 77, or with an error in continuous integration (CI is set).
 
 import { spawnSync } from "node:child_process";
-import { mkdirSync, rmSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 
 import { startBrowser } from "./browser.mjs";
@@ -29,6 +29,9 @@ if (!chromium) {
   process.exit(process.env.CI ? 1 : 77);
 }
 
+// Only what an earlier run left is removed.
+if (existsSync(work) && readdirSync(work).length > 0 && !existsSync(join(work, "pictures")))
+  throw new Error(`${work} contains other files; give an empty folder`);
 rmSync(work, { recursive: true, force: true });
 mkdirSync(join(work, "pictures"), { recursive: true });
 const plans = makePlans(shelfbeam, work);

@@ -18,8 +18,8 @@ export interface Command {
   where: "plan" | "page" | "everywhere";
   run: () => void;
   isEnabled?: () => boolean;
-  /** Why it is not enabled, and what to do instead. */
-  why?: () => string;
+  /** Why it is not enabled, and what to do instead; null: another command of its key is meant. */
+  why?: () => string | null;
   /** Of commands that switch something. */
   isOn?: () => boolean;
 }
@@ -61,9 +61,13 @@ export class Commands {
       ({ where }) => where === "everywhere" || (!place.inField && (where === "page" || place.inPlan)),
     );
     if (place.isBusy && here.every(({ group }) => group !== "view")) return here.length > 0;
-    const enabled = here.find(({ isEnabled }) => isEnabled?.() ?? true);
-    if (enabled) enabled.run();
-    else if (here[0]?.why) this.onRefused(here[0].why());
+    for (const { isEnabled, why, run } of here) {
+      const reason = why?.() ?? null;
+      if (isEnabled?.() ?? true) run();
+      else if (reason !== null) this.onRefused(reason);
+      else continue;
+      break;
+    }
     return here.length > 0;
   }
 }

@@ -83,7 +83,11 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
     command("edit", "dissolve", [], () => void dissolve(planner), {
       isEnabled: () => document.locked === null && canDissolve(planner),
     }),
-    command("arrange", "rotate", ["R"], () => turn(90), { isEnabled: some, why }),
+    // Its key draws the room if nothing is selected, or while something is drawn.
+    command("arrange", "rotate", ["R"], () => turn(90), {
+      isEnabled: () => some() && !isDrawTool(planner.tool),
+      why: () => (planner.selection.items.length > 0 && !isDrawTool(planner.tool) ? why() : null),
+    }),
     command("arrange", "rotate_back", ["Shift+R"], () => turn(-90), { isEnabled: some, why }),
     command("arrange", "mirror_x", ["Shift+H"], () => void mirrorSelection(planner, 0), { isEnabled: some, why }),
     command("arrange", "mirror_y", ["Shift+V"], () => void mirrorSelection(planner, 1), { isEnabled: some, why }),
