@@ -164,6 +164,15 @@ for (const dark of [false, true])
     await tab.press("m");
     await tab.click(10, 5.55);
     await clean("measurement");
+    await tab.press("Escape", "Escape", "g");
+    await tab.choose("tool/Preset", "end");
+    await tab.click(20, 14);
+    await tab.point(20.3, 16);
+    await tab.page.keyboard.type("2");
+    await clean("a fixture is drawn");
+    await tab.press("Escape");
+    await tab.press("Escape", "o");
+    await clean("doors and windows");
     await tab.press("Escape", "Escape", "d");
     await clean("3-D");
     await tab.press("d");

@@ -225,6 +225,28 @@ testPlanner("picture: wrong files are refused with a reason", {}, async (tab) =>
   tab.errors.length = 0; // of the refused file
 });
 
+testPlanner("picture: bad images get a clear answer, and everything stays alive", {}, async (tab) => {
+  const huge = Buffer.from(plan);
+  huge.writeUInt32BE(60000, 16);
+  huge.writeUInt32BE(60000, 20);
+  await drop(tab, "huge.png", huge);
+  await notice(tab, "60000 x 60000 pixels");
+  await drop(tab, "short.png", plan.subarray(0, Math.floor(0.4 * plan.length)));
+  await notice(tab, "short.png: is incomplete or damaged; export it again");
+  await drop(tab, "header.png", plan.subarray(0, 20));
+  await notice(tab, "header.png: is incomplete or damaged");
+  await drop(tab, "words.jpg", Buffer.from("A letter, not a picture"));
+  await notice(tab, "words.jpg is not a picture.");
+  check(await tab.isUntouched(), "the store is untouched");
+  tab.errors.length = 0; // of refused files
+  // The content decides, not the name.
+  await drop(tab, "really-png.jpg", plan);
+  await tab.steps(1);
+  equal(tab.json.drawing.file, "really-png.png");
+  await shown(tab);
+  await tab.press("Escape");
+});
+
 testPlanner("picture: its panel", {}, async (tab, given) => {
   await withPicture(tab);
   await run(tab, "Properties of the floor plan");

@@ -52,6 +52,55 @@ testPlanner("draw: Esc, Ctrl+Z and Backspace in the middle", {}, async (tab) => 
   equal((await scope(tab)).kind, "idle");
 });
 
+testPlanner("draw: Esc and Ctrl+Z in the middle of every tool", {}, async (tab) => {
+  for (const key of ["r", "w", "o", "g", "b", "z", "k", "a"]) {
+    await tab.press(key);
+    equal((await scope(tab)).kind, "drawing", key);
+    for (const cancel of ["Escape", "Control+z"]) {
+      await freely(tab, [2, 2]);
+      await tab.point(4, 2.5);
+      equal(await corners(tab), 1, `${key}: a corner`);
+      await tab.press(cancel);
+      equal(await corners(tab), 0, `${key}: none after ${cancel}`);
+      equal((await scope(tab)).kind, "drawing", `${key}: the tool stays`);
+    }
+    await tab.drag([2, 2], [4, 3], { keys: ["Alt"], during: () => tab.press("Control+z") });
+    await tab.press("Escape");
+    equal((await scope(tab)).kind, "idle", key);
+  }
+  await tab.click(10, 9.85);
+  await tab.press("n");
+  await tab.point(10, 12);
+  await tab.press("Escape");
+  equal((await scope(tab)).kind, "idle");
+  check(await tab.isUntouched(), "nothing was drawn");
+});
+
+testPlanner("draw: from 1 m to 500 m across", {}, async (tab) => {
+  const across = async () => 660 / (await tab.view()).scale;
+  const wheel = async (delta, isDone) => {
+    for (let k = 0; k < 60 && !isDone(await across()); ++k) {
+      await tab.page.mouse.move(...(await tab.at(21, 15.5)));
+      await tab.page.mouse.wheel(0, delta);
+      await tab.settle();
+    }
+    check(isDone(await across()), `${await across()} m across`);
+  };
+  await wheel(-200, (metres) => metres <= 1);
+  await tab.press("b");
+  await tab.page.keyboard.down("Alt");
+  await tab.drag([21, 15.5], [21.2, 15.3]);
+  await tab.page.keyboard.up("Alt");
+  await tab.steps(1);
+  placed(last(tab.json.fixtures).size.slice(0, 2), [0.2, 0.2]);
+  await wheel(300, (metres) => metres >= 500);
+  await tab.press("z");
+  await tab.drag([100, 100], [130, 150], { keys: ["Alt"] });
+  await tab.steps(2);
+  equal(last(tab.json.room.zones).polygon.length, 4);
+  await tab.press("Escape");
+});
+
 testPlanner("draw: edges must not cross", {}, async (tab) => {
   await tab.press("b");
   await freely(tab, [20, 1], [22, 1], [22, 3], [21, 0.5]);
