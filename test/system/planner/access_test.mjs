@@ -40,6 +40,20 @@ testPlanner("the list of commands finds and runs", {}, async (tab) => {
   equal(await tab.page.$("dialog[open]"), null);
 });
 
+testPlanner("fixtures are numbered by a pattern", {}, async (tab) => {
+  await tab.drag([4, 4], [18.2, 13]);
+  await tab.press("Control+k");
+  await tab.page.keyboard.type("number");
+  await tab.until(() => document.querySelector(".results li span")?.textContent.startsWith("Number the fixtures"));
+  await tab.press("Enter");
+  await tab.page.keyboard.type("Aisle {n}");
+  await tab.until(() => document.querySelector(".results li span")?.textContent.startsWith("Aisle 1"));
+  await tab.press("Enter");
+  await tab.steps(1);
+  const ids = tab.json.fixtures.map(({ id }) => id).filter((id) => id.startsWith("Aisle"));
+  equal(new Set(ids.filter((id) => !id.includes("{n}"))).size, 4, `${ids}`);
+});
+
 testPlanner("Ctrl+F finds fixtures, labels and units", {}, async (tab) => {
   const find = async (typed) => {
     await tab.press("Control+f");

@@ -11,6 +11,7 @@ import { say } from "../../data/text";
 import { drawingPath } from "../backdrop/drawing";
 import { editDrawing, turnPicture } from "../backdrop/edits";
 import { assignType } from "./assign";
+import { canNumber, numberFixtures } from "./rename";
 import { copySelection, deleteSelection, duplicateSelection, paste } from "./copy";
 import { alignSelection, distributeSelection, mirrorSelection, shiftElements, turnElements } from "./move";
 import { canDissolve, dissolve, nextItem, selectAll, selectSource, showAll, showSelection } from "./source";
@@ -91,6 +92,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
     command("arrange", "rotate_back", ["Shift+R"], () => turn(-90), { isEnabled: some, why }),
     command("arrange", "mirror_x", ["Shift+H"], () => void mirrorSelection(planner, 0), { isEnabled: some, why }),
     command("arrange", "mirror_y", ["Shift+V"], () => void mirrorSelection(planner, 1), { isEnabled: some, why }),
+    command("arrange", "number", [], () => numberFixtures(planner), { isEnabled: () => canNumber(planner) }),
     ...alignments.map((how) =>
       command("arrange", `align_${how}`, [], () => void alignSelection(planner, how), { isEnabled: several }),
     ),

@@ -50,7 +50,7 @@ const elementMenu: CommandId[][] = [
   ["cut", "copy", "paste", "duplicate", "delete"],
   ["rotate", "mirror_x", "mirror_y"],
   ["align_left", "align_centre", "align_right", "align_top", "align_middle", "align_bottom"],
-  ["distribute_x", "distribute_y"],
+  ["distribute_x", "distribute_y", "number"],
   ["fit_selection", "select_all", "fit", "space"],
 ];
 

@@ -1,0 +1,40 @@
+// Numbers the selected fixtures by a pattern.
+
+import { openPicker } from "../access/picker";
+import { counted } from "../../data/format";
+import { EditBuilder } from "../document/edit";
+import { giveIds, namesIn, namingOf, patternOf, type Numbered } from "../elements/numbering";
+import { boundsOfParts, middleOf } from "../geometry/bounds";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+
+const fixturesOf = ({ selected }: Planner) => selected.filter(({ kind }) => kind === "fixture");
+
+export const canNumber = (planner: Planner): boolean =>
+  planner.document.locked === null && fixturesOf(planner).length > 0;
+
+export function numberFixtures(planner: Planner): void {
+  const { document } = planner;
+  const elements = fixturesOf(planner).flatMap(({ path, value }): Numbered[] => {
+    const bounds = boundsOfParts(document.parts.of(path).slice(0, 1));
+    return bounds ? [{ path, value, middle: middleOf(bounds) }] : [];
+  });
+  const own = new Set(elements.flatMap(({ path }) => document.parts.of(path).map(({ key }) => key)));
+  const others = new Set(document.parts.all.filter(({ key }) => !own.has(key)).map(({ id }) => id));
+  openPicker(text.access.number, text.access.number_hint, (typed) => {
+    if (typed === "") return [];
+    const pattern = patternOf(typed);
+    const naming = namingOf(elements, pattern, others);
+    return [
+      {
+        name: namesIn(naming, pattern),
+        note: counted(text.counted.fixture, elements.length),
+        choose: () => {
+          const builder = new EditBuilder(document.json);
+          giveIds(builder, naming, pattern);
+          void document.edit({ label: say(text.edits.number, namesIn(naming, pattern)), ops: builder.ops });
+        },
+      },
+    ];
+  });
+}

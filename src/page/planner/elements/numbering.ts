@@ -1,0 +1,89 @@
+// Ids by a pattern, in the order in which people read a plan: from left to right, and from top to bottom.
+
+import type { EditBuilder } from "../document/edit";
+import { isObject, pointerTo, valueAt, type Json, type JsonObject } from "../document/json";
+import type { Point } from "../document/messages";
+
+/** Elements whose middles are less apart in y stand in one line, m. */
+const oneLine = 0.8;
+
+export interface Numbered {
+  path: string;
+  value: JsonObject;
+  /** m */
+  middle: Point;
+}
+
+export function inReadingOrder(elements: readonly Numbered[]): Numbered[] {
+  const lines: Numbered[][] = [];
+  for (const element of [...elements].sort((a, b) => b.middle[1] - a.middle[1])) {
+    const line = lines[lines.length - 1];
+    if (line && line[0].middle[1] - element.middle[1] < oneLine) line.push(element);
+    else lines.push([element]);
+  }
+  return lines.flatMap((line) => line.sort((a, b) => a.middle[0] - b.middle[0]));
+}
+
+/** "A{n}" for "A" and for "A{n}". */
+export const patternOf = (typed: string): string => (typed.includes("{n}") ? typed : `${typed}{n}`);
+
+const numbered = (pattern: string, number: number): string => pattern.replace("{n}", String(number));
+
+const countOf = ({ repeat }: JsonObject, key: "count" | "count2" | "first"): number => {
+  const value = isObject(repeat) ? repeat[key] : undefined;
+  return typeof value === "number" ? value : 1;
+};
+
+export interface Naming {
+  path: string;
+  value: JsonObject;
+  /** The number of the first, and how many follow each other. */
+  first: number;
+  count: number;
+}
+
+/** Numbers that no other element has; a row has as many as it has copies, one after the other. */
+export function namingOf(elements: readonly Numbered[], pattern: string, others: ReadonlySet<string>): Naming[] {
+  let next = 1;
+  return inReadingOrder(elements).map(({ path, value }) => {
+    const count = countOf(value, "count") * countOf(value, "count2");
+    const isFree = (first: number) =>
+      Array.from({ length: count }, (_, k) => numbered(pattern, first + k)).every((id) => !others.has(id));
+    while (!isFree(next)) ++next;
+    const first = next;
+    next += count;
+    return { path, value, first, count };
+  });
+}
+
+/** Gives the ids, also where other elements name these fixtures. */
+export function giveIds(builder: EditBuilder, naming: readonly Naming[], pattern: string): void {
+  const renamed = new Map<string, string>();
+  for (const { path, value, first, count } of naming) {
+    const old = String(value.id ?? "");
+    const isRow = isObject(value.repeat);
+    for (let k = 0; k < count; ++k)
+      renamed.set(old.replace("{n}", String(countOf(value, "first") + k)), numbered(pattern, first + k));
+    builder.set(`${path}/id`, isRow ? pattern : numbered(pattern, first));
+    if (isRow) builder.set(`${path}/repeat/first`, first === 1 ? undefined : first);
+  }
+  const follow = (list: string, key: string) => {
+    const members = valueAt(builder.json, list);
+    if (!Array.isArray(members)) return;
+    members.forEach((_: Json, index) => {
+      const pointer = `${pointerTo(list, index)}${key}`;
+      const id = renamed.get(String(builder.get(pointer)));
+      if (id !== undefined) builder.set(pointer, id);
+    });
+  };
+  follow("/fixtures", "/against/fixture");
+  follow("/transceivers/on", "/fixture");
+}
+
+/** "A1, A2, A3, …". */
+export function namesIn(naming: readonly Naming[], pattern: string, most = 4): string {
+  const all = naming.flatMap(({ first, count }) =>
+    count === 1 ? [numbered(pattern, first)] : [`${numbered(pattern, first)}–${numbered(pattern, first + count - 1)}`],
+  );
+  return all.slice(0, most).join(", ") + (all.length > most ? ", …" : "");
+}
