@@ -51,7 +51,9 @@ testPlanner("fixtures are numbered by a pattern", {}, async (tab) => {
   await tab.press("Enter");
   await tab.steps(1);
   const ids = tab.json.fixtures.map(({ id }) => id).filter((id) => id.startsWith("Aisle"));
+  equal(ids.filter((id) => id.includes("{n}")).length, 2, "rows");
   equal(new Set(ids.filter((id) => !id.includes("{n}"))).size, 4, `${ids}`);
+  equal(tab.json.fixtures[4].repeat, { first: 4 }, "the row of end caps on the left");
 });
 
 testPlanner("Ctrl+F finds fixtures, labels and units", {}, async (tab) => {

@@ -92,7 +92,7 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
     command("arrange", "rotate_back", ["Shift+R"], () => turn(-90), { isEnabled: some, why }),
     command("arrange", "mirror_x", ["Shift+H"], () => void mirrorSelection(planner, 0), { isEnabled: some, why }),
     command("arrange", "mirror_y", ["Shift+V"], () => void mirrorSelection(planner, 1), { isEnabled: some, why }),
-    command("arrange", "number", [], () => numberFixtures(planner), { isEnabled: () => canNumber(planner) }),
+    command("arrange", "number", [], () => void numberFixtures(planner), { isEnabled: () => canNumber(planner) }),
     ...alignments.map((how) =>
       command("arrange", `align_${how}`, [], () => void alignSelection(planner, how), { isEnabled: several }),
     ),

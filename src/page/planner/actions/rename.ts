@@ -3,6 +3,7 @@
 import { openPicker } from "../access/picker";
 import { counted } from "../../data/format";
 import { EditBuilder } from "../document/edit";
+import { contextOf, knowDetails } from "../elements/context";
 import { giveIds, namesIn, namingOf, patternOf, type Numbered } from "../elements/numbering";
 import { boundsOfParts, middleOf } from "../geometry/bounds";
 import type { Planner } from "../planner";
@@ -13,11 +14,14 @@ const fixturesOf = ({ selected }: Planner) => selected.filter(({ kind }) => kind
 export const canNumber = (planner: Planner): boolean =>
   planner.document.locked === null && fixturesOf(planner).length > 0;
 
-export function numberFixtures(planner: Planner): void {
+export async function numberFixtures(planner: Planner): Promise<void> {
   const { document } = planner;
-  const elements = fixturesOf(planner).flatMap(({ path, value }): Numbered[] => {
+  const paths = fixturesOf(planner).map(({ path }) => path);
+  await knowDetails(document, paths, false);
+  const elements = paths.flatMap((path): Numbered[] => {
+    const context = contextOf(document, path);
     const bounds = boundsOfParts(document.parts.of(path).slice(0, 1));
-    return bounds ? [{ path, value, middle: middleOf(bounds) }] : [];
+    return context && bounds ? [{ path, value: context.effective, middle: middleOf(bounds) }] : [];
   });
   const own = new Set(elements.flatMap(({ path }) => document.parts.of(path).map(({ key }) => key)));
   const others = new Set(document.parts.all.filter(({ key }) => !own.has(key)).map(({ id }) => id));

@@ -9,6 +9,7 @@ const oneLine = 0.8;
 
 export interface Numbered {
   path: string;
+  /** With the keys of its presets. */
   value: JsonObject;
   /** m */
   middle: Point;
