@@ -108,6 +108,16 @@ class PartList {
     }
   }
 
+  Json openings_of_wall(const std::string& id) const {
+    Json outlines = Json::array();
+    if (!draft_.scene.room) return outlines;
+    for (const InnerWall& wall : draft_.scene.room->inner_walls)
+      if (wall.id == id)
+        for (const WallOpening& opening : wall.openings)
+          outlines.push_back(points(wall.footprint(opening.at, opening.at + opening.width)));
+    return outlines;
+  }
+
   void add_fixture(std::size_t f) {
     const FixtureOutline& fixture = draft_.scene.fixtures[f];
     const std::string& where = draft_.sources.fixtures[f];
@@ -118,7 +128,10 @@ class PartList {
               {"outline", points(fixture.footprint)},
               {"height", fixture.height},
               {"rotation", fixture.rotation_deg}};
-    if (fixture.is_wall()) return add("wall", place, json);
+    if (fixture.is_wall()) {
+      if (Json holes = openings_of_wall(fixture.id); !holes.empty()) json["holes"] = std::move(holes);
+      return add("wall", place, json);
+    }
     // The scene has the fixtures of the store in their order, but not those that could not be built.
     while (entry_ < entries_.size() && entries_[entry_]->where != where) ++entry_;
     if (entry_ == entries_.size()) return;

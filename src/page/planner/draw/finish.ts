@@ -5,6 +5,7 @@ import { pointerTo, type Json } from "../document/json";
 import type { Part, Point } from "../document/messages";
 import { noPreview, type Preview } from "../document/preview";
 import { idsOf } from "../elements/copies";
+import { elementAround } from "../elements/kinds";
 import { drawingPath } from "../backdrop/drawing";
 import { shifted } from "../backdrop/transform";
 import { outlineOf } from "../geometry/rigid";
@@ -16,6 +17,7 @@ import { firstName, type Site } from "../make/site";
 import { addOpening, addWalls, wallLines, wallNear } from "../make/walls";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
+import { materialFor } from "./materials";
 import { templateOf } from "./template";
 import type { DrawTool } from "./tools";
 
@@ -79,10 +81,9 @@ function make(
     case "opening": {
       const wall = wallNear(wallLines(site), points[0], openingReach);
       if (!wall) return text.draw.no_wall;
-      return {
-        paths: [addOpening(builder, site, wall, [points[0], points[1]], openingForm(planner))],
-        preview: noPreview,
-      };
+      const ends: [Point, Point] = [points[0], points[1]];
+      const path = addOpening(builder, site, wall, ends, openingForm(planner), freedom.isExact);
+      return { paths: [elementAround(path) ?? path], preview: noPreview };
     }
     case "run": {
       const template = templateOf(planner);
@@ -92,7 +93,7 @@ function make(
       return one(addRun(builder, site, template, run), "fixture", outlineOf(run));
     }
     case "block": {
-      const material = settings.now.material ?? firstName(json, "materials") ?? planner.document.shared.materials?.[0];
+      const material = materialFor(planner, "block");
       if (material === undefined) return text.draw.no_material;
       return one(addBlock(builder, site, points, isColumn ? "ceiling" : blockHeight, material), "fixture");
     }
@@ -119,9 +120,9 @@ function moveOrigin({ drawing, document, viewport }: Planner, builder: EditBuild
   viewport.centre = [viewport.centre[0] + back[0], viewport.centre[1] + back[1]];
 }
 
-function openingForm({ settings, document }: Planner) {
-  const { opening, doorHeight, sill, lintel } = settings.now;
-  const material = opening === "open" ? undefined : (settings.now.material ?? firstName(document.json, "materials"));
+function openingForm(planner: Planner) {
+  const { opening, doorHeight, sill, lintel } = planner.settings.now;
+  const material = opening === "open" ? undefined : materialFor(planner, opening);
   return opening === "window" ? { bottom: sill, top: lintel, material } : { bottom: 0, top: doorHeight, material };
 }
 

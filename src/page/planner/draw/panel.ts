@@ -8,6 +8,7 @@ import { lengthText, tidy } from "../geometry/units";
 import { isOneSided, sizeOf, type Template } from "../make/run";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
+import { materialFor, type Purpose } from "./materials";
 import type { OpeningKind, Settings } from "./settings";
 import { modelOf, templateOf } from "./template";
 import type { DrawTool } from "./tools";
@@ -53,10 +54,10 @@ export class ToolPanel {
         return [
           this.openings(opening),
           ...(opening === "window" ? [this.length("sill"), this.length("lintel")] : [this.length("doorHeight")]),
-          ...(opening === "open" ? [] : [this.materials()]),
+          ...(opening === "open" ? [] : [this.materials(opening)]),
         ];
       case "block":
-        return [this.column(isColumn), ...(isColumn ? [] : [this.length("blockHeight")]), this.materials()];
+        return [this.column(isColumn), ...(isColumn ? [] : [this.length("blockHeight")]), this.materials("block")];
       case "area":
         return [this.length("spacing")];
       case "run":
@@ -140,15 +141,13 @@ export class ToolPanel {
     );
   }
 
-  private materials(): HTMLElement {
+  private materials(purpose: Purpose): HTMLElement {
     const { document, settings } = this.planner;
-    const names = namesIn(document.json, "materials", document.shared);
-    const chosen = settings.now.material ?? names[0] ?? null;
     return this.select(
       text.draw.settings.material,
-      names.map((name) => [name, name]),
-      chosen,
-      (material) => settings.set({ material }),
+      namesIn(document.json, "materials", document.shared).map((name) => [name, name]),
+      materialFor(this.planner, purpose) ?? null,
+      (material) => settings.set({ materials: { ...settings.now.materials, [purpose]: material } }),
     );
   }
 

@@ -1,6 +1,7 @@
 // What the tools draw with: the values that were used last.
 
 import type { Changes } from "../changes";
+import type { Purpose } from "./materials";
 
 export type OpeningKind = "door" | "window" | "open";
 
@@ -18,7 +19,8 @@ export interface Settings {
   blockHeight: number;
   /** The block is a column up to the ceiling. */
   isColumn: boolean;
-  material: string | null;
+  /** By purpose. */
+  materials: { [Key in Purpose]?: string };
   spacing: number;
   /** Of rows. */
   count: number;
@@ -35,7 +37,7 @@ const usual: Settings = {
   lintel: 2.1,
   blockHeight: 0.9,
   isColumn: false,
-  material: null,
+  materials: {},
   spacing: 1.2,
   count: 2,
 };

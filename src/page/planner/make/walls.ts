@@ -5,6 +5,7 @@ import { pointerTo, valueAt } from "../document/json";
 import type { Point } from "../document/messages";
 import { rectangle } from "../geometry/bounds";
 import { nearestOn } from "../geometry/polygon";
+import { stepped } from "../geometry/units";
 import { distance, dot, minus, times } from "../geometry/vector";
 import { freeId, inFile, pointInFile, type Site } from "./site";
 
@@ -81,15 +82,18 @@ export interface OpeningForm {
   material?: string;
 }
 
-/** A door or window between two points near a wall. */
+/** A door or window between two points near a wall, at whole steps unless its width was typed. */
 export function addOpening(
   builder: EditBuilder,
   site: Site,
   wall: WallLine,
   [a, b]: readonly [Point, Point],
   { bottom, top, material }: OpeningForm,
+  isExact = false,
 ): string {
-  const [from, until] = [along(wall, a), along(wall, b)].sort((one, other) => one - other);
+  const { unit } = site;
+  const round = (metres: number) => (isExact ? metres : stepped(metres / unit.factor, unit) * unit.factor);
+  const [from, until] = [along(wall, a), along(wall, b)].map(round).sort((one, other) => one - other);
   const isOuter = wall.number !== null;
   return builder.append(wall.list, {
     ...(isOuter ? { wall: wall.number } : {}),

@@ -82,6 +82,10 @@ TEST(Shop, HasThePartsOfTheStore) {
     ++kinds[part["kind"]];
     EXPECT_TRUE(shop.json().contains(Json::json_pointer(part["path"]))) << part;
     EXPECT_EQ(part["locked"].is_null(), part["key"].get<std::string>().find('#') == std::string::npos);
+    if (part["kind"] != "wall") continue;
+    const Json& wall = shop.json()[Json::json_pointer(part["path"])];
+    EXPECT_EQ(part.value("holes", Json::array()).size(), wall.value("openings", Json::array()).size())
+        << part;
   }
   EXPECT_EQ(kinds["room"], 1);
   for (const char* kind : {"fixture", "zone", "wall"}) EXPECT_GT(kinds[kind], 0) << kind;
