@@ -29,6 +29,7 @@ const marks: Record<SnapKind, string> = {
   extension: dot,
   align: dot,
   gap: dot,
+  length: "M-6 -6V6M6 -6V6M-6 0H6",
   angle: dot,
 };
 
@@ -84,7 +85,7 @@ function guide(planner: Planner, { from, to, kind, distance: metres }: Guide): N
   const length = distance(start, end);
   if (length === 0) return mark(end, kind);
   const begin = length > longest ? between(end, start, longest / length) : start;
-  const d = pathOf([begin, end], true) + (kind === "gap" ? ticks(begin, end) : "");
+  const d = pathOf([begin, end], true) + (kind === "gap" || kind === "length" ? ticks(begin, end) : "");
   const words = metres === undefined ? [] : [lengthText(metres, planner.document.unit)];
   return [...outlined(`guide ${kind}`, d), ...words.map((word) => reading(placeOf(begin, end), word, "distance"))];
 }

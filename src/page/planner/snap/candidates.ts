@@ -1,10 +1,10 @@
 // The places that the pointer can mean.
 
 import type { Point } from "../document/messages";
-import { between, distance } from "../geometry/vector";
+import { between, distance, dot, minus, plus, times } from "../geometry/vector";
 import { joining, ranks, slideOf, strainOf, type Candidate, type Guide, type Pull, type SnapKind } from "./choice";
 import { crossingOf, nearestOf, passes, tolerance, type Line } from "./lines";
-import type { Surroundings } from "./pulls";
+import { lastEdges, type Surroundings } from "./pulls";
 import { fromOf, type SnapRequest } from "./request";
 
 /** The beginning of the drawing attracts from twice as far. */
@@ -48,6 +48,24 @@ function crossingPlace(a: Pull, b: Pull, reach: number): Place | null {
   return { kind, at, rank, reach, guides };
 }
 
+/** Where an edge along a line would be as long as one of the last ones. */
+function lengthPlaces(line: Line, { drawn = [], pointer }: SnapRequest): { at: Point; guides: Guide[] }[] {
+  const from = drawn.at(-1);
+  if (!from || !passes(line, from)) return [];
+  const side = Math.sign(dot(minus(pointer, from), line.way)) || 1;
+  return drawn.slice(-1 - lastEdges).flatMap((a, k, corners) => {
+    const b = corners[k + 1];
+    if (!b) return [];
+    const length = distance(a, b);
+    return [
+      {
+        at: plus(from, times(line.way, side * length)),
+        guides: [{ from: a, to: b, kind: "length", distance: length }],
+      },
+    ];
+  });
+}
+
 /** Every place and every line near the pointer, and what each two of the lines have in common. */
 export function candidatesOf(around: Surroundings, request: SnapRequest): Candidate[] {
   const { pointer, reach } = request;
@@ -68,6 +86,9 @@ export function candidatesOf(around: Surroundings, request: SnapRequest): Candid
       if (place) add(place, Math.max(slides[k].strain, slides[other].strain));
     }
   });
+  for (const pull of around.inferred)
+    for (const { at, guides } of lengthPlaces(pull.line, request))
+      add({ kind: "length", at, rank: ranks.both.inferred, reach, guides: [...pull.guides(at), ...guides] }, 0);
   return candidates.filter(({ at }) => !isAt(at, fromOf(request)));
 }
 
@@ -92,7 +113,11 @@ export function candidatesAlong(ray: Line, place: Point, around: Surroundings, r
     return [onRay(at, kind, ranks.point[kind], reach, [])];
   });
   const first = closingPoint(request);
+  const lengths = lengthPlaces(ray, request).map(({ at, guides }) =>
+    onRay(at, "length", ranks.both.inferred, reach, guides),
+  );
   return [
+    ...lengths,
     ...crossings.filter(({ at }) => !isAt(at, ray.at) && !isAt(at, first)),
     ...(first && passes(ray, first) ? [onRay(first, "close", ranks.point.close, closing * reach, [])] : []),
     { ...onRay(nearestOf(ray, place), "angle", ranks.slide.angle, reach, []), slide: ray },

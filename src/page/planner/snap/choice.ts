@@ -15,6 +15,7 @@ export type SnapKind =
   | "extension"
   | "align"
   | "gap"
+  | "length"
   | "angle";
 
 /** Why the pointer is where it is: a line that is not in the drawing. */

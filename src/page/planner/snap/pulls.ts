@@ -15,8 +15,8 @@ const most = { near: 128, wide: 64, crossing: 24, inferred: 16, through: 8 };
 const wide = 20;
 /** The share of the reach of lines that have nothing at the pointer. */
 const weak = 0.5;
-/** The last edges to which new ones may be parallel or perpendicular. */
-const lastEdges = 3;
+/** The last edges to which new ones may be parallel or perpendicular, or as long as. */
+export const lastEdges = 3;
 
 export interface Surroundings {
   near: Segment[];

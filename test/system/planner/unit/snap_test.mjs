@@ -328,3 +328,21 @@ test("the last centimetre joins, even with a short reach and another place held"
   assert.equal(snap([2.008, 3.008], { ...close, held }).kind, null);
   assert.equal(snap([2.006, 3.006], { ...close, isFree: true }).kind, null);
 });
+
+test("an edge at right angles is as long as one of the last", () => {
+  const snapper = new Snapper([]);
+  const drawn = [
+    [0, 0],
+    [3, 0],
+    [3, 2],
+  ]; // prettier-ignore
+  const request = { reach, drawn };
+  const found = snapper.snap({ ...request, pointer: [0.05, 2.95 - 1] });
+  near(found.at, [0, 2]);
+  assert.equal(snapper.snap({ ...request, pointer: [1.04, 2.03] }).kind, "length");
+  near(snapper.snap({ ...request, pointer: [1.04, 2.03] }).at, [1, 2]);
+  const turned = snapper.snap({ ...request, pointer: [4.46, 3.42], isOrtho: true });
+  assert.equal(turned.kind, "length");
+  near(turned.at, [3 + Math.SQRT2, 2 + Math.SQRT2]);
+  assert.notEqual(snapper.snap({ ...request, pointer: [1.4, 2.03] }).kind, "length");
+});
