@@ -294,7 +294,8 @@ struct Planner::State {
       tell_changes({});
     }
     if (auto list = warnings.poll(now)) {
-      found = std::move(list);
+      // A store with problems cannot be inspected: the problems say why.
+      found = shop.problems().empty() ? std::move(*list) : Json::array();
       send_to_all(http::Message::text(text_of(warnings_json())));
     }
   }

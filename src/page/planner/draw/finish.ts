@@ -117,7 +117,7 @@ function make(
 function moveOrigin({ drawing, document, viewport }: Planner, builder: EditBuilder, origin: Point): void {
   const back = times(origin, -1);
   if (drawing) builder.set(pointerTo(drawingPath, "at"), shifted(drawing, document.unit, back).at as Json);
-  viewport.centre = [viewport.centre[0] + back[0], viewport.centre[1] + back[1]];
+  viewport.shift(back);
 }
 
 function openingForm(planner: Planner) {

@@ -61,7 +61,8 @@ function aim(planner: Planner, scope: Drawing, pointer: Point, { shift, alt }: K
   });
   const isFree = alt;
   if (stroke.tool === "rows" && !isFree) return { ...scope, isFree, end: rowEnd(planner, scope, end) };
-  return { ...scope, isFree, end: end.kind === null ? { ...end, at: atSteps(planner, end.at) } : end };
+  const isTyped = scope.typed.length !== "";
+  return { ...scope, isFree, end: end.kind === null && !isTyped ? { ...end, at: atSteps(planner, end.at) } : end };
 }
 
 /**

@@ -64,14 +64,30 @@ export function nextId(id: string, taken: ReadonlySet<string>): string {
 /** Adds copies to the ends of their lists, and returns their paths. Ids that are free stay. */
 export function addCopies(builder: EditBuilder, copied: readonly Copied[], taken: Set<string>): string[] {
   const renamed = new Map<string, string>();
-  const values = copied.map(({ kind, value }) => {
+  const values = copied.map(({ kind, value, effective }) => {
     if (typeof value.id !== "string") return { kind, value };
+    const row = rowAfter(value, effective, taken);
+    if (row) return { kind, value: row };
     const id = taken.has(value.id) ? nextId(value.id, taken) : value.id;
     taken.add(id);
     renamed.set(value.id, id);
     return { kind, value: { ...value, id } };
   });
   return values.map(({ kind, value }) => builder.append(listOf(kind), withNewNeighbour(value, renamed)));
+}
+
+/** A row of "A{n}" with the next free numbers; null: it is no row. Neighbours of its members keep to the first row. */
+function rowAfter(value: JsonObject, effective: JsonObject, taken: Set<string>): JsonObject | null {
+  const { repeat } = effective;
+  const pattern = String(value.id);
+  if (!pattern.includes("{n}") || !isObject(repeat)) return null;
+  const number = (key: string) => (typeof repeat[key] === "number" ? Number(repeat[key]) : 1);
+  const names = (first: number) =>
+    Array.from({ length: number("count") * number("count2") }, (_, k) => pattern.replace("{n}", String(first + k)));
+  let first = number("first");
+  while (names(first).some((id) => taken.has(id))) ++first;
+  for (const id of names(first)) taken.add(id);
+  return { ...value, repeat: { ...(isObject(value.repeat) ? value.repeat : {}), first } };
 }
 
 /** A fixture against another one that is copied, too, stands against its copy. */

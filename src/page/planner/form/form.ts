@@ -8,6 +8,7 @@ import type { Field, FieldType, Group, Variant } from "./field";
 import { initialObject, initialValue, type Surroundings } from "./initial";
 import { leafInput, optionName, typeChoice, type Place } from "./inputs";
 import { inheritedAt, objectAt, presentAt, shownAt, type Shown, type Target } from "./targets";
+import { problemId } from "./problems";
 import { alternativeOf, commonFields, fieldsOf, optionOf, variantOf } from "./variants";
 
 /** Changes one element; `path` is that of the element. */
@@ -25,22 +26,6 @@ export interface FormContext {
   write: (what: string, write: Write) => void;
   /** Takes the place of writing a value, for values that depend on others. */
   override?: (pointer: string, value: Json | undefined) => boolean;
-}
-
-const problemId = (pointer: string): string => `field${pointer}-problem`;
-
-/**
- * Shows problems below the fields of their values, or of the values around them. `form`: elements with the pointers of
- * their values as `data-field`.
- */
-export function showProblems(form: HTMLElement, problems: ReadonlyMap<string, string>): void {
-  const rows = new Map([...form.querySelectorAll<HTMLElement>("[data-field]")].map((row) => [row.dataset.field, row]));
-  for (const row of rows.values()) row.querySelector(":scope > .problem")?.remove();
-  for (const [pointer, sentence] of problems) {
-    let at = pointer;
-    while (at !== "" && !rows.has(at)) at = at.slice(0, at.lastIndexOf("/"));
-    rows.get(at)?.append(element("p", { class: "problem", id: problemId(at), text: sentence }));
-  }
 }
 
 const fieldName = (key: string): string => (text.fields as Record<string, string>)[key] ?? key.replaceAll("_", " ");
@@ -102,8 +87,14 @@ export class Form {
     return shownAt(this.context.targets, pointer, ({ own, details }) => {
       const isOwn = valueAt(own, pointer) !== undefined;
       const resolved = isOwn || !details?.resolved ? undefined : valueAt(details.resolved, pointer);
-      return inFile(resolved ?? field.default);
+      return inFile(resolved ?? field.default ?? this.facesWithLabels(pointer));
     });
+  }
+
+  /** Without a choice, all faces of a fixture have labels. */
+  private facesWithLabels(pointer: string): Json | undefined {
+    if (pointer !== "/labels/faces") return undefined;
+    return valueAt(this.context.targets[0]?.effective ?? {}, "/faces") ?? ["front", "back"];
   }
 
   private set(what: string, pointer: string, next: (present: Json | undefined) => Json | undefined): void {
@@ -124,7 +115,8 @@ export class Form {
     const active = type.kind === "either" ? optionOf(type.options, shown.own ?? shown.base) : type;
     const commit = (next: (present: Json | undefined) => Json | undefined) => this.set(place.label, pointer, next);
     const choice = type.kind === "either" ? typeChoice(place, type.options, shown, commit) : null;
-    const control = leafInput(place, active, shown, commit);
+    const isNamed = choice !== null && active.kind === "constant"; // by the choice
+    const control = isNamed ? element("span", {}) : leafInput(place, active, shown, commit);
     const known = { ...field, isRequired };
     if (control) return this.leafRow(place, known, shown, [choice, control]);
     return this.nestedRow(place, known, active, pointer, choice);

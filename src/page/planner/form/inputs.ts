@@ -110,7 +110,10 @@ export function entry(place: Place, { shown, placeholder, unit, label, id, read,
       why.hidden = true;
       input.ariaInvalid = "false";
       event.stopPropagation();
-    } else if (key === "Enter" && (lines === undefined || ctrlKey)) changed();
+    } else if (key === "Enter" && (lines === undefined || ctrlKey)) {
+      changed();
+      if (input.ariaInvalid !== "true") input.blur(); // the next keys are for the plan
+    } else if (key === "Escape") input.blur();
   });
   return element("span", { class: "entry" }, input, unit ? element("span", { class: "unit", text: unit }) : null, why);
 }

@@ -15,7 +15,8 @@ export function numberFrom(typed: string, measure: Measure, unit: LengthUnit): n
   return Number(value.toPrecision(12));
 }
 
-export const numberText = (value: Json | undefined): string => (typeof value === "number" ? String(value) : "");
+export const numberText = (value: Json | undefined): string =>
+  typeof value === "number" ? String(Number(value.toPrecision(9))) : "";
 
 /** Numbers with commas, semicolons or spaces between them. */
 export function numbersFrom(typed: string, measure: Measure, unit: LengthUnit): number[] {

@@ -16,6 +16,14 @@ function digitOf({ code, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): s
   return ctrlKey || metaKey || altKey || shiftKey ? "" : (/^Digit(\d)$/.exec(code)?.[1] ?? "");
 }
 
+/**
+ * A button or list of choices that has the focus from a click. While the pointer is over the plan, keys are for the plan:
+ * otherwise Space would press the button again, and letters would choose from the list.
+ */
+const isClickedControl = (target: HTMLElement): boolean =>
+  target.matches("button:not(:focus-visible), select:not(:focus-visible), summary:not(:focus-visible)") &&
+  target.closest("dialog, .menu") === null;
+
 export function listenToKeys(
   planner: Planner,
   commands: Commands,
@@ -32,9 +40,11 @@ export function listenToKeys(
       event.preventDefault();
       return;
     }
-    const inPlan = event.target === document.body || plans.includes(event.target as HTMLElement);
+    const { target } = event;
+    const isClicked = planner.pointer !== null && target instanceof HTMLElement && isClickedControl(target);
+    const inPlan = target === document.body || plans.includes(target as HTMLElement) || isClicked;
     const chord = chordOf(event);
-    const inField = isOfField(event.target, chord);
+    const inField = !isClicked && isOfField(target, chord);
     if (chord === "Space" && inPlan) {
       event.preventDefault();
       gestures.holdSpace(true);

@@ -40,6 +40,7 @@ export class StatusLine {
         ? say(text.status.place, lengthText(pointer[0], document.unit), lengthText(pointer[1], document.unit))
         : "";
     const count = (kind: "label" | "unit", { count }: { count: number }) => counted(text.counted[kind], count);
+    this.counts.hidden = planner.tool === "scale" || planner.tool === "check" || planner.tool === "crop";
     this.counts.textContent = `${count("label", document.labels)}, ${count("unit", document.units)}`;
     this.hint.textContent = this.hintOf();
     this.chip.update();

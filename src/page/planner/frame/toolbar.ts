@@ -18,8 +18,11 @@ const drawing: [CommandId, IconName][] = [
   ["draw_wall", "wall"],
   ["draw_opening", "opening"],
   ["draw_run", "run"],
+  ["draw_rows", "rows"],
   ["draw_block", "block"],
   ["draw_zone", "zone"],
+  ["draw_keep_out", "keep_out"],
+  ["draw_area", "area"],
 ];
 const steps: [CommandId, IconName][] = [
   ["undo", "undo"],

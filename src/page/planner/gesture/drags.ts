@@ -17,6 +17,8 @@ import { directionOf, distance, minus, plus, times, wholeTurn } from "../geometr
 import type { Planner } from "../planner";
 import { snapMove, type Moved } from "../snap/box";
 import { say, text } from "../text";
+import { itemOf, partAt } from "../view/hit";
+import type { Item } from "../view/selection";
 import type { Scope } from "./scope";
 
 type Moving = Extract<Scope, { kind: "moving" }>;
@@ -163,6 +165,19 @@ export function sizeReadout(planner: Planner, { context }: Resizing): string {
   const size = (a: number, b: number) =>
     outline[a] && outline[b] ? lengthText(distance(outline[a], outline[b]), document.unit) : "";
   return outline.length === 4 ? say(text.readout.size, size(0, 1), size(1, 2)) : "";
+}
+
+/** What a drag takes along: the element of a label or candidate, and the row that is selected for one of its copies. */
+export function draggedItem(planner: Planner, pressed: Item | null, world: Point, reach: number): Item | null {
+  const { selection, document, layers } = planner;
+  let item = pressed;
+  if (item?.kind === "device") {
+    const part = partAt(document.parts.all, world, 0.6 * reach, layers);
+    item = part && itemOf(part);
+  }
+  if (item?.kind !== "copy" || item.path === null) return item;
+  const row: Item = { kind: "element", path: item.path };
+  return selection.has(row) ? row : item;
 }
 
 /** Ends a drag with its effect; false if it has none. */

@@ -21,9 +21,9 @@ import { boundsBetween, middleOf } from "../geometry/bounds";
 import { directionOf, distance, minus } from "../geometry/vector";
 import type { Planner } from "../planner";
 import { text } from "../text";
-import { itemAt, itemOf, itemsWithin, partAt } from "../view/hit";
+import { itemAt, itemsWithin } from "../view/hit";
 import type { Item, Place } from "../view/selection";
-import { dragMove, dragSize, dragTurn, drop, type Keys } from "./drags";
+import { draggedItem, dragMove, dragSize, dragTurn, drop, type Keys } from "./drags";
 import { gripAt, gripsOf } from "./grips";
 import { aimMeasure, setMeasure, unmeasured } from "./measuring";
 import { busy, idle, pathsOf, type Scope } from "./scope";
@@ -125,7 +125,9 @@ export class Gestures {
     this.surface.classList.toggle("grab", held);
   }
 
-  private enter(scope: Scope): void {
+  /** A drawing may have ended its tool. */
+  private enter(wanted: Scope): void {
+    const scope = wanted.kind === "drawing" && wanted.stroke.tool !== this.planner.tool ? this.resting : wanted;
     this.scope = scope;
     this.surface.dataset.scope = scope.kind;
     this.planner.changes.note("preview");
@@ -252,18 +254,13 @@ export class Gestures {
 
   private beginDrag(scope: Extract<Scope, { kind: "pressed" }>, screen: Point, world: Point, keys: Keys): void {
     const { planner } = this;
-    const { selection, document, layers } = planner;
+    const { selection, document } = planner;
     if (scope.isTouch) {
       this.enter({ kind: "panning", screen: scope.screen, button: buttons.left, hasMoved: true, before: idle });
       planner.viewport.pan(...minus(screen, scope.screen));
       return;
     }
-    let { item } = scope;
-    // A label or candidate of an element moves with it.
-    if (item?.kind === "device") {
-      const part = partAt(document.parts.all, scope.world, 0.6 * this.reach, layers);
-      item = part && itemOf(part);
-    }
+    const item = draggedItem(planner, scope.item, scope.world, this.reach);
     if (!item && isOnFreePicture(planner, scope.world)) {
       this.enter(dragPicture(planner, { kind: "shifting", from: scope.world, to: scope.world }, world));
       return;
@@ -386,6 +383,10 @@ export class Gestures {
 
   private wheel(event: WheelEvent): void {
     event.preventDefault();
-    this.planner.viewport.turnWheel(event, this.placeOf(event).screen, this.planner.wheelPans);
+    const { planner, scope } = this;
+    planner.viewport.turnWheel(event, this.placeOf(event).screen, planner.wheelPans);
+    const { world } = this.placeOf(event);
+    if (scope.kind === "drawing") this.enter(penMove(planner, scope, world, keysOf(event)));
+    else if (scope.kind === "measuring") this.enter(aimMeasure(planner, scope, world, keysOf(event)));
   }
 }

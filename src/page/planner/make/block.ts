@@ -38,7 +38,7 @@ export function addBlock(
   if (!isRectangle(corners) || typeof top === "string")
     return builder.append("/fixtures", {
       type: "prism",
-      id: freeId(site, "C"),
+      id: freeId(site, height === "ceiling" ? "C" : "B"),
       polygon: corners.map((corner) => pointInFile(site, corner)),
       top,
       material,

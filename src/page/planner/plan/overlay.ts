@@ -172,8 +172,12 @@ export class Overlay {
 
   private drawing(): Node[] {
     const { scope } = this.gestures;
+    const { planner } = this;
     if (scope.kind !== "drawing") return [];
-    return [...traces(this.planner, scope), ...(scope.end ? snapMarks(this.planner, scope.end) : [])];
+    return [
+      ...traces(planner, scope),
+      ...(scope.end && (planner.pointer || scope.byKeys) ? snapMarks(planner, scope.end) : []),
+    ];
   }
 
   /** Lines of known length while their tool or the panel of the picture is open, and the line or crop in progress. */

@@ -3,6 +3,7 @@
 import { valueAt } from "../document/json";
 import type { Part } from "../document/messages";
 import { elementAround } from "../elements/kinds";
+import { isBare } from "../make/room";
 import type { Planner } from "../planner";
 import { isOpenLine, itemOf } from "../view/hit";
 import { pathOf, svg } from "./svg";
@@ -77,6 +78,8 @@ export class Shapes {
   update(): void {
     const { document, layers } = this.planner;
     for (const [kind, group] of this.groups) group.classList.toggle("off", !layers.isShown(kind));
+    // The room of a new shop is in the way of the picture in which people look for their own.
+    this.root.classList.toggle("bare", this.planner.drawing !== null && isBare(document.json));
     const marked = markedOf(this.planner);
     const gone = new Set(this.drawn.keys());
     for (const part of document.parts.all) {

@@ -18,7 +18,8 @@ import { kinds, type StoreElement } from "../elements/kinds";
 import { nameOf, namesOf } from "../elements/names";
 import type { Group } from "../form/field";
 import type { TypeList } from "../elements/types";
-import { Form, showProblems, type FormContext } from "../form/form";
+import { Form, type FormContext } from "../form/form";
+import { showProblems } from "../form/problems";
 import { groupOfElement, groupOfStore, groupOfType } from "../form/schema";
 import { pointerOfPath, type Target } from "../form/targets";
 import type { Planner } from "../planner";
@@ -211,7 +212,6 @@ export class Properties {
             )
           : null,
       ),
-      element("div", { class: "whole", "data-field": "" }),
       ...(hasPlace ? [placeRows(this.planner, elements, isDisabled)] : []).filter(
         (row): row is HTMLElement => row !== null,
       ),
@@ -224,6 +224,8 @@ export class Properties {
           ]
         : []),
       ...(hasPreset ? [element("p", { class: "note", text: text.properties.grey })] : []),
+      // At the end, because warnings come later than the fields, and must not move them.
+      element("div", { class: "whole", "data-field": "" }),
     ];
   }
 

@@ -38,6 +38,12 @@ export class Viewport {
     this.changes.note("viewport");
   }
 
+  /** Shows what is `way` farther, m. */
+  shift(way: Point): void {
+    this.centre = [this.centre[0] + way[0], this.centre[1] + way[1]];
+    this.changes.note("viewport");
+  }
+
   /** Moves the picture by pixels. */
   pan(x: number, y: number): void {
     this.centre = [this.centre[0] - x / this.scale, this.centre[1] + y / this.scale];
