@@ -5,7 +5,7 @@ import type { Json } from "../document/json";
 import { contextOf, knowDetails, type Context } from "../elements/context";
 import { nameOf } from "../elements/names";
 import { tidy } from "../geometry/units";
-import { plus, times, unitAt } from "../geometry/vector";
+import { times, unitAt } from "../geometry/vector";
 import { isOneSided } from "../make/run";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
@@ -29,18 +29,16 @@ export function overrideOf(planner: Planner, fixture: Context) {
 async function deepen({ document }: Planner, path: string, depth: number | undefined): Promise<void> {
   await knowDetails(document, [path], false);
   const context = contextOf(document, path);
-  const footing = context?.parts[0]?.footing;
   if (!context) return;
   const builder = new EditBuilder(document.json);
   builder.set(`${path}/depth`, depth);
-  const wanted = depth ?? Number(document.details.now(path)?.inherited.depth);
-  if (footing && wanted > 0) {
-    const { factor } = context.unit;
-    const change = (isOneSided(context.effective) ? 1 : 0.5) * (footing.depth - wanted * factor);
-    const at = plus(footing.at, times(unitAt(footing.rotation + 90), change));
+  const { at, depth: before, rotation_deg } = context.effective;
+  const change = Number(before) - (depth ?? Number(document.details.now(path)?.inherited.depth));
+  if (Array.isArray(at) && Number.isFinite(change)) {
+    const way = times(unitAt(Number(rotation_deg ?? 0) + 90), (isOneSided(context.effective) ? 1 : 0.5) * change);
     builder.set(
       `${path}/at`,
-      at.map((metres) => tidy(metres / factor, context.unit)),
+      at.map((value, k) => (k < 2 ? tidy(Number(value) + way[k], context.unit) : value)),
     );
   }
   await document.edit({ label: say(text.edits.change, text.fields.depth, nameOf(context)), ops: builder.ops });
