@@ -83,9 +83,10 @@ class Overlaps {
     return part.top - part.bottom > reach * (ceiling - store_.floor());
   }
 
-  // Shelves stand on plinths and around columns, walls and columns that are drawn as boxes cross, and columns
-  // stand in walls.
+  // Shelves stand on plinths and around columns, walls join, walls and columns that are drawn as boxes cross,
+  // and columns stand in walls.
   bool may_overlap(const Part& one, const Part& other) const {
+    if (form_of(one) == FixtureForm::wall && form_of(other) == FixtureForm::wall) return true;
     if (is_box(one) && is_box(other))
       return shared_volume(one, other, false) < 0.5 ||
              ((is_column(one) || is_column(other)) && shared_volume(one, other, true) < 0.5);

@@ -56,6 +56,7 @@ testPlanner("draw: Esc and Ctrl+Z in the middle of every tool", {}, async (tab) 
   for (const key of ["r", "w", "o", "g", "b", "z", "k", "a"]) {
     await tab.press(key);
     equal((await scope(tab)).kind, "drawing", key);
+    if (key === "g") await tab.choose("tool/Preset", "row");
     for (const cancel of ["Escape", "Control+z"]) {
       await freely(tab, [2, 2]);
       await tab.point(4, 2.5);
@@ -89,7 +90,7 @@ testPlanner("draw: from 1 m to 500 m across", {}, async (tab) => {
   await wheel(-200, (metres) => metres <= 1);
   await tab.press("b");
   await tab.page.keyboard.down("Alt");
-  await tab.drag([21, 15.5], [21.2, 15.3]);
+  await tab.drag([21, 15.5], [20.8, 15.3]);
   await tab.page.keyboard.up("Alt");
   await tab.steps(1);
   placed(last(tab.json.fixtures).size.slice(0, 2), [0.2, 0.2]);
@@ -202,6 +203,51 @@ testPlanner("draw: rows of copies at a typed distance", {}, async (tab) => {
   equal([repeat.count, repeat.step], [3, [0, -0.5]]);
   equal(await tab.labels(), ["Draw rows"]);
   await tab.press("Escape");
+});
+
+testPlanner("draw: what is typed is exact, and what is no length is refused", {}, async (tab) => {
+  await tab.press("w");
+  await freely(tab, [20, 13]);
+  await tab.point(22, 13.05);
+  await tab.page.keyboard.type("1,33");
+  await tab.press("Enter");
+  await tab.page.keyboard.type("1abc");
+  await tab.press("Enter");
+  equal(await corners(tab), 2, "no corner");
+  says(await tab.text(".notice"), "This is no length");
+  await tab.press("Escape");
+  equal((await scope(tab)).typed.length, "", "Esc takes the text back first");
+  equal(await corners(tab), 2);
+  await tab.page.evaluate(() => document.querySelector(".surface").focus());
+  await tab.press("m"); // another tool keeps the walls so far
+  await tab.steps(1);
+  const { from, to } = last(tab.json.room.inner_walls);
+  near(to[0] - from[0], 1.33, 1e-9, "the typed length");
+  equal(to[1], from[1], "straight, because the pointer was almost there");
+  await tab.press("Escape");
+});
+
+testPlanner("draw: doors beside the end of a wall, and rows beside fixtures", {}, async (tab) => {
+  await tab.press("w");
+  await freely(tab, [20, 13], [20, 17.98]);
+  await tab.press("Enter");
+  await tab.steps(1);
+  await tab.press("o");
+  await tab.click(20.05, 17.95);
+  await tab.click(21.2, 17.95);
+  await tab.steps(2);
+  equal(last(tab.json.room.openings).wall, 2, "the wall along which the door runs");
+  await tab.click(10, 17.99);
+  await tab.click(10.01, 17.5);
+  await tab.until(() => document.querySelector(".notice").textContent.includes("Draw the opening along its wall"));
+  await tab.press("Escape");
+  await tab.click(10, 5.05);
+  await tab.press("n");
+  await tab.fill("tool/count", "2");
+  await tab.click(10, 3.5);
+  await tab.steps(3);
+  const [row] = tab.json.fixtures;
+  equal([row.id, row.repeat.first], ["A{n}", 5], "A2 to A4 are others");
 });
 
 testPlanner("draw: a block by a drag, and by keys alone", {}, async (tab) => {

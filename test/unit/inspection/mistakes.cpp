@@ -222,6 +222,17 @@ std::vector<Mistake> other_mistakes() {
 std::vector<Mistake> plausible_changes() {
   return {
       {"as it is", [](Json&) {}},
+      {"walls that join beside a door",
+       [](Json& s) {
+         const Json door = {{"at", 0.06}, {"width", 0.7}, {"top", 2.1}};
+         s["room"]["inner_walls"] = {
+             {{"id", "W1"}, {"from", {0.3, 0.5}}, {"to", {1.5, 0.5}}, {"thickness", 0.12}},
+             {{"id", "W2"},
+              {"from", {1.5, 0.5}},
+              {"to", {1.5, 1.5}},
+              {"thickness", 0.12},
+              {"openings", {door}}}};
+       }},
       {"a warehouse ceiling of 9 m",
        [](Json& s) {
          s["room"]["size"][2] = 9;

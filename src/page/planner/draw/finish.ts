@@ -14,7 +14,7 @@ import { addArea, addBlock, addKeepOut } from "../make/block";
 import { addHole, addZone, setRoom } from "../make/room";
 import { addRun, runAlong, setRows } from "../make/run";
 import { firstName, type Site } from "../make/site";
-import { addOpening, addWalls, wallLines, wallNear } from "../make/walls";
+import { addOpening, addWalls, along, wallLines, wallNear } from "../make/walls";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 import { materialFor } from "./materials";
@@ -22,6 +22,7 @@ import { templateOf } from "./template";
 import type { DrawTool } from "./tools";
 
 const openingReach = 0.6; // m from a wall
+const leastWidth = 0.05; // m
 
 export const siteOf = ({ document }: Planner): Site => ({
   json: document.json,
@@ -79,9 +80,10 @@ function make(
     case "wall":
       return { paths: addWalls(builder, site, points, thickness), preview: ghost("wall", points) };
     case "opening": {
-      const wall = wallNear(wallLines(site), points[0], openingReach);
-      if (!wall) return text.draw.no_wall;
       const ends: [Point, Point] = [points[0], points[1]];
+      const wall = wallNear(wallLines(site), ends, openingReach);
+      if (!wall) return text.draw.no_wall;
+      if (Math.abs(along(wall, ends[1]) - along(wall, ends[0])) < leastWidth) return text.draw.not_along;
       const path = addOpening(builder, site, wall, ends, openingForm(planner), freedom.isExact);
       return { paths: [elementAround(path) ?? path], preview: noPreview };
     }

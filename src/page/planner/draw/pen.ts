@@ -13,11 +13,13 @@ import { text } from "../text";
 import { rowSteps } from "../make/run";
 import { finish, type Freedom } from "./finish";
 import { addPoint, back, begin, dragged, end, lastOf, type Step } from "./stroke";
+import { templateOf } from "./template";
 import { formOf, type DrawTool } from "./tools";
 
 export type Drawing = Extract<Scope, { kind: "drawing" }>;
 
 const slack = 4; // pixels between a click and a drag
+const longest = 1000; // m
 
 /** Rows begin at the middle of the fixture that is selected. */
 function startOf(planner: Planner, tool: DrawTool): readonly Point[] {
@@ -95,6 +97,10 @@ function atSteps({ document: { unit } }: Planner, [x, y]: Point): Point {
 export function penDown(planner: Planner, scope: Drawing, screen: Point, world: Point, keys: Keys): Drawing {
   const aimed = aim(planner, scope, world, keys);
   if (!aimed.end) return aimed;
+  if (scope.stroke.tool === "run" && !templateOf(planner)) {
+    planner.say(text.draw.no_preset, true);
+    return aimed;
+  }
   // The first corner may begin a drag, so the release decides.
   return { ...aimed, pressed: { screen, at: aimed.end.at } };
 }
@@ -121,9 +127,13 @@ export function penUp(planner: Planner, scope: Drawing, screen: Point, world: Po
   const isDrag = stroke.points.length === 0 && distance(screen, pressed.screen) > slack;
   if (!isDrag) return proceed(planner, { ...scope, pressed: null }, addPoint(stroke, pressed.at));
   const points = draggedSoFar(planner, penMove(planner, scope, world, keys));
-  if (!points) return undrawn(planner, stroke.tool);
+  // A drag that leaves the plan draws nothing.
+  if (!points || !isOnPlan(planner, screen)) return undrawn(planner, stroke.tool);
   return proceed(planner, { ...scope, pressed: null }, { done: points });
 }
+
+const isOnPlan = ({ viewport }: Planner, [x, y]: Point): boolean =>
+  x >= 0 && y >= 0 && x <= viewport.width && y <= viewport.height;
 
 const none: Keys = { shift: false, alt: false };
 
@@ -134,8 +144,18 @@ const aimAtPointer = (planner: Planner, scope: Drawing): Drawing =>
 export function setCorner(planner: Planner, scope: Drawing): Drawing {
   const isMeant = scope.byKeys || isTyped(scope) || scope.stroke.points.length === 0;
   if (!isMeant) return endStroke(planner, scope);
+  if (!isReadable(planner, scope)) {
+    planner.say(text.draw.not_length, true);
+    return scope;
+  }
   const aimed = scope.end ? scope : aimAtPointer(planner, scope);
   return aimed.end ? proceed(planner, aimed, addPoint(aimed.stroke, aimed.end.at)) : aimed;
+}
+
+/** Whether the typed length is one. */
+function isReadable(planner: Planner, scope: Drawing): boolean {
+  const { length } = fixed(planner, scope);
+  return scope.typed.length === "" || (length !== undefined && length > 0 && length <= longest);
 }
 
 const isTyped = ({ typed }: Drawing): boolean => typed.length !== "" || typed.angle !== "";
@@ -151,12 +171,27 @@ export function moveCrossOf(planner: Planner, scope: Drawing, [x, y]: Point): Dr
   return { ...aim(planner, scope, planner.pointer, { shift: false, alt: true }), byKeys: true, isFree: false };
 }
 
-export const endStroke = (planner: Planner, scope: Drawing): Drawing => proceed(planner, scope, end(scope.stroke));
+export function endStroke(planner: Planner, scope: Drawing): Drawing {
+  const { points, tool } = scope.stroke;
+  if (formOf[tool] === "outline" && points.length > 0 && points.length < 3) {
+    planner.say(text.draw.too_few, true);
+    return scope;
+  }
+  return proceed(planner, scope, end(scope.stroke));
+}
+
+/** Leaves a tool: the walls so far stay. */
+export function leave(planner: Planner, { stroke }: Drawing): void {
+  if (formOf[stroke.tool] !== "chain" || stroke.points.length < 2) return;
+  void finish(planner, stroke.tool, stroke.points, { isExact: false, isFree: false });
+}
 
 /** Null: there is no corner to take back. */
 export function takeBack(planner: Planner, scope: Drawing): Drawing | null {
   const { stroke } = scope;
-  return stroke.points.length === 0 ? null : { ...undrawn(planner, stroke.tool), stroke: back(stroke) };
+  if (stroke.points.length === 0) return null;
+  const before = { ...undrawn(planner, stroke.tool), stroke: back(stroke) };
+  return before.stroke.points.length > 0 ? aimAtPointer(planner, before) : before;
 }
 
 /** What modules and walls do not change. */

@@ -34,9 +34,11 @@ export function distanceTo(outline: readonly Point[], point: Point, isOpen = fal
   return Math.min(...edgesOf(outline, isOpen).map(([a, b]) => distance(nearestOn(a, b, point), point)));
 }
 
-export function area(outline: readonly Point[]): number {
-  return Math.abs(0.5 * edgesOf(outline).reduce((sum, [a, b]) => sum + cross(a, b), 0));
-}
+/** Above 0 if the corners run counter-clockwise, m². */
+export const signedArea = (corners: readonly Point[]): number =>
+  0.5 * edgesOf(corners).reduce((sum, [a, b]) => sum + cross(a, b), 0);
+
+export const area = (corners: readonly Point[]): number => Math.abs(signedArea(corners));
 
 function crosses([a, b]: [Point, Point], [c, d]: [Point, Point]): boolean {
   const side = (p: Point, q: Point, r: Point) => cross(minus(q, p), minus(r, p));

@@ -4,6 +4,7 @@ import { dragCrop, dragPicture, isOnFreePicture, movedCross, pixelAt, unscaled, 
 import {
   endStroke,
   hasBegun,
+  leave,
   moveCrossOf,
   penDown,
   penMove,
@@ -93,6 +94,10 @@ export class Gestures {
   /** Ends the gesture without an effect; false if there was none. */
   cancel(): boolean {
     const { scope } = this;
+    if (scope.kind === "drawing" && (scope.typed.length !== "" || scope.typed.angle !== "")) {
+      this.enter({ ...scope, typed: { length: "", angle: "" } });
+      return true;
+    }
     const isLine = scope.kind === "measuring" || scope.kind === "scaling";
     const isGesture =
       scope.kind === "drawing" ? hasBegun(this.planner, scope) : isLine ? scope.from !== null : scope.kind !== "idle";
@@ -114,6 +119,7 @@ export class Gestures {
   /** Begins or ends the use of a tool. */
   useTool(): void {
     this.measured = [];
+    if (this.scope.kind === "drawing") leave(this.planner, this.scope);
     this.cancel();
   }
 
@@ -326,7 +332,9 @@ export class Gestures {
 
   /** Takes the last corner back; false if there is none. */
   takeBack(): boolean {
-    const before = this.scope.kind === "drawing" ? takeBack(this.planner, this.scope) : null;
+    const { scope } = this;
+    const isLine = (scope.kind === "scaling" || scope.kind === "measuring") && scope.from !== null;
+    const before = scope.kind === "drawing" ? takeBack(this.planner, scope) : isLine ? this.resting : null;
     if (before) this.enter(before);
     return before !== null;
   }

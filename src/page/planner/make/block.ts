@@ -3,6 +3,7 @@
 import type { EditBuilder } from "../document/edit";
 import type { Json, JsonObject } from "../document/json";
 import type { Point } from "../document/messages";
+import { signedArea } from "../geometry/polygon";
 import { directionOf, distance, dot, minus, wholeTurn } from "../geometry/vector";
 import { freeId, inFile, pointInFile, type Site } from "./site";
 
@@ -16,14 +17,8 @@ function isRectangle(corners: readonly Point[]): boolean {
   });
 }
 
-/** Counter-clockwise. */
-function turnedLeft(corners: readonly Point[]): Point[] {
-  const sum = corners.reduce((total, [x, y], k) => {
-    const [u, v] = corners[(k + 1) % corners.length];
-    return total + x * v - y * u;
-  }, 0);
-  return sum < 0 ? [...corners].reverse() : [...corners];
-}
+const turnedLeft = (corners: readonly Point[]): Point[] =>
+  signedArea(corners) < 0 ? [...corners].reverse() : [...corners];
 
 /** A column, a counter or any other block from the floor. `height`: m, or "ceiling". */
 export function addBlock(

@@ -118,9 +118,10 @@ function runAgainst(
   const start = Math.min(Math.max(first, 0), Math.max(whole - length, 0));
   const direction = directionOf(minus(wall.to, wall.from));
   const way = unitAt(direction);
+  // The room is to the left of its walls, or to the right if its outline runs clockwise.
   return {
-    at: plus(wall.from, times(way, start)),
-    rotation: wholeTurn(direction),
+    at: plus(wall.from, times(way, wall.isClockwise ? start + length : start)),
+    rotation: wholeTurn(wall.isClockwise ? direction + 180 : direction),
     length,
     depth,
     against: { wall: wall.number ?? 0, from: start },
@@ -159,8 +160,14 @@ export function setRows(builder: EditBuilder, site: Site, path: string, count: n
   const id = builder.get(`${path}/id`);
   if (typeof id === "string" && !id.includes("{n}")) {
     const [, stem, digits] = /^(.*?)(\d*)$/s.exec(id) as unknown as [string, string, string];
+    const isFree = (first: number) =>
+      Array.from({ length: count }, (_, k) => `${stem}${first + k}`).every(
+        (name) => name === id || !site.taken.has(name),
+      );
+    let first = Math.max(Number(digits), 1);
+    while (!isFree(first)) ++first;
     builder.set(`${path}/id`, `${stem}{n}`);
-    if (digits !== "" && digits !== "1") builder.set(`${path}/repeat`, { first: Number(digits) });
+    if (first !== 1) builder.set(`${path}/repeat`, { first });
   }
   builder.set(`${path}/repeat/count`, count);
   builder.set(

@@ -4,7 +4,7 @@ import type { EditBuilder } from "../document/edit";
 import { pointerTo, valueAt } from "../document/json";
 import type { Point } from "../document/messages";
 import { rectangle } from "../geometry/bounds";
-import { nearestOn } from "../geometry/polygon";
+import { nearestOn, signedArea } from "../geometry/polygon";
 import { stepped } from "../geometry/units";
 import { distance, dot, minus, times } from "../geometry/vector";
 import { freeId, inFile, pointInFile, type Site } from "./site";
@@ -30,6 +30,8 @@ export interface WallLine {
   list: string;
   /** The number of an outer wall; null: an inner wall. */
   number: number | null;
+  /** The room is to its right. */
+  isClockwise?: boolean;
 }
 
 /** All walls, outer ones in the order of their numbers. */
@@ -47,6 +49,7 @@ export function wallLines({ json, unit }: Site): WallLine[] {
     to: outline[(number + 1) % outline.length],
     list: "/room/openings",
     number,
+    isClockwise: signedArea(outline) < 0,
   }));
   const walls = (valueAt(json, "/room/inner_walls") ?? []) as Record<string, unknown>[];
   const inner = walls.map(({ from, to }, k) => ({
@@ -58,12 +61,13 @@ export function wallLines({ json, unit }: Site): WallLine[] {
   return [...outer, ...inner];
 }
 
-/** The wall nearest to a point within a reach; null: none is. */
-export function wallNear(walls: readonly WallLine[], point: Point, reach: number): WallLine | null {
-  let [found, least] = [null as WallLine | null, reach];
+/** The wall that both ends of a line are nearest to, within a reach; null: there is none. */
+export function wallNear(walls: readonly WallLine[], [a, b]: readonly [Point, Point], reach: number): WallLine | null {
+  let [found, least] = [null as WallLine | null, Infinity];
+  const awayOf = ({ from, to }: WallLine, point: Point) => distance(nearestOn(from, to, point), point);
   for (const wall of walls) {
-    const away = distance(nearestOn(wall.from, wall.to, point), point);
-    if (away <= least) [found, least] = [wall, away];
+    const away = awayOf(wall, a) + awayOf(wall, b);
+    if (awayOf(wall, a) <= reach && away < least) [found, least] = [wall, away];
   }
   return found;
 }

@@ -1,12 +1,9 @@
-// What is wrong with a drawing in progress: edges that cross, and edges without length.
+// What is wrong with a drawing in progress: edges that cross.
 
 import type { Point } from "../document/messages";
 import { edgesOf, nearestOn } from "../geometry/polygon";
 import { cross, distance, minus } from "../geometry/vector";
 import { tolerance } from "./lines";
-
-/** m */
-export const leastEdge = 0.01;
 
 /** Edge k begins at corner k. */
 export type EdgePair = [number, number];
@@ -46,11 +43,3 @@ export function selfCrossings(corners: readonly Point[], isClosed: boolean): Edg
     }
   return found;
 }
-
-/** The edges that are too short to see. */
-export const shortEdges = (corners: readonly Point[], isClosed: boolean): number[] =>
-  edgesOf(corners, !isClosed).flatMap(([a, b], k) => (distance(a, b) < leastEdge ? [k] : []));
-
-/** Above 0 if the corners run counter-clockwise, m². */
-export const signedArea = (corners: readonly Point[]): number =>
-  0.5 * edgesOf(corners).reduce((sum, [a, b]) => sum + cross(a, b), 0);

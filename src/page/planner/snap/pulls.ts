@@ -67,6 +67,15 @@ function directions(from: Point, ways: readonly Point[], last: readonly Segment[
   ];
 }
 
+/** Through the last corner, along the axes of the frame: almost straight edges are meant to be straight. */
+const straightOf = (from: Point, frame: number, reach: number): Pull[] =>
+  [frame, frame + 90].map((direction) => ({
+    line: lineAlong(from, unitAt(direction)),
+    kind: "align",
+    reach,
+    guides: dotted("align", from),
+  }));
+
 /** Through corners, along the axes of the frame; of several corners on a line the nearest one counts. */
 function alignments(corners: readonly Point[], pointer: Point, frame: number, reach: number): Pull[] {
   const sorted = corners.map((corner) => ({ corner, away: distance(corner, pointer) })).sort((a, b) => a.away - b.away);
@@ -111,6 +120,7 @@ export function surroundingsOf(index: SegmentIndex, request: SnapRequest, place:
   const inferred = [
     ...extensions(beside, reach),
     ...(from && !isBox ? directions(from, ways, own.slice(-lastEdges), reach) : []),
+    ...(from && !isBox ? straightOf(from, frame, reach) : []),
     ...alignments(corners, place, frame, weak * reach),
     ...(from && isBox ? gapPulls(index, from, place, frame, weak * reach) : []),
   ];

@@ -1,7 +1,7 @@
 // Snapping: the place that the pointer means.
 
 import type { Point } from "../document/messages";
-import { distance, minus, plus, times, unitAt } from "../geometry/vector";
+import { directionOf, distance, minus, plus, times, unitAt } from "../geometry/vector";
 import { candidatesAlong, candidatesOf } from "./candidates";
 import { choose, type Candidate, type Snapped } from "./choice";
 import { nearestOf, tolerance, type Line } from "./lines";
@@ -24,7 +24,11 @@ export class Snapper {
     const ray = rayOf(request);
     const from = fromOf(request);
     if (length !== undefined && from) {
-      const way = ray?.way ?? wayTo(from, isFree ? pointer : this.attracted(request).at, request);
+      const way =
+        ray?.way ??
+        (isFree
+          ? wayTo(from, pointer, request)
+          : straightened(wayTo(from, this.attracted(request).at, request), request));
       return free(plus(from, times(way, length)));
     }
     if (ray) return this.along(ray, request);
@@ -51,6 +55,19 @@ const free = (at: Point): Snapped => ({ at, kind: null, guides: [] });
 
 const snapped = (found: Candidate | null, pointer: Point): Snapped =>
   found ? { at: found.at, kind: found.kind, guides: found.guides } : free(pointer);
+
+const nearlyStraight = 4; // degrees
+
+/** A typed length goes along the frame or the last edge, or at right angles to them, if the pointer is almost there. */
+function straightened(way: Point, { frame = 0, drawn = [] }: SnapRequest): Point {
+  const [a, b] = drawn.slice(-2);
+  const direction = directionOf(way);
+  for (const base of [...(b ? [directionOf(minus(b, a))] : []), frame]) {
+    const off = ((((direction - base) % 90) + 135) % 90) - 45;
+    if (Math.abs(off) <= nearlyStraight) return unitAt(direction - off);
+  }
+  return way;
+}
 
 /** Of length 1; along the frame if both are at one place. */
 function wayTo(from: Point, to: Point, { frame = 0 }: SnapRequest): Point {

@@ -3,7 +3,8 @@ import { test } from "node:test";
 
 import fc from "fast-check";
 
-import { selfCrossings, shortEdges, signedArea } from "../../../../src/page/planner/snap/crossings";
+import { signedArea } from "../../../../src/page/planner/geometry/polygon";
+import { selfCrossings } from "../../../../src/page/planner/snap/crossings";
 import { rejects, square } from "./snap_shop.mjs";
 
 /** The exact answer for whole numbers. */
@@ -52,14 +53,7 @@ test("edges of a drawing that cross or touch are found, and no others", () => {
   rejects(() => findsCrossings((corners) => selfCrossings(corners, false)));
 });
 
-test("area and length of a drawing", () => {
+test("the area of a drawing says which way it runs", () => {
   assert.equal(signedArea(square(1, 1, 2)), 4);
   assert.equal(signedArea(square(1, 1, 2).reverse()), -4);
-  const corners = [
-    [0, 0],
-    [1, 0],
-    [1.004, 0.003],
-    [0, 0.001],
-  ];
-  assert.deepEqual([shortEdges(corners, false), shortEdges(corners, true)], [[1], [1, 3]]);
 });

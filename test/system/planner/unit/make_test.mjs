@@ -85,9 +85,26 @@ test("doors and windows are on the nearest wall, in either direction", () => {
   const json = { ...bare, room: { ...room, inner_walls: [{ id: "W1", from: [5, 2], to: [5, 8] }] } };
   const walls = wallLines(site(json));
   assert.equal(walls.length, 5);
-  const top = wallNear(walls, [8, 14.8], 0.5);
+  const top = wallNear(
+    walls,
+    [
+      [8, 14.8],
+      [9, 14.9],
+    ],
+    0.5,
+  );
   assert.equal(top.number, 2);
-  assert.equal(wallNear(walls, [8, 7], 0.5), null);
+  assert.equal(
+    wallNear(
+      walls,
+      [
+        [8, 7],
+        [9, 7],
+      ],
+      0.5,
+    ),
+    null,
+  );
   const builder = new EditBuilder(json);
   addOpening(
     builder,
@@ -102,7 +119,14 @@ test("doors and windows are on the nearest wall, in either direction", () => {
   assert.deepEqual(builder.json.room.openings, [
     { wall: 2, at: 12, width: 1.5, bottom: 0.9, top: 2.1, material: "glass" },
   ]);
-  const inner = wallNear(walls, [5.1, 3], 0.5);
+  const inner = wallNear(
+    walls,
+    [
+      [5.1, 3],
+      [5, 4],
+    ],
+    0.5,
+  );
   addOpening(
     builder,
     site(json),
