@@ -1,6 +1,10 @@
 // Tests the tools that draw: corners by clicks, drags, typed values and keys, and what they add to the store.
 
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
 import { check, equal, near, says } from "../viewer/check.mjs";
+import { parse } from "./jsonc.mjs";
 import { placed, testPlanner } from "./opened.mjs";
 
 const scope = (tab) => tab.page.evaluate(() => window.shelfbeamPlanner.page.gestures.scope);
@@ -226,6 +230,36 @@ testPlanner("draw: what is typed is exact, and what is no length is refused", {}
   equal(to[1], from[1], "straight, because the pointer was almost there");
   await tab.press("Escape");
 });
+
+/** The grocery with another unit of length, and without what has places. */
+const inUnit = (units, factor) => (folder) => {
+  const file = join(folder, "store.json");
+  const store = parse(readFileSync(file, "utf8"));
+  const room = { ...store.room, size: store.room.size.map((value) => Math.round(value * factor)) };
+  const label = { id: "L", position: [1, 1, 1].map((value) => value * factor), normal: [0, 0, 1], type: "standard" };
+  const unit = { id: "T", position: [2, 2, 3].map((value) => value * factor), type: "ceiling" };
+  const { presets: _, ...others } = store;
+  writeFileSync(
+    file,
+    JSON.stringify({ ...others, units, room, fixtures: [], labels: [label], transceivers: { list: [unit] } }),
+  );
+};
+
+for (const [unit, factor, typed, expected] of [
+  ["mm", 1000, "1800", 1800],
+  ["ft", 1 / 0.3048, "5'6\"", 5.5],
+])
+  testPlanner(`draw: in ${unit}`, { prepare: inUnit(unit, factor) }, async (tab) => {
+    await tab.press("w");
+    await freely(tab, [4, 4]);
+    await tab.point(8, 4.02);
+    await tab.page.keyboard.type(typed);
+    await tab.press("Enter", "Enter");
+    await tab.steps(1);
+    const [{ from, to }] = tab.json.room.inner_walls;
+    near(to[0] - from[0], expected, 1e-9, "the typed length");
+    await tab.press("Escape");
+  });
 
 testPlanner("draw: doors beside the end of a wall, and rows beside fixtures", {}, async (tab) => {
   await tab.press("w");

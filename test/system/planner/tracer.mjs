@@ -84,9 +84,13 @@ export class Tracer {
     await this.tab.press(...keys);
   }
 
+  /** A click into a field, and what is typed there. */
   async fill(key, words) {
     ++this.actions;
-    await this.tab.fill(key, words);
+    const { tab } = this;
+    await tab.page.click(`[data-key="${key}"]`, { clickCount: 3 });
+    await tab.page.keyboard.type(words);
+    await tab.press("Enter");
   }
 
   async choose(key, label) {
@@ -96,7 +100,6 @@ export class Tracer {
 
   /** A tool by its key. */
   async take(key) {
-    await this.tab.page.evaluate(() => document.querySelector(".surface").focus());
     await this.tab.press(key);
   }
 }

@@ -76,9 +76,10 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
       isEnabled: () => planner.clip.copied.length > 0,
     }),
     command("edit", "duplicate", ["Ctrl+D"], () => void duplicateSelection(planner), { isEnabled: copyable, why }),
+    // While something is drawn, Backspace takes corners back.
     command("edit", "delete", ["Delete", "Backspace"], () => void deleteSelection(planner), {
-      isEnabled: copyable,
-      why,
+      isEnabled: () => copyable() && !isDrawTool(planner.tool),
+      why: () => (isDrawTool(planner.tool) ? null : why()),
     }),
     command("edit", "edit_source", ["Enter"], () => selectSource(planner), { where: "plan", isEnabled: isCopy }),
     command("edit", "dissolve", [], () => void dissolve(planner), {
@@ -162,7 +163,7 @@ function selectCommands({ planner, gestures }: Surroundings): Command[] {
       command("types", `type_${k + 1}` as Command["id"], [String(k + 1)], () => assignType(planner, k), {
         family: "type",
         where: "plan",
-        isEnabled: () => planner.selected.length > 0,
+        isEnabled: () => planner.selected.length > 0 && !isDrawTool(planner.tool),
       }),
     ),
   ];

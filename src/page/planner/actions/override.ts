@@ -26,18 +26,24 @@ export function overrideOf(planner: Planner, fixture: Context) {
 }
 
 /** Another depth, in the unit of the store. Shelving with a front alone keeps its back, others keep their middle. */
-async function deepen({ document }: Planner, path: string, depth: number | undefined): Promise<void> {
-  await knowDetails(document, [path], false);
-  const context = contextOf(document, path);
+async function deepen(planner: Planner, where: string, depth: number | undefined): Promise<void> {
+  const { document } = planner;
+  let path: string | null = where;
+  const release = planner.follow((place) => {
+    path = path && place(path);
+  });
+  await knowDetails(document, [where], false);
+  release();
+  const context = path === null ? null : contextOf(document, path);
   if (!context) return;
   const builder = new EditBuilder(document.json);
-  builder.set(`${path}/depth`, depth);
+  builder.set(`${context.path}/depth`, depth);
   const { at, depth: before, rotation_deg } = context.effective;
-  const change = Number(before) - (depth ?? Number(document.details.now(path)?.inherited.depth));
+  const change = Number(before) - (depth ?? Number(document.details.now(context.path)?.inherited.depth));
   if (Array.isArray(at) && Number.isFinite(change)) {
     const way = times(unitAt(Number(rotation_deg ?? 0) + 90), (isOneSided(context.effective) ? 1 : 0.5) * change);
     builder.set(
-      `${path}/at`,
+      `${context.path}/at`,
       at.map((value, k) => (k < 2 ? tidy(Number(value) + way[k], context.unit) : value)),
     );
   }

@@ -79,7 +79,7 @@ export class EdgeFields {
     const way = minus(end.at, from);
     this.unit.textContent = unit.name;
     this.length.placeholder = String(
-      tidy(distance(from, end.at) / unit.factor, { ...unit, decimals: unit.decimals - 2 }),
+      tidy(distance(from, end.at) / unit.factor, { ...unit, decimals: Math.max(unit.decimals - 2, 0) }),
     );
     this.angle.placeholder = String(Math.round(10 * directionOf(way)) / 10);
     const [x, y] = planner.viewport.toScreen(end.at);

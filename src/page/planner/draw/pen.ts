@@ -3,7 +3,7 @@
 import type { Point } from "../document/messages";
 import type { Keys } from "../gesture/drags";
 import type { Scope } from "../gesture/scope";
-import { middleOf } from "../geometry/bounds";
+import { boundsOfParts, middleOf } from "../geometry/bounds";
 import { parseLength, parseNumber } from "../geometry/lengths";
 import { stepped } from "../geometry/units";
 import { distance, dot, minus, plus, times, unitAt } from "../geometry/vector";
@@ -21,9 +21,10 @@ export type Drawing = Extract<Scope, { kind: "drawing" }>;
 const slack = 4; // pixels between a click and a drag
 const longest = 1000; // m
 
-/** Rows begin at the middle of the fixture that is selected. */
+/** Rows begin at the middle of the fixture that is selected, or of the first of its copies. */
 function startOf(planner: Planner, tool: DrawTool): readonly Point[] {
-  const bounds = tool === "rows" ? planner.boundsOfElements(planner.selected.slice(0, 1)) : null;
+  const [row] = planner.selected;
+  const bounds = tool === "rows" && row ? boundsOfParts(planner.document.parts.of(row.path).slice(0, 1)) : null;
   return bounds ? [middleOf(bounds)] : [];
 }
 
@@ -50,7 +51,10 @@ function fixed(planner: Planner, { typed }: Drawing): { length?: number; angle?:
 }
 
 /** The end of the edge for a place of the pointer. Places that nothing attracts are at whole steps. */
-function aim(planner: Planner, scope: Drawing, pointer: Point, { shift, alt }: Keys, isBox = false): Drawing {
+function aim(planner: Planner, before: Drawing, pointer: Point, { shift, alt }: Keys, isBox = false): Drawing {
+  const { tool } = before.stroke;
+  // The fixture of rows may have arrived or moved in the meantime.
+  const scope = tool === "rows" ? { ...before, stroke: begin(tool, startOf(planner, tool)) } : before;
   const { stroke } = scope;
   const end = planner.snapping.at(pointer, {
     drawn: stroke.points,
@@ -68,8 +72,8 @@ function aim(planner: Planner, scope: Drawing, pointer: Point, { shift, alt }: K
 }
 
 /**
- * Rows are beside or behind each other, as far as other rows if the pointer is near, and at whole steps unless something
- * attracts the next one or its distance is typed.
+ * Rows are beside or behind each other, as far as other rows if the pointer is near, and otherwise at whole steps or the
+ * typed distance.
  */
 function rowEnd(planner: Planner, { stroke, typed }: Drawing, end: Snapped): Snapped {
   const from = lastOf(stroke);
@@ -166,8 +170,11 @@ export const withTyped = (planner: Planner, scope: Drawing, typed: Drawing["type
 /** Moves the cross by pixels of the screen, to the right and upwards. */
 export function moveCrossOf(planner: Planner, scope: Drawing, [x, y]: Point): Drawing {
   const { viewport } = planner;
-  const screen = viewport.toScreen(scope.end?.at ?? planner.pointer ?? viewport.centre);
-  planner.pointer = viewport.toWorld([screen[0] + x, screen[1] - y]);
+  const from = scope.end?.at ?? planner.pointer ?? viewport.centre;
+  const { step, factor } = planner.document.unit;
+  // At least one step, which is many pixels from near.
+  const way = [x, y].map((pixels) => Math.sign(pixels) * Math.max(Math.abs(pixels) / viewport.scale, step * factor));
+  planner.pointer = plus(from, way as Point);
   return { ...aim(planner, scope, planner.pointer, { shift: false, alt: true }), byKeys: true, isFree: false };
 }
 
@@ -189,7 +196,7 @@ export function leave(planner: Planner, { stroke }: Drawing): void {
 /** Null: there is no corner to take back. */
 export function takeBack(planner: Planner, scope: Drawing): Drawing | null {
   const { stroke } = scope;
-  if (stroke.points.length === 0) return null;
+  if (stroke.points.length === 0 || stroke.tool === "rows") return null;
   const before = { ...undrawn(planner, stroke.tool), stroke: back(stroke) };
   return before.stroke.points.length > 0 ? aimAtPointer(planner, before) : before;
 }

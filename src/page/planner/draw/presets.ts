@@ -56,7 +56,7 @@ export class Presets {
       );
       this.changes.note("presets");
     } catch {
-      this.asked = undefined; // presets with problems, or no connection: the next change asks again
+      if (this.asked === key) this.asked = undefined; // presets with problems, or no connection: the next change asks again
     }
   }
 }

@@ -32,11 +32,13 @@ function withKeys(planner: Planner, preset: string | null, value: JsonObject): T
   const effective = withPreset(base, base && Array.isArray(value.size) ? { ...own, size: value.size } : own);
   const all = base ? effective : { ...effective, length: value.length };
   if (!sizeOf(all, document.unit)) return null;
-  const usual = base ? (sizeOf(base, document.unit)?.length ?? null) : null;
+  const usualSize = base ? sizeOf(base, document.unit) : null;
+  const usual = usualSize?.length ?? null;
   // The model may be one module of another length.
   const length = sizeOf({ ...all, ...value }, document.unit)?.length;
   const module = usual !== null && length !== undefined && length < 1.5 * usual ? length : usual;
-  return { preset, own, effective: all, prefix: prefixOf(value.id), module };
+
+  return { preset, own, base: usualSize, effective: all, prefix: prefixOf(value.id), module };
 }
 
 /** The fixture that the next one is like; null: it follows the chosen preset. */

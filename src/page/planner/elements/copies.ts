@@ -4,6 +4,7 @@ import type { EditBuilder } from "../document/edit";
 import { isObject, type Json, type JsonObject } from "../document/json";
 import type { Part, Point } from "../document/messages";
 import { elementsOf, kinds, listOf, type ElementKind } from "./kinds";
+import { firstFree, namesOf } from "./row_ids";
 import type { Types } from "./types";
 
 export interface Copied {
@@ -82,11 +83,9 @@ function rowAfter(value: JsonObject, effective: JsonObject, taken: Set<string>):
   const pattern = String(value.id);
   if (!pattern.includes("{n}") || !isObject(repeat)) return null;
   const number = (key: string) => (typeof repeat[key] === "number" ? Number(repeat[key]) : 1);
-  const names = (first: number) =>
-    Array.from({ length: number("count") * number("count2") }, (_, k) => pattern.replace("{n}", String(first + k)));
-  let first = number("first");
-  while (names(first).some((id) => taken.has(id))) ++first;
-  for (const id of names(first)) taken.add(id);
+  const count = number("count") * number("count2");
+  const first = firstFree(taken, pattern, count, number("first"));
+  for (const id of namesOf(pattern, first, count)) taken.add(id);
   return { ...value, repeat: { ...(isObject(value.repeat) ? value.repeat : {}), first } };
 }
 

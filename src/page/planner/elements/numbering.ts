@@ -1,8 +1,9 @@
 // Ids by a pattern, in the order in which people read a plan: from left to right, and from top to bottom.
 
 import type { EditBuilder } from "../document/edit";
-import { isObject, pointerTo, valueAt, type Json, type JsonObject } from "../document/json";
+import { isObject, type JsonObject } from "../document/json";
 import type { Point } from "../document/messages";
+import { firstFree, followIds, numbered } from "./row_ids";
 
 /** Elements whose middles are less apart in y stand in one line, m. */
 const oneLine = 0.8;
@@ -28,8 +29,6 @@ export function inReadingOrder(elements: readonly Numbered[]): Numbered[] {
 /** "A{n}" for "A" and for "A{n}". */
 export const patternOf = (typed: string): string => (typed.includes("{n}") ? typed : `${typed}{n}`);
 
-const numbered = (pattern: string, number: number): string => pattern.replace("{n}", String(number));
-
 const countOf = ({ repeat }: JsonObject, key: "count" | "count2" | "first"): number => {
   const value = isObject(repeat) ? repeat[key] : undefined;
   return typeof value === "number" ? value : 1;
@@ -48,11 +47,8 @@ export function namingOf(elements: readonly Numbered[], pattern: string, others:
   let next = 1;
   return inReadingOrder(elements).map(({ path, value }) => {
     const count = countOf(value, "count") * countOf(value, "count2");
-    const isFree = (first: number) =>
-      Array.from({ length: count }, (_, k) => numbered(pattern, first + k)).every((id) => !others.has(id));
-    while (!isFree(next)) ++next;
-    const first = next;
-    next += count;
+    const first = firstFree(others, pattern, count, next);
+    next = first + count;
     return { path, value, first, count };
   });
 }
@@ -66,19 +62,9 @@ export function giveIds(builder: EditBuilder, naming: readonly Naming[], pattern
     for (let k = 0; k < count; ++k)
       renamed.set(old.replace("{n}", String(countOf(value, "first") + k)), numbered(pattern, first + k));
     builder.set(`${path}/id`, isRow ? pattern : numbered(pattern, first));
-    if (isRow) builder.set(`${path}/repeat/first`, first === 1 ? undefined : first);
+    if (isRow && first !== countOf(value, "first")) builder.set(`${path}/repeat/first`, first);
   }
-  const follow = (list: string, key: string) => {
-    const members = valueAt(builder.json, list);
-    if (!Array.isArray(members)) return;
-    members.forEach((_: Json, index) => {
-      const pointer = `${pointerTo(list, index)}${key}`;
-      const id = renamed.get(String(builder.get(pointer)));
-      if (id !== undefined) builder.set(pointer, id);
-    });
-  };
-  follow("/fixtures", "/against/fixture");
-  follow("/transceivers/on", "/fixture");
+  followIds(builder, renamed);
 }
 
 /** "A1, A2, A3, …". */

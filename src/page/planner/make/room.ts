@@ -6,16 +6,14 @@ import type { Point } from "../document/messages";
 import { boundsOf, rectangle } from "../geometry/bounds";
 import { elementsOf } from "../elements/kinds";
 import { minus } from "../geometry/vector";
-import { freeId, inFile, metresAt, pointInFile, type Site } from "./site";
+import { freeId, inFile, pointInFile, type Site } from "./site";
 
 const usualHeight = 3; // m
 const square = 1e-4; // m
 
 /** Whether nothing has a place but the room and what refers to it. */
 export const isBare = (json: Json): boolean =>
-  elementsOf(json).every(
-    ({ kind, value }) => kind === "room" || (kind === "area" && !Array.isArray(value.area)) || kind === "keep_out",
-  );
+  elementsOf(json).every(({ kind, value }) => kind === "room" || (kind === "area" && !Array.isArray(value.area)));
 
 /** The rectangle parallel to the axes that the corners are; null: they are none. */
 function upright(corners: readonly Point[]): { lower: Point; upper: Point } | null {
@@ -81,11 +79,4 @@ export function addZone(builder: EditBuilder, site: Site, corners: readonly Poin
     polygon: corners.map((corner) => pointInFile(site, corner)),
     height: inFile(site, height),
   });
-}
-
-/** The height of the room, m; of a sloped one that of its first point. */
-export function roomHeight(site: Site): number {
-  const sloped = valueAt(site.json, "/room/height/0/2");
-  if (typeof sloped === "number") return sloped * site.unit.factor;
-  return metresAt(site, "/room/size/2", metresAt(site, "/room/height", usualHeight));
 }

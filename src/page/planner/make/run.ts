@@ -5,7 +5,8 @@ import { valueAt, type Json, type JsonObject } from "../document/json";
 import type { Point } from "../document/messages";
 import { directionOf, distance, dot, minus, plus, times, unitAt, wholeTurn } from "../geometry/vector";
 import { along, type WallLine } from "./walls";
-import { freeId, inFile, type Site } from "./site";
+import { firstFree, followIds, namesOf } from "../elements/row_ids";
+import { inFile, type Site } from "./site";
 import type { LengthUnit } from "../geometry/units";
 
 /** What a fixture is made of. */
@@ -20,6 +21,8 @@ export interface Template {
   prefix: string | null;
   /** m; null: the fixture is as long as the line. */
   module: number | null;
+  /** Of the preset alone. */
+  base: Size | null;
 }
 
 /** m */
@@ -54,6 +57,8 @@ export interface Run {
   rotation: number;
   length: number;
   depth: number;
+  /** Of fixtures with labels at fixed places, which cannot be longer. */
+  count: number;
   /** The outer wall that it stands against, and how far along it, m. */
   against: { wall: number; from: number } | null;
 }
@@ -62,7 +67,6 @@ export interface Run {
 function wallAlong(walls: readonly WallLine[], from: Point, to: Point): WallLine | null {
   const way = minus(to, from);
   const near = walls.filter((wall) => {
-    if (wall.number === null) return false;
     const turn = Math.abs(((directionOf(minus(wall.to, wall.from)) - directionOf(way) + 270) % 180) - 90);
     const middle = times(plus(from, to), 0.5);
     const reached = along(wall, middle);
@@ -71,7 +75,8 @@ function wallAlong(walls: readonly WallLine[], from: Point, to: Point): WallLine
     return turn < parallel && reached > 0 && reached < length && distance(foot, middle) <= clinging;
   });
   const away = (wall: WallLine) => Math.abs(offLine(wall, from)) + Math.abs(offLine(wall, to));
-  return near.sort((a, b) => away(a) - away(b))[0] ?? null;
+  const [nearest] = near.sort((a, b) => away(a) - away(b));
+  return nearest?.number == null ? null : nearest; // behind an inner wall, the outer one is not meant
 }
 
 function offLine({ from, to }: WallLine, point: Point): number {
@@ -95,21 +100,24 @@ export function runAlong(
   const size = sizeOf(effective, unit);
   const drawn = distance(from, to);
   if (!size || drawn === 0) return null;
-  const length = module === null || isExact ? drawn : Math.max(1, Math.round(drawn / module)) * module;
+  const isFixed = module !== null && Array.isArray(effective.labels);
+  const modules = module === null ? 1 : Math.max(1, Math.round(drawn / module));
+  const length = module === null || (isExact && !isFixed) ? drawn : modules * module;
+  const count = isFixed ? modules : 1;
   const { depth } = size;
   const isSingle = isOneSided(effective);
   const wall = isSingle && !isFree ? wallAlong(walls, from, to) : null;
-  if (wall?.number != null) return runAgainst(wall, [from, to], { length, depth });
+  if (wall?.number != null) return runAgainst(wall, [from, to], { length, depth, count });
   const rotation = wholeTurn(directionOf(minus(to, from)));
   const across = unitAt(rotation + 90);
   const at = minus(from, times(across, isSingle ? depth : 0.5 * depth));
-  return { at, rotation, length, depth, against: null };
+  return { at, rotation, length, depth, count, against: null };
 }
 
 function runAgainst(
   wall: WallLine,
   [from, to]: readonly [Point, Point],
-  { length, depth }: { length: number; depth: number },
+  { length, depth, count }: Pick<Run, "length" | "depth" | "count">,
 ): Run {
   const whole = distance(wall.from, wall.to);
   // The end where the line begins stays there.
@@ -124,6 +132,7 @@ function runAgainst(
     rotation: wholeTurn(wall.isClockwise ? direction + 180 : direction),
     length,
     depth,
+    count,
     against: { wall: wall.number ?? 0, from: start },
   };
 }
@@ -131,13 +140,20 @@ function runAgainst(
 const prefixes: Record<string, string> = { gondola: "G", freezer: "F", box: "B", mesh: "M" };
 
 export function addRun(builder: EditBuilder, site: Site, template: Template, run: Run): string {
-  const { effective, preset, own, prefix, module } = template;
-  const id = freeId(site, prefix ?? prefixes[String(effective.type)] ?? "E");
-  const length = inFile(site, run.length);
+  const { effective, preset, own, prefix, base } = template;
+  const stem = prefix ?? prefixes[String(effective.type)] ?? "E";
+  const { count } = run;
+  const first = firstFree(site.taken, `${stem}{n}`, count);
+  const id = count > 1 ? `${stem}{n}` : `${stem}${first}`;
+  const length = inFile(site, run.length / count);
   const [x, y] = run.at.map((value) => inFile(site, value));
   const size = effective.size as number[] | undefined;
-  const isOwn = module === null || inFile(site, module) !== length;
-  const lengths: JsonObject = size ? { size: [length, size[1], size[2]] } : { length };
+  const lengthened: Json = size ? [length, size[1], size[2]] : null;
+  const isUsual =
+    base !== null &&
+    inFile(site, base.length) === length &&
+    (!size || (inFile(site, base.depth) === size[1] && inFile(site, base.height) === size[2]));
+  const lengths: JsonObject = size ? { size: lengthened } : { length };
   const place: JsonObject = run.against
     ? { against: { wall: run.against.wall, from: inFile(site, run.against.from) } }
     : { at: size ? [x, y, 0] : [x, y], ...turned(run.rotation) };
@@ -146,7 +162,8 @@ export function addRun(builder: EditBuilder, site: Site, template: Template, run
     ...own,
     id,
     ...place,
-    ...(isOwn ? lengths : {}),
+    ...(isUsual ? {} : lengths),
+    ...(count > 1 ? { repeat: { count, step: length, ...(first === 1 ? {} : { first }) } } : {}),
   });
 }
 
@@ -155,19 +172,20 @@ function turned(rotation: number): JsonObject {
   return degrees === 0 || degrees === 360 ? {} : { rotation_deg: degrees };
 }
 
-/** "6 rows every 2.4 m": copies of a fixture, which stay one element. `step`: m. */
+/** "6 rows every 2.4 m": copies of a fixture, which stay one element. `step`: m. What names the fixture follows. */
 export function setRows(builder: EditBuilder, site: Site, path: string, count: number, step: Point): void {
   const id = builder.get(`${path}/id`);
-  if (typeof id === "string" && !id.includes("{n}")) {
+  if (typeof id === "string") {
     const [, stem, digits] = /^(.*?)(\d*)$/s.exec(id) as unknown as [string, string, string];
-    const isFree = (first: number) =>
-      Array.from({ length: count }, (_, k) => `${stem}${first + k}`).every(
-        (name) => name === id || !site.taken.has(name),
-      );
-    let first = Math.max(Number(digits), 1);
-    while (!isFree(first)) ++first;
-    builder.set(`${path}/id`, `${stem}{n}`);
-    if (first !== 1) builder.set(`${path}/repeat`, { first });
+    const isRow = id.includes("{n}");
+    const pattern = isRow ? id : `${stem}{n}`;
+    const before = (builder.get(`${path}/repeat/first`) as number | undefined) ?? 1;
+    const own = isRow ? namesOf(pattern, before, Number(builder.get(`${path}/repeat/count`) ?? 1)) : [id];
+    const others = new Set([...site.taken].filter((name) => !own.includes(name)));
+    const first = firstFree(others, pattern, count, isRow ? before : Math.max(Number(digits), 1));
+    builder.set(`${path}/id`, pattern);
+    if (first !== before) builder.set(`${path}/repeat`, { ...(builder.get(`${path}/repeat`) as JsonObject), first });
+    followIds(builder, new Map(own.map((name, k) => [name, pattern.replace("{n}", String(first + k))])));
   }
   builder.set(`${path}/repeat/count`, count);
   builder.set(

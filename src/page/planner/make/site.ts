@@ -16,11 +16,6 @@ export const inFile = ({ unit }: Site, metres: number): number => tidy(metres / 
 
 export const pointInFile = (site: Site, point: Point): Json => point.map((value) => inFile(site, value));
 
-export const metresAt = ({ json, unit }: Site, pointer: string, otherwise: number): number => {
-  const value = valueAt(json, pointer);
-  return typeof value === "number" ? value * unit.factor : otherwise;
-};
-
 /** The first free one of W1, W2, ... */
 export function freeId({ taken }: Site, prefix: string): string {
   for (let number = 1; ; ++number) if (!taken.has(`${prefix}${number}`)) return `${prefix}${number}`;

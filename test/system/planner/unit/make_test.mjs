@@ -7,7 +7,7 @@ import { EditBuilder } from "../../../../src/page/planner/document/edit";
 import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { outlineOf } from "../../../../src/page/planner/geometry/rigid";
 import { addBlock } from "../../../../src/page/planner/make/block";
-import { addHole, addZone, isBare, roomHeight, setRoom } from "../../../../src/page/planner/make/room";
+import { addHole, addZone, isBare, setRoom } from "../../../../src/page/planner/make/room";
 import { addRun, runAlong, setRows } from "../../../../src/page/planner/make/run";
 import { addOpening, addWalls, along, wallLines, wallNear } from "../../../../src/page/planner/make/walls";
 
@@ -27,7 +27,6 @@ test("the first rectangle is a box at the origin", () => {
   assert.ok(isBare(bare));
   assert.deepEqual(setRoom(builder, site(bare), rectangle(2, 3, 14, 11)), [2, 3]);
   assert.deepEqual(builder.json.room, { size: [12, 8, 3.5], floor: "floor", ceiling: "white", walls: "plaster" });
-  assert.equal(roomHeight(site(builder.json)), 3.5);
 });
 
 test("another outline keeps materials, zones and inner walls, and begins at 0 only in a bare shop", () => {
@@ -147,6 +146,7 @@ const double = {
   effective: { type: "gondola", length: 1.25, depth: 0.9, height: 1.6, faces: ["front", "back"] },
   prefix: null,
   module: 1.25,
+  base: { length: 1.25, depth: 0.9, height: 1.6 },
 };
 const single = { ...double, preset: "wall", effective: { ...double.effective, depth: 0.5, faces: ["front"] } };
 
@@ -250,11 +250,65 @@ test("a run like another fixture has its keys and the letter of its id", () => {
   addRun(builder, around, like, runAlong(around, like, [], line));
   const { at, ...others } = builder.json.fixtures[1];
   assert.deepEqual(others, { preset: "row", height: 2, labels: { spacing: 0.8 }, id: "A2", length: 2.5 });
-  const box = { preset: null, own: { type: "box" }, prefix: null, module: null };
+  const box = { preset: null, own: { type: "box" }, prefix: null, module: null, base: null };
   const sized = { ...box, effective: { type: "box", size: [1, 0.8, 0.9] } };
   addRun(builder, around, sized, runAlong(around, sized, [], line));
   assert.deepEqual(builder.json.fixtures[2].size, [3, 0.8, 0.9]);
   assert.equal(runAlong(around, { ...box, effective: { type: "prism" } }, [], line), null);
+  // One module that is as long as its model, but not as its preset.
+  const short = { ...double, module: 0.9, prefix: "E" };
+  addRun(
+    builder,
+    around,
+    short,
+    runAlong(
+      around,
+      short,
+      [],
+      [
+        [1, 2],
+        [1.9, 2],
+      ],
+    ),
+  );
+  assert.equal(builder.json.fixtures[3].length, 0.9);
+});
+
+test("tables with labels at fixed places are a row", () => {
+  const builder = new EditBuilder(bare);
+  const effective = { type: "box", size: [1.2, 0.8, 1.2], labels: [{ position: [0.6, 0, 1], normal: [0, -1, 0] }] };
+  const pallet = { preset: "pallet", own: {}, prefix: null, module: 1.2, effective };
+  const base = { length: 1.2, depth: 0.8, height: 1.2 };
+  const run = runAlong(
+    site(bare),
+    { ...pallet, base },
+    [],
+    [
+      [1, 1],
+      [4.5, 1],
+    ],
+    { isExact: true },
+  );
+  addRun(builder, site(bare), { ...pallet, base }, run);
+  const { at, ...others } = builder.json.fixtures[0];
+  assert.deepEqual(others, { preset: "pallet", id: "B{n}", repeat: { count: 3, step: 1.2 } });
+});
+
+test("shelving at an inner wall does not cling to the outer wall behind it", () => {
+  const walled = { ...bare, room: { ...room, inner_walls: [{ from: [2, 14.2], to: [12, 14.2], thickness: 0.12 }] } };
+  const run = runAlong(site(walled), single, wallLines(site(walled)), [
+    [10, 14.14],
+    [4, 14.14],
+  ]);
+  assert.equal(run.against, null);
+});
+
+test("what names a fixture names the first of its rows", () => {
+  const fixtures = [{ id: "Promo" }, { id: "E", against: { fixture: "Promo", side: "left" } }, { id: "Promo1" }];
+  const builder = new EditBuilder({ ...bare, fixtures });
+  setRows(builder, { ...site(bare), taken: new Set(["Promo", "E", "Promo1"]) }, "/fixtures/0", 2, [0, 2]);
+  assert.deepEqual(builder.json.fixtures[0], { id: "Promo{n}", repeat: { first: 2, count: 2, step: [0, 2] } });
+  assert.equal(builder.json.fixtures[1].against.fixture, "Promo2");
 });
 
 test("rows of a run are one element", () => {
