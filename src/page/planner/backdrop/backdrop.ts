@@ -20,6 +20,7 @@ export class Backdrop {
     this.plan.classList.toggle("traced", isDrawn); // the floor is transparent
     if (!isDrawn) return;
     root.classList.toggle("grey", look.now.isGrey);
+    root.classList.toggle("inverted", look.now.isInverted);
     root.style.opacity = String(1 - look.now.fade);
     const { viewport, document } = planner;
     const ratio = devicePixelRatio;

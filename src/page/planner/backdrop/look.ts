@@ -6,11 +6,13 @@ interface Stored {
   isShown: boolean;
   isLocked: boolean;
   isGrey: boolean;
+  /** Light drawings on dark ground become dark on light, so that what is drawn over them is visible. */
+  isInverted: boolean;
   /** From 0, as it is, to 1, invisible. */
   fade: number;
 }
 
-const usual: Stored = { isShown: true, isLocked: true, isGrey: false, fade: 0.3 };
+const usual: Stored = { isShown: true, isLocked: true, isGrey: false, isInverted: false, fade: 0.3 };
 
 export class Look {
   private state = usual;

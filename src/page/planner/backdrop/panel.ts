@@ -65,7 +65,7 @@ export class PicturePanel {
 
   private lookRows(): HTMLElement[] {
     const { look } = this.planner;
-    const flag = (key: "isShown" | "isLocked" | "isGrey", name: string) => {
+    const flag = (key: "isShown" | "isLocked" | "isGrey" | "isInverted", name: string) => {
       const box = element("input", {
         type: "checkbox",
         "data-key": `picture/${key}`,
@@ -88,6 +88,7 @@ export class PicturePanel {
       flag("isShown", text.picture.shown),
       flag("isLocked", text.picture.locked),
       flag("isGrey", text.picture.grey),
+      flag("isInverted", text.picture.inverted),
     ];
     return [element("div", { class: "flags" }, ...flags), row(text.picture.fade, slider)];
   }

@@ -11,7 +11,7 @@ import { shifted } from "../backdrop/transform";
 import { outlineOf } from "../geometry/rigid";
 import { minus, times } from "../geometry/vector";
 import { addArea, addBlock, addKeepOut } from "../make/block";
-import { addHole, addZone, setRoom } from "../make/room";
+import { addHole, addZone, losesWalls, setRoom } from "../make/room";
 import { addRun, runAlong, setRows } from "../make/run";
 import { firstName, type Site } from "../make/site";
 import { addOpening, addWalls, along, wallLines, wallNear } from "../make/walls";
@@ -69,6 +69,7 @@ function make(
   });
   switch (tool) {
     case "room": {
+      if (losesWalls(json)) planner.say(text.draw.lost_walls, true);
       const origin = setRoom(builder, site, points);
       return { paths: ["/room"], preview: noPreview, origin };
     }

@@ -13,6 +13,7 @@ const square = 1e-4; // m
 
 /** Whether nothing has a place but the room and what refers to it. */
 export const isBare = (json: Json): boolean =>
+  valueAt(json, "/room/holes") === undefined &&
   elementsOf(json).every(({ kind, value }) => kind === "room" || (kind === "area" && !Array.isArray(value.area)));
 
 /** The rectangle parallel to the axes that the corners are; null: they are none. */
@@ -36,7 +37,7 @@ function heightOf(site: Site, room: JsonObject): Json {
 /**
  * Gives the room another outline, and returns the place that becomes the origin: the lower left corner of the first room
  * that is traced, so that the coordinates of the shop begin at 0, and later the origin itself. Doors and windows of the
- * old walls go with them.
+ * old walls, and their materials, go with them.
  */
 export function setRoom(builder: EditBuilder, site: Site, corners: readonly Point[]): Point {
   const old = valueAt(builder.json, "/room");
@@ -46,15 +47,22 @@ export function setRoom(builder: EditBuilder, site: Site, corners: readonly Poin
   const placed = corners.map((corner) => minus(corner, origin));
   const box = upright(placed);
   const height = heightOf(site, room);
-  const isBox = box !== null && Math.hypot(...box.lower) < square && typeof height === "number";
+  const isBox =
+    room.holes === undefined && box !== null && Math.hypot(...box.lower) < square && typeof height === "number";
   const shape: JsonObject = isBox
     ? { size: [...(pointInFile(site, box.upper) as number[]), height] }
     : { outline: placed.map((corner) => pointInFile(site, corner)), height };
-  const { zones, inner_walls } = room;
-  const kept = Object.fromEntries(Object.entries({ zones, inner_walls }).filter(([, list]) => list !== undefined));
+  const { zones, inner_walls, holes } = room;
+  const kept = Object.fromEntries(
+    Object.entries({ holes, zones, inner_walls }).filter(([, list]) => list !== undefined),
+  );
   builder.set("/room", { ...shape, ...materialsOf(room), ...kept } as JsonObject);
   return origin;
 }
+
+/** Whether another outline loses something of the old walls. */
+export const losesWalls = (json: Json): boolean =>
+  ["openings", "wall_materials"].some((key) => valueAt(json, `/room/${key}`) !== undefined);
 
 /** A shaft or courtyard. A box becomes an outline first, because only outlines have holes. */
 export function addHole(builder: EditBuilder, site: Site, corners: readonly Point[]): void {

@@ -7,7 +7,7 @@ import { EditBuilder } from "../../../../src/page/planner/document/edit";
 import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { outlineOf } from "../../../../src/page/planner/geometry/rigid";
 import { addBlock } from "../../../../src/page/planner/make/block";
-import { addHole, addZone, isBare, setRoom } from "../../../../src/page/planner/make/room";
+import { addHole, addZone, isBare, losesWalls, setRoom } from "../../../../src/page/planner/make/room";
 import { addRun, runAlong, setRows } from "../../../../src/page/planner/make/run";
 import { addOpening, addWalls, along, wallLines, wallNear } from "../../../../src/page/planner/make/walls";
 
@@ -47,6 +47,11 @@ test("another outline keeps materials, zones and inner walls, and begins at 0 on
   assert.deepEqual(setRoom(second, site(drawn), outline), [0, 0]);
   assert.deepEqual(second.json.room.outline, outline);
   assert.deepEqual(second.json.room.inner_walls, walls);
+  assert.ok(losesWalls(drawn) && !losesWalls(bare));
+  const holed = { ...drawn, room: { outline, height: 3, holes: [rectangle(5, 2, 6, 3)] } };
+  const third = new EditBuilder(holed);
+  setRoom(third, site(holed), rectangle(0, 0, 9, 8));
+  assert.deepEqual(third.json.room.holes, holed.room.holes, "a rectangle with a shaft stays an outline");
   assert.equal(second.json.room.openings, undefined);
 });
 
