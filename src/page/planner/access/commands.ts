@@ -62,10 +62,13 @@ export class Commands {
     );
     if (place.isBusy && here.every(({ group }) => group !== "view")) return here.length > 0;
     for (const { isEnabled, why, run } of here) {
+      if (isEnabled?.() ?? true) {
+        run();
+        break;
+      }
       const reason = why?.() ?? null;
-      if (isEnabled?.() ?? true) run();
-      else if (reason !== null) this.onRefused(reason);
-      else continue;
+      if (reason === null) continue;
+      this.onRefused(reason);
       break;
     }
     return here.length > 0;

@@ -66,7 +66,7 @@ export class EdgeFields {
     const end = scope.kind === "drawing" ? scope.end : null;
     const hadFocus = root.contains(document.activeElement);
     root.hidden = !from || !end || !planner.isPlan;
-    // Esc takes back what was typed.
+    // Esc clears the typed text.
     const typed = scope.kind === "drawing" ? scope.typed : { length: "", angle: "" };
     if (this.length.value.trim() !== typed.length) this.length.value = typed.length;
     if (this.angle.value.trim() !== typed.angle) this.angle.value = typed.angle;

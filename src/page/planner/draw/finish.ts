@@ -129,7 +129,7 @@ function openingForm(planner: Planner) {
   return opening === "window" ? { bottom: sill, top: lintel, material } : { bottom: 0, top: doorHeight, material };
 }
 
-/** Adds what was drawn, and selects it. */
+/** Adds the drawn element, and selects it. */
 export async function finish(
   planner: Planner,
   tool: DrawTool,

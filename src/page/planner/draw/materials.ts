@@ -1,4 +1,4 @@
-// The materials of what is drawn.
+// The materials of drawn elements.
 
 import { namesIn } from "../form/initial";
 import type { Planner } from "../planner";

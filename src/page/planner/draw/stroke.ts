@@ -17,7 +17,7 @@ export interface Stroke {
   crossings: readonly (readonly [Point, Point])[];
 }
 
-/** A stroke that goes on, or the corners of a finished one. */
+/** A stroke that continues, or the corners of a finished one. */
 export type Step = { stroke: Stroke } | { done: readonly Point[] };
 
 export const begin = (tool: DrawTool, points: readonly Point[] = []): Stroke => ({ tool, points, crossings: [] });

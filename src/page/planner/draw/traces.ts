@@ -9,7 +9,6 @@ import { guidesOf } from "../plan/guides";
 import { pathOf, svg } from "../plan/svg";
 import type { Planner } from "../planner";
 import { aisleGuides } from "../snap/gaps";
-import { siteOf } from "./finish";
 import { draggedSoFar, freedomOf, type Drawing } from "./pen";
 import { templateOf } from "./template";
 import { formOf } from "./tools";
@@ -24,8 +23,8 @@ function corners(planner: Planner, scope: Drawing): readonly Point[] {
 function runTraces(planner: Planner, scope: Drawing, points: readonly Point[]): Node[] {
   const template = templateOf(planner);
   if (!template || points.length < 2) return [];
-  const site = siteOf(planner);
-  const run = runAlong(site, template, wallLines(site), [points[0], points[1]], freedomOf(scope));
+  const { document } = planner;
+  const run = runAlong(document, template, wallLines(document), [points[0], points[1]], freedomOf(scope));
   if (!run) return [];
   const outline = outlineOf(run);
   const guides = aisleGuides(planner.snapping.without(new Set()).index, outline, run.rotation);

@@ -4,7 +4,7 @@ import type { EditBuilder } from "../document/edit";
 import { isObject, type Json, type JsonObject } from "../document/json";
 import type { Part, Point } from "../document/messages";
 import { elementsOf, kinds, listOf, type ElementKind } from "./kinds";
-import { firstFree, namesOf } from "./row_ids";
+import { firstFree, namesOf, rowOf } from "./row_ids";
 import type { Types } from "./types";
 
 export interface Copied {
@@ -79,12 +79,10 @@ export function addCopies(builder: EditBuilder, copied: readonly Copied[], taken
 
 /** A row of "A{n}" with the next free numbers; null: it is no row. Neighbours of its members keep to the first row. */
 function rowAfter(value: JsonObject, effective: JsonObject, taken: Set<string>): JsonObject | null {
-  const { repeat } = effective;
   const pattern = String(value.id);
-  if (!pattern.includes("{n}") || !isObject(repeat)) return null;
-  const number = (key: string) => (typeof repeat[key] === "number" ? Number(repeat[key]) : 1);
-  const count = number("count") * number("count2");
-  const first = firstFree(taken, pattern, count, number("first"));
+  if (!pattern.includes("{n}") || !isObject(effective.repeat)) return null;
+  const { first: before, count } = rowOf(effective);
+  const first = firstFree(taken, pattern, count, before);
   for (const id of namesOf(pattern, first, count)) taken.add(id);
   return { ...value, repeat: { ...(isObject(value.repeat) ? value.repeat : {}), first } };
 }

@@ -3,7 +3,7 @@
 import type { EditBuilder } from "../document/edit";
 import { isObject, type JsonObject } from "../document/json";
 import type { Point } from "../document/messages";
-import { firstFree, followIds, numbered } from "./row_ids";
+import { firstFree, followIds, namesOf, numbered, rowOf } from "./row_ids";
 
 /** Elements whose middles are less apart in y stand in one line, m. */
 const oneLine = 0.8;
@@ -29,11 +29,6 @@ export function inReadingOrder(elements: readonly Numbered[]): Numbered[] {
 /** "A{n}" for "A" and for "A{n}". */
 export const patternOf = (typed: string): string => (typed.includes("{n}") ? typed : `${typed}{n}`);
 
-const countOf = ({ repeat }: JsonObject, key: "count" | "count2" | "first"): number => {
-  const value = isObject(repeat) ? repeat[key] : undefined;
-  return typeof value === "number" ? value : 1;
-};
-
 export interface Naming {
   path: string;
   value: JsonObject;
@@ -46,7 +41,7 @@ export interface Naming {
 export function namingOf(elements: readonly Numbered[], pattern: string, others: ReadonlySet<string>): Naming[] {
   let next = 1;
   return inReadingOrder(elements).map(({ path, value }) => {
-    const count = countOf(value, "count") * countOf(value, "count2");
+    const { count } = rowOf(value);
     const first = firstFree(others, pattern, count, next);
     next = first + count;
     return { path, value, first, count };
@@ -57,12 +52,12 @@ export function namingOf(elements: readonly Numbered[], pattern: string, others:
 export function giveIds(builder: EditBuilder, naming: readonly Naming[], pattern: string): void {
   const renamed = new Map<string, string>();
   for (const { path, value, first, count } of naming) {
-    const old = String(value.id ?? "");
     const isRow = isObject(value.repeat);
-    for (let k = 0; k < count; ++k)
-      renamed.set(old.replace("{n}", String(countOf(value, "first") + k)), numbered(pattern, first + k));
-    builder.set(`${path}/id`, isRow ? pattern : numbered(pattern, first));
-    if (isRow && first !== countOf(value, "first")) builder.set(`${path}/repeat/first`, first);
+    const { first: before } = rowOf(value);
+    const names = namesOf(pattern, first, count);
+    namesOf(String(value.id ?? ""), before, count).forEach((old, k) => renamed.set(old, names[k]));
+    builder.set(`${path}/id`, isRow ? pattern : names[0]);
+    if (isRow && first !== before) builder.set(`${path}/repeat/first`, first);
   }
   followIds(builder, renamed);
 }

@@ -1,7 +1,16 @@
 // Ids of rows: "A{n}" stands for A1, A2, ...
 
 import type { EditBuilder } from "../document/edit";
-import { pointerTo, valueAt, type Json } from "../document/json";
+import { isObject, pointerTo, valueAt, type Json, type JsonObject } from "../document/json";
+
+/** The number of the first copy of a fixture, and how many copies it has; a single fixture is its own first. */
+export function rowOf({ repeat }: JsonObject): { first: number; count: number } {
+  const number = (key: string) => {
+    const value = isObject(repeat) ? repeat[key] : undefined;
+    return typeof value === "number" ? value : 1;
+  };
+  return { first: number("first"), count: number("count") * number("count2") };
+}
 
 export const numbered = (pattern: string, number: number): string => pattern.replace("{n}", String(number));
 

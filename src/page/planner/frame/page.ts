@@ -177,6 +177,7 @@ export class Page {
     const { changes } = planner;
     changes.listen(["document"], () => this.opened());
     changes.listen(["document"], () => this.followPicture());
+    changes.listen(["document"], () => this.shapes.fadeRoom());
     changes.listen(["document", "picture", "layers", "viewport", "tool"], () => this.backdrop.update());
     changes.listen(["document", "preview", "viewport", "tool", "layers"], () => {
       this.loupe.update();

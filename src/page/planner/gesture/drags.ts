@@ -33,7 +33,7 @@ export interface Keys {
 /** No key frees a movement from its neighbours, so they attract from nearer than places do. */
 const shareOfReach = 0.6;
 
-/** Where elements hold on to what stands beside them. Copies also hold on to their originals. */
+/** What attracts dragged elements: everything beside them, and the originals of copies. */
 function attracted(planner: Planner, { elements, isCopying }: Moving, shift: Point, axis?: 0 | 1): Moved {
   const { snapping, document } = planner;
   const paths = elements.map(({ path }) => path);

@@ -91,7 +91,7 @@ function offLine({ from, to }: WallLine, point: Point): number {
  * no wall.
  */
 export function runAlong(
-  { unit }: Site,
+  { unit }: Pick<Site, "unit">,
   { effective, module }: Template,
   walls: readonly WallLine[],
   [from, to]: readonly [Point, Point],

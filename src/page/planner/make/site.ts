@@ -2,6 +2,7 @@
 
 import { valueAt, type Json, type JsonObject } from "../document/json";
 import type { Point } from "../document/messages";
+import { firstFree } from "../elements/row_ids";
 import { tidy, type LengthUnit } from "../geometry/units";
 
 export interface Site {
@@ -17,9 +18,7 @@ export const inFile = ({ unit }: Site, metres: number): number => tidy(metres / 
 export const pointInFile = (site: Site, point: Point): Json => point.map((value) => inFile(site, value));
 
 /** The first free one of W1, W2, ... */
-export function freeId({ taken }: Site, prefix: string): string {
-  for (let number = 1; ; ++number) if (!taken.has(`${prefix}${number}`)) return `${prefix}${number}`;
-}
+export const freeId = ({ taken }: Site, prefix: string): string => `${prefix}${firstFree(taken, `${prefix}{n}`, 1)}`;
 
 /** The first name of a list of the store, for keys that need one. */
 export function firstName(json: Json, list: "materials" | "label_types" | "transceiver_types"): string | undefined {

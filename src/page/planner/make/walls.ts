@@ -35,7 +35,7 @@ export interface WallLine {
 }
 
 /** All walls, outer ones in the order of their numbers. */
-export function wallLines({ json, unit }: Site): WallLine[] {
+export function wallLines({ json, unit }: Pick<Site, "json" | "unit">): WallLine[] {
   const inMetres = (value: unknown): Point => {
     const [x, y] = value as number[];
     return [x * unit.factor, y * unit.factor];

@@ -75,11 +75,15 @@ export class Shapes {
     this.world.setAttribute("transform", `matrix(${scale} 0 0 ${-scale} ${x} ${y})`);
   }
 
+  /** The room of a new shop is in the way of the picture in which people look for their own. */
+  fadeRoom(): void {
+    const { document, drawing } = this.planner;
+    this.root.classList.toggle("bare", drawing !== null && isBare(document.json));
+  }
+
   update(): void {
     const { document, layers } = this.planner;
     for (const [kind, group] of this.groups) group.classList.toggle("off", !layers.isShown(kind));
-    // The room of a new shop is in the way of the picture in which people look for their own.
-    this.root.classList.toggle("bare", this.planner.drawing !== null && isBare(document.json));
     const marked = markedOf(this.planner);
     const gone = new Set(this.drawn.keys());
     for (const part of document.parts.all) {

@@ -1,4 +1,4 @@
-// What is wrong with a drawing in progress: edges that cross.
+// Edges that cross in a drawing in progress.
 
 import type { Point } from "../document/messages";
 import { edgesOf, nearestOn } from "../geometry/polygon";
