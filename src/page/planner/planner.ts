@@ -55,8 +55,6 @@ export class Planner {
   isPlan = true;
   /** Whether turning the wheel moves the plan, as trackpads do, instead of changing its scale. */
   wheelPans = rememberedWheel();
-  /** The pointer's place in the plan, m; null outside of it. */
-  pointer: Point | null = null;
   clip: Clip = { copied: [], unit: "", types: {} };
   /** The type, or the picture of the floor plan, that the panel edits if nothing is selected: a pointer. */
   typePath: string | null = null;
@@ -64,6 +62,7 @@ export class Planner {
   /** At once, because the next event of the pointer belongs to the tool. */
   onTool: () => void = () => {};
   private held: Drawing | null = null;
+  private pointed: Point | null = null;
   private readonly followers = new Set<(place: Place) => void>();
 
   constructor(address: string) {
@@ -78,6 +77,15 @@ export class Planner {
     for (const devices of [this.document.labels, this.document.units])
       devices.onReplaced = (...range) => this.selection.replaceDevices(devices, ...range);
     this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
+  }
+
+  /** The pointer's place in the plan, m; null outside of it. It stays on the screen when the plan moves beneath it. */
+  get pointer(): Point | null {
+    return this.pointed && this.viewport.toWorld(this.pointed);
+  }
+
+  set pointer(place: Point | null) {
+    this.pointed = place && this.viewport.toScreen(place);
   }
 
   setTool(tool: Tool): void {

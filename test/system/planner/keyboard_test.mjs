@@ -127,6 +127,19 @@ testPlanner("by keys: types edited and given, and the history", {}, async (tab) 
   await tab.steps(2);
 });
 
+testPlanner("by keys: labels of fixtures, with L from the plan", {}, async (tab) => {
+  await toPlan(tab);
+  await tab.press("l");
+  says(await tab.text(".notice"), "Select shelving, a freezer or a table first: its properties set the labels.");
+  await find(tab, "A3");
+  await tab.press("l", "Tab");
+  await reach(tab, "field/labels/spacing");
+  await tab.page.keyboard.type("0.5");
+  await tab.press("Enter");
+  await tab.steps(1);
+  equal(tab.json.fixtures[2].labels.spacing, 0.5);
+});
+
 testPlanner("by keys: found, copied, pasted and deleted", { alone: true }, async (tab) => {
   await find(tab, "F2");
   equal(await tab.selected(), ["/fixtures/9"]);

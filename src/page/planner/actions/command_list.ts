@@ -30,6 +30,7 @@ export interface Surroundings {
   zoom: (factor: number) => void;
   fit: () => void;
   choosePicture: () => void;
+  showField: (pointer: string) => void;
 }
 
 const command = (
@@ -40,7 +41,7 @@ const command = (
   more: Partial<Command> = {},
 ): Command => ({ id, group, keys, where: "page", run, ...more });
 
-function editCommands({ planner, gestures }: Surroundings): Command[] {
+function editCommands({ planner, gestures, showField }: Surroundings): Command[] {
   const { document } = planner;
   const some = () => whyNot(planner) === null;
   const why = () => whyNoCopy(planner);
@@ -93,6 +94,10 @@ function editCommands({ planner, gestures }: Surroundings): Command[] {
     command("arrange", "rotate_back", ["Shift+R"], () => turn(-90), { isEnabled: some, why }),
     command("arrange", "mirror_x", ["Shift+H"], () => void mirrorSelection(planner, 0), { isEnabled: some, why }),
     command("arrange", "mirror_y", ["Shift+V"], () => void mirrorSelection(planner, 1), { isEnabled: some, why }),
+    command("arrange", "labels", ["L"], () => showField("/labels"), {
+      isEnabled: () => isFixtures(planner),
+      why: () => text.why_not.labels,
+    }),
     command("arrange", "number", [], () => void numberFixtures(planner), { isEnabled: () => canNumber(planner) }),
     ...alignments.map((how) =>
       command("arrange", `align_${how}`, [], () => void alignSelection(planner, how), { isEnabled: several }),
@@ -225,6 +230,8 @@ const drawCommands = ({ planner }: Surroundings): Command[] =>
       why: () => (tool === "rows" ? text.draw.no_row : text.why_not.locked),
     }),
   );
+
+const isFixtures = ({ selected }: Planner) => selected.length > 0 && selected.every(({ kind }) => kind === "fixture");
 
 /** Whether the selection is one fixture with a place of its own. */
 function isRow({ selected }: Planner): boolean {

@@ -50,7 +50,7 @@ const elementMenu: CommandId[][] = [
   ["cut", "copy", "paste", "duplicate", "delete"],
   ["rotate", "mirror_x", "mirror_y"],
   ["align_left", "align_centre", "align_right", "align_top", "align_middle", "align_bottom"],
-  ["distribute_x", "distribute_y", "number"],
+  ["distribute_x", "distribute_y", "labels", "number"],
   ["fit_selection", "select_all", "fit", "space"],
 ];
 
@@ -105,6 +105,7 @@ export class Page {
         zoom: (factor) => (planner.isPlan ? planner.viewport.zoom(factor) : this.zoomSpace(factor)),
         fit: () => this.stage.showAll(),
         choosePicture: () => this.arrivals.choose(),
+        showField: (pointer) => this.properties.focusOn(pointer),
       }),
     );
     this.backdrop = new Backdrop(planner, this.plan);

@@ -79,6 +79,15 @@ export class Properties {
     if (again instanceof HTMLInputElement && again.type === "text") again.select();
   }
 
+  /** Unfolds a field of the elements, or a group of fields, and goes to its first control. */
+  focusOn(pointer: string): void {
+    this.unfolded.add(pointer);
+    this.update();
+    const field = this.root.querySelector(`[data-field="${CSS.escape(pointer)}"]`);
+    const controls = field?.querySelectorAll<HTMLElement>("input, select, button") ?? [];
+    [...controls].find((control) => control.checkVisibility())?.focus();
+  }
+
   /** A typed component of a place leaves the others as another tab made them. */
   private refresh(target: Target): void {
     const { document } = this.planner;
@@ -212,9 +221,7 @@ export class Properties {
             )
           : null,
       ),
-      ...(hasPlace ? [placeRows(this.planner, elements, isDisabled)] : []).filter(
-        (row): row is HTMLElement => row !== null,
-      ),
+      ...[hasPlace ? placeRows(this.planner, elements, isDisabled) : null].filter((row) => row !== null),
       ...(groups.length === contexts.length
         ? [
             this.form(targets, groups, name, {
@@ -285,11 +292,7 @@ export class Properties {
     const facts = answer ? deviceFacts(answer, document.unit) : [];
     return [
       this.header(answer?.id ?? "…", text.kinds[item.device]),
-      element(
-        "dl",
-        {},
-        ...facts.flatMap(([term, fact]) => [element("dt", { text: term }), element("dd", { text: fact })]),
-      ),
+      listOf(facts),
       element("p", {
         class: "locked",
         text: item.path === null ? text.properties.of_file : text.properties.of_element,
@@ -332,11 +335,7 @@ export class Properties {
     return [
       this.header(this.planner.title, text.properties.store),
       this.form([target], [groupOfStore()], text.properties.store),
-      element(
-        "dl",
-        {},
-        ...facts.flatMap(([term, fact]) => [element("dt", { text: term }), element("dd", { text: fact })]),
-      ),
+      listOf(facts),
       json.room === undefined
         ? element("p", { class: "note", text: text.properties.no_room })
         : element(
@@ -364,6 +363,9 @@ const isTyping = (field: HTMLElement): boolean =>
   (field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement) &&
   field.dataset.shown !== undefined &&
   (field.value.trim() !== field.dataset.shown || field.ariaInvalid === "true");
+
+const listOf = (facts: readonly [string, string][]): HTMLElement =>
+  element("dl", {}, ...facts.flatMap(([term, fact]) => [element("dt", { text: term }), element("dd", { text: fact })]));
 
 function optionText(type: Json | undefined): string {
   return (text.options as Record<string, string>)[String(type)] ?? String(type ?? text.kinds.fixture);
