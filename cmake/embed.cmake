@@ -17,8 +17,9 @@ function(shelfbeam_embed out)
       set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     endif()
     file(READ ${file} hex HEX)
-    string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${hex}")
-    string(APPEND text "static const char ${symbol}_bytes[] = {${bytes}'\\0'};\n"
+    # Compilers read one literal ten times as fast as a list of characters.
+    string(REGEX REPLACE "(..)" "\\\\x\\1\"\"" bytes "${hex}")
+    string(APPEND text "static const char ${symbol}_bytes[] = \"${bytes}\";\n"
                        "extern const std::string_view ${symbol};\n"
                        "const std::string_view ${symbol}(${symbol}_bytes, sizeof ${symbol}_bytes - 1);\n")
   endwhile()
@@ -50,6 +51,9 @@ function(shelfbeam_embed_page out symbol folder)
   set(types_css "text/css; charset=utf-8")
   set(types_svg "image/svg+xml")
   set(types_js "text/javascript; charset=utf-8")
+  set(types_wasm "application/wasm")
+  set(types_pfb "application/octet-stream")
+  set(types_ttf "font/ttf")
   set(pairs)
   set(rows)
   foreach(name ${ARGN})

@@ -3,9 +3,9 @@
 //   OUT/viewer.js       the script of the report's 3-D view
 //   OUT/planner/NAME    the files of the planner, and NAME.gz with the same bytes for the same input
 
-import { copyFileSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { join } from "node:path";
+import { dirname, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
@@ -41,5 +41,24 @@ await build({
   outdir: folder,
 });
 for (const name of ["index.html", "icon.svg"]) copyFileSync(join(home, "planner", name), join(folder, name));
-for (const name of ["index.html", "icon.svg", "planner.js", "style.css"])
+
+// Formats of floor plans are loaded with the first file that needs them.
+await build({
+  ...common,
+  entryPoints: { pdf: join(home, "planner/pdf/pdf.ts") },
+  format: "esm",
+  entryNames: "[name]",
+  outdir: join(folder, "pdf"),
+});
+const reader = dirname(createRequire(`${packages}/`).resolve("pdfjs-dist/package.json"));
+copyFileSync(join(reader, "legacy/build/pdf.worker.min.mjs"), join(folder, "pdf/worker.js"));
+for (const [from, kind] of [
+  ["wasm", /^(jbig2|openjpeg|qcms_bg)\.wasm$/],
+  ["standard_fonts", /\.(pfb|ttf)$/],
+])
+  for (const name of readdirSync(join(reader, from)).filter((name) => kind.test(name)))
+    copyFileSync(join(reader, from, name), join(folder, "pdf", name));
+
+const names = readdirSync(folder, { recursive: true }).filter((name) => extname(name) !== "" && !name.endsWith(".gz"));
+for (const name of names)
   writeFileSync(join(folder, `${name}.gz`), gzipSync(readFileSync(join(folder, name)), { level: 9 }));

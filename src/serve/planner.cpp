@@ -21,8 +21,8 @@
 #include "serve/http/server.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/warning_finder.hpp"
-#include "serve/project/picture_file.hpp"
 #include "serve/project/project.hpp"
+#include "serve/project/project_file.hpp"
 #include "serve/project/starter.hpp"
 #include "serve/request.hpp"
 #include "serve/text/edit.hpp"
@@ -87,7 +87,7 @@ struct Planner::State {
       options.assets.emplace(file == "index.html" ? "" : file,
                              http::Asset(std::string(type), std::string(content)));
     options.tick = tick;
-    options.limits.upload = max_picture_bytes;
+    options.limits.upload = max_file_bytes;
     return options;
   }
 
@@ -256,8 +256,10 @@ struct Planner::State {
   http::Receipt keep(std::string_view file, std::string_view content) const {
     file.remove_prefix(http::file_names.size());
     try {
-      const PictureFile kept = keep_picture(folder, file, content);
-      return {true, text_of({{"file", kept.name}, {"width", kept.width}, {"height", kept.height}})};
+      const ProjectFile kept = keep_file(folder, file, content);
+      Json json{{"file", kept.name}};
+      if (kept.width > 0) json.update({{"width", kept.width}, {"height", kept.height}});
+      return {true, text_of(json)};
     } catch (const InputError& error) {
       return {false, error.what()};
     }
@@ -265,10 +267,10 @@ struct Planner::State {
 
   std::optional<http::Document> document(std::string_view file) {
     if (file.starts_with(http::file_names)) {
-      auto picture = read_picture(folder, file.substr(http::file_names.size()));
-      if (!picture) return {};
-      return http::Document{std::string(picture->type),
-                            std::make_shared<const std::string>(std::move(picture->content))};
+      auto kept = stored_file(folder, file.substr(http::file_names.size()));
+      if (!kept) return {};
+      return http::Document{std::string(kept->type),
+                            std::make_shared<const std::string>(std::move(kept->content))};
     }
     if (file != "scene") return {};
     if (!scene || scene_revision != project.revision()) {

@@ -3,6 +3,7 @@
 import { drawingOf, type Drawing } from "./backdrop/drawing";
 import { Look } from "./backdrop/look";
 import { Picture } from "./backdrop/picture";
+import { Traced } from "./backdrop/traced";
 import { boundsOfPicture } from "./backdrop/transform";
 import { Changes } from "./changes";
 import { Presets } from "./draw/presets";
@@ -47,6 +48,7 @@ export class Planner {
   readonly look = new Look(this.changes);
   readonly picture: Picture;
   readonly fan: Fan;
+  readonly traced: Traced;
   readonly snapping: Snapping;
   readonly presets: Presets;
   readonly settings = new ToolSettings(this.changes);
@@ -71,7 +73,8 @@ export class Planner {
     this.picture = new Picture(address, this.changes);
     this.presets = new Presets(this.document, this.changes);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
-    this.snapping = new Snapping(this);
+    this.traced = new Traced(this);
+    this.snapping = new Snapping(this, this.traced);
     this.document.onMoved = (place) => this.moved(place);
     this.document.onReplaced = (before) => this.moved(placeAgain(before, this.document.json));
     for (const devices of [this.document.labels, this.document.units])

@@ -50,10 +50,11 @@ Reply refusal(unsigned status, std::string_view why) {
 std::span<const std::pair<std::string_view, std::string_view>> security_fields() {
   using Field = std::pair<std::string_view, std::string_view>;
   static constexpr std::array fields{
-      Field{
-          "Content-Security-Policy",
-          "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self'; img-src 'self' blob:; "
-          "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
+      Field{"Content-Security-Policy",
+            "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; "
+            "img-src 'self' blob:; "
+            "font-src 'self'; "
+            "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
       Field{"X-Content-Type-Options", "nosniff"}, Field{"Referrer-Policy", "no-referrer"},
       Field{"Cross-Origin-Opener-Policy", "same-origin"},
       Field{"Cross-Origin-Resource-Policy", "same-origin"}};

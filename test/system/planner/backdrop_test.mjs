@@ -1,7 +1,7 @@
 // Tests the picture of the floor plan.
 
 import { check, equal, near, says } from "../viewer/check.mjs";
-import { clickPixel, drop, pasteFile, pixelAt, serveFiles, shown, wallsOf } from "./floor_plan.mjs";
+import { clickPixel, colourAt, drop, pasteFile, pixelAt, serveFiles, shown, wallsOf } from "./floor_plan.mjs";
 import { testPlanner } from "./opened.mjs";
 
 const plan = wallsOf(1200, 800);
@@ -37,17 +37,6 @@ async function withPicture(tab) {
 }
 
 const numbers = (values, decimals) => values.map((value) => Number(value.toFixed(decimals)));
-
-/** The colour in the middle of the canvas below the shapes, or at a place of it, as [red, green, blue, opacity]. */
-const colourAt = async (tab, [x, y]) =>
-  tab.page.evaluate(
-    ([u, v]) => {
-      const canvas = document.querySelector(".backdrop");
-      const box = canvas.getBoundingClientRect();
-      return [...canvas.getContext("2d").getImageData(u - box.left, v - box.top, 1, 1).data];
-    },
-    [Math.round(x), Math.round(y)],
-  );
 
 testPlanner("picture: dropped, scaled and checked", { smoke: true }, async (tab) => {
   const files = await serveFiles(tab);
@@ -215,10 +204,10 @@ testPlanner("picture: another file replaces it, or starts anew", {}, async (tab)
 testPlanner("picture: wrong files are refused with a reason", {}, async (tab) => {
   const sentence = "plan.png has more than 100 megapixels; export it smaller.";
   await serveFiles(tab, { status: 413, contentType: "text/plain", body: sentence });
-  await drop(tab, "plan.pdf", Buffer.from("%PDF-1.7"));
-  await notice(tab, "PDF and DXF files cannot be opened yet; export the page as PNG");
+  await drop(tab, "plan.dwg", Buffer.from("AC1032"));
+  await notice(tab, "DXF and DWG files cannot be opened yet; export the drawing as PDF");
   await drop(tab, "plan.gif", Buffer.from("GIF89a"));
-  await notice(tab, "plan.gif is not a picture. Choose a PNG, JPEG or WEBP file.");
+  await notice(tab, "plan.gif is not a floor plan. Choose a PNG, JPEG, WEBP or PDF file.");
   await drop(tab, "plan.png", plan);
   await notice(tab, sentence);
   check(await tab.isUntouched(), "the store is untouched");
@@ -236,7 +225,7 @@ testPlanner("picture: bad images get a clear answer, and everything stays alive"
   await drop(tab, "header.png", plan.subarray(0, 20));
   await notice(tab, "header.png: is incomplete or damaged");
   await drop(tab, "words.jpg", Buffer.from("A letter, not a picture"));
-  await notice(tab, "words.jpg is not a picture.");
+  await notice(tab, "words.jpg is not a floor plan.");
   check(await tab.isUntouched(), "the store is untouched");
   tab.errors.length = 0; // of refused files
   // The content decides, not the name.

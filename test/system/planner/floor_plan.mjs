@@ -131,3 +131,14 @@ export async function clickPixel(tab, x, y) {
   await tab.page.mouse.click(...(await pixelAt(tab, x, y)));
   await tab.settle();
 }
+
+/** The colour of the picture at a place of the screen, as [red, green, blue, opacity]. */
+export const colourAt = async (tab, [x, y]) =>
+  tab.page.evaluate(
+    ([u, v]) => {
+      const canvas = document.querySelector(".backdrop");
+      const box = canvas.getBoundingClientRect();
+      return [...canvas.getContext("2d").getImageData(u - box.left, v - box.top, 1, 1).data];
+    },
+    [Math.round(x), Math.round(y)],
+  );

@@ -180,6 +180,7 @@ test("trace: from a scan to a certified plan", async (given) => {
 
   console.log(`        ${person.actions} actions`);
   equal(person.actions, actions, "actions");
+  equal(tab.json.transceivers.keep_out?.length, 1, "areas without candidates");
   const found = await partsOf(tab);
   const worst = compare(found, expected, (id) => /^[AWP]/.test(id));
   console.log(`        largest error: ${(100 * worst.error).toFixed(0)} % of the tolerance, of ${worst.id}`);

@@ -22,8 +22,11 @@ export class Tracer {
     return pixelAt(this.tab, ...this.pixelOf(point));
   }
 
-  /** Zooms by the wheel until the point is on the plan, and a metre of the shop has so many pixels. */
-  async look(point, pixels = 110) {
+  /**
+   * Zooms by the wheel until the point is on the plan, and a metre of the shop has so many pixels, or fewer, so that
+   * `others` are on the plan, too.
+   */
+  async look(point, pixels = 110, others = []) {
     const { tab } = this;
     const { mouse } = tab.page;
     const { x, y, width, height } = await tab.page.evaluate(() =>
@@ -35,13 +38,19 @@ export class Tracer {
       await tab.settle();
     };
     const margin = 60;
+    const isSeen = async (which) => {
+      const [u, v] = await this.#screen(which);
+      return u - x > margin && v - y > margin && u - x < width - margin && v - y < height - margin;
+    };
+    let isFar = false;
     for (let k = 0; k < 60; ++k) {
       const [place, beside] = [await this.#screen(point), await this.#screen([point[0] + 1, point[1]])];
-      const [u, v] = [place[0] - x, place[1] - y];
-      const isSeen = u > margin && v > margin && u < width - margin && v < height - margin;
       const now = Math.hypot(beside[0] - place[0], beside[1] - place[1]);
-      if (!isSeen) await turn([x + 0.5 * width, y + 0.5 * height], 300);
-      else if (now < pixels) await turn(place, -Math.min(200, Math.ceil(Math.log(pixels / now) / 0.0018) + 10));
+      const seen = await Promise.all(others.map(isSeen));
+      isFar ||= now >= pixels && seen.includes(false);
+      if (!(await isSeen(point)) || seen.includes(false)) await turn([x + 0.5 * width, y + 0.5 * height], 300);
+      else if (now < pixels && !isFar)
+        await turn(place, -Math.min(200, Math.ceil(Math.log(pixels / now) / 0.0018) + 10));
       else return;
     }
     throw new Error(`cannot look at ${point}`);
@@ -69,7 +78,7 @@ export class Tracer {
   async drag(from, to, { pixels } = {}) {
     const { tab } = this;
     ++this.actions;
-    await this.look([0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])], pixels);
+    await this.look([0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])], pixels, [from, to]);
     await this.#aim(from);
     await tab.page.mouse.down();
     await this.#aim(to);

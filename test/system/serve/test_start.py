@@ -233,7 +233,7 @@ class Address(ServeTest):
         for file in files:
             self.assertEqual(self.answer(server.address, path + file).status, 200, file)
 
-    def test_only_pictures_are_uploaded(self):
+    def test_only_floor_plans_are_uploaded(self):
         server = self.start()
         url = urllib.parse.urlsplit(server.address)
         origin = {"Origin": f"http://{url.netloc}"}
@@ -259,6 +259,8 @@ class Address(ServeTest):
             (".shelfbeam", picture),
             ("store.json", picture),
             ("plan.png", picture[:-5]),
+            ("plan.pdf", b"<script>alert(1)</script>"),
+            ("plan.html", b"%PDF-1.7"),
         ):
             answer = put(name, body)
             self.assertEqual(answer.status, 422, name)
@@ -272,6 +274,10 @@ class Address(ServeTest):
         self.assertEqual((self.folder / "plan.png").read_bytes(), picture)
         sent = self.answer(server.address, url.path + "files/plan.png")
         self.assertEqual((sent.status, sent.read()), (200, picture))
+        answer = put("plan.pdf", b"%PDF-1.7")
+        self.assertEqual((answer.status, json.loads(answer.read())), (201, {"file": "plan.pdf"}))
+        sent = self.answer(server.address, url.path + "files/plan.pdf")
+        self.assertEqual(sent.headers["Content-Type"], "application/pdf")
         self.assertEqual(self.answer(server.address, url.path + "files/store.json").status, 404)
 
     def test_only_this_computer_by_default(self):

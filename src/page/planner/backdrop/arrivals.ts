@@ -7,8 +7,12 @@ import type { Planner } from "../planner";
 import { say, text } from "../text";
 import type { Drawing } from "./drawing";
 import { editDrawing } from "./edits";
-import { NotAccepted, upload } from "./files";
+import { choosePage } from "../sheet/page_choice";
+import { openPdf, pageOf, Unreadable } from "../sheet/open";
+import { contentOf, NotAccepted, upload, uploadPicture, type Given } from "./files";
 import { replacedBy } from "./transform";
+
+type Made = Pick<Drawing, "file" | "page" | "size">;
 
 export class Arrivals {
   /** Covers the page while a file is dragged over it. */
@@ -42,7 +46,7 @@ export class Arrivals {
   choose(): void {
     const input = element("input", {
       type: "file",
-      accept: "image/png,image/jpeg,image/webp",
+      accept: "image/png,image/jpeg,image/webp,application/pdf",
       on: {
         change: () => {
           const [file] = input.files ?? [];
@@ -60,19 +64,33 @@ export class Arrivals {
     if (planner.document.locked || !planner.document.isReady || this.isBusy) return;
     this.isBusy = true;
     try {
+      const given = await contentOf(file);
       const wanted = planner.drawing ? await askToReplace() : "add";
       if (wanted === null) return;
       planner.say(say(text.picture.uploading, file.name));
-      const made = await upload(this.address, file);
-      this.place(made, wanted === "replace" ? planner.drawing : null);
+      const made = given.kind === "pdf" ? await this.page(given) : await uploadPicture(this.address, given);
+      if (made) this.place(made, wanted === "replace" ? planner.drawing : null);
     } catch (error) {
-      planner.say(error instanceof NotAccepted ? error.message : text.notices.no_connection, true);
+      planner.say(reasonOf(error, file.name), true);
     } finally {
       this.isBusy = false;
     }
   }
 
-  private place(made: Pick<Drawing, "file" | "size">, before: Drawing | null): void {
+  /** Null if the person chooses no page. */
+  private async page(given: Given): Promise<Made | null> {
+    const file = await openPdf(given.bytes, this.address);
+    try {
+      const page = await choosePage(file, given.name);
+      if (page === null) return null;
+      const { size } = await pageOf(file, page);
+      return { ...(await upload(this.address, given)), page: page === 1 ? undefined : page, size };
+    } finally {
+      file.close();
+    }
+  }
+
+  private place(made: Made, before: Drawing | null): void {
     const { planner } = this;
     planner.look.set({ isShown: true, isLocked: true });
     if (!planner.isPlan) planner.setPlan(true);
@@ -87,6 +105,11 @@ export class Arrivals {
     showAll(planner);
     planner.setTool("scale");
   }
+}
+
+function reasonOf(error: unknown, name: string): string {
+  if (error instanceof Unreadable) return `${name}: ${error.message}`;
+  return error instanceof NotAccepted ? error.message : text.notices.no_connection;
 }
 
 /** Null: neither. */

@@ -1,8 +1,10 @@
 // Draws the picture of the floor plan beneath the outlines.
 
 import { element } from "../../panel/dom";
+import type { Point } from "../document/messages";
+import { boundsOf } from "../geometry/bounds";
 import type { Planner } from "../planner";
-import { matrixOf, placementOf, shownCorners, type Matrix } from "./transform";
+import { matrixOf, placementOf, shownCorners, toPixel, type Matrix } from "./transform";
 
 export class Backdrop {
   readonly root = element("canvas", { class: "backdrop", "aria-hidden": "true" });
@@ -28,7 +30,20 @@ export class Backdrop {
     if (root.width !== width || root.height !== height) Object.assign(root, { width, height });
     const context = root.getContext("2d");
     if (!context) return;
-    drawPicture(planner, context, matrixOf(placementOf(drawing, document.unit), viewport), ratio);
+    const placement = placementOf(drawing, document.unit);
+    const matrix = matrixOf(placement, viewport);
+    drawPicture(planner, context, matrix, ratio);
+    const corners: Point[] = [
+      [0, 0],
+      [viewport.width, 0],
+      [viewport.width, viewport.height],
+      [0, viewport.height],
+    ];
+    const seen = boundsOf(corners.map((corner) => toPixel(placement, viewport.toWorld(corner))));
+    if (!seen) return;
+    const [left, upper] = seen.lower;
+    const region = { left, upper, width: seen.upper[0] - left, height: seen.upper[1] - upper };
+    picture.detail?.show(region, ratio * Math.hypot(matrix[0], matrix[1]));
   }
 }
 
@@ -54,5 +69,11 @@ export function drawPicture(
   for (const [x, y] of shownCorners(drawing)) context.lineTo(x, y);
   context.clip();
   context.drawImage(level, 0, 0, width, height);
+  const detail = picture.detail?.now;
+  if (detail && detail.scale * width > level.width) {
+    const { bitmap, region } = detail;
+    context.clearRect(region.left, region.upper, region.width, region.height);
+    context.drawImage(bitmap, region.left, region.upper, region.width, region.height);
+  }
   context.restore();
 }

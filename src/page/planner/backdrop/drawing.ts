@@ -1,5 +1,5 @@
 // The picture of the floor plan, as the store names it under `drawing`. Places in the picture are pixels, x to the right
-// and y downwards; lengths are in the unit of the store.
+// and y downwards, and points of a PDF page; lengths are in the unit of the store.
 
 import { isObject, valueAt, type Json } from "../document/json";
 import type { Point } from "../document/messages";
@@ -15,6 +15,8 @@ export interface Line {
 export interface Drawing {
   /** Beneath the folder of the project. */
   file: string;
+  /** Of a PDF file, from 1. */
+  page?: number;
   /** The pixels that all places refer to. */
   size: Point;
   /** The lower left corner of the picture in the plan. */
@@ -27,6 +29,9 @@ export interface Drawing {
   /** Left, upper, right and lower side of the part that is shown. */
   crop?: [number, number, number, number];
 }
+
+/** Whether a file has lines instead of pixels. */
+export const hasLines = (file: string): boolean => /\.pdf$/i.test(file);
 
 export const drawingPath = "/drawing";
 
@@ -52,6 +57,7 @@ export function drawingOf(json: Json): Drawing | null {
   const [left, upper, right, lower] = numbersOf(value.crop, 4) ?? [0, 0, 0, 0];
   return {
     file: value.file,
+    page: typeof value.page === "number" ? value.page : undefined,
     size: size as Point,
     at: (numbersOf(value.at, 2) ?? [0, 0]) as Point,
     scale: lineOf(value.scale),

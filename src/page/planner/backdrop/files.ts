@@ -9,16 +9,17 @@ export class NotAccepted extends Error {}
 
 const longestName = 60;
 
-type Kind = "png" | "jpg" | "webp" | "page" | "other";
+export type Kind = "png" | "jpg" | "webp" | "pdf" | "page" | "other";
 
-/** By its first bytes. `page`: a format of drawings that has to be exported as a picture. */
+/** By its first bytes. `page`: a format of drawings that has to be exported as another. */
 export function kindOf(bytes: Uint8Array): Kind {
   const words = String.fromCharCode(...bytes.subarray(0, 32));
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
   if (words.startsWith("\xff\xd8\xff")) return "jpg";
   if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
-  // PDF, DXF as text and as bytes, DWG
-  return /^(%PDF-|\s*(0|999)\r?\n|AutoCAD Binary DXF|AC10\d\d)/.test(words) ? "page" : "other";
+  if (words.startsWith("%PDF-")) return "pdf";
+  // DXF as text and as bytes, DWG
+  return /^(\s*(0|999)\r?\n|AutoCAD Binary DXF|AC10\d\d)/.test(words) ? "page" : "other";
 }
 
 /** A name that is safe in every file system. */
@@ -42,19 +43,41 @@ async function isTurned(file: Blob, [width, height]: Point): Promise<boolean> {
   return isWide !== width > height;
 }
 
-/** Sends a file to the program. Throws NotAccepted, or another error if there is no connection. */
-export async function upload(address: string, file: File): Promise<Pick<Drawing, "file" | "size">> {
+export interface Given {
+  name: string;
+  kind: Kind;
+  bytes: ArrayBuffer;
+}
+
+/** The content of a file. Throws NotAccepted. */
+export async function contentOf(file: File): Promise<Given> {
   // A folder has no bytes.
   const bytes = await file.arrayBuffer().catch(() => new ArrayBuffer(0));
   if (bytes.byteLength === 0) throw new NotAccepted(say(text.picture.empty, file.name));
   const kind = kindOf(new Uint8Array(bytes));
   if (kind === "page") throw new NotAccepted(text.picture.page);
   if (kind === "other") throw new NotAccepted(say(text.picture.other, file.name));
-  const answer = await fetch(`${address}files/${nameFor(file.name, kind)}`, { method: "PUT", body: bytes });
-  if (!answer.ok) throw new NotAccepted((await answer.text()).trim() || say(text.picture.refused, file.name));
-  const { file: stored, width, height } = (await answer.json()) as { file: string; width: number; height: number };
-  const turned = await isTurned(new Blob([bytes]), [width, height]).catch(() => {
-    throw new NotAccepted(say(text.picture.unreadable, file.name));
+  return { name: file.name, kind, bytes };
+}
+
+interface Stored {
+  file: string;
+  /** Of a picture, pixels. */
+  width?: number;
+  height?: number;
+}
+
+/** Sends a file to the program. Throws NotAccepted, or another error if there is no connection. */
+export async function upload(address: string, { name, kind, bytes }: Given): Promise<Stored> {
+  const answer = await fetch(`${address}files/${nameFor(name, kind)}`, { method: "PUT", body: bytes });
+  if (!answer.ok) throw new NotAccepted((await answer.text()).trim() || say(text.picture.refused, name));
+  return (await answer.json()) as Stored;
+}
+
+export async function uploadPicture(address: string, given: Given): Promise<Pick<Drawing, "file" | "size">> {
+  const { file, width = 0, height = 0 } = await upload(address, given);
+  const turned = await isTurned(new Blob([given.bytes]), [width, height]).catch(() => {
+    throw new NotAccepted(say(text.picture.unreadable, given.name));
   });
-  return { file: stored, size: turned ? [height, width] : [width, height] };
+  return { file, size: turned ? [height, width] : [width, height] };
 }

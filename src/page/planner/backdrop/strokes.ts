@@ -4,7 +4,7 @@ import type { Point } from "../document/messages";
 import type { Scope } from "../gesture/scope";
 import { contains } from "../geometry/polygon";
 import { stepped } from "../geometry/units";
-import { distance, minus, plus, unitAt } from "../geometry/vector";
+import { distance, minus, plus, times, unitAt } from "../geometry/vector";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 import { editDrawing } from "./edits";
@@ -28,7 +28,7 @@ export const unscaled: Scaling = { kind: "scaling", from: null, at: null, to: nu
 
 /** The pixel at a place in the plan. */
 export function pixelAt({ drawing, document }: Planner, world: Point): Point {
-  return drawing ? roundPixel(toPixel(placementOf(drawing, document.unit), world)) : [0, 0];
+  return drawing ? roundPixel(toPixel(placementOf(drawing, document.unit), world), drawing) : [0, 0];
 }
 
 /** The place in the plan of a pixel. */
@@ -46,12 +46,25 @@ export function isOnFreePicture({ drawing, look, document }: Planner, world: Poi
   );
 }
 
-/** Moves the cross by pixels of the picture, to the right and upwards on the screen. */
-export function movedCross(planner: Planner, scope: Scaling, [x, y]: Point): Scaling {
+/** The cross follows the pointer. The lines of a drawing attract it, unless it is free. */
+export function aimLine(planner: Planner, scope: Scaling, pointer: Point, isFree: boolean): Scaling {
   if (scope.to) return scope;
-  const [c, s] = unitAt(planner.drawing?.rotation_deg ?? 0);
-  const at = scope.at ?? pixelAt(planner, planner.viewport.centre);
-  return { ...scope, at: roundPixel(plus(at, [c * x + s * y, s * x - c * y])) };
+  const mark = planner.snapping.ofPicture(pointer, isFree, scope.mark);
+  return { ...scope, at: pixelAt(planner, mark.at), mark };
+}
+
+/**
+ * Moves the cross to the right and upwards on the screen: by pixels of the picture, or by those of the screen in a drawing
+ * of lines.
+ */
+export function movedCross(planner: Planner, scope: Scaling, way: Point): Scaling {
+  const { drawing, picture, viewport, document } = planner;
+  if (scope.to || !drawing) return scope;
+  const step = picture.detail ? 1 / (placementOf(drawing, document.unit).step * viewport.scale) : 1;
+  const [x, y] = times(way, step);
+  const [c, s] = unitAt(drawing.rotation_deg ?? 0);
+  const at = scope.at ?? pixelAt(planner, viewport.centre);
+  return { ...scope, at: roundPixel(plus(at, [c * x + s * y, s * x - c * y]), drawing), mark: undefined };
 }
 
 /** Sets an end of the line at the cross. */
@@ -66,6 +79,12 @@ export function withEnd(planner: Planner, scope: Scaling): Scaling {
     return scope;
   }
   return { ...scope, at, to: at };
+}
+
+/** Sets an end of the line where the pointer is. */
+export function pressLine(planner: Planner, scope: Scaling, pointer: Point, isFree: boolean): Scaling {
+  const { at, mark } = aimLine(planner, { ...scope, to: null }, pointer, isFree);
+  return withEnd(planner, { ...scope, at, mark });
 }
 
 export const dragCrop = (planner: Planner, scope: Cropping, world: Point): Cropping => ({

@@ -5,7 +5,7 @@ import { boundsOf, type Bounds } from "../geometry/bounds";
 import { tidy, type LengthUnit } from "../geometry/units";
 import { between, cross, directionOf, distance, dot, minus, plus, times, unitAt } from "../geometry/vector";
 import type { Viewport } from "../view/viewport";
-import type { Drawing, Line } from "./drawing";
+import { hasLines, type Drawing, type Line } from "./drawing";
 
 /** The width of a picture without a scale, m. */
 const usualWidth = 20;
@@ -70,7 +70,11 @@ export function shownCorners({ size: [width, height], crop = [0, 0, width, heigh
 export const boundsOfPicture = (drawing: Drawing, unit: LengthUnit): Bounds | null =>
   boundsOf(shownCorners(drawing).map((corner) => toWorld(placementOf(drawing, unit), corner)));
 
-export const roundPixel = ([x, y]: Point): Point => [Number(x.toFixed(2)), Number(y.toFixed(2))];
+/** To a hundredth of a pixel, or to a ten millionth of a drawing of lines, whose corners are exact. */
+export function roundPixel([x, y]: Point, { file, size }: Pick<Drawing, "file" | "size">): Point {
+  const decimals = hasLines(file) ? Math.max(Math.ceil(7 - Math.log10(Math.max(...size))), 0) : 2;
+  return [Number(x.toFixed(decimals)), Number(y.toFixed(decimals))];
+}
 
 /** `drawing` at another place, so that a pixel stays where it was before. */
 function keeping(pixel: Point, before: Drawing, drawing: Drawing, unit: LengthUnit): Drawing {
@@ -129,11 +133,12 @@ export function cropBetween({ size: [width, height] }: Drawing, a: Point, b: Poi
 }
 
 /** Another picture at the place of this one: its lower left corner and its width stay. */
-export function replacedBy(drawing: Drawing, { file, size }: Pick<Drawing, "file" | "size">): Drawing {
+export function replacedBy(drawing: Drawing, { file, page, size }: Pick<Drawing, "file" | "page" | "size">): Drawing {
   const factor = size[0] / drawing.size[0];
-  const moved = ([x, y]: Point): Point => roundPixel([factor * x, size[1] - factor * (drawing.size[1] - y)]);
+  const moved = ([x, y]: Point): Point =>
+    roundPixel([factor * x, size[1] - factor * (drawing.size[1] - y)], { file, size });
   const line = (old: Line | undefined): Line | undefined => old && { ...old, from: moved(old.from), to: moved(old.to) };
-  const replaced = { ...drawing, file, size, scale: line(drawing.scale), check: line(drawing.check) };
+  const replaced = { ...drawing, file, page, size, scale: line(drawing.scale), check: line(drawing.check) };
   if (!drawing.crop) return replaced;
   const [left, upper, right, lower] = drawing.crop;
   return { ...replaced, crop: cropBetween(replaced, moved([left, upper]), moved([right, lower])) };

@@ -1,6 +1,6 @@
 // Turns the events of the pointer into gestures.
 
-import { dragCrop, dragPicture, isOnFreePicture, movedCross, pixelAt, unscaled, withEnd } from "../backdrop/strokes";
+import * as picture from "../backdrop/strokes";
 import {
   endStroke,
   hasBegun,
@@ -111,7 +111,7 @@ export class Gestures {
   /** What the tool does before the first press. */
   private get resting(): Scope {
     const { tool } = this.planner;
-    if (tool === "scale" || tool === "check") return unscaled;
+    if (tool === "scale" || tool === "check") return picture.unscaled;
     if (isDrawTool(tool)) return undrawn(this.planner, tool);
     return tool === "measure" ? unmeasured : idle;
   }
@@ -167,9 +167,9 @@ export class Gestures {
     else if (this.scope.kind === "measuring") this.measureTo(world, keysOf(event));
     else if (this.scope.kind === "scaling") {
       event.preventDefault(); // the field at the line keeps the focus
-      this.enter(withEnd(this.planner, { ...this.scope, at: pixelAt(this.planner, world) }));
+      this.enter(picture.pressLine(this.planner, this.scope, world, event.altKey));
     } else if (this.planner.tool === "crop") {
-      const from = pixelAt(this.planner, world);
+      const from = picture.pixelAt(this.planner, world);
       this.enter({ kind: "cropping", from, to: from });
     } else this.press(event, screen, world);
   }
@@ -234,13 +234,13 @@ export class Gestures {
         this.enter(penMove(planner, scope, world, keys));
         break;
       case "scaling":
-        if (!scope.to) this.enter({ ...scope, at: pixelAt(planner, world) });
+        this.enter(picture.aimLine(planner, scope, world, keys.alt));
         break;
       case "cropping":
-        this.enter(dragCrop(planner, scope, world));
+        this.enter(picture.dragCrop(planner, scope, world));
         break;
       case "shifting":
-        this.enter(dragPicture(planner, scope, world));
+        this.enter(picture.dragPicture(planner, scope, world));
         break;
       case "idle":
         this.hover(event.pointerType === "mouse" ? itemAt(planner, world, this.reach) : null);
@@ -267,8 +267,8 @@ export class Gestures {
       return;
     }
     const item = draggedItem(planner, scope.item, scope.world, this.reach);
-    if (!item && isOnFreePicture(planner, scope.world)) {
-      this.enter(dragPicture(planner, { kind: "shifting", from: scope.world, to: scope.world }, world));
+    if (!item && picture.isOnFreePicture(planner, scope.world)) {
+      this.enter(picture.dragPicture(planner, { kind: "shifting", from: scope.world, to: scope.world }, world));
       return;
     }
     if (!item) {
@@ -315,7 +315,7 @@ export class Gestures {
   /** Moves the end of a measurement by pixels of the screen, or that of a line of the picture by pixels of it. */
   moveCross(x: number, y: number): void {
     const { planner } = this;
-    if (this.scope.kind === "scaling") this.enter(movedCross(planner, this.scope, [x, y]));
+    if (this.scope.kind === "scaling") this.enter(picture.movedCross(planner, this.scope, [x, y]));
     if (this.scope.kind === "drawing") this.enter(moveCrossOf(planner, this.scope, [x, y]));
     if (this.scope.kind !== "measuring") return;
     const { viewport } = planner;
@@ -325,7 +325,7 @@ export class Gestures {
   }
 
   setAtCross(): void {
-    if (this.scope.kind === "scaling") this.enter(withEnd(this.planner, this.scope));
+    if (this.scope.kind === "scaling") this.enter(picture.withEnd(this.planner, this.scope));
     else if (this.scope.kind === "drawing") this.enter(setCorner(this.planner, this.scope));
     else this.measureTo(this.planner.pointer ?? this.planner.viewport.centre, noKeys);
   }

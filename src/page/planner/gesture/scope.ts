@@ -29,8 +29,11 @@ export type Scope =
   | { kind: "rotating"; elements: readonly StoreElement[]; middle: Point; from: number; turn: number }
   | { kind: "resizing"; context: Context; handle: string; ops: readonly EditOp[]; preview: Preview }
   | { kind: "measuring"; from: Point | null; to: Snapped }
-  /** A line of the picture, in its pixels: `at` is under the cross; the length of a line with both ends is typed. */
-  | { kind: "scaling"; from: Point | null; at: Point | null; to: Point | null }
+  /**
+   * A line of the picture, in its pixels: `at` is under the cross, perhaps where `mark` attracts it; the length of a line
+   * with both ends is typed.
+   */
+  | { kind: "scaling"; from: Point | null; at: Point | null; to: Point | null; mark?: Snapped }
   /** A part of the picture, in its pixels. */
   | { kind: "cropping"; from: Point; to: Point }
   /** `end`: where the edge from the last corner ends; `pressed`: the button is down, at a place of the plan. */

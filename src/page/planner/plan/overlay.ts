@@ -202,7 +202,8 @@ export class Overlay {
     if (scope.kind !== "scaling") return nodes;
     const end = scope.to ?? scope.at;
     const d = (scope.from && end ? pathOf(this.screen([at(scope.from), at(end)]), true) : "") + this.crossOf(end);
-    return [...nodes, svg("path", { class: "measure", d })];
+    const marks = scope.mark && !scope.to && planner.pointer ? snapMarks(planner, scope.mark) : [];
+    return [...nodes, svg("path", { class: "measure", d }), ...marks];
   }
 
   private crossOf(pixel: Point | null): string {

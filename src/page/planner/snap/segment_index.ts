@@ -18,6 +18,12 @@ function indexOf(all: readonly Bounds[]): Flatbush | null {
 
 const around = (points: readonly Point[]): Bounds => boundsOf(points) as Bounds;
 
+/** Lines from elsewhere that attract, too. */
+export interface LineSource {
+  near(point: Point, reach: number, most: number): Segment[];
+  within(bounds: Bounds, most: number): Segment[];
+}
+
 export class SegmentIndex {
   /** The number of segments and bodies that were looked at since it was set. */
   examined = 0;
@@ -26,7 +32,10 @@ export class SegmentIndex {
   private readonly bodies: Point[][];
   private readonly bodyIndex: Flatbush | null;
 
-  constructor(private readonly segments: readonly Segment[]) {
+  constructor(
+    private readonly segments: readonly Segment[],
+    private readonly beneath: LineSource | null = null,
+  ) {
     this.index = indexOf(segments.map(({ from, to }) => around([from, to])));
     const corners = new Map<string, Point[]>();
     for (const { body, from, to } of segments) {
@@ -39,17 +48,20 @@ export class SegmentIndex {
     this.bodyIndex = indexOf(this.bodies.map(around));
   }
 
-  /** The nearest segments within a distance, at most `most`. */
+  /** The nearest segments within a distance, at most `most`, and as many from elsewhere. */
   near(point: Point, reach: number, most: number): Segment[] {
-    return this.take(this.index?.neighbors(...point, most, reach)).filter(
+    const own = this.take(this.index?.neighbors(...point, most, reach)).filter(
       ({ from, to }) => distance(nearestOn(from, to, point), point) <= reach,
     );
+    return [...own, ...(this.beneath?.near(point, reach, most) ?? [])];
   }
 
   /** Segments whose bounds touch a rectangle, at most `most`. */
-  within({ lower, upper }: Bounds, most: number): Segment[] {
+  within(bounds: Bounds, most: number): Segment[] {
+    const { lower, upper } = bounds;
     let found = 0;
-    return this.take(this.index?.search(...lower, ...upper, () => ++found <= most));
+    const own = this.take(this.index?.search(...lower, ...upper, () => ++found <= most));
+    return [...own, ...(this.beneath?.within(bounds, most) ?? [])];
   }
 
   /** The corners of each of the bodies that are nearest to a point. */

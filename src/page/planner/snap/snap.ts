@@ -7,14 +7,14 @@ import { choose, type Candidate, type Snapped } from "./choice";
 import { nearestOf, tolerance, type Line } from "./lines";
 import { surroundingsOf } from "./pulls";
 import { fromOf, rayOf, type SnapRequest } from "./request";
-import { SegmentIndex } from "./segment_index";
+import { SegmentIndex, type LineSource } from "./segment_index";
 import type { Segment } from "./segments";
 
 export class Snapper {
   readonly index: SegmentIndex;
 
-  constructor(segments: readonly Segment[]) {
-    this.index = new SegmentIndex(segments);
+  constructor(segments: readonly Segment[], beneath: LineSource | null = null) {
+    this.index = new SegmentIndex(segments, beneath);
   }
 
   /** What is typed comes before Shift, and both before what attracts. */

@@ -7,6 +7,7 @@ import type { Viewport } from "../view/viewport";
 import type { Snapped } from "./choice";
 import type { SnapRequest } from "./request";
 import { mainDirection, segmentsOf } from "./segments";
+import type { LineSource } from "./segment_index";
 import { Snapper } from "./snap";
 
 const reach = 10; // pixels
@@ -22,7 +23,11 @@ export class Snapping {
   private parts: readonly Part[] = [];
   private snapper = new Snapper([]);
 
-  constructor(private readonly sight: Sight) {}
+  /** `beneath`: lines of the picture. */
+  constructor(
+    private readonly sight: Sight,
+    private readonly beneath: LineSource | null = null,
+  ) {}
 
   /** m */
   get reach(): number {
@@ -42,8 +47,13 @@ export class Snapping {
     );
     if (parts.length === this.parts.length && parts.every((part, k) => part === this.parts[k])) return this.snapper;
     this.parts = parts;
-    this.snapper = new Snapper(segmentsOf(parts));
+    this.snapper = new Snapper(segmentsOf(parts), this.beneath);
     return this.snapper;
+  }
+
+  /** The place of the picture that the pointer means. */
+  ofPicture(pointer: Point, isFree: boolean, held?: Snapped): Snapped {
+    return new Snapper([], this.beneath).snap({ pointer, reach: this.reach, isFree, held });
   }
 
   /** The place that the pointer means. */

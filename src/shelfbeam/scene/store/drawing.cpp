@@ -30,9 +30,10 @@ void ScaleLine::fields(Fields& f) {
 
 void describe(Drawing& drawing, Fields& f) {
   f.text("file", drawing.file,
-         {.says = "name of a PNG, JPEG or WEBP file in the folder of the store file", .is_name = true});
+         {.says = "name of a PNG, JPEG, WEBP or PDF file in the folder of the store file", .is_name = true});
+  f.integer("page", drawing.page, {.says = "page of a PDF file", .least = 1, .is_optional = true});
   f.array("size", Scalar::number, drawing.size,
-          {.says = "`[width, height]` of the picture to which all pixels here refer",
+          {.says = "`[width, height]` of the picture to which all pixels here refer; points of a PDF page",
            .least = 1,
            .most = max_pixels,
            .unit = "pixels"});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -20,7 +21,8 @@ struct ScaleLine {
 /// in the scene nor in the resolved store, so no simulation and no hash depends on it.
 struct Drawing {
   std::string file;
-  std::array<double, 2> size{};  ///< pixels; x to the right, y downwards
+  std::int64_t page = 1;         ///< of a PDF file
+  std::array<double, 2> size{};  ///< pixels, or points of a PDF page; x to the right, y downwards
   std::array<double, 2> at{};    ///< place of its lower left corner, m
   double rotation_deg = 0;       ///< counterclockwise, about the lower left corner
   std::optional<ScaleLine> scale, check;

@@ -5,7 +5,7 @@ import fc from "fast-check";
 
 import { drawingOf } from "../../../../src/page/planner/backdrop/drawing";
 import { isTraced } from "../../../../src/page/planner/backdrop/edits";
-import { kindOf, nameFor, NotAccepted, upload } from "../../../../src/page/planner/backdrop/files";
+import { contentOf, kindOf, nameFor, NotAccepted, uploadPicture } from "../../../../src/page/planner/backdrop/files";
 import { Picture } from "../../../../src/page/planner/backdrop/picture";
 import {
   angleBetween,
@@ -206,7 +206,8 @@ test("files are recognised by their first bytes", () => {
     png: ["\x89PNG\r\n\x1a\n"],
     jpg: ["\xff\xd8\xff\xe0"],
     webp: ["RIFF\x10\0\0\0WEBPVP8 "],
-    page: ["%PDF-1.7", "  0\r\nSECTION\r\n", "999\nmade by hand\n", "AutoCAD Binary DXF\r\n", "AC1032"],
+    pdf: ["%PDF-1.7"],
+    page: ["  0\r\nSECTION\r\n", "999\nmade by hand\n", "AutoCAD Binary DXF\r\n", "AC1032"],
     other: ["", "GIF89a", "RIFF\x10\0\0\0WAVE", "<svg>", "0123"],
   };
   for (const [kind, samples] of Object.entries(kinds))
@@ -243,6 +244,7 @@ async function withFakes({ answer, size }, run) {
 test("a picture is sent, and wrong files are refused with a reason", async () => {
   const stored = () => Response.json({ file: "plan-2.png", width: 400, height: 300 }, { status: 201 });
   const file = (content, name = "my plan.png") => Object.assign(new Blob([content]), { name });
+  const upload = async (address, given) => uploadPicture(address, await contentOf(given));
   await withFakes({ answer: stored, size: [400, 300] }, async (asked) => {
     assert.deepEqual(await upload("http://here/", file(png)), { file: "plan-2.png", size: [400, 300] });
     assert.deepEqual(asked, [["PUT", "http://here/files/my-plan.png"]]);
@@ -252,8 +254,8 @@ test("a picture is sent, and wrong files are refused with a reason", async () =>
         (error) => error instanceof NotAccepted && words.test(error.message),
       );
     await refused(file(""), /^my plan.png is empty/);
-    await refused(file("%PDF-1.4"), /^PDF and DXF files cannot be opened yet; export the page as PNG/);
-    await refused(file("hello"), /^my plan.png is not a picture/);
+    await refused(file("AC1032"), /^DXF and DWG files cannot be opened yet; export the drawing as PDF/);
+    await refused(file("hello"), /^my plan.png is not a floor plan/);
     assert.equal(asked.length, 1, "wrong files are not sent");
   });
   await withFakes({ answer: stored, size: [300, 400] }, async () => {

@@ -1,4 +1,4 @@
-#include "serve/project/picture_file.hpp"
+#include "serve/project/project_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -73,58 +73,67 @@ std::vector<std::pair<std::string, std::string>> pictures() {
           {"f.webp", lossy_webp(640, 480)}};
 }
 
-TEST(PictureFile, HasItsSize) {
+TEST(ProjectFile, HasItsSize) {
   const TempFolder folder;
   for (const auto& [name, content] : pictures()) {
-    const PictureFile kept = keep_picture(folder.path(), name, content);
+    const ProjectFile kept = keep_file(folder.path(), name, content);
     EXPECT_EQ(kept.name, name);
     EXPECT_EQ(kept.width, 640U) << name;
     EXPECT_EQ(kept.height, 480U) << name;
     EXPECT_EQ(read_file(folder / name), content);
-    EXPECT_EQ(read_picture(folder.path(), name)->content, content);
+    EXPECT_EQ(stored_file(folder.path(), name)->content, content);
   }
-  EXPECT_EQ(read_picture(folder.path(), "c.JPEG")->type, "image/jpeg");
+  EXPECT_EQ(stored_file(folder.path(), "c.JPEG")->type, "image/jpeg");
 }
 
-TEST(PictureFile, NeverChangesUnderItsName) {
+TEST(ProjectFile, IsAPdf) {
   const TempFolder folder;
-  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
-  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
-  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "two")).name, "plan-2.png");
-  EXPECT_EQ(keep_picture(folder.path(), "plan.png", png(1, 1, "two")).name, "plan-2.png");
+  const ProjectFile kept = keep_file(folder.path(), "plan.PDF", "%PDF-1.7 ...");
+  EXPECT_EQ(kept.name, "plan.PDF");
+  EXPECT_EQ(kept.width, 0U);
+  EXPECT_EQ(stored_file(folder.path(), "plan.PDF")->type, "application/pdf");
+}
+
+TEST(ProjectFile, NeverChangesUnderItsName) {
+  const TempFolder folder;
+  EXPECT_EQ(keep_file(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
+  EXPECT_EQ(keep_file(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
+  EXPECT_EQ(keep_file(folder.path(), "plan.png", png(1, 1, "two")).name, "plan-2.png");
+  EXPECT_EQ(keep_file(folder.path(), "plan.png", png(1, 1, "two")).name, "plan-2.png");
   EXPECT_EQ(read_file(folder / "plan.png"), png(1, 1, "one"));
   std::filesystem::create_symlink("elsewhere.png", folder / "link.png");
-  EXPECT_EQ(keep_picture(folder.path(), "link.png", png(1, 1)).name, "link-2.png");
+  EXPECT_EQ(keep_file(folder.path(), "link.png", png(1, 1)).name, "link-2.png");
   EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere.png"));
 }
 
-TEST(PictureFile, IsRefusedWithTheReason) {
+TEST(ProjectFile, IsRefusedWithTheReason) {
   const TempFolder folder;
   const auto refused = [&](const char* name, const std::string& content, std::string_view reason) {
-    expect_input_error([&] { keep_picture(folder.path(), name, content); }, reason);
+    expect_input_error([&] { keep_file(folder.path(), name, content); }, reason);
   };
   refused("plan.jpg", png(1, 1), "plan.jpg: is a PNG picture; rename it to plan.png");
-  refused("plan.png", "%PDF-1.7", "plan.png: is not a PNG, JPEG or WEBP picture");
-  refused("plan.png", "", "is not a PNG, JPEG or WEBP picture");
+  refused("plan.pdf", png(1, 1), "plan.pdf: is a PNG picture; rename it to plan.png");
+  refused("plan.png", "%PDF-1.7", "plan.png: is a PDF file; rename it to plan.pdf");
+  refused("plan.png", "", "is not a PNG, JPEG or WEBP picture or a PDF file");
   refused("plan.png", png(60'000, 60'000), "has 60000 x 60000 pixels; the maximum is 100 million pixels");
   refused("plan.webp", extended_webp(1 << 24, 1 << 24), "has 16777216 x 16777216 pixels");
   refused("plan.png", png(0, 5), "is incomplete or damaged");
   for (const char* name :
        {"../plan.png", "a/plan.png", ".png", ".hidden.png", "", "a b.png", "pl\xc3\xa4n.png"})
-    refused(name, png(1, 1), "the name of the picture: is not of letters");
+    refused(name, png(1, 1), "the name of the file: is not of letters");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 // Of a lossy WEBP only the length of the file is known here; the browser decodes the rest.
-TEST(PictureFile, IsRefusedIfItIsIncomplete) {
+TEST(ProjectFile, IsRefusedIfItIsIncomplete) {
   const TempFolder folder;
   for (const auto& [name, content] : pictures())
     for (std::size_t size = 0; size < content.size(); ++size)
-      EXPECT_THROW(keep_picture(folder.path(), name, content.substr(0, size)), InputError)
+      EXPECT_THROW(keep_file(folder.path(), name, content.substr(0, size)), InputError)
           << name << ": " << size;
 }
 
-TEST(PictureFile, IsARegularFileOfTheFolder) {
+TEST(ProjectFile, IsARegularFileOfTheFolder) {
   const TempFolder folder;
   folder.write("plan.png", png(1, 1));
   folder.write("plan.jpg", png(1, 1));
@@ -132,10 +141,10 @@ TEST(PictureFile, IsARegularFileOfTheFolder) {
   folder.write("inner/plan.png", png(1, 1));
   std::filesystem::create_symlink("plan.png", folder / "link.png");
   std::filesystem::create_directory(folder / "folder.png");
-  EXPECT_TRUE(read_picture(folder.path(), "plan.png"));
+  EXPECT_TRUE(stored_file(folder.path(), "plan.png"));
   for (const char* name :
        {"plan.jpg", "store.json", "inner/plan.png", "link.png", "folder.png", "other.png", ""})
-    EXPECT_FALSE(read_picture(folder.path(), name)) << name;
+    EXPECT_FALSE(stored_file(folder.path(), name)) << name;
 }
 
 }  // namespace

@@ -1,0 +1,191 @@
+// The lines of a PDF page, from the operations that draw it. Curves become chords.
+
+import type { Lines } from "../sheet/sheet";
+
+/** [a, b, c, d, e, f]: x' = a x + c y + e, y' = b x + d y + f. */
+export type Transform = readonly number[];
+
+/** The numbers of the operations that matter, as the reader of the file numbers them. */
+export interface Operations {
+  save: number;
+  restore: number;
+  transform: number;
+  constructPath: number;
+  endPath: number;
+  clip: number;
+  eoClip: number;
+  paintFormXObjectBegin: number;
+  paintFormXObjectEnd: number;
+  beginMarkedContent: number;
+  beginMarkedContentProps: number;
+  endMarkedContent: number;
+}
+
+export interface OperatorList {
+  fnArray: readonly number[];
+  argsArray: readonly unknown[];
+}
+
+/** More lines are of a hatch or a text that nobody snaps to. */
+export const mostLines = 2_000_000;
+const chords = 8;
+const [moveTo, lineTo, curveTo, quadraticTo] = [0, 1, 2, 3];
+
+function product(m: Transform, n: Transform): Transform {
+  const [a, b, c, d, e, f] = m;
+  return [
+    a * n[0] + c * n[1],
+    b * n[0] + d * n[1],
+    a * n[2] + c * n[3],
+    b * n[2] + d * n[3],
+    a * n[4] + c * n[5] + e,
+    b * n[4] + d * n[5] + f,
+  ];
+}
+
+class Collector {
+  private ends = new Float32Array(1 << 12);
+  private count = 0;
+  private readonly outlines: number[] = [];
+  private first = 0; // line of the present outline
+  private start: [number, number] = [0, 0];
+  private at: [number, number] = [0, 0];
+
+  get isFull(): boolean {
+    return this.count >= mostLines;
+  }
+
+  move(x: number, y: number): void {
+    this.finish();
+    this.start = [x, y];
+    this.at = [x, y];
+  }
+
+  line(x: number, y: number): void {
+    const [u, v] = this.at;
+    this.at = [x, y];
+    if ((u === x && v === y) || this.isFull) return;
+    if (4 * this.count + 4 > this.ends.length) {
+      const larger = new Float32Array(2 * this.ends.length);
+      larger.set(this.ends);
+      this.ends = larger;
+    }
+    this.ends.set([u, v, x, y], 4 * this.count);
+    ++this.count;
+  }
+
+  close(): void {
+    this.line(...this.start);
+    this.finish();
+  }
+
+  /** A path that ends where it began is closed, too. */
+  finish(): void {
+    const isClosed = this.at[0] === this.start[0] && this.at[1] === this.start[1];
+    if (isClosed && this.count - this.first >= 3) this.outlines.push(this.first, this.count);
+    this.first = this.count;
+  }
+
+  get lines(): Lines {
+    return { ends: this.ends.slice(0, 4 * this.count), outlines: Uint32Array.from(this.outlines) };
+  }
+}
+
+/** Draws one path: numbers of operations, each with its coordinates. */
+function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Transform): void {
+  let [x, y] = [0, 0];
+  const place = (u: number, v: number): [number, number] => [a * u + c * v + e, b * u + d * v + f];
+  /** `controls`: of the curve after the present point. */
+  const curve = (controls: readonly [number, number][]) => {
+    const points: [number, number][] = [[x, y], ...controls];
+    for (let k = 1; k <= chords; ++k) {
+      let level = points;
+      while (level.length > 1)
+        level = level.slice(1).map(([u, v], n): [number, number] => {
+          const [p, q] = level[n];
+          return [p + (k / chords) * (u - p), q + (k / chords) * (v - q)];
+        });
+      into.line(...place(...level[0]));
+    }
+    [x, y] = controls[controls.length - 1];
+  };
+  for (let k = 0; k < path.length; ) {
+    const pair = (n: number): [number, number] => [path[k + 2 * n], path[k + 2 * n + 1]];
+    switch (path[k++]) {
+      case moveTo:
+        [x, y] = pair(0);
+        into.move(...place(x, y));
+        k += 2;
+        break;
+      case lineTo:
+        [x, y] = pair(0);
+        into.line(...place(x, y));
+        k += 2;
+        break;
+      case curveTo:
+        curve([pair(0), pair(1), pair(2)]);
+        k += 6;
+        break;
+      case quadraticTo:
+        curve([pair(0), pair(1)]);
+        k += 4;
+        break;
+      default:
+        into.close();
+    }
+  }
+  into.finish();
+}
+
+/**
+ * `page`: the place of the page's coordinates in the picture. `isVisible`: whether a layer of the file is shown, by what
+ * the operation says of it.
+ */
+export function linesOf(
+  { fnArray, argsArray }: OperatorList,
+  ops: Operations,
+  page: Transform,
+  isVisible: (layer: unknown) => boolean,
+): Lines {
+  const into = new Collector();
+  let now = page;
+  const saved: Transform[] = [];
+  const marked: boolean[] = [];
+  let hidden = 0;
+  fnArray.forEach((operation, k) => {
+    if (into.isFull) return;
+    const args = argsArray[k] as unknown[];
+    switch (operation) {
+      case ops.save:
+        saved.push(now);
+        break;
+      case ops.restore:
+      case ops.paintFormXObjectEnd:
+        now = saved.pop() ?? now;
+        break;
+      case ops.transform:
+        now = product(now, args as number[]);
+        break;
+      case ops.paintFormXObjectBegin:
+        saved.push(now);
+        if (args[0]) now = product(now, args[0] as Transform);
+        break;
+      case ops.beginMarkedContent:
+      case ops.beginMarkedContentProps: {
+        const isShown = args[0] !== "OC" || isVisible(args[1]);
+        marked.push(isShown);
+        if (!isShown) ++hidden;
+        break;
+      }
+      case ops.endMarkedContent:
+        if (marked.pop() === false) --hidden;
+        break;
+      case ops.constructPath: {
+        const [paint, [path]] = args as [number, [ArrayLike<number> | null]];
+        const isPaint = paint !== ops.endPath && paint !== ops.clip && paint !== ops.eoClip;
+        if (path && isPaint && hidden === 0) draw(into, path, now);
+      }
+    }
+  });
+  return into.lines;
+}

@@ -1,0 +1,89 @@
+// The visible part of a drawing of lines, drawn anew as finely as the screen shows it: after the view has come to rest,
+// because a page of many lines takes longer than a frame.
+
+import type { Region, Sheet } from "./sheet";
+
+const rest = 160; // ms
+const mostPixels = 16e6;
+/** A share of the view that is drawn beyond each of its sides, so that small moves need nothing new. */
+const margin = 0.25;
+
+export interface Detail {
+  bitmap: ImageBitmap;
+  region: Region;
+  /** Pixels of the bitmap per pixel of the picture. */
+  scale: number;
+}
+
+const right = ({ left, width }: Region) => left + width;
+const lower = ({ upper, height }: Region) => upper + height;
+
+function common(a: Region, b: Region): Region | null {
+  const left = Math.max(a.left, b.left);
+  const upper = Math.max(a.upper, b.upper);
+  const width = Math.min(right(a), right(b)) - left;
+  const height = Math.min(lower(a), lower(b)) - upper;
+  return width > 0 && height > 0 ? { left, upper, width, height } : null;
+}
+
+const holds = (a: Region, b: Region): boolean =>
+  a.left <= b.left && a.upper <= b.upper && right(a) >= right(b) && lower(a) >= lower(b);
+
+export class DetailView {
+  now: Detail | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private isBusy = false;
+  private isClosed = false;
+
+  /** `onDrawn`: there is a new part. */
+  constructor(
+    private readonly sheet: Sheet,
+    private readonly onDrawn: () => void,
+  ) {}
+
+  /** The view shows a region, and `scale` of its pixels for each pixel of the picture. */
+  show(view: Region, scale: number): void {
+    clearTimeout(this.timer);
+    const [width, height] = this.sheet.size;
+    const whole = { left: 0, upper: 0, width, height };
+    const seen = common(view, whole);
+    if (!seen || this.isClosed) return;
+    const { now } = this;
+    if (now && holds(now.region, seen) && now.scale >= 0.9 * scale && now.scale <= 3 * scale) return;
+    this.timer = setTimeout(() => {
+      if (this.isBusy) return this.show(view, scale);
+      const [u, v] = [margin * view.width, margin * view.height];
+      const wide = {
+        left: view.left - u,
+        upper: view.upper - v,
+        width: view.width + 2 * u,
+        height: view.height + 2 * v,
+      };
+      void this.draw(common(wide, whole) ?? seen, scale);
+    }, rest);
+  }
+
+  private async draw(region: Region, wanted: number): Promise<void> {
+    const scale = Math.min(wanted, Math.sqrt(mostPixels / (region.width * region.height)));
+    this.isBusy = true;
+    try {
+      const bitmap = await this.sheet.render(region, scale);
+      this.now?.bitmap.close();
+      this.now = null;
+      if (this.isClosed) bitmap.close();
+      else this.now = { bitmap, region, scale };
+      this.onDrawn();
+    } catch {
+      // The whole page stays as it is.
+    } finally {
+      this.isBusy = false;
+    }
+  }
+
+  close(): void {
+    this.isClosed = true;
+    clearTimeout(this.timer);
+    this.now?.bitmap.close();
+    this.now = null;
+  }
+}
