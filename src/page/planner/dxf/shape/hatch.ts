@@ -1,0 +1,111 @@
+// The boundary of a hatch: paths that are polylines or lists of edges.
+
+import type { Entity } from "../file/entity";
+import { radians, sweepOf } from "./angle";
+import type { Lines } from "./lines";
+import { Polyline } from "./polyline";
+import { drawSpline } from "./spline";
+
+/** The groups of an edge. */
+class Edge {
+  private readonly values = new Map<number, number[]>();
+
+  add(code: number, value: number): void {
+    const known = this.values.get(code);
+    if (known) known.push(value);
+    else this.values.set(code, [value]);
+  }
+
+  all(code: number): number[] {
+    return this.values.get(code) ?? [];
+  }
+
+  number(code: number, otherwise = 0): number {
+    return this.all(code)[0] ?? otherwise;
+  }
+
+  point(code: number): [number, number] {
+    return [this.number(code), this.number(code + 10)];
+  }
+
+  points(code: number): [number, number][] {
+    const y = this.all(code + 10);
+    return this.all(code).map((x, k) => [x, y[k] ?? 0]);
+  }
+}
+
+function drawEdge(lines: Lines, edge: Edge): boolean {
+  const centre = edge.point(10);
+  const isBackward = edge.number(73, 1) === 0;
+  // Angles of edges that run clockwise are measured clockwise.
+  const from = radians(isBackward ? -edge.number(51) : edge.number(50));
+  const sweep = sweepOf(from, radians(isBackward ? -edge.number(50) : edge.number(51)));
+  switch (edge.number(72)) {
+    case 1:
+      lines.move(...centre);
+      lines.line(...edge.point(11));
+      return true;
+    case 2:
+      lines.circle(centre, edge.number(40), from, sweep);
+      return true;
+    case 3: {
+      const [x, y] = edge.point(11);
+      const ratio = edge.number(40, 1);
+      lines.arc(centre, [x, y], [-y * ratio, x * ratio], from, sweep);
+      return true;
+    }
+    case 4: {
+      const weights = edge.number(73, 0) === 0 ? [] : edge.all(42);
+      return drawSpline(lines, {
+        degree: edge.number(94),
+        knots: edge.all(40),
+        points: edge.points(10),
+        weights,
+      });
+    }
+    default:
+      return false;
+  }
+}
+
+/** False if a part of the boundary is not valid. */
+export function drawHatch(lines: Lines, { codes, numbers, count }: Entity): boolean {
+  let isValid = true;
+  let isInPaths = false;
+  let polyline: Polyline | null = null;
+  let edge: Edge | null = null;
+  let x = 0;
+  let isClosed = true;
+  const finish = (): void => {
+    polyline?.finish(isClosed);
+    if (edge && !drawEdge(lines, edge)) isValid = false;
+    polyline = edge = null;
+  };
+  const corner = (path: Polyline, code: number, value: number): void => {
+    if (code === 10) x = value;
+    else if (code === 20) path.add(x, value);
+    else if (code === 42) path.bend(value);
+    else if (code === 73) isClosed = value !== 0;
+  };
+  for (let k = 0; k < count; ++k) {
+    const [code, value] = [codes[k], numbers[k]];
+    // Style or pattern: the paths are over.
+    if (code === 75 || code === 76) break;
+    if (code === 91) isInPaths = true;
+    else if (!isInPaths) continue;
+    else if (code === 92) {
+      finish();
+      isClosed = true;
+      if ((value & 2) !== 0) polyline = new Polyline(lines);
+    } else if (polyline) corner(polyline, code, value);
+    else {
+      if (code === 72) {
+        finish();
+        edge = new Edge();
+      }
+      (edge as Edge | null)?.add(code, value);
+    }
+  }
+  finish();
+  return isValid;
+}
