@@ -21,7 +21,7 @@ const units: ReadonlyMap<string, Unit> = new Map([
   ["mm", { factor: 0.001, isImperial: false, rarity: 0 }],
   ["m", { factor: 1, isImperial: false, rarity: 0.2 }],
   ["in", { factor: 0.0254, isImperial: true, rarity: 0.3 }],
-  ["cm", { factor: 0.01, isImperial: false, rarity: 1.5 }],
+  ["cm", { factor: 0.01, isImperial: false, rarity: 1 }],
   ["ft", { factor: 0.3048, isImperial: true, rarity: 1.5 }],
 ]);
 const further: Readonly<Record<string, number>> = { dm: 0.1, km: 1000, yd: 0.9144, mi: 1609.344, dam: 10, hm: 100 };

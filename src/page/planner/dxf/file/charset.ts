@@ -20,6 +20,11 @@ const labels: Readonly<Record<string, string>> = {
   "950": "big5",
 };
 
+/** The characters 128 to 159 of Windows-1252, which some versions of Node.js do not decode. */
+const upper = "€\u0081‚ƒ„…†‡ˆ‰Š‹Œ\u008dŽ\u008f\u0090‘’“”•–—˜™š›œ\u009džŸ";
+const western = (text: string): string =>
+  text.replace(/[\u0080-\u009f]/g, (control) => upper[control.charCodeAt(0) - 128]);
+
 /** Null if there is none. */
 function decoderOf(page: string): TextDecoder | null {
   const name = page.toLowerCase().replace("_", "-");
@@ -61,7 +66,8 @@ export function charsetOf(version: string, page: string | null, onInvalid: () =>
       } catch {
         if (isUnicode) onInvalid();
       }
-    return single.decode(bytes);
+    const text = single.decode(bytes);
+    return single.encoding === "windows-1252" ? western(text) : text;
   };
   return { decode, isKnown: isUnicode || page === null || declared !== null };
 }

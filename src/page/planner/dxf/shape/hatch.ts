@@ -34,34 +34,32 @@ class Edge {
   }
 }
 
+/** From the angle of a point of an ellipse to the angle of its point on the circle about it. */
+const parameterOf = (angle: number, ratio: number): number => Math.atan2(Math.sin(angle) / ratio, Math.cos(angle));
+
 function drawEdge(lines: Lines, edge: Edge): boolean {
-  const centre = edge.point(10);
   const isBackward = edge.number(73, 1) === 0;
   // Angles of edges that run clockwise are measured clockwise.
-  const from = radians(isBackward ? -edge.number(51) : edge.number(50));
-  const sweep = sweepOf(from, radians(isBackward ? -edge.number(50) : edge.number(51)));
+  const [from, to] = isBackward ? [-edge.number(51), -edge.number(50)] : [edge.number(50), edge.number(51)];
+  const [start, end] = [radians(from), radians(to)];
   switch (edge.number(72)) {
     case 1:
-      lines.move(...centre);
+      lines.move(...edge.point(10));
       lines.line(...edge.point(11));
       return true;
     case 2:
-      lines.circle(centre, edge.number(40), from, sweep);
+      lines.circle(edge.point(10), edge.number(40), start, sweepOf(start, end));
       return true;
     case 3: {
       const [x, y] = edge.point(11);
       const ratio = edge.number(40, 1);
-      lines.arc(centre, [x, y], [-y * ratio, x * ratio], from, sweep);
+      const first = parameterOf(start, ratio);
+      lines.arc(edge.point(10), [x, y], [-y * ratio, x * ratio], first, sweepOf(first, parameterOf(end, ratio)));
       return true;
     }
     case 4: {
       const weights = edge.number(73, 0) === 0 ? [] : edge.all(42);
-      return drawSpline(lines, {
-        degree: edge.number(94),
-        knots: edge.all(40),
-        points: edge.points(10),
-        weights,
-      });
+      return drawSpline(lines, { degree: edge.number(94), knots: edge.all(40), points: edge.points(10), weights });
     }
     default:
       return false;
