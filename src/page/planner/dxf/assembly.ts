@@ -13,11 +13,12 @@ import { directed, identity, mapped, type Matrix } from "./shape/matrix";
 const farthest = 1000;
 const mostSamples = 20_000;
 
-const everywhere: Bounds = { lower: [-Infinity, -Infinity], upper: [Infinity, Infinity] };
+/** As far as 32 bits reach, with room to spare for differences. */
+const everywhere: Bounds = { lower: [-1e30, -1e30], upper: [1e30, 1e30] };
 
-/** False, too, for numbers that are not finite. */
+/** False, too, for what is no number. */
 const isWithin = ({ lower, upper }: Bounds, x: number, y: number): boolean =>
-  x >= lower[0] && x <= upper[0] && y >= lower[1] && y <= upper[1] && Math.abs(x) + Math.abs(y) < Infinity;
+  x >= lower[0] && x <= upper[0] && y >= lower[1] && y <= upper[1];
 
 function wider({ lower, upper }: Bounds): Bounds {
   const size = Math.max(upper[0] - lower[0], upper[1] - lower[1]);

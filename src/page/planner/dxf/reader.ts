@@ -13,7 +13,7 @@ import { Layers } from "./layers";
 import { Notes } from "./notes";
 import { Lines } from "./shape/lines";
 
-/** A circle of 157, 50 or 16 lines. */
+/** A circle of 158, 50 or 16 lines. */
 const shares: readonly number[] = [5000, 500, 50];
 /** Of files with more lines than this, a second reading takes too long. */
 const mostReadAgain = 500_000;

@@ -48,10 +48,11 @@ export function proposedUnit(drawing: DxfDrawing): ProposedUnit {
   if (named !== null && factor !== undefined && isPlausible(factor) && !isContradicted)
     return { unit: named, why: "header" };
 
+  const system = isInFeet ? "imperial" : measurement;
   const misfit = ({ factor, isImperial, rarity }: Unit): number => {
-    const isOther = measurement !== null && (measurement === "imperial") !== isImperial;
     const distance = size > 0 ? Math.abs(Math.log((size * factor) / usual)) : 0;
-    return distance + rarity + (isOther ? 1 : 0) + (isInFeet && !isImperial ? 3 : 0) + (isPlausible(factor) ? 0 : 10);
+    const isOther = system !== null && (system === "imperial") !== isImperial;
+    return distance + rarity + (isOther ? 3 : 0) + (isPlausible(factor) ? 0 : 10);
   };
   const [unit] = [...units].reduce((best, one) => (misfit(one[1]) < misfit(best[1]) ? one : best));
   return { unit, why: isInFeet && units.get(unit)?.isImperial ? "texts" : "size" };
