@@ -39,11 +39,10 @@ function drawFace(lines: Lines, entity: Entity, order: readonly number[]): void 
 /** Each element of a multiline crosses the mitre of each vertex at some distance from the vertex. */
 function drawMultiline(lines: Lines, entity: Entity): void {
   const elements: [number, number][][] = [];
-  let [x, y, mitreX, mitreY, element] = [0, 0, 0, 0, -1];
-  let isFirst = false;
+  let [x, y, mitreX, mitreY, element, isFirst] = [0, 0, 0, 0, -1, false];
   for (let k = 0; k < entity.count; ++k) {
     const [code, value] = [entity.codes[k], entity.numbers[k]];
-    if (code === 11) [x, element] = [value, -1];
+    if (code === 11) [x, element, isFirst] = [value, -1, false];
     else if (code === 21) y = value;
     else if (code === 13) mitreX = value;
     else if (code === 23) mitreY = value;
