@@ -6,7 +6,8 @@ from ezdxf.math import OCS, Vec3
 
 def new(version="R2010"):
     doc = ezdxf.new(version)
-    doc.units = 0
+    if version != "R12":
+        doc.units = 0
     for name in ("WALL", "ROUND", "FILL", "TEXT", "SHELF"):
         doc.layers.new(name)
     return doc

@@ -46,14 +46,14 @@ export class Contents {
     lines.block = block.name;
     block.lines[0] = lines.count;
     block.outlines[0] = lines.outlines.length;
-    while (!groups.isAt(end) && !groups.isAt("ENDSEC") && !groups.isAt("EOF")) this.readEntity(block);
+    for (let type = groups.name(); type !== end && type !== "ENDSEC" && type !== "EOF"; type = groups.name())
+      this.readEntity(block, type);
     block.lines[1] = lines.count;
     block.outlines[1] = lines.outlines.length;
   }
 
-  private readEntity(block: Block): void {
+  private readEntity(block: Block, type: string): void {
     const { groups, entity, notes } = this;
-    const type = groups.name();
     entity.read(groups, isDrawn(type));
     if (silent.has(type)) return;
     const isShown = this.isShown();

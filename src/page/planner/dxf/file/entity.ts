@@ -23,7 +23,8 @@ export class Entity {
     this.type = groups.name();
     this.layer = "0";
     this.isInvisible = this.isInPaperSpace = false;
-    this.count = this.texts.length = 0;
+    this.count = 0;
+    if (this.texts.length > 0) this.texts.length = 0;
     let isEmbedded = false;
     for (groups.advance(); groups.code !== 0; groups.advance()) {
       const { code } = groups;
