@@ -13,6 +13,9 @@ import { combined, directed, identity, type Matrix, mapped, placed } from "./sha
 import { Polyline } from "./shape/polyline";
 import { type Lettering, letteringOf, paragraphsOf } from "./shape/lettering";
 
+/** What ends the entities of a section, and of a block. */
+export const sectionEnds: ReadonlySet<string> = new Set(["ENDSEC", "EOF"]);
+export const blockEnds: ReadonlySet<string> = new Set([...sectionEnds, "ENDBLK", "BLOCK"]);
 /** Neither drawn nor worth a note. */
 const silent: ReadonlySet<string> = new Set(["SEQEND", "POINT", "VERTEX"]);
 const dimensions: ReadonlySet<string> = new Set(["DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION"]);
@@ -40,14 +43,13 @@ export class Contents {
     private readonly classes: readonly string[],
   ) {}
 
-  /** Adds entities to a block up to a group 0 of this type. */
-  read(block: Block, end: string): void {
+  /** Adds the entities up to one of the ends. */
+  read(block: Block, ends: ReadonlySet<string>): void {
     const { groups, lines } = this;
     lines.block = block.name;
     block.lines[0] = lines.count;
     block.outlines[0] = lines.outlines.length;
-    for (let type = groups.name(); type !== end && type !== "ENDSEC" && type !== "EOF"; type = groups.name())
-      this.readEntity(block, type);
+    for (let type = groups.name(); !ends.has(type); type = groups.name()) this.readEntity(block, type);
     block.lines[1] = lines.count;
     block.outlines[1] = lines.outlines.length;
   }

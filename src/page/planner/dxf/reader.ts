@@ -2,7 +2,7 @@
 
 import { assemble } from "./assembly";
 import { type Block, emptyBlock, linkBlocks, modelSpace } from "./blocks";
-import { Contents } from "./contents";
+import { blockEnds, Contents, sectionEnds } from "./contents";
 import { type DxfDrawing, type DxfLimits, dxfLimits } from "./drawing";
 import { DxfError } from "./error";
 import { charsetOf } from "./file/charset";
@@ -104,7 +104,7 @@ class Reader {
     while (groups.code !== 0) groups.advance();
     while (!groups.isAt("ENDSEC")) {
       if (groups.isAt("EOF")) throw new DxfError("truncated", { line: groups.line });
-      if (section === "ENTITIES") this.contents.read(this.model, "ENDSEC");
+      if (section === "ENTITIES") this.contents.read(this.model, sectionEnds);
       else if (section === "BLOCKS" && groups.isAt("BLOCK")) this.readBlock();
       else if (section === "TABLES" || section === "CLASSES") this.readEntry();
       else this.skipEntity();
@@ -130,7 +130,7 @@ class Reader {
     const block = emptyBlock(entity.text(2));
     block.base = entity.point(10);
     if ((entity.number(70) & 4) !== 0) this.notes.add("xref", entity.text(1) || block.name);
-    this.contents.read(block, "ENDBLK");
+    this.contents.read(block, blockEnds);
     this.blocks.set(block.name.toUpperCase(), block);
   }
 }

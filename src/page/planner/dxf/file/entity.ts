@@ -2,20 +2,17 @@
 
 import { identity, type Matrix, ocsMatrix } from "../shape/matrix";
 import type { Groups } from "./groups";
+import { Numbers } from "./numbers";
 
 /** Of the groups that the reader uses. */
 const isNumber = (code: number): boolean =>
   code < 100 ? (code >= 10 && code < 80) || code >= 90 : (code >= 210 && code <= 230) || code === 420;
 
-export class Entity {
+export class Entity extends Numbers {
   type = "";
   layer = "0";
   isInvisible = false;
   isInPaperSpace = false;
-  /** The numbers in the order of the file. */
-  count = 0;
-  codes = new Uint16Array(64);
-  numbers = new Float64Array(64);
   private readonly texts: { code: number; text: string }[] = [];
 
   /** Reads up to the next group 0. `isDrawn`: whether its numbers matter. */
@@ -23,7 +20,7 @@ export class Entity {
     this.type = groups.name();
     this.layer = "0";
     this.isInvisible = this.isInPaperSpace = false;
-    this.count = 0;
+    this.clear();
     if (this.texts.length > 0) this.texts.length = 0;
     let isEmbedded = false;
     for (groups.advance(); groups.code !== 0; groups.advance()) {
@@ -38,44 +35,6 @@ export class Entity {
         this.texts.push({ code, text: code === 2 ? groups.name() : groups.text() });
       else if (isDrawn && isNumber(code)) this.add(code, groups.number());
     }
-  }
-
-  private add(code: number, value: number): void {
-    if (this.count === this.codes.length) {
-      const [codes, numbers] = [this.codes, this.numbers];
-      this.codes = new Uint16Array(2 * this.count);
-      this.codes.set(codes);
-      this.numbers = new Float64Array(2 * this.count);
-      this.numbers.set(numbers);
-    }
-    this.codes[this.count] = code;
-    this.numbers[this.count++] = value;
-  }
-
-  /** The first number with a code. */
-  number(code: number, otherwise = 0): number {
-    for (let k = 0; k < this.count; ++k) if (this.codes[k] === code) return this.numbers[k];
-    return otherwise;
-  }
-
-  has(code: number): boolean {
-    return !Number.isNaN(this.number(code, Number.NaN));
-  }
-
-  point(code: number): [number, number] {
-    return [this.number(code), this.number(code + 10)];
-  }
-
-  all(code: number): number[] {
-    const found: number[] = [];
-    for (let k = 0; k < this.count; ++k) if (this.codes[k] === code) found.push(this.numbers[k]);
-    return found;
-  }
-
-  /** All points with a code. */
-  points(code: number): [number, number][] {
-    const y = this.all(code + 10);
-    return this.all(code).map((x, k) => [x, y[k] ?? 0]);
   }
 
   text(code: number): string {

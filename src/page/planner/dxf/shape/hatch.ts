@@ -1,43 +1,15 @@
 // The boundary of a hatch: paths that are polylines or lists of edges.
 
-import type { Entity } from "../file/entity";
+import { Numbers } from "../file/numbers";
 import { radians, sweepOf } from "./angle";
 import type { Lines } from "./lines";
 import { Polyline } from "./polyline";
 import { drawSpline } from "./spline";
 
-/** The groups of an edge. */
-class Edge {
-  private readonly values = new Map<number, number[]>();
-
-  add(code: number, value: number): void {
-    const known = this.values.get(code);
-    if (known) known.push(value);
-    else this.values.set(code, [value]);
-  }
-
-  all(code: number): number[] {
-    return this.values.get(code) ?? [];
-  }
-
-  number(code: number, otherwise = 0): number {
-    return this.all(code)[0] ?? otherwise;
-  }
-
-  point(code: number): [number, number] {
-    return [this.number(code), this.number(code + 10)];
-  }
-
-  points(code: number): [number, number][] {
-    const y = this.all(code + 10);
-    return this.all(code).map((x, k) => [x, y[k] ?? 0]);
-  }
-}
-
 /** From the angle of a point of an ellipse to the angle of its point on the circle about it. */
 const parameterOf = (angle: number, ratio: number): number => Math.atan2(Math.sin(angle) / ratio, Math.cos(angle));
 
-function drawEdge(lines: Lines, edge: Edge): boolean {
+function drawEdge(lines: Lines, edge: Numbers): boolean {
   const isBackward = edge.number(73, 1) === 0;
   // Angles of edges that run clockwise are measured clockwise.
   const [from, to] = isBackward ? [-edge.number(51), -edge.number(50)] : [edge.number(50), edge.number(51)];
@@ -67,17 +39,18 @@ function drawEdge(lines: Lines, edge: Edge): boolean {
 }
 
 /** False if a part of the boundary is not valid. */
-export function drawHatch(lines: Lines, { codes, numbers, count }: Entity): boolean {
+export function drawHatch(lines: Lines, { codes, numbers, count }: Numbers): boolean {
   let isValid = true;
   let isInPaths = false;
   let polyline: Polyline | null = null;
-  let edge: Edge | null = null;
+  const edge = new Numbers();
   let x = 0;
   let isClosed = true;
   const finish = (): void => {
     polyline?.finish(isClosed);
-    if (edge && !drawEdge(lines, edge)) isValid = false;
-    polyline = edge = null;
+    if (edge.count > 0 && !drawEdge(lines, edge)) isValid = false;
+    polyline = null;
+    edge.clear();
   };
   const corner = (path: Polyline, code: number, value: number): void => {
     if (code === 10) x = value;
@@ -97,11 +70,8 @@ export function drawHatch(lines: Lines, { codes, numbers, count }: Entity): bool
       if ((value & 2) !== 0) polyline = new Polyline(lines);
     } else if (polyline) corner(polyline, code, value);
     else {
-      if (code === 72) {
-        finish();
-        edge = new Edge();
-      }
-      (edge as Edge | null)?.add(code, value);
+      if (code === 72) finish();
+      if (code === 72 || edge.count > 0) edge.add(code, value);
     }
   }
   finish();
