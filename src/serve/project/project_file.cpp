@@ -26,8 +26,19 @@ struct Format {
   std::optional<ImageSize> (*size)(std::string_view);  // of pictures
 };
 
-const std::array<Format, 4>& formats() {
-  static const std::array<Format, 4> all{
+// DXF as text begins with group 0, perhaps after comments of group 999.
+bool is_dxf(std::string_view file) {
+  if (file.starts_with("\xef\xbb\xbf")) file.remove_prefix(3);
+  if (file.substr(0, 4096).find('\0') != std::string_view::npos) return false;
+  const std::string_view first = file.substr(0, file.find_first_of("\r\n"));
+  const std::size_t from = first.find_first_not_of(" \t");
+  if (from == std::string_view::npos || first.size() == file.size()) return false;
+  const std::string_view code = first.substr(from, first.find_last_not_of(" \t") + 1 - from);
+  return code == "0" || code == "999";
+}
+
+const std::array<Format, 5>& formats() {
+  static const std::array<Format, 5> all{
       {{"a PNG picture",
         "image/png",
         {".png"},
@@ -49,7 +60,8 @@ const std::array<Format, 4>& formats() {
         "application/pdf",
         {".pdf"},
         [](std::string_view file) { return file.starts_with("%PDF-"); },
-        nullptr}}};
+        nullptr},
+       {"a DXF file", "image/vnd.dxf", {".dxf"}, is_dxf, nullptr}}};
   return all;
 }
 
@@ -94,7 +106,7 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
     throw InputError("the name of the file", "is not of letters, digits, '.', '-' and '_'", "rename it");
   const Format* format = format_of(content);
   if (format == nullptr)
-    throw InputError(own, "is not a PNG, JPEG or WEBP picture or a PDF file",
+    throw InputError(own, "is not a PNG, JPEG or WEBP picture, a PDF or a DXF file",
                      "export the floor plan as one of these");
   if (!has_extension(*format, own))
     throw InputError(own, fmt::format("is {}", format->name),

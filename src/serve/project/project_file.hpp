@@ -15,12 +15,12 @@ struct ProjectFile {
 };
 
 /// Browsers show no larger pictures.
-inline constexpr std::uint64_t max_file_bytes = 64ULL << 20, max_picture_pixels = 100'000'000;
+inline constexpr std::uint64_t max_file_bytes = 200ULL << 20, max_picture_pixels = 100'000'000;
 
-/// Keeps the content of a PNG, JPEG, WEBP or PDF file in a folder, as `name` or, because a file never changes
-/// under its name, with a number in it if other content has the name. Throws InputError for a name that is
-/// not of letters, digits, '.', '-' and '_' with an extension of its format, and for pictures that are
-/// incomplete or too large.
+/// Keeps the content of a PNG, JPEG, WEBP, PDF or DXF file in a folder, as `name` or, because a file never
+/// changes under its name, with a number in it if other content has the name. Throws InputError for a name
+/// that is not of letters, digits, '.', '-' and '_' with an extension of its format, and for pictures that
+/// are incomplete or too large.
 ProjectFile keep_file(const std::filesystem::path& folder, std::string_view name, std::string_view content);
 
 struct StoredFile {

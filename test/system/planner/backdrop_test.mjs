@@ -301,7 +301,7 @@ testPlanner("picture: its panel", {}, async (tab, given) => {
 testPlanner("picture: all by keys", {}, async (tab) => {
   await serveFiles(tab);
   const chooser = tab.page.waitForEvent("filechooser");
-  await run(tab, "Choose a picture of the floor plan …");
+  await run(tab, "Choose a floor plan …");
   await (await chooser).setFiles({ name: "plan.png", mimeType: "image/png", buffer: plan });
   await tab.steps(1);
   await shown(tab);

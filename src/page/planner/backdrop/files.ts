@@ -9,17 +9,16 @@ export class NotAccepted extends Error {}
 
 const longestName = 60;
 
-export type Kind = "png" | "jpg" | "webp" | "pdf" | "page" | "other";
+export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "other";
 
-/** By its first bytes. `page`: a format of drawings that has to be exported as another. */
+/** By its first bytes. Binary DXF and DWG files count as DXF, whose reader names the remedy. */
 export function kindOf(bytes: Uint8Array): Kind {
   const words = String.fromCharCode(...bytes.subarray(0, 32));
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
   if (words.startsWith("\xff\xd8\xff")) return "jpg";
   if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
   if (words.startsWith("%PDF-")) return "pdf";
-  // DXF as text and as bytes, DWG
-  return /^(\s*(0|999)\r?\n|AutoCAD Binary DXF|AC10\d\d)/.test(words) ? "page" : "other";
+  return /^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words) ? "dxf" : "other";
 }
 
 /** A name that is safe in every file system. */
@@ -55,7 +54,6 @@ export async function contentOf(file: File): Promise<Given> {
   const bytes = await file.arrayBuffer().catch(() => new ArrayBuffer(0));
   if (bytes.byteLength === 0) throw new NotAccepted(say(text.picture.empty, file.name));
   const kind = kindOf(new Uint8Array(bytes));
-  if (kind === "page") throw new NotAccepted(text.picture.page);
   if (kind === "other") throw new NotAccepted(say(text.picture.other, file.name));
   return { name: file.name, kind, bytes };
 }

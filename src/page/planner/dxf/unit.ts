@@ -1,5 +1,6 @@
 // The unit of a drawing, which headers often name wrongly. A person confirms it.
 
+import { drawingUnits, factorOf } from "../geometry/units";
 import type { DxfDrawing } from "./drawing";
 import { bulkOf } from "./extents";
 
@@ -10,21 +11,18 @@ export interface ProposedUnit {
 }
 
 interface Unit {
-  /** m */
-  factor: number;
   isImperial: boolean;
   /** How rare it is in drawings of buildings: 0 is common. */
   rarity: number;
 }
 
 const units: ReadonlyMap<string, Unit> = new Map([
-  ["mm", { factor: 0.001, isImperial: false, rarity: 0 }],
-  ["m", { factor: 1, isImperial: false, rarity: 0.2 }],
-  ["in", { factor: 0.0254, isImperial: true, rarity: 0.3 }],
-  ["cm", { factor: 0.01, isImperial: false, rarity: 1 }],
-  ["ft", { factor: 0.3048, isImperial: true, rarity: 1.5 }],
+  ["mm", { isImperial: false, rarity: 0 }],
+  ["m", { isImperial: false, rarity: 0.2 }],
+  ["in", { isImperial: true, rarity: 0.3 }],
+  ["cm", { isImperial: false, rarity: 1 }],
+  ["ft", { isImperial: true, rarity: 1.5 }],
 ]);
-const further: Readonly<Record<string, number>> = { dm: 0.1, km: 1000, yd: 0.9144, mi: 1609.344, dam: 10, hm: 100 };
 
 const [smallest, usual, largest] = [3, 40, 1000];
 const feetAndInches = /^\d+'(-|\s|\d|$)/;
@@ -43,17 +41,19 @@ export function proposedUnit(drawing: DxfDrawing): ProposedUnit {
   const isInFeet = drawing.texts.filter(({ text }) => feetAndInches.test(text.trim())).length >= fewestTexts;
   const { unit: named, measurement } = drawing;
   const known = named === null ? undefined : units.get(named);
-  const factor = known?.factor ?? further[named ?? ""];
+  const factor = drawingUnits.get(named ?? "");
   const isContradicted = isInFeet && known?.isImperial === false;
   if (named !== null && factor !== undefined && isPlausible(factor) && !isContradicted)
     return { unit: named, why: "header" };
 
   const system = isInFeet ? "imperial" : measurement;
-  const misfit = ({ factor, isImperial, rarity }: Unit): number => {
+  const misfit = (name: string): number => {
+    const { isImperial, rarity } = units.get(name) as Unit;
+    const factor = factorOf(name);
     const distance = size > 0 ? Math.abs(Math.log((size * factor) / usual)) : 0;
     const isOther = system !== null && (system === "imperial") !== isImperial;
     return distance + rarity + (isOther ? 3 : 0) + (isPlausible(factor) ? 0 : 10);
   };
-  const [unit] = [...units].reduce((best, one) => (misfit(one[1]) < misfit(best[1]) ? one : best));
+  const [unit] = [...units.keys()].sort((a, b) => misfit(a) - misfit(b));
   return { unit, why: isInFeet && units.get(unit)?.isImperial ? "texts" : "size" };
 }

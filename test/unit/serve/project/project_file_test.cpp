@@ -94,6 +94,18 @@ TEST(ProjectFile, IsAPdf) {
   EXPECT_EQ(stored_file(folder.path(), "plan.PDF")->type, "application/pdf");
 }
 
+TEST(ProjectFile, IsADxf) {
+  const TempFolder folder;
+  for (const char* content : {"0\nSECTION\n", "  0\r\nSECTION\r\n",
+                              "\xef\xbb\xbf"
+                              "999\nmade by hand\n0\nSECTION\n"})
+    EXPECT_NE(keep_file(folder.path(), "plan.dxf", content).name, "") << content;
+  EXPECT_EQ(stored_file(folder.path(), "plan.dxf")->type, "image/vnd.dxf");
+  for (const char* content : {"0", "00\nSECTION\n", "AutoCAD Binary DXF\r\n", "AC1032"})
+    EXPECT_THROW(keep_file(folder.path(), "plan.dxf", content), InputError) << content;
+  EXPECT_THROW(keep_file(folder.path(), "plan.dxf", std::string("0\n\0", 3)), InputError);
+}
+
 TEST(ProjectFile, NeverChangesUnderItsName) {
   const TempFolder folder;
   EXPECT_EQ(keep_file(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
@@ -114,7 +126,7 @@ TEST(ProjectFile, IsRefusedWithTheReason) {
   refused("plan.jpg", png(1, 1), "plan.jpg: is a PNG picture; rename it to plan.png");
   refused("plan.pdf", png(1, 1), "plan.pdf: is a PNG picture; rename it to plan.png");
   refused("plan.png", "%PDF-1.7", "plan.png: is a PDF file; rename it to plan.pdf");
-  refused("plan.png", "", "is not a PNG, JPEG or WEBP picture or a PDF file");
+  refused("plan.png", "", "is not a PNG, JPEG or WEBP picture, a PDF or a DXF file");
   refused("plan.png", png(60'000, 60'000), "has 60000 x 60000 pixels; the maximum is 100 million pixels");
   refused("plan.webp", extended_webp(1 << 24, 1 << 24), "has 16777216 x 16777216 pixels");
   refused("plan.png", png(0, 5), "is incomplete or damaged");
