@@ -1,0 +1,74 @@
+#include "serve/live/file_facts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/device/photometry/photometry.hpp"
+#include "shelfbeam/math/box_index.hpp"
+#include "shelfbeam/scene/mesh/mesh_import.hpp"
+#include "shelfbeam/scene/store_folder.hpp"
+
+namespace shelfbeam::serve {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double radian = std::numbers::pi / 180;
+constexpr int step_deg = 5;
+
+// Intensities from the axis to the opposite direction, relative to the largest, in four half-planes C.
+Json shape_of(const DirectionTable& table, std::string_view type) {
+  const double peak = *std::ranges::max_element(table.values());
+  Json planes = Json::array();
+  for (const int c : {0, 90, 180, 270}) {
+    Json plane = Json::array();
+    for (int gamma = 0; gamma <= 180; gamma += step_deg)
+      plane.push_back(table.value(gamma * radian, c * radian) / peak);
+    planes.push_back(std::move(plane));
+  }
+  return {{"type", type}, {"step_deg", step_deg}, {"planes", std::move(planes)}};
+}
+
+Json size_of(const ImportedMesh& mesh) {
+  Bounds bounds;
+  Json materials = Json::array();
+  for (const MeshPiece& piece : mesh.pieces) {
+    for (const Vec3& vertex : piece.vertices) bounds.include(vertex);
+    const auto known = std::ranges::find_if(materials, [&](const Json& one) { return one["name"] == piece.name; });
+    if (known == materials.end())
+      materials.push_back({{"name", piece.name}, {"triangles", piece.triangles.size()}});
+    else
+      (*known)["triangles"] = (*known)["triangles"].get<std::size_t>() + piece.triangles.size();
+  }
+  const auto list = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
+  return {{"lower", list(bounds.low)}, {"upper", list(bounds.high)}, {"materials", std::move(materials)}};
+}
+
+}  // namespace
+
+Json facts_of_file(const fs::path& folder, const std::string& name, const StoreLimits& limits) {
+  const std::string extension = lower_case(fs::path(name).extension().string());
+  if (extension == ".ies") {
+    return {{"photometry", shape_of(parse_ies(read_file(folder / name, max_photometry_file), name), "ies")}};
+  }
+  if (extension == ".ldt") {
+    const std::string text = read_file(folder / name, max_photometry_file);
+    return {{"photometry", shape_of(parse_eulumdat(text, name), "eulumdat")}};
+  }
+  constexpr std::array<std::string_view, 5> meshes{".glb", ".gltf", ".obj", ".stl", ".ply"};
+  if (std::ranges::find(meshes, extension) == meshes.end()) return Json::object();
+  // As the file has it: z is up unless the format says otherwise.
+  const ImportedMesh mesh = import_mesh(name, StoreFolder(folder, limits), {}, {{"*", MaterialId{0}}}, name);
+  return {{"mesh", size_of(mesh)}};
+}
+
+}  // namespace shelfbeam::serve
