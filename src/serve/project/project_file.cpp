@@ -24,10 +24,19 @@ struct Format {
   std::vector<std::string_view> extensions;
   bool (*matches)(std::string_view);
   std::optional<ImageSize> (*size)(std::string_view);  // of pictures
+  bool is_text = false;                                // the content alone does not show the format
 };
 
-const std::array<Format, 4>& formats() {
-  static const std::array<Format, 4> all{
+bool is_text(std::string_view content) {
+  const auto is_control = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte == 0x7f || (byte < 0x20 && c != '\t' && c != '\n' && c != '\r');
+  };
+  return !content.empty() && std::ranges::none_of(content, is_control) && is_utf8(content);
+}
+
+const std::array<Format, 5>& formats() {
+  static const std::array<Format, 5> all{
       {{"a PNG picture",
         "image/png",
         {".png"},
@@ -49,17 +58,20 @@ const std::array<Format, 4>& formats() {
         "application/pdf",
         {".pdf"},
         [](std::string_view file) { return file.starts_with("%PDF-"); },
-        nullptr}}};
+        nullptr},
+       {"a CSV file", "text/csv", {".csv"}, is_text, nullptr, true}}};
   return all;
-}
-
-const Format* format_of(std::string_view content) {
-  const auto found = std::ranges::find_if(formats(), [&](const Format& one) { return one.matches(content); });
-  return found == formats().end() ? nullptr : &*found;
 }
 
 bool has_extension(const Format& format, std::string_view name) {
   return std::ranges::count(format.extensions, lower_case(fs::path(name).extension().string())) > 0;
+}
+
+const Format* format_of(std::string_view name, std::string_view content) {
+  const auto found = std::ranges::find_if(formats(), [&](const Format& one) {
+    return (!one.is_text || has_extension(one, name)) && one.matches(content);
+  });
+  return found == formats().end() ? nullptr : &*found;
 }
 
 bool is_plain(std::string_view name) {
@@ -92,10 +104,10 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
   const std::string own(name);
   if (!is_plain(own))
     throw InputError("the name of the file", "is not of letters, digits, '.', '-' and '_'", "rename it");
-  const Format* format = format_of(content);
+  const Format* format = format_of(own, content);
   if (format == nullptr)
-    throw InputError(own, "is not a PNG, JPEG or WEBP picture or a PDF file",
-                     "export the floor plan as one of these");
+    throw InputError(own, "is not a PNG, JPEG or WEBP picture, a PDF file or a CSV file in UTF-8",
+                     "export it as one of these");
   if (!has_extension(*format, own))
     throw InputError(own, fmt::format("is {}", format->name),
                      fmt::format("rename it to {}{}", fs::path(own).stem().string(), format->extensions[0]));
@@ -117,7 +129,7 @@ std::optional<StoredFile> stored_file(const fs::path& folder, std::string_view n
   if (!is_plain(name)) return {};
   try {
     auto file = read_regular_file(folder / name, max_file_bytes);
-    const Format* format = file ? format_of(file->content) : nullptr;
+    const Format* format = file ? format_of(name, file->content) : nullptr;
     if (format == nullptr || !has_extension(*format, name)) return {};
     return StoredFile{format->type, std::move(file->content)};
   } catch (const InputError&) {  // a link, a folder, or a file that is too large
