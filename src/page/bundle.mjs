@@ -42,13 +42,15 @@ await build({
 });
 for (const name of ["index.html", "icon.svg"]) copyFileSync(join(home, "planner", name), join(folder, name));
 
-// Formats of floor plans are loaded with the first file that needs them.
+// Readers of formats are loaded with the first file that needs them.
 await build({
   ...common,
-  entryPoints: { pdf: join(home, "planner/pdf/pdf.ts") },
+  entryPoints: {
+    "pdf/pdf": join(home, "planner/pdf/pdf.ts"),
+    "table/table": join(home, "planner/importing/module.ts"),
+  },
   format: "esm",
-  entryNames: "[name]",
-  outdir: join(folder, "pdf"),
+  outdir: folder,
 });
 const reader = dirname(createRequire(`${packages}/`).resolve("pdfjs-dist/package.json"));
 copyFileSync(join(reader, "legacy/build/pdf.worker.min.mjs"), join(folder, "pdf/worker.js"));

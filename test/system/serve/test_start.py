@@ -261,9 +261,7 @@ class Address(ServeTest):
             ("plan.png", picture[:-5]),
             ("plan.pdf", b"<script>alert(1)</script>"),
             ("plan.html", b"%PDF-1.7"),
-            ("labels.csv", b"id,x\0"),
-            ("labels.csv", "Brötchen".encode("latin-1")),
-            ("labels.html", b"id,x"),
+            ("labels.csv", b"Br\xf6tchen,1"),
         ):
             answer = put(name, body)
             self.assertEqual(answer.status, 422, name)

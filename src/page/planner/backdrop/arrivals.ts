@@ -1,4 +1,5 @@
-// A picture of the floor plan comes from a file dialog, from files that are dragged over the page, or from the clipboard.
+// A picture of the floor plan or a table comes from a file dialog, from files that are dragged over the page, or from the
+// clipboard.
 
 import { button, element } from "../../panel/dom";
 import { openDialog } from "../access/dialog";
@@ -9,6 +10,7 @@ import type { Drawing } from "./drawing";
 import { editDrawing } from "./edits";
 import { choosePage } from "../sheet/page_choice";
 import { openPdf, pageOf, Unreadable } from "../sheet/open";
+import { openTable } from "../table/open";
 import { contentOf, NotAccepted, upload, uploadPicture, type Given } from "./files";
 import { replacedBy } from "./transform";
 
@@ -43,10 +45,10 @@ export class Arrivals {
     });
   }
 
-  choose(): void {
+  choose(accept = "image/png,image/jpeg,image/webp,application/pdf"): void {
     const input = element("input", {
       type: "file",
-      accept: "image/png,image/jpeg,image/webp,application/pdf",
+      accept,
       on: {
         change: () => {
           const [file] = input.files ?? [];
@@ -57,7 +59,11 @@ export class Arrivals {
     input.click();
   }
 
-  /** Adds or replaces the picture. */
+  chooseTable(): void {
+    this.choose(".csv,.tsv,.txt,text/csv,text/tab-separated-values");
+  }
+
+  /** Adds or replaces the picture, or imports a table. */
   async take(file: File): Promise<void> {
     const { planner } = this;
     if (planner.document.locked) planner.say(text.why_not.locked, true);
@@ -65,6 +71,10 @@ export class Arrivals {
     this.isBusy = true;
     try {
       const given = await contentOf(file);
+      if (given.kind === "csv") {
+        await openTable(planner, given, this.address);
+        return;
+      }
       const wanted = planner.drawing ? await askToReplace() : "add";
       if (wanted === null) return;
       planner.say(say(text.picture.uploading, file.name));
