@@ -42,10 +42,14 @@ await build({
 });
 for (const name of ["index.html", "icon.svg"]) copyFileSync(join(home, "planner", name), join(folder, name));
 
-// Formats of floor plans are loaded with the first file that needs them.
+// Readers of formats are loaded with the first file that needs them.
 await build({
   ...common,
-  entryPoints: { "pdf/pdf": join(home, "planner/pdf/pdf.ts"), "dxf/worker": join(home, "planner/dxf/show/worker.ts") },
+  entryPoints: {
+    "pdf/pdf": join(home, "planner/pdf/pdf.ts"),
+    "dxf/worker": join(home, "planner/dxf/show/worker.ts"),
+    "table/table": join(home, "planner/importing/module.ts"),
+  },
   format: "esm",
   outdir: folder,
 });

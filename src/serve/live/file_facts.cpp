@@ -43,7 +43,8 @@ Json size_of(const ImportedMesh& mesh) {
   Json materials = Json::array();
   for (const MeshPiece& piece : mesh.pieces) {
     for (const Vec3& vertex : piece.vertices) bounds.include(vertex);
-    const auto known = std::ranges::find_if(materials, [&](const Json& one) { return one["name"] == piece.name; });
+    const auto known =
+        std::ranges::find_if(materials, [&](const Json& one) { return one["name"] == piece.name; });
     if (known == materials.end())
       materials.push_back({{"name", piece.name}, {"triangles", piece.triangles.size()}});
     else

@@ -24,6 +24,7 @@ struct Format {
   std::vector<std::string_view> extensions;
   bool (*matches)(std::string_view);
   std::optional<ImageSize> (*size)(std::string_view);  // of pictures
+  bool is_by_name = false;                             // the content alone does not show the format
 };
 
 // DXF as text begins with group 0, perhaps after comments of group 999.
@@ -37,8 +38,21 @@ bool is_dxf(std::string_view file) {
   return code == "0" || code == "999";
 }
 
-const std::array<Format, 5>& formats() {
-  static const std::array<Format, 5> all{
+bool is_text(std::string_view content) {
+  const auto is_control = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte == 0x7f || (byte < 0x20 && c != '\t' && c != '\n' && c != '\r');
+  };
+  return !content.empty() && std::ranges::none_of(content, is_control) && is_utf8(content);
+}
+
+// Readers of the library check the rest.
+bool has_content(std::string_view content) {
+  return !content.empty();
+}
+
+const std::array<Format, 12>& formats() {
+  static const std::array<Format, 12> all{
       {{"a PNG picture",
         "image/png",
         {".png"},
@@ -61,17 +75,33 @@ const std::array<Format, 5>& formats() {
         {".pdf"},
         [](std::string_view file) { return file.starts_with("%PDF-"); },
         nullptr},
-       {"a DXF file", "image/vnd.dxf", {".dxf"}, is_dxf, nullptr}}};
+       {"a DXF file", "image/vnd.dxf", {".dxf"}, is_dxf, nullptr},
+       {"a binary glTF file",
+        "model/gltf-binary",
+        {".glb"},
+        [](std::string_view file) { return file.starts_with("glTF"); },
+        nullptr},
+       {"a CSV file", "text/csv", {".csv"}, is_text, nullptr, true},
+       {"an IES file", "text/plain", {".ies"}, has_content, nullptr, true},
+       {"a EULUMDAT file", "text/plain", {".ldt"}, has_content, nullptr, true},
+       {"an OBJ file", "model/obj", {".obj"}, has_content, nullptr, true},
+       {"an STL file", "model/stl", {".stl"}, has_content, nullptr, true},
+       {"a PLY file", "application/octet-stream", {".ply"}, has_content, nullptr, true}}};
   return all;
-}
-
-const Format* format_of(std::string_view content) {
-  const auto found = std::ranges::find_if(formats(), [&](const Format& one) { return one.matches(content); });
-  return found == formats().end() ? nullptr : &*found;
 }
 
 bool has_extension(const Format& format, std::string_view name) {
   return std::ranges::count(format.extensions, lower_case(fs::path(name).extension().string())) > 0;
+}
+
+const Format* format_of(std::string_view name, std::string_view content) {
+  const auto matches = [&](const Format& one) { return one.matches(content); };
+  const auto named = [&](const Format& one) { return has_extension(one, name) && matches(one); };
+  auto found = std::ranges::find_if(formats(), named);
+  if (found == formats().end())
+    found =
+        std::ranges::find_if(formats(), [&](const Format& one) { return !one.is_by_name && matches(one); });
+  return found == formats().end() ? nullptr : &*found;
 }
 
 bool is_plain(std::string_view name) {
@@ -104,10 +134,12 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
   const std::string own(name);
   if (!is_plain(own))
     throw InputError("the name of the file", "is not of letters, digits, '.', '-' and '_'", "rename it");
-  const Format* format = format_of(content);
+  const Format* format = format_of(own, content);
   if (format == nullptr)
-    throw InputError(own, "is not a PNG, JPEG or WEBP picture, a PDF or a DXF file",
-                     "export the floor plan as one of these");
+    throw InputError(
+        own, "is no file that the planner can use",
+        "choose a picture (PNG, JPEG, WEBP), a drawing (PDF, DXF), a table (CSV), an emission profile (IES, "
+        "LDT) or a mesh (GLB, OBJ, STL, PLY)");
   if (!has_extension(*format, own))
     throw InputError(own, fmt::format("is {}", format->name),
                      fmt::format("rename it to {}{}", fs::path(own).stem().string(), format->extensions[0]));
@@ -115,13 +147,15 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
   for (int number = 1;; ++number) {
     std::string free = numbered(own, number);
     const fs::path path = folder / free;
-    if (stamp_of(path)) {
+    const bool is_new = !stamp_of(path);
+    if (!is_new) {
       const auto known = stored_file(folder, free);
       if (!known || known->content != content) continue;
     } else {
       write_file(path, content);
     }
-    return {std::move(free), static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
+    return {std::move(free), static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height),
+            is_new};
   }
 }
 
@@ -129,7 +163,7 @@ std::optional<StoredFile> stored_file(const fs::path& folder, std::string_view n
   if (!is_plain(name)) return {};
   try {
     auto file = read_regular_file(folder / name, max_file_bytes);
-    const Format* format = file ? format_of(file->content) : nullptr;
+    const Format* format = file ? format_of(name, file->content) : nullptr;
     if (format == nullptr || !has_extension(*format, name)) return {};
     return StoredFile{format->type, std::move(file->content)};
   } catch (const InputError&) {  // a link, a folder, or a file that is too large

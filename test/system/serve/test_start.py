@@ -233,7 +233,7 @@ class Address(ServeTest):
         for file in files:
             self.assertEqual(self.answer(server.address, path + file).status, 200, file)
 
-    def test_only_floor_plans_are_uploaded(self):
+    def test_only_floor_plans_and_tables_are_uploaded(self):
         server = self.start()
         url = urllib.parse.urlsplit(server.address)
         origin = {"Origin": f"http://{url.netloc}"}
@@ -261,6 +261,7 @@ class Address(ServeTest):
             ("plan.png", picture[:-5]),
             ("plan.pdf", b"<script>alert(1)</script>"),
             ("plan.html", b"%PDF-1.7"),
+            ("labels.csv", b"Br\xf6tchen,1"),
         ):
             answer = put(name, body)
             self.assertEqual(answer.status, 422, name)
@@ -278,6 +279,12 @@ class Address(ServeTest):
         self.assertEqual((answer.status, json.loads(answer.read())), (201, {"file": "plan.pdf"}))
         sent = self.answer(server.address, url.path + "files/plan.pdf")
         self.assertEqual(sent.headers["Content-Type"], "application/pdf")
+        for body, name in ((b"id,x\n1,2\n", "labels.csv"), (b"id,x\n3,4\n", "labels-2.csv")):
+            answer = put("labels.csv", body)
+            self.assertEqual((answer.status, json.loads(answer.read())), (201, {"file": name}))
+            self.assertEqual((self.folder / name).read_bytes(), body)
+        sent = self.answer(server.address, url.path + "files/labels.csv")
+        self.assertEqual(sent.headers["Content-Type"], "text/csv")
         self.assertEqual(self.answer(server.address, url.path + "files/store.json").status, 404)
 
     def test_only_this_computer_by_default(self):

@@ -31,6 +31,7 @@ export interface Surroundings {
   zoom: (factor: number) => void;
   fit: () => void;
   choosePicture: () => void;
+  chooseTable: () => void;
   showField: (pointer: string) => void;
 }
 
@@ -240,7 +241,7 @@ function isRow({ selected }: Planner): boolean {
   return selected.length === 1 && row.kind === "fixture" && row.value.against === undefined;
 }
 
-function pictureCommands({ planner, choosePicture }: Surroundings): Command[] {
+function pictureCommands({ planner, choosePicture, chooseTable }: Surroundings): Command[] {
   const { document, look } = planner;
   const hasPicture = () => planner.drawing !== null && document.locked === null;
   const onPlan = { isEnabled: () => hasPicture() && planner.isPlan, why: () => text.why_not.picture };
@@ -248,6 +249,7 @@ function pictureCommands({ planner, choosePicture }: Surroundings): Command[] {
   const isOn = (name: "scale" | "check" | "crop") => () => planner.tool === name;
   return [
     command("picture", "choose_picture", [], choosePicture, { isEnabled: () => document.locked === null }),
+    command("edit", "choose_table", [], chooseTable, { isEnabled: () => document.locked === null }),
     command("picture", "picture", [], () => planner.openType(drawingPath), {
       isEnabled: () => planner.drawing !== null,
     }),

@@ -1,4 +1,5 @@
-// A picture of the floor plan comes from a file dialog, from files that are dragged over the page, or from the clipboard.
+// A picture of the floor plan or a table comes from a file dialog, from files that are dragged over the page, or from the
+// clipboard.
 
 import { button, element } from "../../panel/dom";
 import { openDialog } from "../access/dialog";
@@ -10,6 +11,7 @@ import { editDrawing } from "./edits";
 import { choosePage } from "../sheet/page_choice";
 import { chooseUnit } from "../sheet/unit_choice";
 import { openDxf, openPdf, pageOf, Unreadable } from "../sheet/open";
+import { openTable } from "../table/open";
 import { contentOf, NotAccepted, upload, uploadPicture, type Given } from "./files";
 import { replacedBy, type Source } from "./transform";
 
@@ -42,10 +44,10 @@ export class Arrivals {
     });
   }
 
-  choose(): void {
+  choose(accept = "image/png,image/jpeg,image/webp,application/pdf,.dxf"): void {
     const input = element("input", {
       type: "file",
-      accept: "image/png,image/jpeg,image/webp,application/pdf,.dxf",
+      accept,
       on: {
         change: () => {
           const [file] = input.files ?? [];
@@ -56,7 +58,11 @@ export class Arrivals {
     input.click();
   }
 
-  /** Adds or replaces the picture. */
+  chooseTable(): void {
+    this.choose(".csv,.tsv,.txt,text/csv,text/tab-separated-values");
+  }
+
+  /** Adds or replaces the picture, or imports a table. */
   async take(file: File): Promise<void> {
     const { planner } = this;
     if (planner.document.locked) planner.say(text.why_not.locked, true);
@@ -64,6 +70,10 @@ export class Arrivals {
     this.isBusy = true;
     try {
       const given = await contentOf(file);
+      if (given.kind === "csv") {
+        await openTable(planner, given, this.address);
+        return;
+      }
       const wanted = planner.drawing ? await askToReplace() : "add";
       if (wanted === null) return;
       planner.say(say(text.picture.uploading, file.name));

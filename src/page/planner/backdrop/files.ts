@@ -1,6 +1,7 @@
-// Files that people give as pictures of the floor plan: what they are, and their way to the program.
+// Files that people give as pictures of the floor plan or as tables: what they are, and their way to the program.
 
 import type { Point } from "../document/messages";
+import { isTable } from "../table/sniff";
 import { say, text } from "../text";
 import type { Drawing } from "./drawing";
 
@@ -9,16 +10,17 @@ export class NotAccepted extends Error {}
 
 const longestName = 60;
 
-export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "other";
+export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "csv" | "other";
 
-/** By its first bytes. Binary DXF and DWG files count as DXF, whose reader names the remedy. */
-export function kindOf(bytes: Uint8Array): Kind {
+/** By its first bytes. Binary DXF and DWG files count as DXF, whose reader names the remedy; `csv`: a table. */
+export function kindOf(bytes: Uint8Array, name = ""): Kind {
   const words = String.fromCharCode(...bytes.subarray(0, 32));
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
   if (words.startsWith("\xff\xd8\xff")) return "jpg";
   if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
   if (words.startsWith("%PDF-")) return "pdf";
-  return /^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words) ? "dxf" : "other";
+  if (/^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words)) return "dxf";
+  return isTable(name, bytes) ? "csv" : "other";
 }
 
 /** A name that is safe in every file system. */
@@ -31,7 +33,7 @@ export function nameFor(name: string, kind: Kind): string {
     .replace(/[^A-Za-z0-9._-]+/g, "-")
     .replace(/^[-.]+|[-.]+$/g, "")
     .slice(0, longestName);
-  return `${stem || "plan"}.${kind}`;
+  return `${stem || (kind === "csv" ? "table" : "plan")}.${kind}`;
 }
 
 /** Whether the browser turns the picture by a right angle, as the camera has noted. */
@@ -53,7 +55,8 @@ export async function contentOf(file: File): Promise<Given> {
   // A folder has no bytes.
   const bytes = await file.arrayBuffer().catch(() => new ArrayBuffer(0));
   if (bytes.byteLength === 0) throw new NotAccepted(say(text.picture.empty, file.name));
-  const kind = kindOf(new Uint8Array(bytes));
+  const kind = kindOf(new Uint8Array(bytes), file.name);
+  if (/\.(xlsx?|xlsm|ods|numbers)$/i.test(file.name)) throw new NotAccepted(say(text.planogram.spreadsheet, file.name));
   if (kind === "other") throw new NotAccepted(say(text.picture.other, file.name));
   return { name: file.name, kind, bytes };
 }

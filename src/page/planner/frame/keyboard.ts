@@ -7,6 +7,7 @@ import { whyNoCopy } from "../actions/why_not";
 import { fromText, toText } from "../elements/copies";
 import type { Gestures } from "../gesture/gestures";
 import type { Planner } from "../planner";
+import { isTableText } from "../table/sniff";
 
 /** Chords that the browser answers with events of the clipboard. */
 const clipboardChords = new Set(["Ctrl+C", "Ctrl+X", "Ctrl+V"]);
@@ -82,9 +83,14 @@ export function listenToKeys(
   document.addEventListener("cut", (event) => copy(event, true));
   document.addEventListener("paste", (event) => {
     if (!ours(event)) return;
-    // Elements may come from another tab; without text of ours or a picture, the last copies of this tab are meant.
-    const clip = fromText(event.clipboardData?.getData("text/plain") ?? "");
-    const [file] = event.clipboardData?.files ?? [];
+    // Elements may come from another tab; without text of ours, a table or a file, the last copies of this tab are meant.
+    const typed = event.clipboardData?.getData("text/plain") ?? "";
+    const clip = fromText(typed);
+    // Spreadsheets give cells as a picture, too.
+    const [file] =
+      typed.includes("\t") && isTableText(typed)
+        ? [new File([typed], "table.csv")]
+        : (event.clipboardData?.files ?? []);
     if (!clip && file) {
       event.preventDefault();
       pasteFile(file);

@@ -106,6 +106,7 @@ export class Page {
         zoom: (factor) => (planner.isPlan ? planner.viewport.zoom(factor) : this.zoomSpace(factor)),
         fit: () => this.stage.showAll(),
         choosePicture: () => this.arrivals.choose(),
+        chooseTable: () => this.arrivals.chooseTable(),
         showField: (pointer) => this.properties.focusOn(pointer),
       }),
     );

@@ -343,7 +343,7 @@ export class Properties {
             { class: "buttons" },
             button(text.properties.room, () => selection.setPaths(["/room"]), { "data-key": "room" }),
           ),
-      this.commandButtons(drawing ? "picture" : "choose_picture"),
+      this.commandButtons(drawing ? "picture" : "choose_picture", "choose_table"),
       element("p", { class: "note", text: text.properties.hint }),
     ];
   }

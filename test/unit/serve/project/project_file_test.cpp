@@ -106,6 +106,19 @@ TEST(ProjectFile, IsADxf) {
   EXPECT_THROW(keep_file(folder.path(), "plan.dxf", std::string("0\n\0", 3)), InputError);
 }
 
+TEST(ProjectFile, IsACsvFile) {
+  const TempFolder folder;
+  const std::string table =
+      "\xef\xbb\xbf"
+      "article,description\r\n4001,\"Br\xc3\xb6tchen\t6\"\n";
+  EXPECT_EQ(keep_file(folder.path(), "planogram.csv", table).name, "planogram.csv");
+  EXPECT_EQ(read_file(folder / "planogram.csv"), table);
+  EXPECT_EQ(stored_file(folder.path(), "planogram.csv")->type, "text/csv");
+  EXPECT_EQ(stored_file(folder.path(), "planogram.csv")->content, table);
+  EXPECT_EQ(keep_file(folder.path(), "planogram.csv", "other").name, "planogram-2.csv");
+  EXPECT_EQ(read_file(folder / "planogram.csv"), table);
+}
+
 TEST(ProjectFile, NeverChangesUnderItsName) {
   const TempFolder folder;
   EXPECT_EQ(keep_file(folder.path(), "plan.png", png(1, 1, "one")).name, "plan.png");
@@ -126,7 +139,14 @@ TEST(ProjectFile, IsRefusedWithTheReason) {
   refused("plan.jpg", png(1, 1), "plan.jpg: is a PNG picture; rename it to plan.png");
   refused("plan.pdf", png(1, 1), "plan.pdf: is a PNG picture; rename it to plan.png");
   refused("plan.png", "%PDF-1.7", "plan.png: is a PDF file; rename it to plan.pdf");
-  refused("plan.png", "", "is not a PNG, JPEG or WEBP picture, a PDF or a DXF file");
+  constexpr auto unknown = "is no file that the planner can use";
+  refused("plan.png", "", unknown);
+  refused("plan.png", "a,b", unknown);
+  refused("store.json", "{}", unknown);
+  refused("plan.csv", png(1, 1), "plan.csv: is a PNG picture; rename it to plan.png");
+  for (const std::string& content : {std::string(), std::string("a,b\0", 4), std::string("a,\x1b[31m"),
+                                     std::string("a,\x7f"), std::string("Br\xf6tchen,1")})
+    refused("plan.csv", content, unknown);
   refused("plan.png", png(60'000, 60'000), "has 60000 x 60000 pixels; the maximum is 100 million pixels");
   refused("plan.webp", extended_webp(1 << 24, 1 << 24), "has 16777216 x 16777216 pixels");
   refused("plan.png", png(0, 5), "is incomplete or damaged");
@@ -150,12 +170,13 @@ TEST(ProjectFile, IsARegularFileOfTheFolder) {
   folder.write("plan.png", png(1, 1));
   folder.write("plan.jpg", png(1, 1));
   folder.write("store.json", "{}");
+  folder.write("binary.csv", std::string(3, '\0'));
   folder.write("inner/plan.png", png(1, 1));
   std::filesystem::create_symlink("plan.png", folder / "link.png");
   std::filesystem::create_directory(folder / "folder.png");
   EXPECT_TRUE(stored_file(folder.path(), "plan.png"));
   for (const char* name :
-       {"plan.jpg", "store.json", "inner/plan.png", "link.png", "folder.png", "other.png", ""})
+       {"plan.jpg", "store.json", "binary.csv", "inner/plan.png", "link.png", "folder.png", "other.png", ""})
     EXPECT_FALSE(stored_file(folder.path(), name)) << name;
 }
 
