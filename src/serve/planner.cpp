@@ -187,6 +187,7 @@ struct Planner::State {
     if (verb == "presets") return {{"presets", shop.presets()}};
     if (verb == "find") return {{"hits", shop.find(request.text("text"))}};
     if (verb == "device") return device(request);
+    if (verb == "facts") return facts_of_file(folder, request.text("file"), shop.limits());
     ops.reset();
     if (verb == "edit") {
       edit(request, request.ops());

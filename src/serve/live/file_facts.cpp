@@ -58,17 +58,14 @@ Json size_of(const ImportedMesh& mesh) {
 
 Json facts_of_file(const fs::path& folder, const std::string& name, const StoreLimits& limits) {
   const std::string extension = lower_case(fs::path(name).extension().string());
-  if (extension == ".ies") {
-    return {{"photometry", shape_of(parse_ies(read_file(folder / name, max_photometry_file), name), "ies")}};
-  }
-  if (extension == ".ldt") {
-    const std::string text = read_file(folder / name, max_photometry_file);
-    return {{"photometry", shape_of(parse_eulumdat(text, name), "eulumdat")}};
-  }
+  const StoreFolder store(folder, limits);
+  const auto profile = [&] { return store.find(name, name, "emission profile").read(max_photometry_file); };
+  if (extension == ".ies") return {{"photometry", shape_of(parse_ies(profile(), name), "ies")}};
+  if (extension == ".ldt") return {{"photometry", shape_of(parse_eulumdat(profile(), name), "eulumdat")}};
   constexpr std::array<std::string_view, 5> meshes{".glb", ".gltf", ".obj", ".stl", ".ply"};
   if (std::ranges::find(meshes, extension) == meshes.end()) return Json::object();
   // As the file has it: z is up unless the format says otherwise.
-  const ImportedMesh mesh = import_mesh(name, StoreFolder(folder, limits), {}, {{"*", MaterialId{0}}}, name);
+  const ImportedMesh mesh = import_mesh(name, store, {}, {{"*", MaterialId{0}}}, name);
   return {{"mesh", size_of(mesh)}};
 }
 

@@ -24,6 +24,7 @@ import "./sources_test.mjs";
 import "./names_test.mjs";
 import "./view_test.mjs";
 import "./backdrop_test.mjs";
+import "./device_test.mjs";
 import "./pdf_test.mjs";
 import "./dxf_test.mjs";
 import "./draw_test.mjs";

@@ -11,8 +11,8 @@ import { editDrawing } from "./edits";
 import { choosePage } from "../sheet/page_choice";
 import { chooseUnit } from "../sheet/unit_choice";
 import { openDxf, openPdf, pageOf, Unreadable } from "../sheet/open";
-import { openTable } from "../table/open";
-import { contentOf, NotAccepted, upload, uploadPicture, type Given } from "./files";
+import { openDevice, openTable } from "../table/open";
+import { contentOf, isDevice, NotAccepted, upload, uploadPicture, type Given } from "./files";
 import { replacedBy, type Source } from "./transform";
 
 export class Arrivals {
@@ -70,8 +70,8 @@ export class Arrivals {
     this.isBusy = true;
     try {
       const given = await contentOf(file);
-      if (given.kind === "csv") {
-        await openTable(planner, given, this.address);
+      if (given.kind === "csv" || isDevice(given.kind)) {
+        await (given.kind === "csv" ? openTable : openDevice)(planner, given, this.address);
         return;
       }
       const wanted = planner.drawing ? await askToReplace() : "add";

@@ -3,6 +3,7 @@
 import type { Point } from "../document/messages";
 import { isTable } from "../table/sniff";
 import { say, text } from "../text";
+import type { DeviceFacts } from "../importing/module";
 import type { Drawing } from "./drawing";
 
 /** The file is not accepted; the message says why. */
@@ -10,9 +11,17 @@ export class NotAccepted extends Error {}
 
 const longestName = 60;
 
-export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "csv" | "other";
+const deviceKinds = ["ies", "ldt", "glb", "obj", "stl", "ply"] as const;
 
-/** By its first bytes. Binary DXF and DWG files count as DXF, whose reader names the remedy; `csv`: a table. */
+/** Whether it becomes a transceiver type or a fixture. */
+export const isDevice = (kind: Kind): boolean => (deviceKinds as readonly string[]).includes(kind);
+
+export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "csv" | DeviceKind | "other";
+
+/** Emission profiles and meshes. */
+type DeviceKind = (typeof deviceKinds)[number];
+
+/** By its first bytes. Binary DXF and DWG files count as DXF, whose reader names the remedy; `csv`: a table. Formats without a mark at their beginning go by their names. */
 export function kindOf(bytes: Uint8Array, name = ""): Kind {
   const words = String.fromCharCode(...bytes.subarray(0, 32));
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
@@ -20,7 +29,10 @@ export function kindOf(bytes: Uint8Array, name = ""): Kind {
   if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
   if (words.startsWith("%PDF-")) return "pdf";
   if (/^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words)) return "dxf";
-  return isTable(name, bytes) ? "csv" : "other";
+  if (words.startsWith("glTF")) return "glb";
+  if (words.startsWith("IESNA")) return "ies";
+  const named = deviceKinds.find((kind) => name.toLowerCase().endsWith(`.${kind}`));
+  return named ?? (isTable(name, bytes) ? "csv" : "other");
 }
 
 /** A name that is safe in every file system. */
@@ -61,7 +73,7 @@ export async function contentOf(file: File): Promise<Given> {
   return { name: file.name, kind, bytes };
 }
 
-interface Stored {
+interface Stored extends DeviceFacts {
   file: string;
   /** Of a picture, pixels. */
   width?: number;
