@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numbers>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
-#include "shelfbeam/math/box_index.hpp"
-#include "shelfbeam/scene/mesh/mesh_import.hpp"
+#include "shelfbeam/scene/build/mesh_facts.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
 
 namespace shelfbeam::serve {
@@ -38,20 +36,12 @@ Json shape_of(const DirectionTable& table, std::string_view type) {
   return {{"type", type}, {"step_deg", step_deg}, {"planes", std::move(planes)}};
 }
 
-Json size_of(const ImportedMesh& mesh) {
-  Bounds bounds;
+Json size_of(const MeshFacts& mesh) {
   Json materials = Json::array();
-  for (const MeshPiece& piece : mesh.pieces) {
-    for (const Vec3& vertex : piece.vertices) bounds.include(vertex);
-    const auto known =
-        std::ranges::find_if(materials, [&](const Json& one) { return one["name"] == piece.name; });
-    if (known == materials.end())
-      materials.push_back({{"name", piece.name}, {"triangles", piece.triangles.size()}});
-    else
-      (*known)["triangles"] = (*known)["triangles"].get<std::size_t>() + piece.triangles.size();
-  }
+  for (const auto& [name, triangles] : mesh.materials)
+    materials.push_back({{"name", name}, {"triangles", triangles}});
   const auto list = [](const Vec3& v) { return Json{v.x, v.y, v.z}; };
-  return {{"lower", list(bounds.low)}, {"upper", list(bounds.high)}, {"materials", std::move(materials)}};
+  return {{"lower", list(mesh.low)}, {"upper", list(mesh.high)}, {"materials", std::move(materials)}};
 }
 
 }  // namespace
@@ -64,9 +54,7 @@ Json facts_of_file(const fs::path& folder, const std::string& name, const StoreL
   if (extension == ".ldt") return {{"photometry", shape_of(parse_eulumdat(profile(), name), "eulumdat")}};
   constexpr std::array<std::string_view, 5> meshes{".glb", ".gltf", ".obj", ".stl", ".ply"};
   if (std::ranges::find(meshes, extension) == meshes.end()) return Json::object();
-  // As the file has it: z is up unless the format says otherwise.
-  const ImportedMesh mesh = import_mesh(name, store, {}, {{"*", MaterialId{0}}}, name);
-  return {{"mesh", size_of(mesh)}};
+  return {{"mesh", size_of(mesh_facts(folder, name, limits))}};
 }
 
 }  // namespace shelfbeam::serve

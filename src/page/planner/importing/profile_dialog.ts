@@ -56,9 +56,13 @@ export function openProfile(host: Host, file: string, photometry: Photometry): v
     planner.openType(pointerTo(list, type));
     planner.say(say(text.profile.added, type));
   };
+  const submit = (event: Event) => {
+    event.preventDefault();
+    void add();
+  };
   const form = element(
     "form",
-    { class: "fields", on: { submit: (event) => (event.preventDefault(), void add()) } },
+    { class: "fields", on: { submit } },
     field(text.profile.name, name),
     field(text.profile.model, model),
     field(text.profile.flux, flux),
