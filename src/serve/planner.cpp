@@ -20,6 +20,7 @@
 
 #include "serve/http/gate.hpp"
 #include "serve/http/server.hpp"
+#include "serve/live/comparison.hpp"
 #include "serve/live/file_facts.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/warning_finder.hpp"
@@ -77,6 +78,7 @@ struct Planner::State {
         project(folder, project_options()),
         shop((folder / "store.json").lexically_normal(), &token),
         warnings((folder / "store.json").lexically_normal()),
+        comparison(folder),
         server(with_page(std::move(options)), handlers(std::move(log))) {
     resolve();
     steps = project.steps();
@@ -167,6 +169,11 @@ struct Planner::State {
     Json reply{{"id", request.json["id"]}};
     bool is_done = false;
     try {
+      if (request.text("do") == "compare") {
+        comparison.start(request.text("file"), request.json.value("of_pairs", false));
+        compared = {tab, request.json["id"]};
+        return;  // the answer comes later
+      }
       reply.update(result_of(request));
       is_done = true;
     } catch (const InputError& error) {
@@ -304,6 +311,11 @@ struct Planner::State {
       project.check_outside();
       tell_changes({});
     }
+    if (auto summary = comparison.poll()) {
+      const bool has_failed = summary->contains("message");
+      const Json reply{{"id", compared.second}, {has_failed ? "error" : "comparison", std::move(*summary)}};
+      server.send(compared.first, http::Message::text(text_of(reply)));
+    }
     if (auto list = warnings.poll(now)) {
       // A store with problems cannot be inspected: the problems say why.
       found = shop.problems().empty() ? std::move(*list) : Json::array();
@@ -317,6 +329,8 @@ struct Planner::State {
   Project project;
   Shop shop;
   WarningFinder warnings;
+  Comparison comparison;
+  std::pair<TabId, Json> compared;  // the tab and the request of the comparison that is running
   std::set<TabId> tabs;
   std::uint64_t revision = 0;  // of the shop
   // As the pages know them.

@@ -1,6 +1,8 @@
 // Tests emission profiles and meshes that are dropped on the page.
 
-import { readFileSync } from "node:fs";
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { check, equal, says } from "../viewer/check.mjs";
@@ -93,4 +95,40 @@ testPlanner("device: broken files are refused with the place, and are not kept",
   });
   equal(status, 404);
   tab.errors.length = 0;
+});
+
+/** A coarse plan, so that measurements have something to be compared with. */
+function planned(folder) {
+  const plan = join(folder, "plan");
+  mkdirSync(plan);
+  const [signals, placement] = [join(plan, "signal.h5"), join(plan, "placement.json")];
+  for (const words of [
+    ["simulate", join(folder, "store.json"), "-o", signals, "--samples", "64"],
+    ["place", signals, "-o", placement, "--time-limit", "5"],
+  ]) {
+    const { status, stderr } = spawnSync(process.argv[2], [...words, "--quiet"], { encoding: "utf8" });
+    equal(status, 0, stderr);
+  }
+}
+
+testPlanner("device: measured signals are compared with the newest plan", { prepare: planned }, async (tab) => {
+  const ids = Array.from({ length: 14 }, (_, k) => `A1-front-1-${k + 1}`);
+  const table = ["label;signal", ...ids.map((id, k) => `${id};${k + 20},5`)];
+  await drop(tab, "measured.csv", Buffer.from(table.join("\n")));
+  await tab.until(() => document.querySelector(".dialog.comparison table") !== null);
+  says(await tab.text(".dialog .content"), "14 signals compared with the plan “plan”.");
+  check(existsSync(join(tab.server.folder, "comparison/comparison.html")), "the page of the comparison");
+  await tab.press("Escape");
+  await drop(tab, "measured.csv", Buffer.from("label,signal\nnobody,1\n"));
+  await tab.until(() => document.querySelector(".dialog.comparison .problem") !== null);
+  says(await tab.text(".dialog .content"), "measured-2.csv", "has no label 'nobody'");
+  await tab.press("Escape");
+  check(await tab.isUntouched(), "the store is untouched");
+});
+
+testPlanner("device: measured signals need a plan", {}, async (tab) => {
+  await drop(tab, "measured.csv", Buffer.from("label,transceiver,signal\nA1-front-1-1,G1-1-1,1\n"));
+  await tab.until(() => document.querySelector(".dialog.comparison .problem") !== null);
+  says(await tab.text(".dialog .content"), "the folder of the project has no plan");
+  await tab.press("Escape");
 });

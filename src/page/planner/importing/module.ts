@@ -2,7 +2,9 @@
 
 import { listKindOf } from "../planogram/list";
 import { shopOf } from "../planogram/shop";
+import { textOf } from "../table/decode";
 import { readTable } from "../table/table";
+import { hasMeasurements, openComparison } from "./comparison_dialog";
 import type { Host } from "./host";
 import { openList } from "./list_dialog";
 import { openMesh, type MeshFacts } from "./mesh_dialog";
@@ -27,6 +29,7 @@ export function openDevice(host: Host, file: string, facts: DeviceFacts): void {
 export async function openTable(host: Host, name: string, bytes: Uint8Array): Promise<void> {
   const table = readTable(bytes);
   useTexts(host.text);
+  if (hasMeasurements(table)) return openComparison(host, name, table, textOf(bytes));
   const kind = listKindOf(table);
   if (kind) openList(host, name, table, kind);
   else openPlanogram(host, name, table, await shopOf(host.planner.document));
