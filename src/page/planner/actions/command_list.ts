@@ -32,6 +32,7 @@ export interface Surroundings {
   fit: () => void;
   choosePicture: () => void;
   chooseTable: () => void;
+  chooseFile: () => void;
   showField: (pointer: string) => void;
 }
 
@@ -241,7 +242,7 @@ function isRow({ selected }: Planner): boolean {
   return selected.length === 1 && row.kind === "fixture" && row.value.against === undefined;
 }
 
-function pictureCommands({ planner, choosePicture, chooseTable }: Surroundings): Command[] {
+function pictureCommands({ planner, choosePicture, chooseTable, chooseFile }: Surroundings): Command[] {
   const { document, look } = planner;
   const hasPicture = () => planner.drawing !== null && document.locked === null;
   const onPlan = { isEnabled: () => hasPicture() && planner.isPlan, why: () => text.why_not.picture };
@@ -250,6 +251,7 @@ function pictureCommands({ planner, choosePicture, chooseTable }: Surroundings):
   return [
     command("picture", "choose_picture", [], choosePicture, { isEnabled: () => document.locked === null }),
     command("edit", "choose_table", [], chooseTable, { isEnabled: () => document.locked === null }),
+    command("edit", "choose_file", [], chooseFile, { isEnabled: () => document.locked === null }),
     command("picture", "picture", [], () => planner.openType(drawingPath), {
       isEnabled: () => planner.drawing !== null,
     }),

@@ -15,6 +15,11 @@ import { openDevice, openTable } from "../table/open";
 import { contentOf, isDevice, NotAccepted, upload, uploadPicture, type Given } from "./files";
 import { replacedBy, type Source } from "./transform";
 
+/** What the dialogs of files offer. */
+const planFiles = "image/png,image/jpeg,image/webp,application/pdf,.dxf";
+export const tableFiles = ".csv,.tsv,.txt,text/csv,text/tab-separated-values";
+export const deviceFiles = ".ies,.ldt,.glb,.obj,.stl,.ply";
+
 export class Arrivals {
   /** Covers the page while a file is dragged over it. */
   readonly root = element("div", { class: "drop", hidden: true }, element("p", { text: text.picture.drop }));
@@ -44,7 +49,7 @@ export class Arrivals {
     });
   }
 
-  choose(accept = "image/png,image/jpeg,image/webp,application/pdf,.dxf"): void {
+  choose(accept = planFiles): void {
     const input = element("input", {
       type: "file",
       accept,
@@ -56,10 +61,6 @@ export class Arrivals {
       },
     });
     input.click();
-  }
-
-  chooseTable(): void {
-    this.choose(".csv,.tsv,.txt,text/csv,text/tab-separated-values");
   }
 
   /** Adds or replaces the picture, or imports a table. */

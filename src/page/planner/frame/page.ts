@@ -14,7 +14,7 @@ import { openPicker } from "../access/picker";
 import { openShortcuts } from "../access/shortcuts";
 import { commandList } from "../actions/command_list";
 import { showAll } from "../actions/source";
-import { Arrivals } from "../backdrop/arrivals";
+import { Arrivals, deviceFiles, tableFiles } from "../backdrop/arrivals";
 import { Backdrop } from "../backdrop/backdrop";
 import { drawingPath } from "../backdrop/drawing";
 import { LengthField } from "../backdrop/length_field";
@@ -106,7 +106,8 @@ export class Page {
         zoom: (factor) => (planner.isPlan ? planner.viewport.zoom(factor) : this.zoomSpace(factor)),
         fit: () => this.stage.showAll(),
         choosePicture: () => this.arrivals.choose(),
-        chooseTable: () => this.arrivals.chooseTable(),
+        chooseTable: () => this.arrivals.choose(tableFiles),
+        chooseFile: () => this.arrivals.choose(deviceFiles),
         showField: (pointer) => this.properties.focusOn(pointer),
       }),
     );

@@ -348,7 +348,7 @@ export class Properties {
             { class: "buttons" },
             button(text.properties.room, () => selection.setPaths(["/room"]), { "data-key": "room" }),
           ),
-      this.commandButtons(drawing ? "picture" : "choose_picture", "choose_table"),
+      this.commandButtons(drawing ? "picture" : "choose_picture", "choose_table", "choose_file"),
       element("p", { class: "note", text: text.properties.hint }),
     ];
   }
