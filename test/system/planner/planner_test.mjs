@@ -25,6 +25,7 @@ import "./names_test.mjs";
 import "./view_test.mjs";
 import "./backdrop_test.mjs";
 import "./pdf_test.mjs";
+import "./table_test.mjs";
 import "./draw_test.mjs";
 import "./trace_test.mjs";
 import "./tabs_test.mjs";

@@ -53,7 +53,7 @@ export class BadLines {
           {},
           element("th", { scope: "row", text: String(bad.row.line) }),
           element("td", { text: reasonOf(bad) }),
-          element("td", { class: "content", text: contentOf(bad) }),
+          element("td", { class: "fields", text: contentOf(bad) }),
         ),
       );
     replaceChildren(this.list, [
