@@ -127,7 +127,7 @@ testPlanner(
     await again.open("Planogramm Markt 12.csv", next.file);
     again.actions = 0;
     expectBad(await badLines(tab), next.bad);
-    says(await tab.text(".planogram footer"), "They replace the planogram Planogramm-Markt-12.csv");
+    says(await tab.text(".planogram footer"), "The planogram Planogramm-Markt-12.csv of the store is replaced");
     equal(await button(tab), `Replace by ${(articles - next.bad.length).toLocaleString("en")} labels`);
     equal(
       await tab.page.evaluate(() => document.activeElement.dataset.key.startsWith("word/")),
@@ -196,7 +196,7 @@ testPlanner(
       "planogram.csv",
       "EAN\tRegal\tBoden\tAbstand (cm)\n4001686301265\tD 1\t1\t66,5\n4001686301272\tD-02\t0\t140\n",
     );
-    says(await tab.text(".planogram footer"), "They replace the planogram planogram.csv");
+    says(await tab.text(".planogram footer"), "The planogram planogram.csv of the store is replaced");
     expectBad(await badLines(tab), [{ line: 3, words: "“140” is beyond the edge of 133.00" }]);
     await person.push("add-labels");
     await tab.steps(1);
@@ -270,6 +270,20 @@ testPlanner("table: wrong files are refused by name", {}, async (tab) => {
   });
   await notice(tab, "large.csv has more than 20 MB.");
   check(await tab.isUntouched(), "nothing has changed");
+});
+
+testPlanner("table: the list of bad lines is copied", { alone: true, permissions: ["clipboard-read"] }, async (tab) => {
+  const person = new Importer(tab);
+  const rows = Array.from({ length: 250 }, (_, k) => `${k};Lager;1`);
+  await person.open("planogram.csv", ["EAN;Regal;Boden", ...rows].join("\n"));
+  equal((await badLines(tab)).length, 200);
+  says(await tab.text(".bad-lines"), "250 lines are left out", "The first 200 are shown");
+  equal(await tab.page.evaluate(() => document.querySelector(".primary").disabled), true, "nothing to add");
+  await person.push("copy-bad-lines");
+  equal(await tab.text('[data-key="copy-bad-lines"]'), "Copied");
+  const copied = (await tab.page.evaluate(() => navigator.clipboard.readText())).split("\n");
+  equal([copied.length, copied[249]], [250, "251\tUnknown fixture “Lager”\t249\tLager\t1"]);
+  await tab.press("Escape");
 });
 
 testPlanner("table: cells of a spreadsheet are pasted, and chosen by keys", {}, async (tab) => {

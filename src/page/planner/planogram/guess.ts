@@ -106,7 +106,8 @@ export function guessedMapping(table: Table, setting: Setting): Mapping {
     measure: measureOf(table, columns.place, setting.unit, setting.longest),
     fromLeft: !isOurs(table),
     fromTop: false,
-    first: levels.includes(0) ? 0 : 1,
+    // Single zeros are mistakes.
+    first: levels.filter((level) => level === 0).length > 0.02 * levels.length ? 0 : 1,
     face: "front",
     type: setting.type,
     bySegment: false,
