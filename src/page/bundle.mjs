@@ -47,6 +47,7 @@ await build({
   ...common,
   entryPoints: {
     "pdf/pdf": join(home, "planner/pdf/pdf.ts"),
+    "dxf/worker": join(home, "planner/dxf/show/worker.ts"),
     "table/table": join(home, "planner/importing/module.ts"),
   },
   format: "esm",

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@
 
 #include "serve/http/gate.hpp"
 #include "serve/http/server.hpp"
+#include "serve/live/file_facts.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/warning_finder.hpp"
 #include "serve/project/project.hpp"
@@ -185,6 +187,7 @@ struct Planner::State {
     if (verb == "presets") return {{"presets", shop.presets()}};
     if (verb == "find") return {{"hits", shop.find(request.text("text"))}};
     if (verb == "device") return device(request);
+    if (verb == "facts") return facts_of_file(folder, request.text("file"), shop.limits());
     ops.reset();
     if (verb == "edit") {
       edit(request, request.ops());
@@ -255,12 +258,18 @@ struct Planner::State {
 
   http::Receipt keep(std::string_view file, std::string_view content) const {
     file.remove_prefix(http::file_names.size());
+    std::optional<fs::path> added;
     try {
       const ProjectFile kept = keep_file(folder, file, content);
+      if (kept.is_new) added = folder / kept.name;
       Json json{{"file", kept.name}};
       if (kept.width > 0) json.update({{"width", kept.width}, {"height", kept.height}});
+      json.update(facts_of_file(folder, kept.name, shop.limits()));
       return {true, text_of(json)};
     } catch (const InputError& error) {
+      // A file that no store can use is not kept.
+      std::error_code ignored;
+      if (added) fs::remove(*added, ignored);
       return {false, error.what()};
     }
   }

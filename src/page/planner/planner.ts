@@ -61,6 +61,8 @@ export class Planner {
   /** The type, or the picture of the floor plan, that the panel edits if nothing is selected: a pointer. */
   typePath: string | null = null;
   notice: Notice | null = null;
+  /** Closed outlines of the drawing beneath the shop, for which a menu is open, m. */
+  outlines: readonly (readonly Point[])[] | null = null;
   /** At once, because the next event of the pointer belongs to the tool. */
   onTool: () => void = () => {};
   private held: Drawing | null = null;
@@ -70,7 +72,7 @@ export class Planner {
   constructor(address: string) {
     this.connection = new Connection(address);
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
-    this.picture = new Picture(address, this.changes);
+    this.picture = new Picture(address, this.changes, this.look);
     this.presets = new Presets(this.document, this.changes);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.traced = new Traced(this);
@@ -115,6 +117,12 @@ export class Planner {
   say(text: string, isProblem = false): void {
     this.notice = { text, isProblem };
     this.changes.note("status");
+  }
+
+  /** Outlines that commands may take; null: none. */
+  offerOutlines(outlines: readonly (readonly Point[])[] | null): void {
+    this.outlines = outlines;
+    this.changes.note("preview");
   }
 
   /** Shows a type of fixtures, materials, labels or units in the panel. */

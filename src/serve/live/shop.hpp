@@ -45,6 +45,8 @@ class Shop {
   nlohmann::ordered_json parts() const;
   /// Code, path, pointer and sentence of each, as `locate` says.
   nlohmann::ordered_json problems() const;
+  /// Of what the server reads.
+  StoreLimits limits() const;
   /// Adds to a finding with a path the `pointer` to its element, and the `key` of the part if it is one of
   /// several copies.
   void locate(nlohmann::ordered_json& finding) const;
@@ -71,7 +73,6 @@ class Shop {
   std::string scene(std::uint64_t revision) const;
 
  private:
-  StoreLimits limits() const;
   CompletedFixture completed(const std::string& pointer) const;
   const Transceiver& unit_at(std::size_t index) const;
 

@@ -24,8 +24,19 @@ struct Format {
   std::vector<std::string_view> extensions;
   bool (*matches)(std::string_view);
   std::optional<ImageSize> (*size)(std::string_view);  // of pictures
-  bool is_text = false;                                // the content alone does not show the format
+  bool is_by_name = false;                             // the content alone does not show the format
 };
+
+// DXF as text begins with group 0, perhaps after comments of group 999.
+bool is_dxf(std::string_view file) {
+  if (file.starts_with("\xef\xbb\xbf")) file.remove_prefix(3);
+  if (file.substr(0, 4096).find('\0') != std::string_view::npos) return false;
+  const std::string_view first = file.substr(0, file.find_first_of("\r\n"));
+  const std::size_t from = first.find_first_not_of(" \t");
+  if (from == std::string_view::npos || first.size() == file.size()) return false;
+  const std::string_view code = first.substr(from, first.find_last_not_of(" \t") + 1 - from);
+  return code == "0" || code == "999";
+}
 
 bool is_text(std::string_view content) {
   const auto is_control = [](char c) {
@@ -35,8 +46,13 @@ bool is_text(std::string_view content) {
   return !content.empty() && std::ranges::none_of(content, is_control) && is_utf8(content);
 }
 
-const std::array<Format, 5>& formats() {
-  static const std::array<Format, 5> all{
+// Readers of the library check the rest.
+bool has_content(std::string_view content) {
+  return !content.empty();
+}
+
+const std::array<Format, 12>& formats() {
+  static const std::array<Format, 12> all{
       {{"a PNG picture",
         "image/png",
         {".png"},
@@ -59,7 +75,18 @@ const std::array<Format, 5>& formats() {
         {".pdf"},
         [](std::string_view file) { return file.starts_with("%PDF-"); },
         nullptr},
-       {"a CSV file", "text/csv", {".csv"}, is_text, nullptr, true}}};
+       {"a DXF file", "image/vnd.dxf", {".dxf"}, is_dxf, nullptr},
+       {"a binary glTF file",
+        "model/gltf-binary",
+        {".glb"},
+        [](std::string_view file) { return file.starts_with("glTF"); },
+        nullptr},
+       {"a CSV file", "text/csv", {".csv"}, is_text, nullptr, true},
+       {"an IES file", "text/plain", {".ies"}, has_content, nullptr, true},
+       {"a EULUMDAT file", "text/plain", {".ldt"}, has_content, nullptr, true},
+       {"an OBJ file", "model/obj", {".obj"}, has_content, nullptr, true},
+       {"an STL file", "model/stl", {".stl"}, has_content, nullptr, true},
+       {"a PLY file", "application/octet-stream", {".ply"}, has_content, nullptr, true}}};
   return all;
 }
 
@@ -68,9 +95,12 @@ bool has_extension(const Format& format, std::string_view name) {
 }
 
 const Format* format_of(std::string_view name, std::string_view content) {
-  const auto found = std::ranges::find_if(formats(), [&](const Format& one) {
-    return (!one.is_text || has_extension(one, name)) && one.matches(content);
-  });
+  const auto matches = [&](const Format& one) { return one.matches(content); };
+  const auto named = [&](const Format& one) { return has_extension(one, name) && matches(one); };
+  auto found = std::ranges::find_if(formats(), named);
+  if (found == formats().end())
+    found =
+        std::ranges::find_if(formats(), [&](const Format& one) { return !one.is_by_name && matches(one); });
   return found == formats().end() ? nullptr : &*found;
 }
 
@@ -106,8 +136,10 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
     throw InputError("the name of the file", "is not of letters, digits, '.', '-' and '_'", "rename it");
   const Format* format = format_of(own, content);
   if (format == nullptr)
-    throw InputError(own, "is not a PNG, JPEG or WEBP picture, a PDF file or a CSV file in UTF-8",
-                     "export it as one of these");
+    throw InputError(
+        own, "is no file that the planner can use",
+        "choose a picture (PNG, JPEG, WEBP), a drawing (PDF, DXF), a table (CSV), an emission profile (IES, "
+        "LDT) or a mesh (GLB, OBJ, STL, PLY)");
   if (!has_extension(*format, own))
     throw InputError(own, fmt::format("is {}", format->name),
                      fmt::format("rename it to {}{}", fs::path(own).stem().string(), format->extensions[0]));
@@ -115,13 +147,15 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
   for (int number = 1;; ++number) {
     std::string free = numbered(own, number);
     const fs::path path = folder / free;
-    if (stamp_of(path)) {
+    const bool is_new = !stamp_of(path);
+    if (!is_new) {
       const auto known = stored_file(folder, free);
       if (!known || known->content != content) continue;
     } else {
       write_file(path, content);
     }
-    return {std::move(free), static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height)};
+    return {std::move(free), static_cast<std::uint32_t>(size.width), static_cast<std::uint32_t>(size.height),
+            is_new};
   }
 }
 

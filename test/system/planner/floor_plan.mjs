@@ -112,9 +112,11 @@ export const pixelAt = (tab, x, y) =>
   tab.page.evaluate(
     ([u, v]) => {
       const { planner } = window.shelfbeamPlanner;
-      const { file, size, at, scale, rotation_deg = 0 } = planner.drawing;
+      const { file, size, at, scale, unit, rotation_deg = 0 } = planner.drawing;
       const length = scale && Math.hypot(scale.to[0] - scale.from[0], scale.to[1] - scale.from[1]);
-      const step = scale ? (scale.length / length) * planner.document.unit.factor : 20 / size[0];
+      const known = { mm: 0.001, m: 1, in: 0.0254 };
+      const unscaled = unit ? known[unit] : 20 / size[0];
+      const step = scale ? (scale.length / length) * planner.document.unit.factor : unscaled;
       const angle = (rotation_deg * Math.PI) / 180;
       const [a, b] = [step * u, step * (size[1] - v)];
       const [c, s] = [Math.cos(angle), Math.sin(angle)];

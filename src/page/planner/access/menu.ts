@@ -5,12 +5,20 @@ import { text } from "../text";
 import { chordText } from "./keys";
 import type { CommandId, Commands } from "./commands";
 
-export function openMenu(commands: Commands, groups: readonly CommandId[][], x: number, y: number): void {
+/** `closed`: after the command has run, if one was chosen. */
+export function openMenu(
+  commands: Commands,
+  groups: readonly CommandId[][],
+  x: number,
+  y: number,
+  closed: () => void = () => {},
+): void {
   const before = document.activeElement;
   const close = () => {
     menu.remove();
     document.removeEventListener("pointerdown", outside, true);
     if (before instanceof HTMLElement) before.focus({ preventScroll: true });
+    setTimeout(closed);
   };
   const outside = (event: Event) => {
     if (!menu.contains(event.target as Node)) close();
@@ -45,7 +53,10 @@ export function openMenu(commands: Commands, groups: readonly CommandId[][], x: 
     ...shown.flatMap((group, k) => [...(k > 0 ? [element("div", { role: "separator" })] : []), ...group]),
   );
   const all = shown.flat();
-  if (all.length === 0) return;
+  if (all.length === 0) {
+    closed();
+    return;
+  }
   const focus = (index: number) => all[(index + all.length) % all.length].focus();
   menu.addEventListener("keydown", (event) => {
     const { key } = event as KeyboardEvent;

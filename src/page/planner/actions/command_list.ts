@@ -11,6 +11,7 @@ import { say } from "../../data/text";
 import { drawingPath } from "../backdrop/drawing";
 import { editDrawing, turnPicture } from "../backdrop/edits";
 import { assignType } from "./assign";
+import { canTake, outlineUses, takeOutlines } from "./outlines";
 import { canNumber, numberFixtures } from "./rename";
 import { copySelection, deleteSelection, duplicateSelection, paste } from "./copy";
 import { alignSelection, distributeSelection, mirrorSelection, shiftElements, turnElements } from "./move";
@@ -274,11 +275,20 @@ function pictureCommands({ planner, choosePicture, chooseTable }: Surroundings):
   ];
 }
 
+const outlineCommands = ({ planner }: Surroundings): Command[] =>
+  outlineUses.map((use) =>
+    command("picture", `outline_${use}`, [], () => void takeOutlines(planner, use), {
+      isEnabled: () => planner.document.locked === null && canTake(planner, use),
+      why: () => text.why_not.outline,
+    }),
+  );
+
 export const commandList = (around: Surroundings): Command[] => [
   ...selectCommands(around),
   ...editCommands(around),
   ...moveCommands(around),
   ...drawCommands(around), // after the others, because R turns a selection
   ...pictureCommands(around),
+  ...outlineCommands(around),
   ...viewCommands(around),
 ];

@@ -6,15 +6,14 @@ import { openDialog } from "../access/dialog";
 import { showAll } from "../actions/source";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
-import type { Drawing } from "./drawing";
+import { drawingPath, type Drawing } from "./drawing";
 import { editDrawing } from "./edits";
 import { choosePage } from "../sheet/page_choice";
-import { openPdf, pageOf, Unreadable } from "../sheet/open";
-import { openTable } from "../table/open";
-import { contentOf, NotAccepted, upload, uploadPicture, type Given } from "./files";
-import { replacedBy } from "./transform";
-
-type Made = Pick<Drawing, "file" | "page" | "size">;
+import { chooseUnit } from "../sheet/unit_choice";
+import { openDxf, openPdf, pageOf, Unreadable } from "../sheet/open";
+import { openDevice, openTable } from "../table/open";
+import { contentOf, isDevice, NotAccepted, upload, uploadPicture, type Given } from "./files";
+import { replacedBy, type Source } from "./transform";
 
 export class Arrivals {
   /** Covers the page while a file is dragged over it. */
@@ -45,7 +44,7 @@ export class Arrivals {
     });
   }
 
-  choose(accept = "image/png,image/jpeg,image/webp,application/pdf"): void {
+  choose(accept = "image/png,image/jpeg,image/webp,application/pdf,.dxf"): void {
     const input = element("input", {
       type: "file",
       accept,
@@ -72,14 +71,14 @@ export class Arrivals {
     this.isBusy = true;
     try {
       const given = await contentOf(file);
-      if (given.kind === "csv") {
-        await openTable(planner, given, this.address);
+      if (given.kind === "csv" || isDevice(given.kind)) {
+        await (given.kind === "csv" ? openTable : openDevice)(planner, given, this.address);
         return;
       }
       const wanted = planner.drawing ? await askToReplace() : "add";
       if (wanted === null) return;
       planner.say(say(text.picture.uploading, file.name));
-      const made = given.kind === "pdf" ? await this.page(given) : await uploadPicture(this.address, given);
+      const made = await this.kept(given);
       if (made) this.place(made, wanted === "replace" ? planner.drawing : null);
     } catch (error) {
       planner.say(reasonOf(error, file.name), true);
@@ -88,8 +87,31 @@ export class Arrivals {
     }
   }
 
-  /** Null if the person chooses no page. */
-  private async page(given: Given): Promise<Made | null> {
+  /** Null if the person does not want it after all. */
+  private kept(given: Given): Promise<Source | null> {
+    if (given.kind === "pdf") return this.page(given);
+    return given.kind === "dxf" ? this.sheet(given) : uploadPicture(this.address, given);
+  }
+
+  private async sheet(given: Given): Promise<Source | null> {
+    const sheet = await openDxf(given.bytes, this.address);
+    const { facts, size } = sheet;
+    try {
+      const unit = await chooseUnit(facts, given.name);
+      const stored = unit === null ? null : await upload(this.address, given);
+      if (unit === null || !stored) {
+        sheet.close();
+        return null;
+      }
+      this.planner.picture.offer(stored, sheet);
+      return { file: stored.file, size, unit, origin: facts.origin };
+    } catch (error) {
+      sheet.close();
+      throw error;
+    }
+  }
+
+  private async page(given: Given): Promise<Source | null> {
     const file = await openPdf(given.bytes, this.address);
     try {
       const page = await choosePage(file, given.name);
@@ -101,20 +123,23 @@ export class Arrivals {
     }
   }
 
-  private place(made: Made, before: Drawing | null): void {
+  private place(made: Source, before: Drawing | null): void {
     const { planner } = this;
     planner.look.set({ isShown: true, isLocked: true });
     if (!planner.isPlan) planner.setPlan(true);
     if (before) {
-      void editDrawing(planner, text.edits.replace_picture, replacedBy(before, made));
+      void editDrawing(planner, text.edits.replace_picture, replacedBy(before, made, planner.document.unit));
       planner.say(say(text.picture.replaced, made.file));
       return;
     }
+    const nothing = { page: undefined, unit: undefined, origin: undefined };
     const unplaced = { scale: undefined, check: undefined, rotation_deg: undefined, crop: undefined };
-    void editDrawing(planner, text.edits.add_picture, { ...made, at: [0, 0], ...unplaced });
-    planner.say(say(text.picture.added, made.file));
+    void editDrawing(planner, text.edits.add_picture, { ...nothing, ...made, at: [0, 0], ...unplaced });
+    const isScaled = made.unit !== undefined;
+    planner.say(say(isScaled ? text.picture.added_scaled : text.picture.added, made.file));
     showAll(planner);
-    planner.setTool("scale");
+    if (isScaled) planner.openType(drawingPath);
+    else planner.setTool("scale");
   }
 }
 

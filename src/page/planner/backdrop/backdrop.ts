@@ -4,6 +4,7 @@ import { element } from "../../panel/dom";
 import type { Point } from "../document/messages";
 import { boundsOf } from "../geometry/bounds";
 import type { Planner } from "../planner";
+import { coarsest } from "../sheet/detail";
 import { matrixOf, placementOf, shownCorners, toPixel, type Matrix } from "./transform";
 
 export class Backdrop {
@@ -70,7 +71,7 @@ export function drawPicture(
   context.clip();
   context.drawImage(level, 0, 0, width, height);
   const detail = picture.detail?.now;
-  if (detail && detail.scale * width > level.width) {
+  if (detail && detail.scale > 0.6 * enlargement && detail.scale < coarsest * enlargement) {
     const { bitmap, region } = detail;
     context.clearRect(region.left, region.upper, region.width, region.height);
     context.drawImage(bitmap, region.left, region.upper, region.width, region.height);

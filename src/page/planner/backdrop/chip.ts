@@ -19,7 +19,9 @@ export class ScaleChip {
 
   update(): void {
     const { drawing, isPlan } = this.planner;
-    this.root.hidden = !isPlan || drawing === null || comparisonOf(drawing)?.agrees === true;
+    const isConfirmed =
+      drawing && (drawing.scale ? comparisonOf(drawing)?.agrees === true : drawing.unit !== undefined);
+    this.root.hidden = !isPlan || drawing === null || isConfirmed === true;
     this.root.textContent = drawing?.scale ? text.picture.unchecked : text.picture.no_scale;
   }
 }

@@ -1,5 +1,5 @@
 // The picture of the floor plan, as the store names it under `drawing`. Places in the picture are pixels, x to the right
-// and y downwards, and points of a PDF page; lengths are in the unit of the store.
+// and y downwards, points of a PDF page or units of a DXF drawing; lengths are in the unit of the store.
 
 import { isObject, valueAt, type Json } from "../document/json";
 import type { Point } from "../document/messages";
@@ -17,6 +17,10 @@ export interface Drawing {
   file: string;
   /** Of a PDF file, from 1. */
   page?: number;
+  /** The unit of length of a DXF drawing; a scale comes before it. */
+  unit?: string;
+  /** The lower left corner of the picture in the coordinates of a DXF file. */
+  origin?: Point;
   /** The pixels that all places refer to. */
   size: Point;
   /** The lower left corner of the picture in the plan. */
@@ -31,7 +35,7 @@ export interface Drawing {
 }
 
 /** Whether a file has lines instead of pixels. */
-export const hasLines = (file: string): boolean => /\.pdf$/i.test(file);
+export const hasLines = (file: string): boolean => /\.(pdf|dxf)$/i.test(file);
 
 export const drawingPath = "/drawing";
 
@@ -58,6 +62,8 @@ export function drawingOf(json: Json): Drawing | null {
   return {
     file: value.file,
     page: typeof value.page === "number" ? value.page : undefined,
+    unit: typeof value.unit === "string" ? value.unit : undefined,
+    origin: (numbersOf(value.origin, 2) as Point | null) ?? undefined,
     size: size as Point,
     at: (numbersOf(value.at, 2) ?? [0, 0]) as Point,
     scale: lineOf(value.scale),

@@ -45,7 +45,7 @@ export function setScale(planner: Planner, line: Line, isStraight: boolean): voi
   const { drawing, document } = planner;
   if (!drawing) return;
   const keeps = isTraced(document.json) ? "line" : "corner";
-  const next = withScale(drawing, document.unit, { line, isStraight, keeps });
+  const next = { ...withScale(drawing, document.unit, { line, isStraight, keeps }), unit: undefined };
   void editDrawing(planner, text.edits.scale, next);
   if (keeps === "corner") showAll(planner);
   planner.setTool(comparisonOf(next)?.agrees ? "select" : "check");

@@ -3,6 +3,7 @@
 import type { Point } from "../document/messages";
 import { isTable } from "../table/sniff";
 import { say, text } from "../text";
+import type { DeviceFacts } from "../importing/module";
 import type { Drawing } from "./drawing";
 
 /** The file is not accepted; the message says why. */
@@ -10,18 +11,28 @@ export class NotAccepted extends Error {}
 
 const longestName = 60;
 
-export type Kind = "png" | "jpg" | "webp" | "pdf" | "page" | "csv" | "other";
+const deviceKinds = ["ies", "ldt", "glb", "obj", "stl", "ply"] as const;
 
-/** By its first bytes. `page`: a format of drawings that has to be exported as another; `csv`: a table. */
+/** Whether it becomes a transceiver type or a fixture. */
+export const isDevice = (kind: Kind): boolean => (deviceKinds as readonly string[]).includes(kind);
+
+export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "csv" | DeviceKind | "other";
+
+/** Emission profiles and meshes. */
+type DeviceKind = (typeof deviceKinds)[number];
+
+/** By its first bytes. Binary DXF and DWG files count as DXF, whose reader names the remedy; `csv`: a table. Formats without a mark at their beginning go by their names. */
 export function kindOf(bytes: Uint8Array, name = ""): Kind {
   const words = String.fromCharCode(...bytes.subarray(0, 32));
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
   if (words.startsWith("\xff\xd8\xff")) return "jpg";
   if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
   if (words.startsWith("%PDF-")) return "pdf";
-  // DXF as text and as bytes, DWG
-  if (/^(\s*(0|999)\r?\n|AutoCAD Binary DXF|AC10\d\d)/.test(words)) return "page";
-  return isTable(name, bytes) ? "csv" : "other";
+  if (/^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words)) return "dxf";
+  if (words.startsWith("glTF")) return "glb";
+  if (words.startsWith("IESNA")) return "ies";
+  const named = deviceKinds.find((kind) => name.toLowerCase().endsWith(`.${kind}`));
+  return named ?? (isTable(name, bytes) ? "csv" : "other");
 }
 
 /** A name that is safe in every file system. */
@@ -57,13 +68,12 @@ export async function contentOf(file: File): Promise<Given> {
   const bytes = await file.arrayBuffer().catch(() => new ArrayBuffer(0));
   if (bytes.byteLength === 0) throw new NotAccepted(say(text.picture.empty, file.name));
   const kind = kindOf(new Uint8Array(bytes), file.name);
-  if (kind === "page") throw new NotAccepted(text.picture.page);
   if (/\.(xlsx?|xlsm|ods|numbers)$/i.test(file.name)) throw new NotAccepted(say(text.planogram.spreadsheet, file.name));
   if (kind === "other") throw new NotAccepted(say(text.picture.other, file.name));
   return { name: file.name, kind, bytes };
 }
 
-interface Stored {
+interface Stored extends DeviceFacts {
   file: string;
   /** Of a picture, pixels. */
   width?: number;

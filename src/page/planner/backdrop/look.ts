@@ -10,9 +10,11 @@ interface Stored {
   isInverted: boolean;
   /** From 0, as it is, to 1, invisible. */
   fade: number;
+  /** By the names of layers of a drawing, where a person has decided: whether they are shown. */
+  layers: Readonly<Record<string, boolean>>;
 }
 
-const usual: Stored = { isShown: true, isLocked: true, isGrey: false, isInverted: false, fade: 0.3 };
+const usual: Stored = { isShown: true, isLocked: true, isGrey: false, isInverted: false, fade: 0.3, layers: {} };
 
 export class Look {
   private state = usual;

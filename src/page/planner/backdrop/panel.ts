@@ -2,9 +2,13 @@
 
 import { button, element } from "../../panel/dom";
 import type { Commands, CommandId } from "../access/commands";
+import { openMenu } from "../access/menu";
+import { outlineMenu } from "../actions/outlines";
 import { component, entry, type Place } from "../form/inputs";
 import { numberFrom, numbersFrom, numbersText, Unreadable, unitText } from "../form/parse";
+import { drawingUnits } from "../geometry/units";
 import type { Planner } from "../planner";
+import { layerRows } from "../sheet/layer_rows";
 import { say, text } from "../text";
 import type { Drawing, Line } from "./drawing";
 import { checkText, editDrawing, isTraced } from "./edits";
@@ -44,13 +48,19 @@ export class PicturePanel {
       ),
       element("section", { class: "form" }, ...this.lookRows()),
       element("section", { class: "form" }, ...this.placeRows(drawing)),
-      element("section", { class: "form" }, ...this.scaleRows(drawing)),
+      element("section", { class: "form" }, ...this.unitRows(drawing), ...this.scaleRows(drawing)),
+      ...this.layerRows(),
       element(
         "div",
         { class: "buttons" },
         button(text.types.close, () => planner.openType(null), { "data-key": "close-picture" }),
       ),
     ];
+  }
+
+  private stateOf({ scale, unit }: Drawing): string {
+    if (scale) return text.picture.unchecked;
+    return unit === undefined ? text.picture.no_scale : "";
   }
 
   private command(id: CommandId, name: string): HTMLElement {
@@ -184,6 +194,39 @@ export class PicturePanel {
     });
   }
 
+  /** Of a DXF drawing. A unit takes the place of lines of known length. */
+  private unitRows({ unit, origin }: Drawing): HTMLElement[] {
+    if (!origin) return [];
+    const choice = element(
+      "select",
+      {
+        "data-key": "picture/unit",
+        "aria-label": text.dxf.unit,
+        on: {
+          change: () =>
+            this.write(text.dxf.unit, (now) => ({ ...now, unit: choice.value, scale: undefined, check: undefined })),
+        },
+      },
+      ...(unit === undefined ? [element("option", { value: "", text: text.dxf.by_scale })] : []),
+      ...[...drawingUnits.keys()].map((name) =>
+        element("option", { value: name, text: name, selected: name === unit }),
+      ),
+    );
+    return [row(text.dxf.unit, choice)];
+  }
+
+  private layerRows(): HTMLElement[] {
+    const { picture, look } = this.planner;
+    const layers = picture.sheet?.layers ?? [];
+    if (layers.length === 0) return [];
+    const decide = (decided: Record<string, boolean>) => look.set({ layers: { ...look.now.layers, ...decided } });
+    const take = (layer: number, x: number, y: number) => {
+      this.planner.offerOutlines(this.planner.traced.outlinesOf(layer));
+      openMenu(this.commands, [outlineMenu], x, y, () => this.planner.offerOutlines(null));
+    };
+    return [layerRows(layers, picture.hidden, { decide, take })];
+  }
+
   private scaleRows(drawing: Drawing): HTMLElement[] {
     const { document } = this.planner;
     const length = (key: "scale" | "check", write: (line: Line, now: Drawing) => Drawing) => {
@@ -207,7 +250,7 @@ export class PicturePanel {
       ),
       element("p", {
         class: comparisonOf(drawing)?.agrees === false ? "problem" : "note",
-        text: words || (drawing.scale ? text.picture.unchecked : text.picture.no_scale),
+        text: words || this.stateOf(drawing),
       }),
     ];
   }

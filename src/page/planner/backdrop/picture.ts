@@ -7,6 +7,7 @@ import { openSheet, Unreadable } from "../sheet/open";
 import { wholeOf, type Sheet } from "../sheet/sheet";
 import { say, text } from "../text";
 import { hasLines, type Drawing } from "./drawing";
+import type { Look } from "./look";
 
 /** Larger pictures are made smaller, because browsers keep 4 bytes for each pixel. */
 const mostPixels = 40e6;
@@ -29,6 +30,7 @@ interface Page {
   sheet: Sheet;
   detail: DetailView;
   lines: LineIndex | null;
+  hidden: ReadonlySet<number>;
 }
 
 /** There is no picture to fetch; the message says why. */
@@ -54,11 +56,13 @@ export class Picture {
   state: State = { kind: "none" };
   /** The file and the page. */
   private shown = "";
+  private offered: { key: string; sheet: Sheet } | null = null;
 
   /** `address`: of the page. */
   constructor(
     private readonly address: string,
     private readonly changes: Changes,
+    private readonly look: Look,
   ) {}
 
   /** Shows what the store names; true if that is another picture. One that a lost connection kept away is tried again. */
@@ -83,32 +87,70 @@ export class Picture {
   }
 
   private async fetched(drawing: Drawing): Promise<State> {
+    const { offered } = this;
+    if (offered?.key === keyOf(drawing)) {
+      this.offered = null;
+      return this.opened(offered.sheet);
+    }
     const path = drawing.file.split("/").map(encodeURIComponent).join("/");
     const answer = await fetch(`${this.address}files/${path}`);
     if (!answer.ok) throw new Unusable(say(text.picture.missing, drawing.file));
     if (!hasLines(drawing.file))
       return { kind: "shown", levels: await levelsOf(await decoded(await answer.blob(), drawing)), page: null };
-    return this.opened(await answer.arrayBuffer(), drawing).catch((error: unknown) => {
+    const sheet = await openSheet(await answer.arrayBuffer(), drawing, this.address).catch((error: unknown) => {
       throw error instanceof Unreadable ? new Unusable(`${drawing.file}: ${error.message}`) : error;
     });
+    return this.opened(sheet);
   }
 
-  private async opened(bytes: ArrayBuffer, { page: number = 1 }: Drawing): Promise<State> {
-    const sheet = await openSheet(bytes, number, this.address);
-    const [width, height] = sheet.size;
-    const finest = await sheet.render(wholeOf(sheet.size), Math.sqrt(pagePixels / (width * height)));
-    const page: Page = { sheet, detail: new DetailView(sheet, () => this.changes.note("picture")), lines: null };
+  private async opened(sheet: Sheet): Promise<State> {
+    const hidden = this.hiddenOf(sheet);
+    sheet.hide(hidden);
+    const detail = new DetailView(sheet, () => this.changes.note("picture"));
+    const page: Page = { sheet, detail, lines: null, hidden };
+    const levels = await drawn(sheet);
     void sheet.lines().then(
       (lines) => {
         page.lines = new LineIndex(lines);
+        page.lines.hidden = page.hidden;
       },
       () => {}, // the page can still be traced by eye
     );
-    return { kind: "shown", levels: await levelsOf(finest), page };
+    return { kind: "shown", levels, page };
   }
 
-  private enter(state: State): void {
-    close(this.state);
+  private hiddenOf({ layers }: Sheet): ReadonlySet<number> {
+    const { layers: decided } = this.look.now;
+    return new Set([...layers.keys()].filter((k) => !(decided[layers[k].name] ?? layers[k].isOn)));
+  }
+
+  /** A drawing that is open already, before the store names it. */
+  offer(drawing: Pick<Drawing, "file" | "page">, sheet: Sheet): void {
+    this.offered?.sheet.close();
+    this.offered = { key: keyOf(drawing), sheet };
+  }
+
+  /** Draws the layers that are shown now. */
+  async followLayers(): Promise<void> {
+    const { state } = this;
+    if (state.kind !== "shown" || !state.page) return;
+    const { page } = state;
+    const hidden = this.hiddenOf(page.sheet);
+    if (hidden.size === page.hidden.size && [...hidden].every((layer) => page.hidden.has(layer))) return;
+    page.hidden = hidden;
+    page.sheet.hide(hidden);
+    if (page.lines) page.lines.hidden = hidden;
+    page.detail.forget();
+    const levels = await drawn(page.sheet).catch(() => null);
+    if (!levels) return;
+    if (this.state !== state || page.hidden !== hidden) closeAll(levels);
+    else this.enter({ ...state, levels }, true);
+  }
+
+  /** `isSame`: only the levels are others. */
+  private enter(state: State, isSame = false): void {
+    if (!isSame) close(this.state);
+    else if (this.state.kind === "shown") closeAll(this.state.levels);
     this.state = state;
     this.changes.note("layers");
   }
@@ -125,16 +167,35 @@ export class Picture {
     return this.state.kind === "shown" ? (this.state.page?.detail ?? null) : null;
   }
 
+  get sheet(): Sheet | null {
+    return this.state.kind === "shown" ? (this.state.page?.sheet ?? null) : null;
+  }
+
+  /** Numbers of the layers that are not shown. */
+  get hidden(): ReadonlySet<number> {
+    return this.state.kind === "shown" ? (this.state.page?.hidden ?? new Set()) : new Set();
+  }
+
   get lines(): LineIndex | null {
     return this.state.kind === "shown" ? (this.state.page?.lines ?? null) : null;
   }
 }
 
-const keyOf = (drawing: Drawing | null): string => (drawing ? `${drawing.file}#${drawing.page ?? 1}` : "");
+const keyOf = (drawing: Pick<Drawing, "file" | "page"> | null): string =>
+  drawing ? `${drawing.file}#${drawing.page ?? 1}` : "";
+
+function drawn(sheet: Sheet): Promise<Levels> {
+  const [width, height] = sheet.size;
+  return sheet.render(wholeOf(sheet.size), Math.sqrt(pagePixels / (width * height))).then(levelsOf);
+}
+
+function closeAll(levels: Levels): void {
+  for (const level of levels) level.close();
+}
 
 function close(state: State): void {
   if (state.kind !== "shown") return;
-  for (const level of state.levels) level.close();
+  closeAll(state.levels);
   state.page?.detail.close();
   state.page?.sheet.close();
 }

@@ -34,6 +34,13 @@ export class Traced implements LineSource {
     return found?.map((corner) => toWorld(seen.placement, corner)) ?? null;
   }
 
+  /** The closed outlines of a layer. */
+  outlinesOf(layer: number): Point[][] {
+    const seen = this.seen();
+    if (!seen) return [];
+    return seen.index.outlinesOf(layer).map((outline) => outline.map((corner) => toWorld(seen.placement, corner)));
+  }
+
   private take(found: (index: LineIndex, placement: Placement) => [Point, Point][]): Segment[] {
     const seen = this.seen();
     if (!seen) return [];

@@ -2,7 +2,7 @@
 
 import type { Point } from "../document/messages";
 import { boundsOf, type Bounds } from "../geometry/bounds";
-import { tidy, type LengthUnit } from "../geometry/units";
+import { factorOf, tidy, type LengthUnit } from "../geometry/units";
 import { between, cross, directionOf, distance, dot, minus, plus, times, unitAt } from "../geometry/vector";
 import type { Viewport } from "../view/viewport";
 import { hasLines, type Drawing, type Line } from "./drawing";
@@ -29,8 +29,8 @@ export interface Placement {
 
 const pixelLength = ({ from, to, length }: Line): number => length / distance(from, to);
 
-export function placementOf({ size, at, scale, rotation_deg = 0 }: Drawing, { factor }: LengthUnit): Placement {
-  const step = scale ? pixelLength(scale) * factor : usualWidth / size[0];
+export function placementOf({ size, at, unit, scale, rotation_deg = 0 }: Drawing, { factor }: LengthUnit): Placement {
+  const step = scale ? pixelLength(scale) * factor : unit === undefined ? usualWidth / size[0] : factorOf(unit);
   return { origin: times(at, factor), step, turn: rotation_deg, height: size[1] };
 }
 
@@ -123,22 +123,49 @@ export function shifted(drawing: Drawing, unit: LengthUnit, shift: Point): Drawi
   return { ...drawing, at: [tidy(x, unit), tidy(y, unit)] };
 }
 
-/** A part of the picture in whole pixels; undefined for all of it. */
-export function cropBetween({ size: [width, height] }: Drawing, a: Point, b: Point): Drawing["crop"] {
-  const [x, y] = [0, 1].map((axis) => [a[axis], b[axis]].map(Math.round).sort((p, q) => p - q));
+/** A part of the picture, in whole pixels unless it has lines; undefined for all of it. */
+export function cropBetween({ file, size: [width, height] }: Drawing, a: Point, b: Point): Drawing["crop"] {
+  const whole = hasLines(file) ? (value: number) => value : Math.round;
+  const [x, y] = [0, 1].map((axis) => [a[axis], b[axis]].map(whole).sort((p, q) => p - q));
   const [left, right] = x.map((value) => Math.min(Math.max(value, 0), width));
   const [upper, lower] = y.map((value) => Math.min(Math.max(value, 0), height));
   const isWhole = left === 0 && upper === 0 && right === width && lower === height;
   return isWhole || left === right || upper === lower ? undefined : [left, upper, right, lower];
 }
 
-/** Another picture at the place of this one: its lower left corner and its width stay. */
-export function replacedBy(drawing: Drawing, { file, page, size }: Pick<Drawing, "file" | "page" | "size">): Drawing {
+/** What a file says of itself. */
+export type Source = Pick<Drawing, "file" | "page" | "size" | "unit" | "origin">;
+
+/** Another version of a DXF drawing: its coordinates stay where they are. */
+function newVersion(drawing: Drawing, next: Source, of: LengthUnit): Drawing | null {
+  const { origin, unit, rotation_deg = 0 } = drawing;
+  if (!origin || !next.origin || unit === undefined || unit !== next.unit || drawing.scale) return null;
+  const [c, s] = unitAt(rotation_deg);
+  const [x, y] = times(minus(next.origin, origin), factorOf(unit));
+  return shifted({ ...drawing, ...next, crop: undefined }, of, [c * x - s * y, s * x + c * y]);
+}
+
+/** Another picture at the place of this one: its lower left corner and its width stay, or the coordinates of its file. */
+export function replacedBy(drawing: Drawing, next: Source, unit: LengthUnit): Drawing {
+  return newVersion(drawing, next, unit) ?? asWide(drawing, next, unit);
+}
+
+/** The scale of a drawing whose unit is known. */
+function scaleOfUnit({ unit, size: [width, height] }: Drawing, { factor }: LengthUnit): Line | undefined {
+  if (unit === undefined) return undefined;
+  return { from: [0, height], to: [width, height], length: (width * factorOf(unit)) / factor };
+}
+
+function asWide(drawing: Drawing, next: Source, unit: LengthUnit): Drawing {
+  const { file, size } = next;
+  if (next.unit !== undefined) return { ...drawing, ...next, scale: undefined, check: undefined, crop: undefined };
   const factor = size[0] / drawing.size[0];
   const moved = ([x, y]: Point): Point =>
     roundPixel([factor * x, size[1] - factor * (drawing.size[1] - y)], { file, size });
   const line = (old: Line | undefined): Line | undefined => old && { ...old, from: moved(old.from), to: moved(old.to) };
-  const replaced = { ...drawing, file, page, size, scale: line(drawing.scale), check: line(drawing.check) };
+  const { scale = scaleOfUnit(drawing, unit), check } = drawing;
+  const unknown = { page: undefined, unit: undefined, origin: undefined };
+  const replaced = { ...drawing, ...unknown, ...next, scale: line(scale), check: line(check) };
   if (!drawing.crop) return replaced;
   const [left, upper, right, lower] = drawing.crop;
   return { ...replaced, crop: cropBetween(replaced, moved([left, upper]), moved([right, lower])) };

@@ -13,12 +13,12 @@ import { minus, times } from "../geometry/vector";
 import { addArea, addBlock, addKeepOut } from "../make/block";
 import { addHole, addZone, losesWalls, setRoom } from "../make/room";
 import { addRun, runAlong, setRows } from "../make/run";
-import { firstName, type Site } from "../make/site";
+import { firstName, inFile, type Site } from "../make/site";
 import { addOpening, addWalls, along, wallLines, wallNear } from "../make/walls";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 import { materialFor } from "./materials";
-import { templateOf } from "./template";
+import { templateOf, withDepth } from "./template";
 import type { DrawTool } from "./tools";
 
 const openingReach = 0.6; // m from a wall
@@ -46,20 +46,21 @@ interface Made {
   origin?: Point;
 }
 
-/** `isExact`: a fixture is as long as its line; `isFree`: it clings to no wall. */
+/** `isExact`: a fixture is as long as its line; `isFree`: it clings to no wall; `depth`: that of the fixture, m. */
 export interface Freedom {
   isExact: boolean;
   isFree: boolean;
+  depth?: number;
 }
 
 function make(
   planner: Planner,
+  site: Site,
   builder: EditBuilder,
   tool: DrawTool,
   points: readonly Point[],
   freedom: Freedom,
 ): Made | string {
-  const site = siteOf(planner);
   const { settings } = planner;
   const { thickness, zoneHeight, blockHeight, isColumn, spacing } = settings.now;
   const { json } = planner.document;
@@ -89,7 +90,8 @@ function make(
       return { paths: [elementAround(path) ?? path], preview: noPreview };
     }
     case "run": {
-      const template = templateOf(planner);
+      const known = templateOf(planner);
+      const template = known && freedom.depth !== undefined ? withDepth(known, inFile(site, freedom.depth)) : known;
       const run = template && runAlong(site, template, wallLines(site), [points[0], points[1]], freedom);
       if (!template || !run) return text.draw.no_preset;
       settings.set({ isLike: true, preset: template.preset });
@@ -129,28 +131,43 @@ function openingForm(planner: Planner) {
   return opening === "window" ? { bottom: sill, top: lintel, material } : { bottom: 0, top: doorHeight, material };
 }
 
-/** Adds the drawn element, and selects it. */
-export async function finish(
-  planner: Planner,
-  tool: DrawTool,
-  points: readonly Point[],
-  freedom: Freedom,
-): Promise<boolean> {
+/** What a tool makes of a stroke. */
+export interface Finished {
+  tool: DrawTool;
+  points: readonly Point[];
+  freedom: Freedom;
+}
+
+/** Adds the drawn elements in one step, and selects them. */
+export async function finishAll(planner: Planner, strokes: readonly Finished[], label: string): Promise<boolean> {
   const { document } = planner;
   if (document.locked) {
     planner.say(text.why_not.locked, true);
     return false;
   }
   const builder = new EditBuilder(document.json);
-  const made = make(planner, builder, tool, points, freedom);
-  if (typeof made === "string") {
-    planner.say(made, true);
-    return false;
+  const site = siteOf(planner);
+  const taken = new Set(site.taken);
+  const all: Made[] = [];
+  for (const { tool, points, freedom } of strokes) {
+    const made = make(planner, { ...site, taken }, builder, tool, points, freedom);
+    if (typeof made === "string") {
+      planner.say(made, true);
+      return false;
+    }
+    all.push(made);
+    for (const path of made.paths) taken.add(String(builder.get(`${path}/id`)));
+    if (made.origin) moveOrigin(planner, builder, made.origin);
   }
-  const { paths, preview, origin } = made;
-  if (origin) moveOrigin(planner, builder, origin);
-  const done = document.edit({ label: say(text.edits.draw, text.drawn[tool]), ops: builder.ops }, preview);
+  const added = all.flatMap(({ preview }) => preview.added).map((part, k) => ({ ...part, key: `drawn${k}` }));
+  const done = document.edit({ label, ops: builder.ops }, { ...noPreview, added });
+  planner.selection.setPaths(all.flatMap(({ paths }) => paths));
+  return done;
+}
+
+/** Adds the drawn element, and selects it. */
+export function finish(planner: Planner, tool: DrawTool, points: readonly Point[], freedom: Freedom): Promise<boolean> {
+  const done = finishAll(planner, [{ tool, points, freedom }], say(text.edits.draw, text.drawn[tool]));
   if (tool === "rows") planner.setTool("select");
-  planner.selection.setPaths(paths);
   return done;
 }

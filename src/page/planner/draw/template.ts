@@ -41,6 +41,15 @@ function withKeys(planner: Planner, preset: string | null, value: JsonObject): T
   return { preset, own, base: usualSize, effective: all, prefix: prefixOf(value.id), module };
 }
 
+/** A template of another depth, in the unit of the store. A box has its depth in its size. */
+export function withDepth(template: Template, depth: number): Template {
+  const { own, effective } = template;
+  if (!Array.isArray(effective.size))
+    return { ...template, own: { ...own, depth }, effective: { ...effective, depth } };
+  const [length, , height] = effective.size as number[];
+  return { ...template, effective: { ...effective, size: [length, depth, height] } };
+}
+
 /** The fixture that the next one is like; null: it follows the chosen preset. */
 export function modelOf({ selected, settings }: Planner): { id: string; value: JsonObject } | null {
   const [model] = selected;

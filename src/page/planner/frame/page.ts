@@ -9,6 +9,7 @@ import { Commands, type CommandId } from "../access/commands";
 import { openFind } from "../access/find";
 import { chordText } from "../access/keys";
 import { openMenu } from "../access/menu";
+import { outlineMenu } from "../actions/outlines";
 import { openPicker } from "../access/picker";
 import { openShortcuts } from "../access/shortcuts";
 import { commandList } from "../actions/command_list";
@@ -179,6 +180,7 @@ export class Page {
     const { changes } = planner;
     changes.listen(["document"], () => this.opened());
     changes.listen(["document"], () => this.followPicture());
+    changes.listen(["layers"], () => void planner.picture.followLayers());
     changes.listen(["document"], () => this.shapes.fadeRoom());
     changes.listen(["document", "picture", "layers", "viewport", "tool"], () => this.backdrop.update());
     changes.listen(["document", "preview", "viewport", "tool", "layers"], () => {
@@ -306,8 +308,13 @@ export class Page {
   }
 
   private openMenuAt(x: number, y: number): void {
+    const { planner } = this;
     const box = this.plan.getBoundingClientRect();
-    openMenu(this.commands, elementMenu, box.left + x, box.top + y);
+    const outline = planner.isPlan ? planner.traced.outlineAt(planner.viewport.toWorld([x, y])) : null;
+    planner.offerOutlines(outline && [outline]);
+    openMenu(this.commands, [...elementMenu, outlineMenu], box.left + x, box.top + y, () =>
+      planner.offerOutlines(null),
+    );
   }
 
   private menuAtSelection(): void {

@@ -22,6 +22,21 @@ export const metre = units[0];
 
 export const unitNamed = (name: string): LengthUnit => units.find((unit) => unit.name === name) ?? metre;
 
+/** Units of drawings, m. */
+export const drawingUnits: ReadonlyMap<string, number> = new Map([
+  ["mm", 0.001],
+  ["cm", 0.01],
+  ["dm", 0.1],
+  ["m", 1],
+  ["km", 1000],
+  ["in", 0.0254],
+  ["ft", 0.3048],
+  ["yd", 0.9144],
+]);
+
+/** m; that of a metre for an unknown unit. */
+export const factorOf = (unit: string): number => drawingUnits.get(unit) ?? 1;
+
 /** Without the digits that only rounding makes. */
 export function tidy(value: number, { decimals }: LengthUnit): number {
   return Number(value.toFixed(decimals)) + 0;

@@ -8,7 +8,7 @@ import { directionOf, distance, dot, minus, wholeTurn } from "../geometry/vector
 import { freeId, inFile, pointInFile, type Site } from "./site";
 
 /** The corners are those of a rectangle, in order. */
-function isRectangle(corners: readonly Point[]): boolean {
+export function isRectangle(corners: readonly Point[]): boolean {
   if (corners.length !== 4) return false;
   return corners.every((corner, k) => {
     const [before, after] = [corners[(k + 3) % 4], corners[(k + 1) % 4]];

@@ -46,7 +46,8 @@ function product(m: Transform, n: Transform): Transform {
 class Collector {
   private ends = new Float32Array(1 << 12);
   private count = 0;
-  private readonly outlines: number[] = [];
+  private readonly corners: number[] = [];
+  private readonly firsts = [0];
   private first = 0; // line of the present outline
   private start: [number, number] = [0, 0];
   private at: [number, number] = [0, 0];
@@ -82,12 +83,21 @@ class Collector {
   /** A path that ends where it began is closed, too. */
   finish(): void {
     const isClosed = this.at[0] === this.start[0] && this.at[1] === this.start[1];
-    if (isClosed && this.count - this.first >= 3) this.outlines.push(this.first, this.count);
+    if (isClosed && this.count - this.first >= 3) {
+      for (let k = 4 * this.first; k < 4 * this.count; k += 4) this.corners.push(this.ends[k], this.ends[k + 1]);
+      this.firsts.push(this.corners.length / 2);
+    }
     this.first = this.count;
   }
 
   get lines(): Lines {
-    return { ends: this.ends.slice(0, 4 * this.count), outlines: Uint32Array.from(this.outlines) };
+    return {
+      ends: this.ends.slice(0, 4 * this.count),
+      corners: Float32Array.from(this.corners),
+      firsts: Uint32Array.from(this.firsts),
+      layers: null,
+      index: null,
+    };
   }
 }
 

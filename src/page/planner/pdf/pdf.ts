@@ -38,6 +38,7 @@ async function within<Value>(work: Promise<Value>): Promise<Value> {
 
 class PdfSheet implements Sheet {
   readonly size: Point;
+  readonly layers = [];
   private readonly frame;
 
   constructor(
@@ -47,6 +48,8 @@ class PdfSheet implements Sheet {
     this.frame = page.getViewport({ scale: 1 });
     this.size = [this.frame.width, this.frame.height];
   }
+
+  hide(): void {}
 
   async render({ left, upper, width, height }: Region, scale: number): Promise<ImageBitmap> {
     const canvas = document.createElement("canvas");

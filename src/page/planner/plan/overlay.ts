@@ -40,6 +40,7 @@ export class Overlay {
       ...this.hovered(),
       ...this.selected(),
       ...(isBusy || scope.kind === "marquee" ? [] : this.grips()),
+      ...this.outlines(),
       ...this.marquee(),
       ...this.measures(),
       ...this.picture(),
@@ -149,6 +150,13 @@ export class Overlay {
         }),
       ];
     });
+  }
+
+  /** Outlines of the drawing for which a menu is open. */
+  private outlines(): Node[] {
+    return (this.planner.outlines ?? []).map((outline) =>
+      svg("path", { class: "marquee", d: pathOf(this.screen(outline)) }),
+    );
   }
 
   private marquee(): Node[] {

@@ -5,6 +5,8 @@ import type { Region, Sheet } from "./sheet";
 
 const rest = 160; // ms
 const mostPixels = 16e6;
+/** Larger pictures make thin lines faint where they are shown smaller. */
+export const coarsest = 1.6;
 /** A share of the view that is drawn beyond each of its sides, so that small moves need nothing new. */
 const margin = 0.25;
 
@@ -34,6 +36,7 @@ export class DetailView {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private isBusy = false;
   private isClosed = false;
+  private edition = 0;
 
   /** `onDrawn`: there is a new part. */
   constructor(
@@ -49,7 +52,7 @@ export class DetailView {
     const seen = common(view, whole);
     if (!seen || this.isClosed) return;
     const { now } = this;
-    if (now && holds(now.region, seen) && now.scale >= 0.9 * scale && now.scale <= 3 * scale) return;
+    if (now && holds(now.region, seen) && now.scale >= 0.9 * scale && now.scale <= coarsest * scale) return;
     this.timer = setTimeout(() => {
       if (this.isBusy) return this.show(view, scale);
       const [u, v] = [margin * view.width, margin * view.height];
@@ -65,13 +68,16 @@ export class DetailView {
 
   private async draw(region: Region, wanted: number): Promise<void> {
     const scale = Math.min(wanted, Math.sqrt(mostPixels / (region.width * region.height)));
+    const { edition } = this;
     this.isBusy = true;
     try {
       const bitmap = await this.sheet.render(region, scale);
+      if (this.isClosed || edition !== this.edition) {
+        bitmap.close();
+        return;
+      }
       this.now?.bitmap.close();
-      this.now = null;
-      if (this.isClosed) bitmap.close();
-      else this.now = { bitmap, region, scale };
+      this.now = { bitmap, region, scale };
       this.onDrawn();
     } catch {
       // The whole page stays as it is.
@@ -80,10 +86,16 @@ export class DetailView {
     }
   }
 
-  close(): void {
-    this.isClosed = true;
+  /** The drawing has changed. */
+  forget(): void {
+    ++this.edition;
     clearTimeout(this.timer);
     this.now?.bitmap.close();
     this.now = null;
+  }
+
+  close(): void {
+    this.isClosed = true;
+    this.forget();
   }
 }

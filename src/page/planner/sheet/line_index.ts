@@ -4,26 +4,35 @@ import Flatbush from "flatbush";
 
 import type { Point } from "../document/messages";
 import type { Bounds } from "../geometry/bounds";
-import { contains, nearestOn } from "../geometry/polygon";
+import { area, contains, nearestOn } from "../geometry/polygon";
 import { distance } from "../geometry/vector";
 import type { Lines } from "./sheet";
 
 export type PixelLine = [Point, Point];
 
+/** The index of lines; null without any. `ends`: x0, y0, x1, y1 of each. */
+export function indexOfLines(ends: Float32Array): Flatbush | null {
+  if (ends.length === 0) return null;
+  const index = new Flatbush(ends.length / 4, 16, Float32Array);
+  for (let k = 0; k < ends.length; k += 4)
+    index.add(
+      Math.min(ends[k], ends[k + 2]),
+      Math.min(ends[k + 1], ends[k + 3]),
+      Math.max(ends[k], ends[k + 2]),
+      Math.max(ends[k + 1], ends[k + 3]),
+    );
+  index.finish();
+  return index;
+}
+
 export class LineIndex {
   private readonly index: Flatbush | null;
+  /** Layers whose lines and outlines are not found. */
+  hidden: ReadonlySet<number> = new Set();
 
   constructor(private readonly lines: Lines) {
-    const { ends } = lines;
-    this.index = ends.length > 0 ? new Flatbush(ends.length / 4, 16, Float32Array) : null;
-    for (let k = 0; k < ends.length; k += 4)
-      this.index?.add(
-        Math.min(ends[k], ends[k + 2]),
-        Math.min(ends[k + 1], ends[k + 3]),
-        Math.max(ends[k], ends[k + 2]),
-        Math.max(ends[k + 1], ends[k + 3]),
-      );
-    this.index?.finish();
+    const { ends, index } = lines;
+    this.index = index && ends.length > 0 ? Flatbush.from(index) : indexOfLines(ends);
   }
 
   get count(): number {
@@ -32,7 +41,7 @@ export class LineIndex {
 
   /** The nearest lines within a distance, at most `most`. */
   near(point: Point, reach: number, most: number): PixelLine[] {
-    const found = this.index?.neighbors(...point, most, reach) ?? [];
+    const found = this.index?.neighbors(...point, most, reach, (k) => this.isShown(k)) ?? [];
     return found
       .map((line) => this.line(line))
       .filter(([from, to]) => distance(nearestOn(from, to, point), point) <= reach);
@@ -41,37 +50,61 @@ export class LineIndex {
   /** Lines whose bounds touch a rectangle, at most `most`. */
   within({ lower, upper }: Bounds, most: number): PixelLine[] {
     let found = 0;
-    return (this.index?.search(...lower, ...upper, () => ++found <= most) ?? []).map((line) => this.line(line));
+    const chosen = this.index?.search(...lower, ...upper, (k) => this.isShown(k) && ++found <= most) ?? [];
+    return chosen.map((line) => this.line(line));
   }
 
   /** The smallest closed outline around a place. */
   outlineAt(point: Point): Point[] | null {
-    const { outlines } = this.lines;
     let best: Point[] | null = null;
     let least = Infinity;
-    for (let k = 0; k < outlines.length; k += 2) {
-      const corners = this.corners(outlines[k], outlines[k + 1], point);
-      if (!corners || !contains(corners, point)) continue;
-      const area = Math.abs(areaOf(corners));
-      if (area >= least) continue;
-      least = area;
+    for (let k = 0; k + 1 < this.lines.firsts.length; ++k) {
+      if (!this.isOutlineShown(k) || !this.surrounds(k, point)) continue;
+      const corners = this.outline(k);
+      const size = area(corners);
+      if (size >= least || !contains(corners, point)) continue;
+      least = size;
       best = corners;
     }
     return best;
   }
 
-  /** Null if the bounds of the lines from `first` to before `end` do not contain the place. */
-  private corners(first: number, end: number, [x, y]: Point): Point[] | null {
-    const { ends } = this.lines;
+  outlinesOf(layer: number): Point[][] {
+    const { firsts, layers } = this.lines;
+    const all = Array.from({ length: Math.max(firsts.length - 1, 0) }, (_, k) => k);
+    return all.filter((k) => layers?.ofOutline[k] === layer).map((k) => this.outline(k));
+  }
+
+  private isShown(line: number): boolean {
+    const { layers } = this.lines;
+    return !layers || !this.hidden.has(layers.ofLine[line]);
+  }
+
+  private isOutlineShown(outline: number): boolean {
+    const { layers } = this.lines;
+    return !layers || !this.hidden.has(layers.ofOutline[outline]);
+  }
+
+  /** Whether the bounds of an outline contain a place. */
+  private surrounds(outline: number, [x, y]: Point): boolean {
+    const { corners, firsts } = this.lines;
     let [left, right, upper, lower] = [Infinity, -Infinity, Infinity, -Infinity];
-    for (let k = 4 * first; k < 4 * end; k += 4) {
-      left = Math.min(left, ends[k]);
-      right = Math.max(right, ends[k]);
-      upper = Math.min(upper, ends[k + 1]);
-      lower = Math.max(lower, ends[k + 1]);
+    for (let k = 2 * firsts[outline]; k < 2 * firsts[outline + 1]; k += 2) {
+      left = Math.min(left, corners[k]);
+      right = Math.max(right, corners[k]);
+      upper = Math.min(upper, corners[k + 1]);
+      lower = Math.max(lower, corners[k + 1]);
     }
-    if (x < left || x > right || y < upper || y > lower) return null;
-    return Array.from({ length: end - first }, (_, k): Point => [ends[4 * (first + k)], ends[4 * (first + k) + 1]]);
+    return x >= left && x <= right && y >= upper && y <= lower;
+  }
+
+  private outline(k: number): Point[] {
+    const { corners, firsts } = this.lines;
+    const first = firsts[k];
+    return Array.from({ length: firsts[k + 1] - first }, (_, n) => [
+      corners[2 * (first + n)],
+      corners[2 * (first + n) + 1],
+    ]);
   }
 
   private line(k: number): PixelLine {
@@ -81,11 +114,4 @@ export class LineIndex {
       [u, v],
     ];
   }
-}
-
-function areaOf(corners: readonly Point[]): number {
-  return corners.reduce((sum, [x, y], k) => {
-    const [u, v] = corners[(k + 1) % corners.length];
-    return sum + 0.5 * (x * v - u * y);
-  }, 0);
 }

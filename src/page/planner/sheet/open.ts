@@ -1,6 +1,8 @@
 // Opens drawings of lines by modules that are loaded with the first of them.
 
-import { text } from "../text";
+import type { Drawing } from "../backdrop/drawing";
+import { DxfFault, DxfSheet } from "../dxf/show/sheet";
+import { say, text } from "../text";
 import type { Sheet } from "./sheet";
 
 /** The file cannot be opened; the message says why. */
@@ -9,11 +11,15 @@ export class Unreadable extends Error {}
 type PdfModule = typeof import("../pdf/pdf");
 export type PdfFile = Awaited<ReturnType<PdfModule["openPdf"]>>;
 
-/** What the module says, in words. */
-const worded = (error: unknown): never => {
-  const { fault } = error as { fault?: keyof typeof text.pdf };
-  throw fault === undefined ? error : new Unreadable(text.pdf[fault]);
-};
+/** What the modules say, in words. */
+function worded(error: unknown): never {
+  if (error instanceof DxfFault) {
+    const { fault, values } = error.given;
+    throw new Unreadable(say(text.dxf.faults[fault], ...Object.values(values)));
+  }
+  const { fault } = error as { fault?: keyof typeof text.pdf.faults };
+  throw fault === undefined ? error : new Unreadable(text.pdf.faults[fault]);
+}
 
 /** `address`: of the page. */
 export async function openPdf(bytes: ArrayBuffer, address: string): Promise<PdfFile> {
@@ -24,5 +30,10 @@ export async function openPdf(bytes: ArrayBuffer, address: string): Promise<PdfF
 
 export const pageOf = (file: PdfFile, page: number): Promise<Sheet> => file.page(page).catch(worded);
 
-export const openSheet = async (bytes: ArrayBuffer, page: number, address: string): Promise<Sheet> =>
-  pageOf(await openPdf(bytes, address), page);
+/** Keeps the bytes. */
+export const openDxf = (bytes: ArrayBuffer, address: string): Promise<DxfSheet> =>
+  DxfSheet.open(bytes.slice(0), address).catch(worded);
+
+export async function openSheet(bytes: ArrayBuffer, { file, page = 1 }: Drawing, address: string): Promise<Sheet> {
+  return /\.dxf$/i.test(file) ? openDxf(bytes, address) : pageOf(await openPdf(bytes, address), page);
+}

@@ -11,16 +11,36 @@ export interface Region {
   height: number;
 }
 
-/** What can be snapped to. */
+/** What can be snapped to, and taken. */
 export interface Lines {
-  /** x0, y0, x1, y1 of each. */
+  /** x0, y0, x1, y1 of each line. */
   ends: Float32Array;
-  /** The first line of each closed outline and the one after its last. */
-  outlines: Uint32Array;
+  /** x, y of the corners of the closed outlines, one outline after the other. */
+  corners: Float32Array;
+  /** The first corner of each outline, and the number of all corners. */
+  firsts: Uint32Array;
+  /** The layers of lines and outlines; null: there are no layers. */
+  layers: { ofLine: Uint16Array; ofOutline: Uint16Array } | null;
+  /** The lines by place, if that is known: the data of a Flatbush. */
+  index: ArrayBuffer | null;
+}
+
+export interface SheetLayer {
+  name: string;
+  /** "#rrggbb" */
+  colour: string;
+  /** Whether the file shows it. */
+  isOn: boolean;
+  lines: number;
+  texts: number;
+  outlines: number;
 }
 
 export interface Sheet {
   size: Point;
+  layers: readonly SheetLayer[];
+  /** Without these layers, from the next picture on. */
+  hide(layers: ReadonlySet<number>): void;
   /** `scale`: pixels of the result per pixel of the picture. */
   render(region: Region, scale: number): Promise<ImageBitmap>;
   lines(): Promise<Lines>;

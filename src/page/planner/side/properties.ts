@@ -9,7 +9,7 @@ import type { IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
 import { overrideOf } from "../actions/override";
 import { EditBuilder } from "../document/edit";
-import { isObject, pointerTo, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
+import { isObject, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
 import { withoutPlace, type DeviceAnswer } from "../document/messages";
 import { ToolPanel } from "../draw/panel";
 import { isDrawTool } from "../draw/tools";
@@ -20,13 +20,15 @@ import type { Group } from "../form/field";
 import type { TypeList } from "../elements/types";
 import { Form, type FormContext } from "../form/form";
 import { showProblems } from "../form/problems";
-import { groupOfElement, groupOfStore, groupOfType } from "../form/schema";
+import { groupOfElement, groupOfStore } from "../form/schema";
 import { pointerOfPath, type Target } from "../form/targets";
 import type { Planner } from "../planner";
 import { deviceFacts } from "./device_facts";
 import { say, text } from "../text";
 import type { Item, Place } from "../view/selection";
 import { placeRows } from "./place";
+import { ProfilePicture } from "./profile_picture";
+import { typeGroup } from "./type_group";
 import { deleteType, duplicateType } from "./type_list";
 
 /** More elements are shown without the values of their presets. */
@@ -41,6 +43,7 @@ export class Properties {
   /** The elements that it shows. */
   private shown: StoreElement[] = [];
   private readonly picture: PicturePanel;
+  private readonly profile: ProfilePicture;
   private device: { item: string; answer: DeviceAnswer } | null = null;
 
   constructor(
@@ -48,6 +51,7 @@ export class Properties {
     private readonly commands: Commands,
   ) {
     this.picture = new PicturePanel(planner, commands);
+    this.profile = new ProfilePicture(planner.document, planner.changes);
     this.root.addEventListener("focusout", () => {
       if (this.isStale) setTimeout(() => this.update());
     });
@@ -304,7 +308,7 @@ export class Properties {
   private type(path: string, value: JsonObject): Node[] {
     const [list, name] = splitPointer(path);
     const kind = list.slice(1) as TypeList;
-    const group = groupOfType(kind, fixtureTypeOf(this.planner.document.json, value));
+    const group = typeGroup(this.planner.document.json, kind, value);
     const actions = element(
       "div",
       { class: "buttons" },
@@ -316,7 +320,8 @@ export class Properties {
     return [
       this.header(name, text.types.singular[kind], actions),
       element("div", { class: "whole", "data-field": "" }),
-      ...(group ? [this.form([target], [asOptional(group, kind)], name)] : []),
+      ...(kind === "transceiver_types" ? this.profile.content(value) : []),
+      ...(group ? [this.form([target], [group], name)] : []),
     ];
   }
 
@@ -374,27 +379,4 @@ function optionText(type: Json | undefined): string {
 function subtitleOf({ kind }: StoreElement, type: Json | undefined): string {
   if (kind === "fixture") return optionText(type);
   return kind === "room" ? "" : text.kinds[kind];
-}
-
-/** The type of a preset, perhaps that of the preset that it begins with. */
-function fixtureTypeOf(json: Json, value: JsonObject): string {
-  let found: Json | undefined = value;
-  for (let depth = 0; isObject(found) && depth < 20; ++depth) {
-    if (typeof found.type === "string") return found.type;
-    found = typeof found.preset === "string" ? valueAt(json, pointerTo("/presets", found.preset)) : undefined;
-  }
-  return "gondola";
-}
-
-/** A preset may leave out any key. */
-function asOptional(group: Group, kind: TypeList): Group {
-  if (kind !== "presets") return group;
-  return {
-    ...group,
-    variants: group.variants.map((variant) => ({
-      ...variant,
-      fields: variant.fields.filter(({ key }) => key !== "id").map((field) => ({ ...field, isRequired: false })),
-      alternatives: [],
-    })),
-  };
 }

@@ -8,9 +8,19 @@ import type { Fault } from "./fault";
 
 type TableModule = typeof import("../importing/module");
 
+const moduleAt = async (address: string) => (await import(`${address}table/table.js`)) as TableModule;
+
+/** Keeps an emission profile or a mesh, and asks what it is for. Throws NotAccepted. */
+export async function openDevice(planner: Planner, given: Given, address: string): Promise<void> {
+  const stored = await upload(address, given);
+  const { openDevice } = await moduleAt(address);
+  const keep = () => Promise.resolve(stored.file);
+  openDevice({ planner, text, openDialog, keep }, stored.file, stored);
+}
+
 /** `address`: of the page. Throws NotAccepted. */
 export async function openTable(planner: Planner, given: Given, address: string): Promise<void> {
-  const { openTable } = (await import(`${address}table/table.js`)) as TableModule;
+  const { openTable } = await moduleAt(address);
   const keep = async (name: string, content: string) => {
     const bytes = new TextEncoder().encode(content).buffer;
     return (await upload(address, { name, kind: "csv", bytes })).file;

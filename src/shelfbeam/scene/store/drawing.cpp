@@ -7,7 +7,9 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double max_pixels = 100'000;
+constexpr double max_pixels = 1e9;  // units of a DXF file may be small
+constexpr double min_size = 1e-3;
+constexpr std::array<std::string_view, 8> units{"mm", "cm", "dm", "m", "km", "in", "ft", "yd"};
 
 void describe_line(Fields& f, std::string_view key, std::optional<ScaleLine>& line, std::string_view says) {
   ScaleLine value = line.value_or(ScaleLine{});
@@ -30,13 +32,30 @@ void ScaleLine::fields(Fields& f) {
 
 void describe(Drawing& drawing, Fields& f) {
   f.text("file", drawing.file,
-         {.says = "name of a PNG, JPEG, WEBP or PDF file in the folder of the store file", .is_name = true});
-  f.integer("page", drawing.page, {.says = "page of a PDF file", .least = 1, .is_optional = true});
-  f.array("size", Scalar::number, drawing.size,
-          {.says = "`[width, height]` of the picture to which all pixels here refer; points of a PDF page",
-           .least = 1,
-           .most = max_pixels,
-           .unit = "pixels"});
+         {.says = "name of a PNG, JPEG, WEBP, PDF or DXF file in the folder of the store file",
+          .is_name = true});
+  f.integer("page", drawing.page,
+            {.says = "page of a PDF file", .least = 1, .most = 100'000, .is_optional = true});
+  f.choices("unit", drawing.unit, units, true,
+            {.says = "unit of length of a DXF file: `mm`, `cm`, `dm`, `m`, `km`, `in`, `ft` or `yd`; `scale` "
+                     "comes before it",
+             .is_optional = true,
+             .otherwise = "none",
+             .is_written = !drawing.unit.empty()});
+  std::array<double, 2> origin = drawing.origin.value_or(std::array<double, 2>{});
+  if (f.array("origin", Scalar::number, origin,
+              {.says = "`[x, y]` of the picture's lower left corner in the coordinates of a DXF file",
+               .is_optional = true,
+               .otherwise = "none",
+               .is_written = drawing.origin.has_value()}))
+    drawing.origin = origin;
+  f.array(
+      "size", Scalar::number, drawing.size,
+      {.says = "`[width, height]` of the picture to which all pixels here refer; points of a PDF page, units "
+               "of a DXF file",
+       .least = min_size,
+       .most = max_pixels,
+       .unit = "pixels"});
   f.plan_point("at", drawing.at,
                {.says = "`[x, y]` of the picture's lower left corner in the shop",
                 .is_optional = true,

@@ -130,7 +130,7 @@ test("another file takes the place of the picture", () => {
   fc.assert(
     fc.property(drawings, fc.integer({ min: 500, max: 9000 }), (drawing, width) => {
       const size = [width, Math.round((width * 1754) / 2480)];
-      const replaced = replacedBy(drawing, { file: "new.png", size });
+      const replaced = replacedBy(drawing, { file: "new.png", size }, metre);
       const [before, after] = [drawing, replaced].map((one) => ({ ...one, crop: undefined }));
       // Heights are whole pixels, and so are crops.
       const slack = (placementOf(replaced, metre).step * 2480) / 500 + 0.02;
@@ -142,12 +142,32 @@ test("another file takes the place of the picture", () => {
       }
     }),
   );
-  const taller = replacedBy(plan({ scale: lineOf(0, 1000, 500, 1000, 5), crop: [0, 500, 1000, 1000] }), {
-    file: "tall.png",
-    size: [1000, 800],
-  });
+  const taller = replacedBy(
+    plan({ scale: lineOf(0, 1000, 500, 1000, 5), crop: [0, 500, 1000, 1000] }),
+    {
+      file: "tall.png",
+      size: [1000, 800],
+    },
+    metre,
+  );
   assert.deepEqual(taller.scale, lineOf(0, 800, 250, 800, 5), "the lower left corner stays");
   assert.deepEqual(taller.crop, [0, 550, 500, 800]);
+});
+
+test("a drawing with a unit has its size, and a new version keeps its coordinates", () => {
+  const sheet = { file: "a.dxf", size: [1000, 500], at: [2, 3], unit: "in", origin: [100, 200] };
+  near(toWorld(placementOf(sheet, foot), [1000, 500]), [2 * 0.3048 + 25.4, 3 * 0.3048]);
+  const next = { file: "b.dxf", size: [1200, 800], unit: "in", origin: [90, 150] };
+  const replaced = replacedBy({ ...sheet, rotation_deg: 90 }, next, metre);
+  // The place of a point of the file, in coordinates of the file.
+  const placeOf = (of, [x, y]) => toWorld(placementOf(of, metre), [x - of.origin[0], of.size[1] - (y - of.origin[1])]);
+  near(placeOf(replaced, [321, 432]), placeOf({ ...sheet, rotation_deg: 90 }, [321, 432]), 1e-4);
+  assert.equal(replaced.scale, undefined);
+  const picture = replacedBy(sheet, { file: "c.png", size: [2000, 1000] }, metre);
+  assert.deepEqual([picture.unit, picture.origin], [undefined, undefined]);
+  near(toWorld(placementOf(picture, metre), [2000, 1000]), [2 + 25.4, 3]);
+  const feet = replacedBy(sheet, { ...next, unit: "ft" }, metre);
+  assert.deepEqual([feet.unit, feet.at], ["ft", [2, 3]]);
 });
 
 test("a second length checks the scale", () => {
@@ -207,7 +227,14 @@ test("files are recognised by their first bytes", () => {
     jpg: ["\xff\xd8\xff\xe0"],
     webp: ["RIFF\x10\0\0\0WEBPVP8 "],
     pdf: ["%PDF-1.7"],
-    page: ["  0\r\nSECTION\r\n", "999\nmade by hand\n", "AutoCAD Binary DXF\r\n", "AC1032"],
+    dxf: [
+      "\xef\xbb\xbf0\nSECTION",
+      "0\rSECTION",
+      "  0\r\nSECTION\r\n",
+      "999\nmade by hand\n",
+      "AutoCAD Binary DXF\r\n",
+      "AC1032",
+    ],
     other: ["", "GIF89a", "RIFF\x10\0\0\0WAVE", "<svg>", "0123"],
   };
   for (const [kind, samples] of Object.entries(kinds))
@@ -254,7 +281,6 @@ test("a picture is sent, and wrong files are refused with a reason", async () =>
         (error) => error instanceof NotAccepted && words.test(error.message),
       );
     await refused(file(""), /^my plan.png is empty/);
-    await refused(file("AC1032"), /^DXF and DWG files cannot be opened yet; export the drawing as PDF/);
     await refused(file("hello"), /^my plan.png is not a floor plan/);
     assert.equal(asked.length, 1, "wrong files are not sent");
   });

@@ -45,7 +45,8 @@ test("a path has its lines, in the coordinates of the picture", () => {
     [12, 98, 10, 98],
     [10, 98, 10, 100],
   ]);
-  assert.deepEqual([...lines.outlines], [0, 4]);
+  assert.deepEqual([...lines.firsts], [0, 4]);
+  assert.deepEqual([...lines.corners], [10, 100, 12, 100, 12, 98, 10, 98]);
 });
 
 test("transformations are nested, and end with their states and forms", () => {

@@ -94,6 +94,18 @@ TEST(ProjectFile, IsAPdf) {
   EXPECT_EQ(stored_file(folder.path(), "plan.PDF")->type, "application/pdf");
 }
 
+TEST(ProjectFile, IsADxf) {
+  const TempFolder folder;
+  for (const char* content : {"0\nSECTION\n", "  0\r\nSECTION\r\n",
+                              "\xef\xbb\xbf"
+                              "999\nmade by hand\n0\nSECTION\n"})
+    EXPECT_NE(keep_file(folder.path(), "plan.dxf", content).name, "") << content;
+  EXPECT_EQ(stored_file(folder.path(), "plan.dxf")->type, "image/vnd.dxf");
+  for (const char* content : {"0", "00\nSECTION\n", "AutoCAD Binary DXF\r\n", "AC1032"})
+    EXPECT_THROW(keep_file(folder.path(), "plan.dxf", content), InputError) << content;
+  EXPECT_THROW(keep_file(folder.path(), "plan.dxf", std::string("0\n\0", 3)), InputError);
+}
+
 TEST(ProjectFile, IsACsvFile) {
   const TempFolder folder;
   const std::string table =
@@ -127,7 +139,7 @@ TEST(ProjectFile, IsRefusedWithTheReason) {
   refused("plan.jpg", png(1, 1), "plan.jpg: is a PNG picture; rename it to plan.png");
   refused("plan.pdf", png(1, 1), "plan.pdf: is a PNG picture; rename it to plan.png");
   refused("plan.png", "%PDF-1.7", "plan.png: is a PDF file; rename it to plan.pdf");
-  constexpr auto unknown = "is not a PNG, JPEG or WEBP picture, a PDF file or a CSV file in UTF-8";
+  constexpr auto unknown = "is no file that the planner can use";
   refused("plan.png", "", unknown);
   refused("plan.png", "a,b", unknown);
   refused("store.json", "{}", unknown);

@@ -1,0 +1,31 @@
+// The fields of a type of the project.
+
+import { isObject, pointerTo, valueAt, type Json, type JsonObject } from "../document/json";
+import type { TypeList } from "../elements/types";
+import type { Group } from "../form/field";
+import { groupOfType } from "../form/schema";
+
+/** The type of a preset, perhaps that of the preset that it begins with. */
+function fixtureTypeOf(json: Json, value: JsonObject): string {
+  let found: Json | undefined = value;
+  for (let depth = 0; isObject(found) && depth < 20; ++depth) {
+    if (typeof found.type === "string") return found.type;
+    found = typeof found.preset === "string" ? valueAt(json, pointerTo("/presets", found.preset)) : undefined;
+  }
+  return "gondola";
+}
+
+/** Null: the schema knows no such fields. */
+export function typeGroup(json: Json, kind: TypeList, value: JsonObject): Group | null {
+  const group = groupOfType(kind, fixtureTypeOf(json, value)) ?? null;
+  if (!group || kind !== "presets") return group;
+  // A preset may leave out any key.
+  return {
+    ...group,
+    variants: group.variants.map((variant) => ({
+      ...variant,
+      fields: variant.fields.filter(({ key }) => key !== "id").map((field) => ({ ...field, isRequired: false })),
+      alternatives: [],
+    })),
+  };
+}
