@@ -134,6 +134,7 @@ testPlanner(
       true,
       "the unknown word",
     );
+    await tab.picture("table-again");
     await again.push("add-labels");
     await tab.steps(2);
     equal(again.actions, 1);
