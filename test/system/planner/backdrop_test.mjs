@@ -205,9 +205,9 @@ testPlanner("picture: wrong files are refused with a reason", {}, async (tab) =>
   const sentence = "plan.png has more than 100 megapixels; export it smaller.";
   await serveFiles(tab, { status: 413, contentType: "text/plain", body: sentence });
   await drop(tab, "plan.dwg", Buffer.from("AC1032"));
-  await notice(tab, "DXF and DWG files cannot be opened yet; export the drawing as PDF");
+  await notice(tab, "plan.dwg: The file is a DWG file");
   await drop(tab, "plan.gif", Buffer.from("GIF89a"));
-  await notice(tab, "plan.gif is not a floor plan. Choose a PNG, JPEG, WEBP or PDF file.");
+  await notice(tab, "plan.gif is not a floor plan. Choose a PNG, JPEG, WEBP, PDF or DXF file, or a table as CSV.");
   await drop(tab, "plan.png", plan);
   await notice(tab, sentence);
   check(await tab.isUntouched(), "the store is untouched");

@@ -27,6 +27,7 @@ import "./backdrop_test.mjs";
 import "./device_test.mjs";
 import "./pdf_test.mjs";
 import "./dxf_test.mjs";
+import "./table_test.mjs";
 import "./draw_test.mjs";
 import "./trace_test.mjs";
 import "./tabs_test.mjs";

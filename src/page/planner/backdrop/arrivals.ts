@@ -67,7 +67,8 @@ export class Arrivals {
   async take(file: File): Promise<void> {
     const { planner } = this;
     if (planner.document.locked) planner.say(text.why_not.locked, true);
-    if (planner.document.locked || !planner.document.isReady || this.isBusy) return;
+    const isBusy = this.isBusy || document.querySelector("dialog[open]") !== null;
+    if (planner.document.locked || !planner.document.isReady || isBusy) return;
     this.isBusy = true;
     try {
       const given = await contentOf(file);

@@ -23,7 +23,7 @@ export class BadLines {
   private readonly list = element("table", { "aria-label": text.planogram.bad });
   private readonly more = element("p", { class: "note" });
   private lines: readonly BadLine[] = [];
-  private readonly copyButton = button(text.planogram.copy, () => void this.copy(), {
+  private readonly copyButton = button(text.planogram.copy, () => this.copy(), {
     class: "small",
     "data-key": "copy-bad-lines",
   });
@@ -53,7 +53,7 @@ export class BadLines {
           {},
           element("th", { scope: "row", text: String(bad.row.line) }),
           element("td", { text: reasonOf(bad) }),
-          element("td", { class: "content", text: contentOf(bad) }),
+          element("td", { class: "fields", text: contentOf(bad) }),
         ),
       );
     replaceChildren(this.list, [
@@ -66,12 +66,20 @@ export class BadLines {
     ]);
   }
 
-  private async copy(): Promise<void> {
+  private copy(): void {
     const words = this.lines.map((bad) => `${bad.row.line}\t${reasonOf(bad)}\t${bad.row.fields.join("\t")}`).join("\n");
-    const isCopied = await navigator.clipboard.writeText(words).then(
-      () => true,
-      () => false,
-    );
-    this.copyButton.textContent = isCopied ? text.planogram.copied : text.planogram.not_copied;
+    this.copyButton.textContent = copyText(words) ? text.planogram.copied : text.planogram.not_copied;
   }
+}
+
+/** navigator.clipboard is missing in pages that other computers open without encryption. */
+function copyText(words: string): boolean {
+  const give = (event: ClipboardEvent) => {
+    event.clipboardData?.setData("text/plain", words);
+    event.preventDefault();
+  };
+  document.addEventListener("copy", give, { capture: true, once: true });
+  const isCopied = document.execCommand("copy");
+  document.removeEventListener("copy", give, { capture: true });
+  return isCopied;
 }

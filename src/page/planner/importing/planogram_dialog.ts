@@ -5,12 +5,12 @@ import { counted, grouped } from "../../data/format";
 import { say } from "../../data/text";
 import { button, element, replaceChildren } from "../../panel/dom";
 import { EditBuilder } from "../document/edit";
-import { isObject, valueAt } from "../document/json";
+import { isObject, pointerTo, valueAt } from "../document/json";
 import { checkPlanogram, type Checked } from "../planogram/check";
 import { guessedMapping } from "../planogram/guess";
 import { faceOfFixture, faces, missingRoles, wordKinds, type Mapping, type WordKind } from "../planogram/mapping";
 import { recalled, remember } from "../planogram/memory";
-import { fileOf, sectionOf } from "../planogram/output";
+import { fileOf, ownLabels, sectionOf } from "../planogram/output";
 import { lengthOf, type Shop } from "../planogram/shop";
 import type { Table } from "../table/table";
 import { BadLines } from "./bad_lines";
@@ -43,6 +43,13 @@ class PlanogramDialog {
   private readonly lists: Record<WordKind, WordList>;
   private readonly bad = new BadLines();
   private readonly says = element("p", { class: "says", role: "status" });
+  private readonly clears = element("input", {
+    type: "checkbox",
+    "data-key": "clear-labels",
+    on: { change: () => this.set({ ...this.mapping, clears: this.clears.checked }) },
+  });
+  private readonly clearsText = element("span");
+  private readonly clearsRow = element("label", { class: "clears" }, this.clears, this.clearsText);
   private readonly add = button("", () => void this.finish(), { class: "primary", "data-key": "add-labels" });
   private readonly dialog: HTMLDialogElement;
   private readonly project: string;
@@ -85,7 +92,13 @@ class PlanogramDialog {
       element(
         "footer",
         {},
-        element("div", {}, this.says, element("p", { class: "note", text: replaced, hidden: replaced === "" })),
+        element(
+          "div",
+          {},
+          this.says,
+          this.clearsRow,
+          element("p", { class: "note", text: replaced, hidden: replaced === "" }),
+        ),
         this.add,
       ),
     );
@@ -127,6 +140,11 @@ class PlanogramDialog {
     const count = this.checked?.good.length ?? 0;
     this.add.textContent = counted(this.isReplacing ? text.planogram.replace : text.planogram.add, count);
     this.add.disabled = count === 0;
+    const labelled = (this.checked?.good ?? []).flatMap(({ holder }) => (holder.labels ? [holder.id] : []));
+    const fixtures = new Set(labelled).size;
+    this.clearsRow.hidden = fixtures === 0;
+    this.clears.checked = mapping.clears;
+    this.clearsText.textContent = counted(text.planogram.clears, fixtures);
     this.says.textContent =
       missing.length > 0
         ? say(text.planogram.missing, missing.map((role) => roleName(mapping.form, role)).join(", "))
@@ -158,6 +176,8 @@ class PlanogramDialog {
       const file = await host.keep(name, fileOf(checked.good, mapping, shop));
       const builder = new EditBuilder(planner.document.json);
       builder.set(section, sectionOf(file, checked.good, mapping, shop, builder.get(section)));
+      if (mapping.clears)
+        for (const [path, value] of ownLabels(checked.good)) builder.set(pointerTo(path, "labels"), value);
       this.dialog.close();
       const label = text.edits[this.isReplacing ? "replace_planogram" : "add_planogram"];
       if (builder.ops.length > 0 && !(await planner.document.edit({ label, ops: builder.ops }))) return;

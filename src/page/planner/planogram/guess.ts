@@ -69,7 +69,7 @@ function measureOf(table: Table, column: number | undefined, unit: string, longe
   const isDistance = /^x|abstand|dist|afstand|offset/.test(squashed(name)) || numbers.some((value) => value % 1 !== 0);
   if (!isDistance || numbers.length === 0) return "position";
   const sorted = [...numbers].sort((a, b) => a - b);
-  const usual = sorted[Math.floor(0.95 * (sorted.length - 1))];
+  const usual = sorted[Math.ceil(0.95 * (sorted.length - 1))];
   const metres: [Measure, number][] = [
     [unit as Measure, { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 }[unit] ?? 1],
     ["cm", 0.01],
@@ -106,10 +106,12 @@ export function guessedMapping(table: Table, setting: Setting): Mapping {
     measure: measureOf(table, columns.place, setting.unit, setting.longest),
     fromLeft: !isOurs(table),
     fromTop: false,
-    first: levels.includes(0) ? 0 : 1,
+    // Single zeros are mistakes.
+    first: levels.filter((level) => level === 0).length > 0.02 * levels.length ? 0 : 1,
     face: "front",
     type: setting.type,
     bySegment: false,
+    clears: true,
     words: { fixture: {}, face: {}, type: {} },
   };
 }

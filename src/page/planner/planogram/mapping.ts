@@ -64,6 +64,8 @@ export interface Mapping {
   type: string;
   /** Whether each segment stands on a fixture of its own; otherwise each planogram. */
   bySegment: boolean;
+  /** Whether the fixtures lose the labels that they had before. */
+  clears: boolean;
   words: Record<WordKind, Meanings>;
 }
 

@@ -145,3 +145,11 @@ export function sectionOf(
     ...(mapping.form === "segments" ? { segments: membersOf(places, mapping, shop) } : {}),
   };
 }
+
+/** The fixtures of the lines that have labels by themselves, by path; a null takes the place of those of a preset. */
+export function ownLabels(places: readonly Place[]): Map<string, null | undefined> {
+  const found = new Map<string, null | undefined>();
+  for (const { holder } of places)
+    if (holder.labels) found.set(holder.path, holder.labels === "preset" ? null : undefined);
+  return found;
+}

@@ -2,11 +2,15 @@
 
 import type { StoreDocument } from "../document/document";
 import { isObject, valueAt, type Json, type JsonObject } from "../document/json";
-import type { Part } from "../document/messages";
+import type { Details, Part } from "../document/messages";
 import type { Face } from "./mapping";
 
 export interface Holder {
   id: string;
+  /** Of its element, which may have copies. */
+  path: string;
+  /** Whether it has labels at equal distances or the like, and whether they come from its preset. */
+  labels: "own" | "preset" | null;
   faces: Face[];
   boards: number;
   /** m */
@@ -48,15 +52,17 @@ function sidesOf(resolved: JsonObject): Pick<Holder, "faces" | "boards"> | null 
 }
 
 /** Of a fixture, or of one of its copies. */
-export function holderOf({ id, footing, unfinished }: Part, resolved: JsonObject | null): Holder | null {
-  const sides = resolved && sidesOf(resolved);
-  return sides && footing && !unfinished ? { id, ...sides, length: footing.length, depth: footing.depth } : null;
+export function holderOf({ id, path, footing, unfinished }: Part, details: Details | null): Holder | null {
+  const sides = details?.resolved && sidesOf(details.resolved);
+  if (!sides || !footing || unfinished || path === null) return null;
+  const labels = !isObject(details.effective.labels) ? null : isObject(details.inherited.labels) ? "preset" : "own";
+  return { id, path, labels, ...sides, length: footing.length, depth: footing.depth };
 }
 
 export async function shopOf(document: StoreDocument): Promise<Shop> {
   const parts = document.parts.all.filter(({ kind, path }) => kind === "fixture" && path !== null);
   const found = await Promise.all(
-    parts.map(async (part) => holderOf(part, (await document.details.of(part.path as string))?.resolved ?? null)),
+    parts.map(async (part) => holderOf(part, await document.details.of(part.path as string))),
   );
   const holders = found.flatMap((holder): [string, Holder][] => (holder ? [[holder.id, holder]] : []));
   const own = valueAt(document.json, "/label_types");

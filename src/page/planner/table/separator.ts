@@ -12,6 +12,9 @@ export const headerIn = (lines: readonly Line[]): number =>
 
 const widthOf = ({ fields }: Line): number => fields.length - [...fields].reverse().findIndex((field) => field !== "");
 
+/** A separator that would make the first lines titles is less likely. */
+const costOfTitles = 0.1;
+
 /** The share of lines as wide as the header, and its width. */
 function fitOf(text: string, separator: string): [number, number] {
   const lines = splitLines(text, separator, sampled);
@@ -20,7 +23,7 @@ function fitOf(text: string, separator: string): [number, number] {
   const width = lines[first].fields.length;
   const below = lines.slice(first + 1);
   const same = below.filter((line) => line.fields.length === width || widthOf(line) === width).length;
-  return [below.length === 0 ? 1 : same / below.length, width];
+  return [(below.length === 0 ? 1 : same / below.length) - (first > 0 ? costOfTitles : 0), width];
 }
 
 /** The separator, and the text below a line `sep=`; null if there is a single column. */

@@ -1,0 +1,377 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { articles, names, planogramFile, types } from "../../../data/planogram_file.mjs";
+import { checkPlanogram } from "../../../../src/page/planner/planogram/check";
+import { faceNamed } from "../../../../src/page/planner/planogram/face_words";
+import { guessedMapping, inForm } from "../../../../src/page/planner/planogram/guess";
+import { checkList, listKindOf } from "../../../../src/page/planner/planogram/list";
+import { faceOfFixture, missingRoles } from "../../../../src/page/planner/planogram/mapping";
+import { recalled, remember } from "../../../../src/page/planner/planogram/memory";
+import { fileOf, ownLabels, sectionOf } from "../../../../src/page/planner/planogram/output";
+import { holderOf } from "../../../../src/page/planner/planogram/shop";
+import { readTable } from "../../../../src/page/planner/table/table";
+
+const read = (text) => readTable(new TextEncoder().encode(text));
+const holder = (id, more = {}) => ({
+  id,
+  path: `/fixtures/${id}`,
+  labels: null,
+  faces: ["front", "back"],
+  boards: 4,
+  length: 12,
+  depth: 0.9,
+  ...more,
+});
+const rows = ["A1", "A2", "A3", "A4"];
+const all = [
+  ...rows.map((id) => holder(id, { labels: "preset" })),
+  ...rows.flatMap((id) =>
+    ["west", "east"].map((end) => holder(`${id}-${end}`, { boards: 2, faces: ["front"], length: 0.9 })),
+  ),
+  ...["W1", "W2"].map((id) => holder(id, { faces: ["front"], length: 20 })),
+  ...["F1", "F2"].map((id) => holder(id, { boards: 1, faces: ["front", "back", "left", "right"], labels: "own" })),
+  ...["P1", "P2"].map((id) => holder(id, { boards: 2, length: 5 })),
+];
+const shop = {
+  holders: new Map(all.map((one) => [one.id, one])),
+  types: ["standard", "freezer", "large"],
+  unit: { name: "m", factor: 1 },
+};
+const setting = { unit: "m", longest: 20, type: "standard" };
+const mapped = (table, changed = {}) => ({ ...guessedMapping(table, setting), ...changed });
+const reasons = ({ bad }) => bad.map(({ row, reason }) => [row.line, reason.code]);
+
+test("columns are guessed by their names in six languages", () => {
+  const headers = {
+    "EAN;Bezeichnung;Regal;Seite;Fachboden;Position;Etikett": "article description fixture face level place type",
+    "Artikel-Nr.;Artikeltext;Möbel;Ebene;Platz;Neigung (Grad)": "article description fixture level place tilt",
+    "Code EAN;Libellé;Meuble;Face;Niveau;Emplacement;Étiquette": "article description fixture face level place type",
+    "Código artículo;Descripción;Mueble;Lado;Nivel;Posición": "article description fixture face level place",
+    "Codice articolo;Descrizione;Scaffale;Lato;Ripiano;Posizione": "article description fixture face level place",
+    "Artikelcode;Omschrijving;Stelling;Zijde;Plank;Positie": "article description fixture face level place",
+    "Item Number;Product Name;Fixture ID;Side;Shelf Level;X (cm)": "article description fixture face level place",
+    "article;fixture;face;level;position;hook;tilt_deg": "article fixture face level place hook tilt",
+  };
+  for (const [header, expected] of Object.entries(headers)) {
+    const { columns, form } = mapped(read(`${header}\n${header.replace(/[^;]+/g, "1")}\n`));
+    const found = Object.entries(columns).sort((a, b) => a[1] - b[1]);
+    assert.equal(form, "fixtures", header);
+    assert.equal(found.map(([role]) => role).join(" "), expected, header);
+  }
+});
+
+test("files of planogram programs are recognised by segment and shelf", () => {
+  const { form, columns } = mapped(read("UPC,Name,Planogram,Segment,Shelf,Sequence,Width,HFacings\n1,2,3,4,5,6,7,8\n"));
+  assert.equal(form, "segments");
+  assert.deepEqual(columns, {
+    article: 0,
+    description: 1,
+    planogram: 2,
+    segment: 3,
+    level: 4,
+    place: 5,
+    width: 6,
+    facings: 7,
+  });
+});
+
+test("an article number shows its column, and what is missing is asked for", () => {
+  const table = read("id;wo\n4006381333931;A1\n4006381333948;A1\n");
+  const mapping = mapped(table);
+  assert.equal(mapping.columns.article, 0);
+  assert.deepEqual(missingRoles(mapping), ["fixture", "level"]);
+  assert.deepEqual(missingRoles(inForm(table, mapping, "segments")), ["segment", "level", "place"]);
+});
+
+test("distances have the unit of their column, or one in which they fit", () => {
+  const measure = (name, ...values) =>
+    mapped(read([`EAN;Regal;Boden;${name}`, ...values.map((x) => `1;A1;1;${x}`)].join("\n"))).measure;
+  assert.equal(measure("Platz", 1, 2, 30), "position");
+  assert.equal(measure("Platz", "0,5", "1,5"), "m");
+  assert.equal(measure("x", 12, 1100), "cm");
+  assert.equal(measure("x", 12, 11000), "mm");
+  assert.equal(measure("Abstand [mm]", 1, 2), "mm");
+});
+
+test("words for faces", () => {
+  const words = {
+    front: "vorne Front A 1 avant",
+    back: "Rückseite hinten B 2 arrière retro",
+    left: "links gauche",
+    top: "oben dessus",
+  };
+  for (const [face, list] of Object.entries(words))
+    for (const word of list.split(" ")) assert.equal(faceNamed(word), face, word);
+  assert.equal(faceNamed("unten"), undefined);
+});
+
+test("the planogram of 1,200 articles: bad lines by number, the others complete", () => {
+  const { file, bad } = planogramFile();
+  const table = readTable(new Uint8Array(file));
+  const mapping = mapped(table, { words: { fixture: names, face: {}, type: types } });
+  const checked = checkPlanogram(table, mapping, shop);
+  assert.deepEqual(
+    checked.bad.map(({ row }) => row.line),
+    bad.map(({ line }) => line),
+  );
+  assert.equal(checked.good.length, articles - bad.length);
+  const known = checkPlanogram(table, mapped(table), shop).words;
+  const unknown = [...known.fixture.values(), ...known.type.values()].filter(({ meaning }) => meaning === undefined);
+  assert.deepEqual(
+    unknown.map(({ word }) => word).sort(),
+    ["Lager", ...Object.keys(names), ...Object.keys(types)].sort(),
+  );
+});
+
+test("200,000 lines are checked in a moment", () => {
+  const lines = Array.from({ length: 200_000 }, (_, k) => `${k};A${1 + (k % 4)};vorne;${1 + (k % 4)};${1 + (k % 900)}`);
+  const begin = performance.now();
+  const table = read(["Artikel;Regal;Seite;Boden;Platz", ...lines].join("\n"));
+  const { good } = checkPlanogram(table, mapped(table), shop);
+  assert.equal(good.length, 200_000);
+  assert.ok(performance.now() - begin < 6000, `${performance.now() - begin} ms`);
+});
+
+test("every mistake of a line has its reason", () => {
+  const lines = [
+    "1;A1;vorne;1;1;;;",
+    ";A1;vorne;1;1;;;",
+    "a\u200bb;A1;vorne;1;1;;;",
+    "4,006E+12;A1;vorne;1;1;;;",
+    "2;;vorne;1;1;;;",
+    "2;Z9;vorne;1;1;;;",
+    "2;A1;;1;1;;;",
+    "2;A1;unten;1;1;;;",
+    "2;A1;links;1;1;;;",
+    "2;A1;vorne;;1;;;",
+    "2;A1;vorne;x;1;;;",
+    "2;A1;vorne;5;1;;;",
+    "2;A1;vorne;1;;;;",
+    "2;A1;vorne;1;x;;;",
+    "2;A1;vorne;1;1001;;;",
+    "2;A1;vorne;1;1;paper;;",
+    "2;A1;vorne;1;1;;x;",
+    "2;A1;vorne;1;1;;;90",
+    "1/2;A1;vorne;1;3;;;",
+    "1;A1;vorne;1;2;;;",
+  ];
+  const table = read(["Artikel;Regal;Seite;Boden;Platz;Etikett;Haken;Neigung", ...lines].join("\n"));
+  const checked = checkPlanogram(table, mapped(table), shop);
+  assert.deepEqual(
+    reasons(checked).map(([, code]) => code),
+    [
+      ...[
+        "no_article",
+        "article",
+        "changed",
+        "no_fixture",
+        "fixture",
+        "no_face",
+        "face",
+        "not_face",
+        "no_level",
+        "number",
+      ],
+      ...["level", "no_place", "number", "position", "type", "hook", "tilt", "same_id"],
+    ],
+  );
+  assert.deepEqual(
+    checked.good.map(({ line }) => line),
+    [2, 21],
+  );
+});
+
+test("distances are within the face, in any unit", () => {
+  const table = read("EAN;Regal;Seite;Boden;x (ft)\n1;A1;vorne;1;39,370079\n2;A1;vorne;1;39,38\n3;A1;vorne;1;-1\n");
+  const feet = { ...shop, unit: { name: "ft", factor: 0.3048 } };
+  const checked = checkPlanogram(table, mapped(table), feet);
+  assert.deepEqual(reasons(checked), [
+    [3, "distance"],
+    [4, "distance"],
+  ]);
+  const [, line] = fileOf(checked.good, mapped(table), feet).split("\n");
+  assert.ok(Number(line.split(",")[4]) * 0.3048 <= 12, line);
+});
+
+test("boards count from below or above, from any number", () => {
+  const table = read("EAN;Regal;Seite;Boden;Platz\n1;A1;vorne;0;1\n2;A1;vorne;3;2\n3;A1;vorne;4;3\n");
+  const level = (changed) => {
+    const { good, bad } = checkPlanogram(table, mapped(table, changed), shop);
+    return [good.map((place) => place.level), bad.length];
+  };
+  assert.equal(mapped(table).first, 0);
+  assert.deepEqual(level({}), [[1, 4], 1]);
+  assert.deepEqual(level({ fromTop: true }), [[4, 1], 1]);
+  assert.deepEqual(level({ first: 1 }), [[3, 4], 1]);
+});
+
+test("places from the left of a person are mirrored on the back", () => {
+  const file = (header, changed) => {
+    const table = read(`${header}\n1;A1;back;1;1\n2;A1;back;1;3\n3;A1;front;1;1\n`);
+    const mapping = mapped(table, changed);
+    const lines = fileOf(checkPlanogram(table, mapping, shop).good, mapping, shop)
+      .trim()
+      .split("\n");
+    return [lines[0].split(",")[4], ...lines.slice(1).map((line) => Number(line.split(",")[4]))];
+  };
+  assert.deepEqual(file("EAN;Regal;Seite;Boden;Platz"), ["position", 3, 1, 1]);
+  assert.deepEqual(file("EAN;Regal;Seite;Boden;Platz", { fromLeft: false }), ["position", 1, 3, 1]);
+  assert.deepEqual(file("article;fixture;face;level;position"), ["position", 1, 3, 1]);
+  assert.deepEqual(file("EAN;Regal;Seite;Boden;x (m)"), ["x", 11, 9, 1]);
+});
+
+test("without places, the order of the lines counts; without faces, a choice", () => {
+  const table = read("EAN;Regal;Boden\n1;A1;1\n2;A1;1\n3;Gondel 2;1\n");
+  const mapping = mapped(table, {
+    words: { fixture: { "Gondel 2": faceOfFixture("A2", "back") }, face: {}, type: {} },
+  });
+  const { good } = checkPlanogram(table, mapping, shop);
+  assert.deepEqual(
+    good.map(({ holder: { id }, face, place }) => [id, face, place]),
+    [
+      ["A1", "front", 1],
+      ["A1", "front", 2],
+      ["A2", "back", 1],
+    ],
+  );
+});
+
+test("left out words, and those that the shop has no longer", () => {
+  const table = read("EAN;Regal;Boden\n1;Lager;1\n2;Halle;1\n");
+  const mapping = mapped(table, { words: { fixture: { Lager: null, Halle: "gone" }, face: {}, type: {} } });
+  assert.deepEqual(reasons(checkPlanogram(table, mapping, shop)), [
+    [2, "left_out"],
+    [3, "fixture"],
+  ]);
+});
+
+test("the file of a planogram protects formulas and separators", () => {
+  const table = read('EAN;Bezeichnung;Regal;Seite;Boden;Platz;Neigung\n=1;"Brot, ""hell""";A1;vorne;1;1;-5,5\n');
+  const mapping = mapped(table);
+  assert.equal(
+    fileOf(checkPlanogram(table, mapping, shop).good, mapping, shop),
+    `article,fixture,face,level,position,tilt_deg,description\n'=1,A1,front,1,1,-5.5,"Brot, ""hell"""\n`,
+  );
+});
+
+const segments = `UPC,Planogram,Segment,Shelf,Sequence
+1,Bakery,1,1,1
+2,Bakery,2,4,1
+2,Bakery,2,4,1
+3,Drinks,1,1,1
+4,,1,1,1
+5,Bakery,1,5,1
+`;
+
+test("segments share the face of their fixture", () => {
+  const table = read(segments);
+  const words = {
+    fixture: { Bakery: faceOfFixture("A1", "back"), Drinks: faceOfFixture("A1", "back") },
+    face: {},
+    type: {},
+  };
+  const mapping = mapped(table, { words, fromTop: true });
+  const checked = checkPlanogram(table, mapping, shop);
+  assert.deepEqual(reasons(checked), [
+    [4, "duplicate"],
+    [6, "fixture"],
+    [7, "level"],
+  ]);
+  const before = { file: "old.csv", type: "large", hook: 0.2, segments: [] };
+  assert.deepEqual(sectionOf("new.csv", checked.good, mapping, shop, before), {
+    file: "new.csv",
+    type: "standard",
+    hook: 0.2,
+    segments: [
+      { planogram: "Bakery", segments: [1, 2], fixture: "A1", face: "back", to: 8, from_top: true },
+      { planogram: "Drinks", segments: [1], fixture: "A1", face: "back", from: 8, from_top: true },
+    ],
+  });
+  assert.equal(
+    fileOf(checked.good, mapping, shop),
+    "article,segment,shelf,sequence,planogram\n1,1,1,1,Bakery\n2,2,4,1,Bakery\n3,1,1,1,Drinks\n",
+  );
+});
+
+test("each segment may stand on a fixture of its own", () => {
+  const table = read("UPC,Segment,Shelf,Sequence\n1,1,1,1\n2,2,1,1\n");
+  const mapping = mapped(table, { bySegment: true, words: { fixture: { 1: "A1", 2: "A2" }, face: {}, type: {} } });
+  const { good } = checkPlanogram(table, mapping, shop);
+  assert.deepEqual(sectionOf("new.csv", good, mapping, shop, undefined).segments, [
+    { segments: [1], fixture: "A1", face: "front" },
+    { segments: [2], fixture: "A2", face: "front" },
+  ]);
+});
+
+test("labels of the fixtures make room for those of articles", () => {
+  const place = (id) => ({ holder: shop.holders.get(id) });
+  assert.deepEqual(
+    [...ownLabels([place("A1"), place("A1"), place("F1"), place("W1")])],
+    [
+      ["/fixtures/A1", null],
+      ["/fixtures/F1", undefined],
+    ],
+  );
+});
+
+test("fixtures have the sides that the program gives them", () => {
+  const part = { id: "A", path: "/fixtures/0", footing: { length: 2, depth: 1 } };
+  const of = (resolved, more = {}) => holderOf({ ...part, ...more }, { resolved, effective: {}, inherited: {} });
+  assert.deepEqual(of({ type: "gondola", shelves: [1, 2], faces: ["back"] })?.faces, ["back"]);
+  assert.equal(of({ type: "gondola", shelves: [] }), null);
+  assert.deepEqual([of({ type: "freezer" })?.boards, of({ type: "box" })?.faces.includes("top")], [1, true]);
+  for (const none of [
+    of({ type: "mesh" }),
+    of(null),
+    of({ type: "freezer" }, { unfinished: true }),
+    of({ type: "box" }, { footing: undefined }),
+  ])
+    assert.equal(none, null);
+});
+
+test("a browser remembers what files of the same columns mean", () => {
+  const kept = new Map();
+  globalThis.localStorage = { getItem: (key) => kept.get(key) ?? null, setItem: (key, value) => kept.set(key, value) };
+  const table = read("EAN;Regal;Boden\n1;A1;1\n");
+  const guessed = mapped(table);
+  assert.equal(recalled("shop", table, guessed), null);
+  const mapping = { ...guessed, fromTop: true, words: { fixture: { Lager: null }, face: {}, type: {} } };
+  remember("shop", table, mapping);
+  assert.deepEqual(recalled("shop", read("ean;REGAL;Boden\n2;B;1\n"), guessed), mapping);
+  assert.equal(recalled("other", table, guessed), null);
+  assert.equal(recalled("shop", read("EAN;Regal;Ebene\n2;B;1\n"), guessed), null);
+  for (const spoiled of [
+    "{",
+    "5",
+    '[["ean|regal|boden", 5]]',
+    '[["ean|regal|boden", {"columns": {"article": 99}, "words": 3, "first": "x"}]]',
+  ]) {
+    kept.set("shelfbeam.tables.shop", spoiled);
+    const found = recalled("shop", table, guessed);
+    assert.ok(found === null || (found.first === 1 && found.columns.article === undefined), spoiled);
+  }
+  delete globalThis.localStorage;
+});
+
+test("lists of labels and candidates are recognised, and checked by line", () => {
+  const labels = read(
+    "ID,x,y,z,nx,ny,nz,type,name\na,1,2,3,0,1,0,standard,Rye\na,1,2,3,0,1,0,standard,\nb,1,2,3,0,0,0,standard,\nc,x,2,3,0,1,0,standard,\nd,1,2,3,0,1,0,paper,\ne,1e5,2,3,0,1,0,standard,\nf,99999,2,3,0,1,0,standard,\n,1,2,3,0,1,0,standard,\n",
+  );
+  assert.equal(listKindOf(labels), "labels");
+  const { file, count, bad } = checkList(labels, "labels", ["standard"], 1);
+  assert.deepEqual(
+    bad.map(({ reason }) => reason.code),
+    ["same_id", "direction", "number", "type", "number", "far", "no_id"],
+  );
+  assert.deepEqual([file, count], ["id,x,y,z,nx,ny,nz,type,description\na,1,2,3,0,1,0,standard,Rye\n", 1]);
+  const units = read(
+    "id;x;y;z;ax;ay;az;roll_deg;type;cost;installed;reaches_alone\na;1,5;2;3;0;0;-1;0;ceiling;1;0;1\n",
+  );
+  assert.equal(listKindOf(units), "units");
+  assert.equal(
+    checkList(units, "units", ["ceiling"], 0.01).file,
+    "id,x,y,z,ax,ay,az,roll_deg,type\na,150,200,300,0,0,-1,0,ceiling\n",
+  );
+  assert.equal(listKindOf(read("EAN;Regal\n1;2\n")), null);
+});
