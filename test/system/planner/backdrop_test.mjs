@@ -207,7 +207,7 @@ testPlanner("picture: wrong files are refused with a reason", {}, async (tab) =>
   await drop(tab, "plan.dwg", Buffer.from("AC1032"));
   await notice(tab, "plan.dwg: The file is a DWG file");
   await drop(tab, "plan.gif", Buffer.from("GIF89a"));
-  await notice(tab, "plan.gif is not a floor plan. Choose a PNG, JPEG, WEBP, PDF or DXF file, or a table as CSV.");
+  await notice(tab, "plan.gif is of no format that the planner reads.");
   await drop(tab, "plan.png", plan);
   await notice(tab, sentence);
   check(await tab.isUntouched(), "the store is untouched");
@@ -225,7 +225,7 @@ testPlanner("picture: bad images get a clear answer, and everything stays alive"
   await drop(tab, "header.png", plan.subarray(0, 20));
   await notice(tab, "header.png: is incomplete or damaged");
   await drop(tab, "words.jpg", Buffer.from("A letter, not a picture"));
-  await notice(tab, "words.jpg is not a floor plan.");
+  await notice(tab, "words.jpg is of no format that the planner reads.");
   check(await tab.isUntouched(), "the store is untouched");
   tab.errors.length = 0; // of refused files
   // The content decides, not the name.
@@ -324,7 +324,7 @@ testPlanner("picture: a missing file is named", { keeps: true }, async (tab) => 
   await tab.page.reload();
   await tab.until(() => window.shelfbeamPlanner.planner.picture.state.kind === "failed");
   await run(tab, "Properties of the floor plan");
-  says(await tab.text(".properties .problem"), "plan.png is missing in the folder of the project");
+  says(await tab.text(".properties .problem"), "plan.png is missing from the folder of the project");
   tab.errors.length = 0; // of the missing file
 });
 

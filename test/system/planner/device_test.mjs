@@ -47,7 +47,12 @@ testPlanner("device: meshes become fixtures with materials and a unit", {}, asyn
   await drop(tab, "till.glb", example("till.glb"));
   await opened(tab, "mesh");
   says(await tab.text('[data-key="mesh-unit"] option:checked'), "m: 2.66 × 1.77 × 1.42 m");
-  await tab.choose("mesh-material/CounterBody", "steel");
+  check(
+    await tab.page.evaluate(() => document.querySelector('[data-key="mesh-add"]').disabled),
+    "materials are missing",
+  );
+  for (const name of ["CounterBody", "CounterTop", "BrushedSteel", "BlackPlastic", "ScreenGlass", "JarGlass"])
+    await tab.choose(`mesh-material/${name}`, "steel");
   await tab.push('[data-key="mesh-add"]');
   await tab.steps(1);
   const fixture = tab.json.fixtures.at(-1);
@@ -61,11 +66,12 @@ testPlanner("device: meshes become fixtures with materials and a unit", {}, asyn
   await drop(tab, "table.obj", Buffer.from(table));
   await opened(tab, "mesh");
   await tab.choose("mesh-up", "y");
+  await tab.choose("mesh-material/", "steel");
   says(await tab.text('[data-key="mesh-unit"] option:checked'), "mm: 2 × 1 × 0.8 m");
   await tab.push('[data-key="mesh-add"]');
   await tab.steps(2);
   const placed = tab.json.fixtures.at(-1);
-  equal([placed.scale, placed.up, placed.materials], [0.001, "y", { "*": Object.keys(tab.json.materials)[0] }]);
+  equal([placed.scale, placed.up, placed.materials], [0.001, "y", { "*": "steel" }]);
   const [part] = await tab.page.evaluate(() =>
     window.shelfbeamPlanner.planner.document.parts.all.filter(({ id }) => id === "M2").map(({ outline }) => outline),
   );

@@ -153,11 +153,11 @@ testPlanner(
       [whole.subarray(0, 900), "plan.dxf: The file ends early, at line"],
       [
         Buffer.from("  0\nSECTION\n  2\nENTITIES\n  0\nENDSEC\n  0\nEOF\n"),
-        "plan.dxf: There is nothing in model space",
+        "plan.dxf: Model space is empty; paper space has 0 objects",
       ],
       [
         Buffer.from(whole.toString("latin1").replace("\n100\nAcDbEntity", "\nhundred\nAcDbEntity"), "latin1"),
-        "is no group code",
+        "is not a group code",
       ],
     ]) {
       await drop(tab, "plan.dxf", body);
@@ -168,7 +168,7 @@ testPlanner(
     await drop(tab, "solid.dxf", bound);
     await dialog(tab);
     await tab.push(".dialog summary");
-    says(await tab.text(".dialog .notes"), "Not shown: 1 objects of the kind 3DSOLID");
+    says(await tab.text(".dialog .notes"), "Not shown: objects of the kind 3DSOLID: 1");
     await tab.press("Escape");
   },
 );

@@ -128,7 +128,7 @@ testPlanner(
     again.actions = 0;
     expectBad(await badLines(tab), next.bad);
     says(await tab.text(".planogram footer"), "The planogram Planogramm-Markt-12.csv of the store is replaced");
-    equal(await button(tab), `Replace by ${(articles - next.bad.length).toLocaleString("en")} labels`);
+    equal(await button(tab), `Replace with ${(articles - next.bad.length).toLocaleString("en")} labels`);
     equal(
       await tab.page.evaluate(() => document.activeElement.dataset.key.startsWith("word/")),
       true,
@@ -228,7 +228,7 @@ testPlanner("table: a list of labels and one of candidates", {}, async (tab) => 
   equal(tab.json.transceivers.list, { csv: "units.csv" });
   await person.open("units.csv", ["id,x,y,z,ax,ay,az,roll_deg,type", unit("lamp")].join("\n"));
   says(await tab.text(".dialog"), "The store has a list already: units.csv");
-  equal(await button(tab), "Replace units.csv by 1 candidate");
+  equal(await button(tab), "Replace units.csv with 1 candidate");
   await person.push("add-list");
   await tab.steps(3);
   equal(tab.json.transceivers.list, { csv: "units-2.csv" });
@@ -249,14 +249,14 @@ testPlanner("table: labels in a list of the store are not lost silently", { stor
 
 testPlanner("table: wrong files are refused by name", {}, async (tab) => {
   const refused = [
-    ["noise.csv", Buffer.from([1, 0, 2, 0, 255, 254]), "noise.csv is no text."],
+    ["noise.csv", Buffer.from([1, 0, 2, 0, 255, 254]), "noise.csv is not a text file."],
     ["empty.csv", Buffer.alloc(0), "empty.csv is empty or a folder."],
     ["blank.csv", Buffer.from("\n \n"), "blank.csv has no lines below"],
     ["header.csv", Buffer.from("article;fixture\n"), "header.csv has no lines below"],
     ["column.txt", Buffer.from("article\n1\n2\n"), "column.txt has a single column."],
     ["long.csv", Buffer.alloc(4 * 200_010, "1,2\n"), "long.csv has more than 200,000 lines."],
     ["book.xlsx", Buffer.from("PK\x03\x04"), "book.xlsx is a spreadsheet. Save it as CSV"],
-    ["shop.json", Buffer.from('{"a": 1,\n"b": 2}'), "shop.json is not a floor plan."],
+    ["shop.json", Buffer.from('{"a": 1,\n"b": 2}'), "shop.json is of no format that the planner reads."],
   ];
   for (const [name, body, words] of refused) {
     await drop(tab, name, body);

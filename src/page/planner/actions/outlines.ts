@@ -1,5 +1,6 @@
 // Closed outlines of the drawing beneath the shop become the room, columns, fixtures and areas.
 
+import { counted } from "../../data/format";
 import type { CommandId } from "../access/commands";
 import type { Point } from "../document/messages";
 import { finishAll, siteOf, type Finished } from "../draw/finish";
@@ -51,11 +52,20 @@ function fixtureOf(planner: Planner, outline: readonly Point[]): Finished | null
   return found && { tool: "run", points: found.line, freedom: { ...exact, depth: found.depth } };
 }
 
+/** What became of outlines that could not be used as they were meant. */
+function sayLeftOut(planner: Planner, use: OutlineUse, leftOut: number, strokes: readonly Finished[]): void {
+  const blocks = use === "fixture" ? strokes.filter(({ tool }) => tool === "block").length : 0;
+  const words = [
+    ...(leftOut > 0 ? [counted(text.draw.left_out, leftOut)] : []),
+    ...(blocks > 0 ? [counted(text.draw.no_rectangles, blocks)] : []),
+  ];
+  if (words.length > 0) planner.say(words.join(" "), true);
+}
+
 export async function takeOutlines(planner: Planner, use: OutlineUse): Promise<void> {
-  const outlines = outlinesAt(planner)
-    .map(simplified)
-    .filter(({ length }) => length > 2);
-  if (outlines.some((outline) => selfCrossings(outline, true).length > 0)) {
+  const found = outlinesAt(planner).map(simplified);
+  const outlines = found.filter((outline) => outline.length > 2 && selfCrossings(outline, true).length === 0);
+  if (outlines.length === 0) {
     planner.say(text.draw.crossing, true);
     return;
   }
@@ -64,7 +74,7 @@ export async function takeOutlines(planner: Planner, use: OutlineUse): Promise<v
     planner.say(text.draw.no_preset, true);
     return;
   }
-  if (use === "column" || use === "block") planner.settings.set({ isColumn: use === "column" });
+  if (use === "column" || use === "block" || use === "fixture") planner.settings.set({ isColumn: use === "column" });
   const strokes = outlines.map(
     (points): Finished =>
       (use === "fixture" ? fixtureOf(planner, points) : null) ?? {
@@ -73,5 +83,6 @@ export async function takeOutlines(planner: Planner, use: OutlineUse): Promise<v
         freedom: exact,
       },
   );
-  await finishAll(planner, strokes, say(text.edits.take, text.drawn[toolOf[use]]));
+  const done = await finishAll(planner, strokes, say(text.edits.take, text.drawn[toolOf[use]]));
+  if (done) sayLeftOut(planner, use, found.length - outlines.length, strokes);
 }

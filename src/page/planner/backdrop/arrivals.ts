@@ -44,7 +44,8 @@ export class Arrivals {
       this.root.hidden = true;
       if (!hasFiles(event)) return;
       event.preventDefault();
-      const [file] = event.dataTransfer?.files ?? [];
+      const [file, ...others] = event.dataTransfer?.files ?? [];
+      if (others.length > 0) planner.say(say(text.picture.one_file, file.name), true);
       if (file) void this.take(file);
     });
   }
@@ -67,8 +68,11 @@ export class Arrivals {
   async take(file: File): Promise<void> {
     const { planner } = this;
     if (planner.document.locked) planner.say(text.why_not.locked, true);
-    const isBusy = this.isBusy || document.querySelector("dialog[open]") !== null;
-    if (planner.document.locked || !planner.document.isReady || isBusy) return;
+    if (planner.document.locked || !planner.document.isReady) return;
+    if (this.isBusy || document.querySelector("dialog[open]") !== null) {
+      planner.say(text.picture.busy, true);
+      return;
+    }
     this.isBusy = true;
     try {
       const given = await contentOf(file);
@@ -126,18 +130,24 @@ export class Arrivals {
 
   private place(made: Source, before: Drawing | null): void {
     const { planner } = this;
+    if (planner.document.locked) {
+      planner.say(text.why_not.locked, true);
+      return;
+    }
     planner.look.set({ isShown: true, isLocked: true });
     if (!planner.isPlan) planner.setPlan(true);
     if (before) {
+      const { layers } = planner.look.now;
+      planner.look.set({ layers: { ...layers, [made.file]: planner.look.layersOf(before.file) } });
       void editDrawing(planner, text.edits.replace_picture, replacedBy(before, made, planner.document.unit));
       planner.say(say(text.picture.replaced, made.file));
       return;
     }
-    const nothing = { page: undefined, unit: undefined, origin: undefined };
+    const { file, page, unit, origin, size } = made;
     const unplaced = { scale: undefined, check: undefined, rotation_deg: undefined, crop: undefined };
-    void editDrawing(planner, text.edits.add_picture, { ...nothing, ...made, at: [0, 0], ...unplaced });
-    const isScaled = made.unit !== undefined;
-    planner.say(say(isScaled ? text.picture.added_scaled : text.picture.added, made.file));
+    void editDrawing(planner, text.edits.add_picture, { file, page, unit, origin, size, at: [0, 0], ...unplaced });
+    const isScaled = unit !== undefined;
+    planner.say(say(isScaled ? text.picture.added_scaled : text.picture.added, file));
     showAll(planner);
     if (isScaled) planner.openType(drawingPath);
     else planner.setTool("scale");

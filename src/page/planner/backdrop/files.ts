@@ -27,8 +27,9 @@ export function kindOf(bytes: Uint8Array, name = ""): Kind {
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
   if (words.startsWith("\xff\xd8\xff")) return "jpg";
   if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
-  if (words.startsWith("%PDF-")) return "pdf";
-  if (/^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words)) return "dxf";
+  if (words.startsWith("%PDF-") || /\.pdf$/i.test(name)) return "pdf";
+  if (/^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words) || /\.(dxf|dwg)$/i.test(name))
+    return "dxf";
   if (words.startsWith("glTF")) return "glb";
   if (words.startsWith("IESNA")) return "ies";
   const named = deviceKinds.find((kind) => name.toLowerCase().endsWith(`.${kind}`));

@@ -10,8 +10,8 @@ interface Stored {
   isInverted: boolean;
   /** From 0, as it is, to 1, invisible. */
   fade: number;
-  /** By the names of layers of a drawing, where a person has decided: whether they are shown. */
-  layers: Readonly<Record<string, boolean>>;
+  /** By the file of a drawing and the names of its layers, where a person has decided: whether they are shown. */
+  layers: Readonly<Record<string, Readonly<Record<string, boolean>>>>;
 }
 
 const usual: Stored = { isShown: true, isLocked: true, isGrey: false, isInverted: false, fade: 0.3, layers: {} };
@@ -35,6 +35,15 @@ export class Look {
 
   get now(): Readonly<Stored> {
     return this.state;
+  }
+
+  /** Whether layers of a drawing are shown, by their names. */
+  layersOf(file: string): Readonly<Record<string, boolean>> {
+    return this.state.layers[file] ?? {};
+  }
+
+  decideLayers(file: string, decided: Readonly<Record<string, boolean>>): void {
+    this.set({ layers: { ...this.state.layers, [file]: { ...this.layersOf(file), ...decided } } });
   }
 
   set(changed: Partial<Stored>): void {

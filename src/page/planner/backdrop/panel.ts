@@ -49,7 +49,7 @@ export class PicturePanel {
       element("section", { class: "form" }, ...this.lookRows()),
       element("section", { class: "form" }, ...this.placeRows(drawing)),
       element("section", { class: "form" }, ...this.unitRows(drawing), ...this.scaleRows(drawing)),
-      ...this.layerRows(),
+      ...this.layerRows(drawing),
       element(
         "div",
         { class: "buttons" },
@@ -215,11 +215,11 @@ export class PicturePanel {
     return [row(text.dxf.unit, choice)];
   }
 
-  private layerRows(): HTMLElement[] {
+  private layerRows(drawing: Drawing): HTMLElement[] {
     const { picture, look } = this.planner;
     const layers = picture.sheet?.layers ?? [];
     if (layers.length === 0) return [];
-    const decide = (decided: Record<string, boolean>) => look.set({ layers: { ...look.now.layers, ...decided } });
+    const decide = (decided: Record<string, boolean>) => look.decideLayers(drawing.file, decided);
     const take = (layer: number, x: number, y: number) => {
       this.planner.offerOutlines(this.planner.traced.outlinesOf(layer));
       openMenu(this.commands, [outlineMenu], x, y, () => this.planner.offerOutlines(null));

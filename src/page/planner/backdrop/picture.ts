@@ -3,7 +3,7 @@
 import type { Changes } from "../changes";
 import { DetailView } from "../sheet/detail";
 import { LineIndex } from "../sheet/line_index";
-import { openSheet, Unreadable } from "../sheet/open";
+import { openSheet, Unreadable, worded } from "../sheet/open";
 import { wholeOf, type Sheet } from "../sheet/sheet";
 import { say, text } from "../text";
 import { hasLines, type Drawing } from "./drawing";
@@ -87,20 +87,20 @@ export class Picture {
   }
 
   private async fetched(drawing: Drawing): Promise<State> {
-    const { offered } = this;
-    if (offered?.key === keyOf(drawing)) {
-      this.offered = null;
-      return this.opened(offered.sheet);
-    }
+    const sheet = this.offered?.key === keyOf(drawing) ? this.offered.sheet : null;
+    this.offered = sheet ? null : this.offered;
+    return (sheet ? this.opened(sheet) : this.read(drawing)).catch((error: unknown) => {
+      throw error instanceof Unreadable ? new Unusable(`${drawing.file}: ${error.message}`) : error;
+    });
+  }
+
+  private async read(drawing: Drawing): Promise<State> {
     const path = drawing.file.split("/").map(encodeURIComponent).join("/");
     const answer = await fetch(`${this.address}files/${path}`);
     if (!answer.ok) throw new Unusable(say(text.picture.missing, drawing.file));
     if (!hasLines(drawing.file))
       return { kind: "shown", levels: await levelsOf(await decoded(await answer.blob(), drawing)), page: null };
-    const sheet = await openSheet(await answer.arrayBuffer(), drawing, this.address).catch((error: unknown) => {
-      throw error instanceof Unreadable ? new Unusable(`${drawing.file}: ${error.message}`) : error;
-    });
-    return this.opened(sheet);
+    return this.opened(await openSheet(await answer.arrayBuffer(), drawing, this.address));
   }
 
   private async opened(sheet: Sheet): Promise<State> {
@@ -108,7 +108,10 @@ export class Picture {
     sheet.hide(hidden);
     const detail = new DetailView(sheet, () => this.changes.note("picture"));
     const page: Page = { sheet, detail, lines: null, hidden };
-    const levels = await drawn(sheet);
+    const levels = await drawn(sheet).catch((error: unknown) => {
+      sheet.close();
+      return worded(error);
+    });
     void sheet.lines().then(
       (lines) => {
         page.lines = new LineIndex(lines);
@@ -120,7 +123,7 @@ export class Picture {
   }
 
   private hiddenOf({ layers }: Sheet): ReadonlySet<number> {
-    const { layers: decided } = this.look.now;
+    const decided = this.look.layersOf(this.shown.replace(/#\d+$/, ""));
     return new Set([...layers.keys()].filter((k) => !(decided[layers[k].name] ?? layers[k].isOn)));
   }
 

@@ -46,6 +46,11 @@ export function isOnFreePicture({ drawing, look, document }: Planner, world: Poi
   );
 }
 
+/** Shorter lines are none, in pixels of the picture: one of them, or two of the screen in a drawing of lines. */
+function leastStroke({ drawing, picture, viewport, document }: Planner): number {
+  return drawing && picture.detail ? 2 / (placementOf(drawing, document.unit).step * viewport.scale) : 1;
+}
+
 /** The cross follows the pointer. The lines of a drawing attract it, unless it is free. */
 export function aimLine(planner: Planner, scope: Scaling, pointer: Point, isFree: boolean): Scaling {
   if (scope.to) return scope;
@@ -72,7 +77,7 @@ export function withEnd(planner: Planner, scope: Scaling): Scaling {
   const { from } = scope;
   const at = scope.at ?? pixelAt(planner, planner.viewport.centre);
   if (scope.to || !from) return { ...scope, from: at, at, to: null };
-  if (distance(from, at) < 1) return scope;
+  if (distance(from, at) < leastStroke(planner)) return scope;
   const { scale } = planner.drawing ?? {};
   if (planner.tool === "check" && scale && angleBetween(scale, { from, to: at }) < leastAngle) {
     planner.say(say(text.picture.same_direction, leastAngle), true);
@@ -94,7 +99,7 @@ export const dragCrop = (planner: Planner, scope: Cropping, world: Point): Cropp
 
 export function dropCrop(planner: Planner, { from, to }: Cropping): void {
   const { drawing } = planner;
-  if (!drawing || distance(from, to) < 1) return;
+  if (!drawing || distance(from, to) < leastStroke(planner)) return;
   void editDrawing(planner, text.edits.crop, { ...drawing, crop: cropBetween(drawing, from, to) });
   planner.setTool("select");
 }

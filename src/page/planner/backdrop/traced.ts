@@ -2,7 +2,6 @@
 
 import type { Point } from "../document/messages";
 import { boundsOf, rectangle, type Bounds } from "../geometry/bounds";
-import { distance } from "../geometry/vector";
 import type { Planner } from "../planner";
 import type { LineIndex } from "../sheet/line_index";
 import type { LineSource } from "../snap/segment_index";
@@ -44,20 +43,20 @@ export class Traced implements LineSource {
   private take(found: (index: LineIndex, placement: Placement) => [Point, Point][]): Segment[] {
     const seen = this.seen();
     if (!seen) return [];
-    const { index, placement, shown } = seen;
-    const isShown = ([x, y]: Point) =>
-      x >= shown.lower[0] && x <= shown.upper[0] && y >= shown.lower[1] && y <= shown.upper[1];
-    const least = leastLength / (placement.step * this.planner.viewport.scale);
-    return found(index, placement)
-      .filter(([from, to]) => distance(from, to) >= least && (isShown(from) || isShown(to)))
-      .map(([from, to]) => ({ from: toWorld(placement, from), to: toWorld(placement, to) }));
+    const { index, placement } = seen;
+    return found(index, placement).map(([from, to]) => ({
+      from: toWorld(placement, from),
+      to: toWorld(placement, to),
+    }));
   }
 
-  private seen(): { index: LineIndex; placement: Placement; shown: Bounds } | null {
-    const { drawing, picture, look, document } = this.planner;
+  private seen(): { index: LineIndex; placement: Placement } | null {
+    const { drawing, picture, look, document, viewport } = this.planner;
     const index = picture.lines;
-    const shown = drawing && boundsOf(shownCorners(drawing));
-    if (!drawing || !index || !shown || !look.now.isShown) return null;
-    return { index, shown, placement: placementOf(drawing, document.unit) };
+    if (!drawing || !index || !look.now.isShown) return null;
+    const placement = placementOf(drawing, document.unit);
+    index.shown = drawing.crop ? boundsOf(shownCorners(drawing)) : null;
+    index.least = leastLength / (placement.step * viewport.scale);
+    return { index, placement };
   }
 }

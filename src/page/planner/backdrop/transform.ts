@@ -158,7 +158,9 @@ function scaleOfUnit({ unit, size: [width, height] }: Drawing, { factor }: Lengt
 
 function asWide(drawing: Drawing, next: Source, unit: LengthUnit): Drawing {
   const { file, size } = next;
-  if (next.unit !== undefined) return { ...drawing, ...next, scale: undefined, check: undefined, crop: undefined };
+  // A drawing with a unit is straight.
+  const exact = { page: undefined, scale: undefined, check: undefined, crop: undefined, rotation_deg: undefined };
+  if (next.unit !== undefined) return { ...drawing, ...exact, ...next };
   const factor = size[0] / drawing.size[0];
   const moved = ([x, y]: Point): Point =>
     roundPixel([factor * x, size[1] - factor * (drawing.size[1] - y)], { file, size });

@@ -312,7 +312,7 @@ export class Page {
     const { planner } = this;
     const box = this.plan.getBoundingClientRect();
     const outline = planner.isPlan ? planner.traced.outlineAt(planner.viewport.toWorld([x, y])) : null;
-    planner.offerOutlines(outline && [outline]);
+    planner.offerOutlines(outline ? [outline] : []);
     openMenu(this.commands, [...elementMenu, outlineMenu], box.left + x, box.top + y, () =>
       planner.offerOutlines(null),
     );

@@ -1,6 +1,6 @@
 // The dialog that compares measured signals with those of the newest plan of the project.
 
-import { counted, percent } from "../../data/format";
+import { counted, grouped, percent } from "../../data/format";
 import { say } from "../../data/text";
 import { element } from "../../panel/dom";
 import type { Table } from "../table/table";
@@ -71,7 +71,7 @@ function resultOf(summary: Summary): HTMLElement[] {
     ...(correlation === null ? [] : [say(text.comparison.correlation, correlation.toFixed(2))]),
     outliers.length === 0
       ? text.comparison.no_outliers
-      : say(text.comparison.outliers, counted(text.comparison.signals, outliers.length), percent(summary.confidence)),
+      : say(text.comparison.outliers, grouped(outliers.length), percent(summary.confidence)),
   ];
   const listed = outliers.length > 0 ? outliers : worst;
   return [
@@ -81,21 +81,18 @@ function resultOf(summary: Summary): HTMLElement[] {
   ];
 }
 
+/** A lost connection has no words of its own. */
+const reasonOf = (error: unknown): string => (error instanceof Error && error.message) || text.notices.no_connection;
+
 /** Keeps the table as it is, and shows the result when the program has it. */
 export async function openComparison(host: Host, name: string, table: Table, content: string): Promise<void> {
   const kept = await host.keep(name, content);
   const ofPairs = table.header.some((column) => column.trim().toLowerCase() === "transceiver");
   const body = element("div", { class: "content", role: "status" }, element("p", { text: text.comparison.running }));
   host.openDialog(say(text.comparison.title, name), "comparison", body);
-  try {
-    const { comparison } = await host.planner.document.request<{ comparison: Summary }>("compare", {
-      file: kept,
-      of_pairs: ofPairs,
-    });
-    body.replaceChildren(...resultOf(comparison));
-  } catch (error) {
-    body.replaceChildren(
-      element("p", { class: "problem", text: error instanceof Error ? error.message : String(error) }),
-    );
-  }
+  void host.planner.document
+    .request<{ comparison: Summary }>("compare", { file: kept, of_pairs: ofPairs })
+    .then(({ comparison }) => resultOf(comparison))
+    .catch((error: unknown) => [element("p", { class: "problem", text: reasonOf(error) })])
+    .then((found) => body.replaceChildren(...found));
 }

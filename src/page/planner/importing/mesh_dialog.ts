@@ -89,12 +89,20 @@ export function openMesh(host: Host, file: string, given: MeshFacts): void {
     const control = element(
       "select",
       { "data-key": `mesh-material/${name}` },
-      ...known.map((own, k) => element("option", { value: own, text: own, selected: same ? own === same : k === 0 })),
+      element("option", { value: "", text: text.mesh.choose }),
+      ...known.map((own) => element("option", { value: own, text: own, selected: own === same })),
     );
+    control.addEventListener("change", () => showChoices());
     const shown = name === "" ? text.mesh.unnamed : name;
     const count = element("small", { text: say(text.mesh.triangles, grouped(triangles)) });
     return { name, control, row: row(shown, control, count) };
   });
+  /** A guess would be wrong without a word, so each material is chosen. */
+  const showChoices = () => {
+    const open = materials.filter(({ control }) => control.value === "");
+    for (const { control } of materials) control.setAttribute("aria-invalid", String(control.value === ""));
+    button_.disabled = open.length > 0;
+  };
   const add = async () => {
     const { lower, upper } = oriented();
     const scale = factorOf(unit.value);
@@ -125,6 +133,8 @@ export function openMesh(host: Host, file: string, given: MeshFacts): void {
     planner.selection.setPaths([path]);
     planner.say(say(text.mesh.added, id));
   };
+  const button_ = button(text.mesh.add, () => void add(), { class: "primary", "data-key": "mesh-add" });
+  showChoices();
   const dialog = host.openDialog(
     say(text.mesh.title, file),
     "mesh",
@@ -136,16 +146,7 @@ export function openMesh(host: Host, file: string, given: MeshFacts): void {
       element("h3", { text: text.mesh.materials }),
       element("p", { class: "note", text: text.mesh.materials_says }),
       element("div", { class: "materials" }, ...materials.map(({ row: own }) => own)),
-      element(
-        "footer",
-        {},
-        button(text.mesh.add, () => void add(), {
-          class: "primary",
-          "data-key": "mesh-add",
-          autofocus: true,
-          disabled: known.length === 0,
-        }),
-      ),
+      element("footer", {}, button_),
     ),
   );
 }

@@ -29,7 +29,10 @@ export function openDevice(host: Host, file: string, facts: DeviceFacts): void {
 export async function openTable(host: Host, name: string, bytes: Uint8Array): Promise<void> {
   const table = readTable(bytes);
   useTexts(host.text);
-  if (hasMeasurements(table)) return openComparison(host, name, table, textOf(bytes));
+  if (hasMeasurements(table)) {
+    await openComparison(host, name, table, textOf(bytes));
+    return;
+  }
   const kind = listKindOf(table);
   if (kind) openList(host, name, table, kind);
   else openPlanogram(host, name, table, await shopOf(host.planner.document));

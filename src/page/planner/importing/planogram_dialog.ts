@@ -140,7 +140,9 @@ class PlanogramDialog {
     const count = this.checked?.good.length ?? 0;
     this.add.textContent = counted(this.isReplacing ? text.planogram.replace : text.planogram.add, count);
     this.add.disabled = count === 0;
-    const labelled = (this.checked?.good ?? []).flatMap(({ holder }) => (holder.labels ? [holder.id] : []));
+    // Copies in a row share their labels.
+    const paths = new Set((this.checked?.good ?? []).flatMap(({ holder }) => (holder.labels ? [holder.path] : [])));
+    const labelled = [...this.shop.holders.values()].flatMap(({ id, path }) => (paths.has(path) ? [id] : []));
     const fixtures = new Set(labelled).size;
     this.clearsRow.hidden = fixtures === 0;
     this.clears.checked = mapping.clears;

@@ -12,15 +12,19 @@ const tolerance = 0.002;
 export function simplified(outline: readonly Point[]): Point[] {
   const corners = outline.filter((corner, k) => distance(corner, outline[(k + 1) % outline.length]) > tolerance / 10);
   if (corners.length < 4) return corners;
-  // Two corners that stay: the first, and the one that is farthest from it.
-  const [first] = corners;
-  const far = corners.reduce(
-    (best, corner, k) => (distance(corner, first) > distance(corners[best], first) ? k : best),
-    0,
-  );
-  const halves = [corners.slice(0, far + 1), [...corners.slice(far), first]];
+  // Two corners that stay: one that is farthest from the first, and the one that is farthest from that.
+  const begin = farthestFrom(corners, 0);
+  const turned = [...corners.slice(begin), ...corners.slice(0, begin)];
+  const far = farthestFrom(turned, 0);
+  const halves = [turned.slice(0, far + 1), [...turned.slice(far), turned[0]]];
   return halves.flatMap((half) => reduced(half).slice(0, -1));
 }
+
+const farthestFrom = (corners: readonly Point[], from: number): number =>
+  corners.reduce((best, corner, k) => {
+    const away = distance(corner, corners[from]);
+    return away > distance(corners[best], corners[from]) ? k : best;
+  }, from);
 
 function reduced(line: readonly Point[]): Point[] {
   const [from, to] = [line[0], line[line.length - 1]];
@@ -62,7 +66,12 @@ export function fixtureLine(
       ];
   const depth = distance(sides[0][0], sides[1][0]);
   const [first, second] = sides;
-  if (!isSingle) return { line: [between(first[0], second[0]), between(first[1], second[1])], depth };
+  if (!isSingle) {
+    const [from, to] = [between(first[0], second[0]), between(first[1], second[1])];
+    const [x, y] = minus(to, from);
+    // To the right, or upwards: such a fixture is not turned around.
+    return { line: x > 1e-6 || (x > -1e-6 && y > 0) ? [from, to] : [to, from], depth };
+  }
   const away = ([from, to]: [Point, Point]) =>
     Math.min(Infinity, ...walls.map((wall) => distanceTo([wall.from, wall.to], between(from, to), true)));
   const isFirst = away(first) <= away(second);

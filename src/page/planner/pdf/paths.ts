@@ -12,6 +12,8 @@ export interface Operations {
   transform: number;
   constructPath: number;
   endPath: number;
+  stroke: number;
+  closeStroke: number;
   clip: number;
   eoClip: number;
   paintFormXObjectBegin: number;
@@ -28,7 +30,7 @@ export interface OperatorList {
 
 /** More lines are of a hatch or a text that nobody snaps to. */
 export const mostLines = 2_000_000;
-const chords = 8;
+const chords = 24;
 const [moveTo, lineTo, curveTo, quadraticTo] = [0, 1, 2, 3];
 
 function product(m: Transform, n: Transform): Transform {
@@ -102,8 +104,9 @@ class Collector {
 }
 
 /** Draws one path: numbers of operations, each with its coordinates. */
-function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Transform): void {
+function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Transform, isFilled: boolean): void {
   let [x, y] = [0, 0];
+  let hasBegun = false; // fills close what they begin
   const place = (u: number, v: number): [number, number] => [a * u + c * v + e, b * u + d * v + f];
   /** `controls`: of the curve after the present point. */
   const curve = (controls: readonly [number, number][]) => {
@@ -123,6 +126,8 @@ function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Tran
     const pair = (n: number): [number, number] => [path[k + 2 * n], path[k + 2 * n + 1]];
     switch (path[k++]) {
       case moveTo:
+        if (isFilled && hasBegun) into.close();
+        hasBegun = true;
         [x, y] = pair(0);
         into.move(...place(x, y));
         k += 2;
@@ -144,6 +149,7 @@ function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Tran
         into.close();
     }
   }
+  if (isFilled && hasBegun) into.close();
   into.finish();
 }
 
@@ -193,7 +199,7 @@ export function linesOf(
       case ops.constructPath: {
         const [paint, [path]] = args as [number, [ArrayLike<number> | null]];
         const isPaint = paint !== ops.endPath && paint !== ops.clip && paint !== ops.eoClip;
-        if (path && isPaint && hidden === 0) draw(into, path, now);
+        if (path && isPaint && hidden === 0) draw(into, path, now, paint !== ops.stroke && paint !== ops.closeStroke);
       }
     }
   });

@@ -1,7 +1,7 @@
 // The visible part of a drawing of lines, drawn anew as finely as the screen shows it: after the view has come to rest,
 // because a page of many lines takes longer than a frame.
 
-import type { Region, Sheet } from "./sheet";
+import { wholeOf, type Region, type Sheet } from "./sheet";
 
 const rest = 160; // ms
 const mostPixels = 16e6;
@@ -47,27 +47,22 @@ export class DetailView {
   /** The view shows a region, and `scale` of its pixels for each pixel of the picture. */
   show(view: Region, scale: number): void {
     clearTimeout(this.timer);
-    const [width, height] = this.sheet.size;
-    const whole = { left: 0, upper: 0, width, height };
+    const whole = wholeOf(this.sheet.size);
     const seen = common(view, whole);
     if (!seen || this.isClosed) return;
+    const [u, v] = [margin * view.width, margin * view.height];
+    const wide = { left: view.left - u, upper: view.upper - v, width: view.width + 2 * u, height: view.height + 2 * v };
+    const region = common(wide, whole) ?? seen;
+    const finest = Math.min(scale, Math.sqrt(mostPixels / (region.width * region.height)));
     const { now } = this;
-    if (now && holds(now.region, seen) && now.scale >= 0.9 * scale && now.scale <= coarsest * scale) return;
+    if (now && holds(now.region, seen) && now.scale >= 0.9 * finest && now.scale <= coarsest * scale) return;
     this.timer = setTimeout(() => {
-      if (this.isBusy) return this.show(view, scale);
-      const [u, v] = [margin * view.width, margin * view.height];
-      const wide = {
-        left: view.left - u,
-        upper: view.upper - v,
-        width: view.width + 2 * u,
-        height: view.height + 2 * v,
-      };
-      void this.draw(common(wide, whole) ?? seen, scale);
+      if (this.isBusy) this.show(view, scale);
+      else void this.draw(region, finest);
     }, rest);
   }
 
-  private async draw(region: Region, wanted: number): Promise<void> {
-    const scale = Math.min(wanted, Math.sqrt(mostPixels / (region.width * region.height)));
+  private async draw(region: Region, scale: number): Promise<void> {
     const { edition } = this;
     this.isBusy = true;
     try {

@@ -1,5 +1,6 @@
 // The layers of a drawing in the panel of the picture: each is shown or not.
 
+import { counted } from "../../data/format";
 import { button, element } from "../../panel/dom";
 import { say, text } from "../text";
 import type { SheetLayer } from "./sheet";
@@ -31,21 +32,21 @@ function layerRow(
     box,
     swatch,
     element("span", { class: "layer-name", text: name }),
-    element("small", { text: say(text.dxf.layer_facts, lines, texts) }),
+    element("small", { text: `${counted(text.dxf.lines, lines)}, ${counted(text.dxf.texts, texts)}` }),
   );
 }
 
 function outlineButton({ name, outlines }: SheetLayer, take: (x: number, y: number) => void): HTMLElement[] {
   if (outlines === 0) return [];
   const open = button(
-    say(text.dxf.outlines, outlines),
+    counted(text.dxf.outlines, outlines),
     () => {
       const { left, bottom } = open.getBoundingClientRect();
       take(left, bottom);
     },
     {
       class: "small",
-      "aria-label": say(text.dxf.outlines_of, outlines, name),
+      "aria-label": say(text.dxf.outlines_of, counted(text.dxf.outlines, outlines), name),
       "data-key": `picture/outlines/${name}`,
     },
   );

@@ -3,7 +3,7 @@
 import Flatbush from "flatbush";
 
 import type { Point } from "../document/messages";
-import type { Bounds } from "../geometry/bounds";
+import { middleOf, type Bounds } from "../geometry/bounds";
 import { area, contains, nearestOn } from "../geometry/polygon";
 import { distance } from "../geometry/vector";
 import type { Lines } from "./sheet";
@@ -25,10 +25,18 @@ export function indexOfLines(ends: Float32Array): Flatbush | null {
   return index;
 }
 
+/** Whether the bounds of a line and a rectangle have something in common. */
+const overlap = ([[x, y], [u, v]]: PixelLine, { lower, upper }: Bounds): boolean =>
+  Math.max(x, u) >= lower[0] && Math.min(x, u) <= upper[0] && Math.max(y, v) >= lower[1] && Math.min(y, v) <= upper[1];
+
 export class LineIndex {
   private readonly index: Flatbush | null;
   /** Layers whose lines and outlines are not found. */
   hidden: ReadonlySet<number> = new Set();
+  /** Shorter lines, which are of letters and hatches, are not found. */
+  least = 0;
+  /** The part that is shown: lines that do not reach into it, and outlines that leave it, are not found. */
+  shown: Bounds | null = null;
 
   constructor(private readonly lines: Lines) {
     const { ends, index } = lines;
@@ -49,9 +57,11 @@ export class LineIndex {
 
   /** Lines whose bounds touch a rectangle, at most `most`. */
   within({ lower, upper }: Bounds, most: number): PixelLine[] {
-    let found = 0;
-    const chosen = this.index?.search(...lower, ...upper, (k) => this.isShown(k) && ++found <= most) ?? [];
-    return chosen.map((line) => this.line(line));
+    const [x, y] = middleOf({ lower, upper });
+    const reach = 0.5 * Math.hypot(upper[0] - lower[0], upper[1] - lower[1]);
+    // The nearest to the middle: of many lines, the first ones of the index may all be at one side.
+    const chosen = this.index?.neighbors(x, y, most, reach, (k) => this.isShown(k)) ?? [];
+    return chosen.map((line) => this.line(line)).filter(([from, to]) => overlap([from, to], { lower, upper }));
   }
 
   /** The smallest closed outline around a place. */
@@ -72,17 +82,26 @@ export class LineIndex {
   outlinesOf(layer: number): Point[][] {
     const { firsts, layers } = this.lines;
     const all = Array.from({ length: Math.max(firsts.length - 1, 0) }, (_, k) => k);
-    return all.filter((k) => layers?.ofOutline[k] === layer).map((k) => this.outline(k));
+    return all.filter((k) => layers?.ofOutline[k] === layer && this.isOutlineShown(k)).map((k) => this.outline(k));
   }
 
   private isShown(line: number): boolean {
-    const { layers } = this.lines;
-    return !layers || !this.hidden.has(layers.ofLine[line]);
+    const { layers, ends } = this.lines;
+    if (layers && this.hidden.has(layers.ofLine[line])) return false;
+    const k = 4 * line;
+    if (Math.hypot(ends[k + 2] - ends[k], ends[k + 3] - ends[k + 1]) < this.least) return false;
+    return this.shown === null || overlap(this.line(line), this.shown);
   }
 
   private isOutlineShown(outline: number): boolean {
-    const { layers } = this.lines;
-    return !layers || !this.hidden.has(layers.ofOutline[outline]);
+    const { layers, corners, firsts } = this.lines;
+    if (layers && this.hidden.has(layers.ofOutline[outline])) return false;
+    if (!this.shown) return true;
+    const { lower, upper } = this.shown;
+    for (let k = 2 * firsts[outline]; k < 2 * firsts[outline + 1]; k += 2)
+      if (corners[k] < lower[0] || corners[k] > upper[0] || corners[k + 1] < lower[1] || corners[k + 1] > upper[1])
+        return false;
+    return true;
   }
 
   /** Whether the bounds of an outline contain a place. */

@@ -1,5 +1,6 @@
 // Opens drawings of lines by modules that are loaded with the first of them.
 
+import { grouped } from "../../data/format";
 import type { Drawing } from "../backdrop/drawing";
 import { DxfFault, DxfSheet } from "../dxf/show/sheet";
 import { say, text } from "../text";
@@ -11,11 +12,12 @@ export class Unreadable extends Error {}
 type PdfModule = typeof import("../pdf/pdf");
 export type PdfFile = Awaited<ReturnType<PdfModule["openPdf"]>>;
 
-/** What the modules say, in words. */
-function worded(error: unknown): never {
+/** What the modules say, in words: throws Unreadable, or the error itself. */
+export function worded(error: unknown): never {
   if (error instanceof DxfFault) {
     const { fault, values } = error.given;
-    throw new Unreadable(say(text.dxf.faults[fault], ...Object.values(values)));
+    const shown = Object.values(values).map((value) => (typeof value === "number" ? grouped(value) : value));
+    throw new Unreadable(say(text.dxf.faults[fault], ...shown));
   }
   const { fault } = error as { fault?: keyof typeof text.pdf.faults };
   throw fault === undefined ? error : new Unreadable(text.pdf.faults[fault]);

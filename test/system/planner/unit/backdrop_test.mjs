@@ -166,6 +166,16 @@ test("a drawing with a unit has its size, and a new version keeps its coordinate
   const picture = replacedBy(sheet, { file: "c.png", size: [2000, 1000] }, metre);
   assert.deepEqual([picture.unit, picture.origin], [undefined, undefined]);
   near(toWorld(placementOf(picture, metre), [2000, 1000]), [2 + 25.4, 3]);
+  const scan = {
+    file: "a.pdf",
+    page: 3,
+    size: [600, 400],
+    at: [1, 1],
+    scale: lineOf(0, 0, 600, 0, 6),
+    rotation_deg: 0.37,
+  };
+  const exact = replacedBy(scan, next, metre);
+  assert.deepEqual([exact.page, exact.rotation_deg, exact.scale, exact.at], [undefined, undefined, undefined, [1, 1]]);
   const feet = replacedBy(sheet, { ...next, unit: "ft" }, metre);
   assert.deepEqual([feet.unit, feet.at], ["ft", [2, 3]]);
 });
@@ -281,7 +291,7 @@ test("a picture is sent, and wrong files are refused with a reason", async () =>
         (error) => error instanceof NotAccepted && words.test(error.message),
       );
     await refused(file(""), /^my plan.png is empty/);
-    await refused(file("hello"), /^my plan.png is not a floor plan/);
+    await refused(file("hello"), /^my plan.png is of no format/);
     assert.equal(asked.length, 1, "wrong files are not sent");
   });
   await withFakes({ answer: stored, size: [300, 400] }, async () => {
@@ -325,7 +335,7 @@ test("the picture is fetched once, kept in several sizes, and says why it is mis
       await settled(picture);
       return asked.length;
     });
-  await failed({ answer: () => new Response("", { status: 404 }), size: [1, 1] }, /is missing in the folder/);
+  await failed({ answer: () => new Response("", { status: 404 }), size: [1, 1] }, /is missing from the folder/);
   await failed({ answer: () => new Response("bytes") }, /is damaged/);
   await failed({ answer: () => Promise.reject(new TypeError()), size: [1, 1] }, /no connection/);
 });

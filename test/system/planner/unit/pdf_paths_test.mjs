@@ -19,6 +19,8 @@ const ops = Object.fromEntries(
     "beginMarkedContentProps",
     "endMarkedContent",
     "stroke",
+    "closeStroke",
+    "fill",
   ].map((name, k) => [name, k + 1]),
 );
 const identity = [1, 0, 0, 1, 0, 0];
@@ -88,6 +90,13 @@ test("curves are as long as theirs, and clips and hidden layers have no lines", 
   assert.equal(lengthOf(read(layered)), 9);
 });
 
+test("fills close their outlines, and strokes before them stay open", () => {
+  const open = [move, 0, 0, line, 2, 0, line, 2, 2];
+  const lines = read([path(open), path([...open, ...open.map((value, k) => value + (k % 3 === 0 ? 0 : 5))], "fill")]);
+  assert.equal(linesIn(lines).length, 2 + 3 + 3);
+  assert.deepEqual([...lines.firsts], [0, 3, 6]);
+});
+
 test("lines are found by place, and outlines by what they contain", () => {
   const inner = [move, 0.5, 0.5, line, 1, 0.5, line, 1, 1, line, 0.5, 0.5];
   const index = new LineIndex(read([path(square), path(inner)]));
@@ -104,4 +113,13 @@ test("lines are found by place, and outlines by what they contain", () => {
   assert.equal(index.outlineAt([0.6, 0.9]).length, 4);
   assert.equal(index.outlineAt([3, 3]), null);
   assert.deepEqual(new LineIndex(read([])).near([0, 0], 1, 9), []);
+  index.least = 1.5;
+  assert.equal(index.near([1, 0.75], 0.3, 9).length, 0, "short lines");
+  assert.equal(index.near([1, 0.1], 0.2, 9).length, 1);
+  index.least = 0;
+  index.shown = { lower: [-1, -1], upper: [1.5, 3] };
+  assert.equal(index.near([2, 1], 0.1, 9).length, 0, "beyond the crop");
+  assert.equal(index.near([1.4, 0], 0.05, 9).length, 1, "a line that reaches into the crop");
+  assert.equal(index.outlineAt([1.2, 0.4]), null, "an outline that leaves the crop");
+  assert.equal(index.outlineAt([0.9, 0.6]).length, 3);
 });

@@ -28,7 +28,7 @@ class Reader {
         new Promise<Kind>((done, failed) => {
           this.worker.onmessage = ({ data }: MessageEvent<Answer>) =>
             "fault" in data ? failed(new DxfFault(data)) : done(data as Kind);
-          this.worker.onerror = () => failed(new DxfFault({ fault: "memory", values: {} }));
+          this.worker.onerror = () => failed(new DxfFault({ fault: "stopped", values: {} }));
           this.worker.postMessage(request, transferred);
         }),
     );

@@ -91,6 +91,6 @@ scope.onmessage = ({ data }) => {
     scope.postMessage(...answerTo(data));
   } catch (error) {
     if (error instanceof DxfError) scope.postMessage({ fault: error.code, values: error.values }, []);
-    else scope.postMessage({ fault: "memory", values: {} }, []);
+    else scope.postMessage({ fault: error instanceof RangeError ? "memory" : "stopped", values: {} }, []);
   }
 };
