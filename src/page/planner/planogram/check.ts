@@ -1,5 +1,6 @@
 // Checks the lines of a planogram by the rules of the program (src/shelfbeam/scene/planogram).
 
+import { factorOf } from "../geometry/units";
 import { countIn, markOf, numberIn } from "../table/numbers";
 import type { LineFault, Row, Table } from "../table/table";
 import { isPrintable, lineOf } from "../table/write";
@@ -83,7 +84,6 @@ const fail = (code: Reason["code"], value?: string, most?: string): never => {
   throw new Bad({ code, value, most });
 };
 
-const factors: Record<string, number> = { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 };
 const mostPositions = 1000;
 const mostSegment = 1_000_000;
 const rounding = 1e-6; // m
@@ -193,9 +193,9 @@ class Check {
       if (position < 1 || position > mostPositions) fail("position", text);
       return position;
     }
-    const metres = (this.number(text, "number") as number) * factors[measure];
+    const metres = (this.number(text, "number") as number) * factorOf(measure);
     const length = lengthOf(holder, face);
-    if (metres < 0 || metres > length + rounding) fail("distance", text, (length / factors[measure]).toFixed(2));
+    if (metres < 0 || metres > length + rounding) fail("distance", text, (length / factorOf(measure)).toFixed(2));
     return Math.min(metres, length);
   }
 
@@ -215,7 +215,7 @@ class Check {
     const { measure } = this.mapping;
     const hook = this.number(text, "hook");
     if (hook === undefined || hook === 0) return undefined;
-    const metres = hook * (measure === "position" ? this.shop.unit.factor : factors[measure]);
+    const metres = hook * (measure === "position" ? this.shop.unit.factor : factorOf(measure));
     return metres >= 1e-3 && metres <= 1e3 ? metres : fail("hook", text);
   }
 

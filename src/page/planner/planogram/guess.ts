@@ -1,5 +1,6 @@
 // What the columns of a file probably mean, by their names and contents.
 
+import { factorOf } from "../geometry/units";
 import { countIn, markOf, numberIn } from "../table/numbers";
 import { isArticleNumber, type Table } from "../table/table";
 import { headerWords, unitInHeader } from "./header_words";
@@ -71,7 +72,7 @@ function measureOf(table: Table, column: number | undefined, unit: string, longe
   const sorted = [...numbers].sort((a, b) => a - b);
   const usual = sorted[Math.ceil(0.95 * (sorted.length - 1))];
   const metres: [Measure, number][] = [
-    [unit as Measure, { m: 1, cm: 0.01, mm: 0.001, ft: 0.3048, in: 0.0254 }[unit] ?? 1],
+    [unit as Measure, factorOf(unit)],
     ["cm", 0.01],
     ["mm", 0.001],
   ];
