@@ -10,7 +10,7 @@ import type { Lines } from "./shape/lines";
 import { directed, identity, mapped, type Matrix } from "./shape/matrix";
 
 /** Lines so many times as far from most lines as these are apart are strays, which would cost all precision. */
-const farthest = 50;
+const farthest = 200;
 const mostSamples = 20_000;
 
 /** As far as 32 bits reach, with room to spare for differences. */
