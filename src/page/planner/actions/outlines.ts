@@ -7,7 +7,7 @@ import { finishAll, siteOf, type Finished } from "../draw/finish";
 import { templateOf } from "../draw/template";
 import type { DrawTool } from "../draw/tools";
 import { fixtureLine, simplified } from "../make/outline";
-import { isOneSided } from "../make/run";
+import { isOneSided, type Template } from "../make/run";
 import { wallLines } from "../make/walls";
 import type { Planner } from "../planner";
 import { selfCrossings } from "../snap/crossings";
@@ -44,12 +44,14 @@ export function canTake(planner: Planner, use: OutlineUse): boolean {
   return use === "room" ? count === 1 : count > 0;
 }
 
-/** Null: the outline is no rectangle, and becomes a block. */
-function fixtureOf(planner: Planner, outline: readonly Point[]): Finished | null {
-  const template = templateOf(planner);
+/** Fixtures of the preset; outlines that are not rectangles become blocks. */
+function fixturesOf(planner: Planner, template: Template, outlines: readonly (readonly Point[])[]): Finished[] {
   const walls = wallLines(siteOf(planner)).filter(({ number }) => number !== null);
-  const found = fixtureLine(outline, template !== null && isOneSided(template.effective), walls);
-  return found && { tool: "run", points: found.line, freedom: { ...exact, depth: found.depth } };
+  return outlines.map((points) => {
+    const found = fixtureLine(points, isOneSided(template.effective), walls);
+    if (!found) return { tool: "block", points, freedom: exact };
+    return { tool: "run", points: found.line, freedom: { ...exact, depth: found.depth } };
+  });
 }
 
 /** What became of outlines that could not be used as they were meant. */
@@ -69,20 +71,16 @@ export async function takeOutlines(planner: Planner, use: OutlineUse): Promise<v
     planner.say(text.draw.crossing, true);
     return;
   }
-  if (use === "fixture" && !templateOf(planner)) {
+  const template = use === "fixture" ? templateOf(planner) : null;
+  if (use === "fixture" && !template) {
     planner.setTool("run");
     planner.say(text.draw.no_preset, true);
     return;
   }
   if (use === "column" || use === "block" || use === "fixture") planner.settings.set({ isColumn: use === "column" });
-  const strokes = outlines.map(
-    (points): Finished =>
-      (use === "fixture" ? fixtureOf(planner, points) : null) ?? {
-        tool: use === "fixture" ? "block" : toolOf[use],
-        points,
-        freedom: exact,
-      },
-  );
+  const strokes = template
+    ? fixturesOf(planner, template, outlines)
+    : outlines.map((points): Finished => ({ tool: toolOf[use], points, freedom: exact }));
   const done = await finishAll(planner, strokes, say(text.edits.take, text.drawn[toolOf[use]]));
   if (done) sayLeftOut(planner, use, found.length - outlines.length, strokes);
 }

@@ -1,5 +1,5 @@
-// A picture of the floor plan or a table comes from a file dialog, from files that are dragged over the page, or from the
-// clipboard.
+// Floor plans, tables, emission profiles and meshes come from a file dialog, from files that are dragged over the page, or
+// from the clipboard.
 
 import { button, element } from "../../panel/dom";
 import { openDialog } from "../access/dialog";

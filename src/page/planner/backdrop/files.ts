@@ -1,4 +1,4 @@
-// Files that people give as pictures of the floor plan or as tables: what they are, and their way to the program.
+// Files that people drop: their formats, and their way to the program.
 
 import type { Point } from "../document/messages";
 import { isTable } from "../table/sniff";
@@ -21,7 +21,10 @@ export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "csv" | DeviceKind |
 /** Emission profiles and meshes. */
 type DeviceKind = (typeof deviceKinds)[number];
 
-/** By its first bytes. Binary DXF and DWG files count as DXF, whose reader names the remedy; `csv`: a table. Formats without a mark at their beginning go by their names. */
+/**
+ * By its first bytes, and by its name if the format has no mark there. Binary DXF and DWG files count as DXF, whose reader
+ * names the remedy; `csv`: a table.
+ */
 export function kindOf(bytes: Uint8Array, name = ""): Kind {
   const words = String.fromCharCode(...bytes.subarray(0, 32));
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";

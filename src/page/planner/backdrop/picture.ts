@@ -54,8 +54,8 @@ async function levelsOf(finest: ImageBitmap): Promise<Levels> {
 
 export class Picture {
   state: State = { kind: "none" };
-  /** The file and the page. */
-  private shown = "";
+  /** What the store names. */
+  private wanted: Drawing | null = null;
   private offered: { key: string; sheet: Sheet } | null = null;
 
   /** `address`: of the page. */
@@ -67,10 +67,9 @@ export class Picture {
 
   /** Shows what the store names; true if that is another picture. One that a lost connection kept away is tried again. */
   follow(drawing: Drawing | null): boolean {
-    const shown = keyOf(drawing);
-    const isOther = shown !== this.shown;
+    const isOther = keyOf(drawing) !== keyOf(this.wanted);
     if (!isOther && !(this.state.kind === "failed" && this.state.isLost)) return false;
-    this.shown = shown;
+    this.wanted = drawing;
     if (!drawing) this.enter({ kind: "none" });
     else void this.load(drawing);
     return isOther;
@@ -82,7 +81,7 @@ export class Picture {
       const isLost = !(error instanceof Unusable);
       return { kind: "failed", why: isLost ? text.picture.lost : error.message, isLost };
     });
-    if (keyOf(drawing) === this.shown) this.enter(state);
+    if (keyOf(drawing) === keyOf(this.wanted)) this.enter(state);
     else close(state);
   }
 
@@ -123,7 +122,7 @@ export class Picture {
   }
 
   private hiddenOf({ layers }: Sheet): ReadonlySet<number> {
-    const decided = this.look.layersOf(this.shown.replace(/#\d+$/, ""));
+    const decided = this.look.layersOf(this.wanted?.file ?? "");
     return new Set([...layers.keys()].filter((k) => !(decided[layers[k].name] ?? layers[k].isOn)));
   }
 
@@ -166,21 +165,25 @@ export class Picture {
   }
 
   /** Of a drawing of lines. */
+  private get page(): Page | null {
+    return this.state.kind === "shown" ? this.state.page : null;
+  }
+
   get detail(): DetailView | null {
-    return this.state.kind === "shown" ? (this.state.page?.detail ?? null) : null;
+    return this.page?.detail ?? null;
   }
 
   get sheet(): Sheet | null {
-    return this.state.kind === "shown" ? (this.state.page?.sheet ?? null) : null;
+    return this.page?.sheet ?? null;
   }
 
   /** Numbers of the layers that are not shown. */
   get hidden(): ReadonlySet<number> {
-    return this.state.kind === "shown" ? (this.state.page?.hidden ?? new Set()) : new Set();
+    return this.page?.hidden ?? new Set();
   }
 
   get lines(): LineIndex | null {
-    return this.state.kind === "shown" ? (this.state.page?.lines ?? null) : null;
+    return this.page?.lines ?? null;
   }
 }
 

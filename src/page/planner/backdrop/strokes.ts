@@ -14,6 +14,7 @@ import {
   leastAngle,
   placementOf,
   roundPixel,
+  screenPixel,
   shifted,
   shownCorners,
   toPixel,
@@ -46,10 +47,13 @@ export function isOnFreePicture({ drawing, look, document }: Planner, world: Poi
   );
 }
 
-/** Shorter lines are none, in pixels of the picture: one of them, or two of the screen in a drawing of lines. */
-function leastStroke({ drawing, picture, viewport, document }: Planner): number {
-  return drawing && picture.detail ? 2 / (placementOf(drawing, document.unit).step * viewport.scale) : 1;
+/** A step of the cross: a pixel of the picture, or of the screen in a drawing of lines; in pixels of the picture. */
+function crossStep({ drawing, picture, viewport, document }: Planner): number {
+  return drawing && picture.detail ? screenPixel(placementOf(drawing, document.unit), viewport) : 1;
 }
+
+/** Shorter lines are none, in pixels of the picture. */
+const leastStroke = (planner: Planner): number => (planner.picture.detail ? 2 : 1) * crossStep(planner);
 
 /** The cross follows the pointer. The lines of a drawing attract it, unless it is free. */
 export function aimLine(planner: Planner, scope: Scaling, pointer: Point, isFree: boolean): Scaling {
@@ -63,10 +67,9 @@ export function aimLine(planner: Planner, scope: Scaling, pointer: Point, isFree
  * of lines.
  */
 export function movedCross(planner: Planner, scope: Scaling, way: Point): Scaling {
-  const { drawing, picture, viewport, document } = planner;
+  const { drawing, viewport } = planner;
   if (scope.to || !drawing) return scope;
-  const step = picture.detail ? 1 / (placementOf(drawing, document.unit).step * viewport.scale) : 1;
-  const [x, y] = times(way, step);
+  const [x, y] = times(way, crossStep(planner));
   const [c, s] = unitAt(drawing.rotation_deg ?? 0);
   const at = scope.at ?? pixelAt(planner, viewport.centre);
   return { ...scope, at: roundPixel(plus(at, [c * x + s * y, s * x - c * y]), drawing), mark: undefined };

@@ -6,7 +6,7 @@ import type { Planner } from "../planner";
 import type { LineIndex } from "../sheet/line_index";
 import type { LineSource } from "../snap/segment_index";
 import type { Segment } from "../snap/segments";
-import { placementOf, shownCorners, toPixel, toWorld, type Placement } from "./transform";
+import { placementOf, screenPixel, shownCorners, toPixel, toWorld, type Placement } from "./transform";
 
 /** Pixels of the screen: shorter lines are of letters and hatches. */
 const leastLength = 5;
@@ -56,7 +56,7 @@ export class Traced implements LineSource {
     if (!drawing || !index || !look.now.isShown) return null;
     const placement = placementOf(drawing, document.unit);
     index.shown = drawing.crop ? boundsOf(shownCorners(drawing)) : null;
-    index.least = leastLength / (placement.step * viewport.scale);
+    index.least = leastLength * screenPixel(placement, viewport);
     return { index, placement };
   }
 }

@@ -34,6 +34,9 @@ export function placementOf({ size, at, unit, scale, rotation_deg = 0 }: Drawing
   return { origin: times(at, factor), step, turn: rotation_deg, height: size[1] };
 }
 
+/** A pixel of the screen, in pixels of the picture. */
+export const screenPixel = ({ step }: Placement, { scale }: Pick<Viewport, "scale">): number => 1 / (step * scale);
+
 export function toWorld({ origin, step, turn, height }: Placement, [x, y]: Point): Point {
   const [c, s] = unitAt(turn);
   const [u, v] = [step * x, step * (height - y)];

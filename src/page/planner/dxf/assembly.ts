@@ -16,7 +16,7 @@ const mostSamples = 20_000;
 /** As far as 32 bits reach, with room to spare for differences. */
 const everywhere: Bounds = { lower: [-1e30, -1e30], upper: [1e30, 1e30] };
 
-/** False, too, for what is no number. */
+/** Also false for NaN. */
 const isWithin = ({ lower, upper }: Bounds, x: number, y: number): boolean =>
   x >= lower[0] && x <= upper[0] && y >= lower[1] && y <= upper[1];
 

@@ -114,7 +114,7 @@ export function linkBlocks(model: Block, blocks: ReadonlyMap<string, Block>, lim
 export interface Shown {
   block: Block;
   at: Matrix;
-  /** The layer of what is on layer "0". */
+  /** The layer of objects on layer "0". */
   layer: number;
   /** The layer of everything, or -1. */
   forced: number;

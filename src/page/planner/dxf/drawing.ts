@@ -1,15 +1,6 @@
 // What a DXF file shows in model space, as lines and texts of its layers.
 
-export interface DxfLayer {
-  name: string;
-  /** "#rrggbb", readable on white. */
-  colour: string;
-  /** Neither off nor frozen. */
-  isOn: boolean;
-  lines: number;
-  texts: number;
-  outlines: number;
-}
+import type { SheetLayer } from "../sheet/sheet";
 
 /** A closed polyline, circle or ellipse, without its first corner at the end. */
 export interface DxfOutline {
@@ -64,7 +55,7 @@ export interface DxfDrawing {
   /** Such as "AC1015". */
   version: string;
   /** Those with something in model space, by name. */
-  layers: DxfLayer[];
+  layers: SheetLayer[];
   /** x0, y0, x1, y1 of each line. */
   segments: Float32Array;
   /** The layer of each line. */

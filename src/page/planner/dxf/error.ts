@@ -8,9 +8,9 @@ export type DxfErrorCode =
   | "not_dxf"
   /** The file ends early, at `line`. */
   | "truncated"
-  /** `line` is no group code. */
+  /** `line` is not a group code. */
   | "bad_code"
-  /** The value of group `code` on `line` is no finite number. */
+  /** The value of group `code` on `line` is not a finite number. */
   | "bad_number"
   /** `bytes` of at most `limit`. */
   | "too_large"

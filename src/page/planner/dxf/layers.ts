@@ -1,6 +1,6 @@
 // The layers of a file: those of its table, and those that only its entities name.
 
-import type { DxfLayer } from "./drawing";
+import type { SheetLayer } from "../sheet/sheet";
 import type { Entity } from "./file/entity";
 import { DxfError } from "./error";
 import { colourOfIndex, colourOfNumber, onWhite } from "./palette";
@@ -55,7 +55,7 @@ export class Layers {
   }
 
   /** The layers with something on them, by name. Replaces the indices of lines, texts and outlines by those of the list. */
-  used(ofLines: Uint16Array, texts: { layer: number }[], outlines: { layer: number }[]): DxfLayer[] {
+  used(ofLines: Uint16Array, texts: { layer: number }[], outlines: { layer: number }[]): SheetLayer[] {
     const counts = this.all.map(() => ({ lines: 0, texts: 0, outlines: 0 }));
     for (const layer of ofLines) ++counts[layer].lines;
     for (const { layer } of texts) ++counts[layer].texts;

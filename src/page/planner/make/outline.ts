@@ -44,7 +44,7 @@ export interface FixtureLine {
 
 /**
  * Where a fixture with a rectangular outline stands: its middle line, or for one with a front alone its back, which is the
- * long side nearest to a wall. Null: the outline is no rectangle. `walls`: their lines.
+ * long side nearest to a wall. Null: the outline is not a rectangle. `walls`: their lines.
  */
 export function fixtureLine(
   outline: readonly Point[],

@@ -1,9 +1,7 @@
 // The lines of a PDF page, from the operations that draw it. Curves become chords.
 
+import { combined, type Matrix } from "../dxf/shape/matrix";
 import type { Lines } from "../sheet/sheet";
-
-/** [a, b, c, d, e, f]: x' = a x + c y + e, y' = b x + d y + f. */
-export type Transform = readonly number[];
 
 /** The numbers of the operations that matter, as the reader of the file numbers them. */
 export interface Operations {
@@ -32,18 +30,6 @@ export interface OperatorList {
 export const mostLines = 2_000_000;
 const chords = 24;
 const [moveTo, lineTo, curveTo, quadraticTo] = [0, 1, 2, 3];
-
-function product(m: Transform, n: Transform): Transform {
-  const [a, b, c, d, e, f] = m;
-  return [
-    a * n[0] + c * n[1],
-    b * n[0] + d * n[1],
-    a * n[2] + c * n[3],
-    b * n[2] + d * n[3],
-    a * n[4] + c * n[5] + e,
-    b * n[4] + d * n[5] + f,
-  ];
-}
 
 class Collector {
   private ends = new Float32Array(1 << 12);
@@ -104,7 +90,7 @@ class Collector {
 }
 
 /** Draws one path: numbers of operations, each with its coordinates. */
-function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Transform, isFilled: boolean): void {
+function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Matrix, isFilled: boolean): void {
   let [x, y] = [0, 0];
   let hasBegun = false; // fills close what they begin
   const place = (u: number, v: number): [number, number] => [a * u + c * v + e, b * u + d * v + f];
@@ -160,12 +146,12 @@ function draw(into: Collector, path: ArrayLike<number>, [a, b, c, d, e, f]: Tran
 export function linesOf(
   { fnArray, argsArray }: OperatorList,
   ops: Operations,
-  page: Transform,
+  page: Matrix,
   isVisible: (layer: unknown) => boolean,
 ): Lines {
   const into = new Collector();
   let now = page;
-  const saved: Transform[] = [];
+  const saved: Matrix[] = [];
   const marked: boolean[] = [];
   let hidden = 0;
   fnArray.forEach((operation, k) => {
@@ -180,11 +166,11 @@ export function linesOf(
         now = saved.pop() ?? now;
         break;
       case ops.transform:
-        now = product(now, args as number[]);
+        now = combined(now, args as unknown as Matrix);
         break;
       case ops.paintFormXObjectBegin:
         saved.push(now);
-        if (args[0]) now = product(now, args[0] as Transform);
+        if (args[0]) now = combined(now, args[0] as Matrix);
         break;
       case ops.beginMarkedContent:
       case ops.beginMarkedContentProps: {

@@ -4,6 +4,7 @@ import * as reader from "pdfjs-dist/legacy/build/pdf.mjs";
 import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist/legacy/build/pdf.mjs";
 
 import type { Point } from "../document/messages";
+import type { Matrix } from "../dxf/shape/matrix";
 import { wholeOf, type Lines, type Region, type Sheet } from "../sheet/sheet";
 import { linesOf, type Operations } from "./paths";
 
@@ -70,7 +71,7 @@ class PdfSheet implements Sheet {
     const [list, layers] = await within(
       Promise.all([this.page.getOperatorList({ annotationMode: reader.AnnotationMode.DISABLE }), this.file.layers()]),
     );
-    return linesOf(list, reader.OPS as unknown as Operations, this.frame.transform, (layer) =>
+    return linesOf(list, reader.OPS as unknown as Operations, this.frame.transform as unknown as Matrix, (layer) =>
       layers.isVisible(layer as Parameters<typeof layers.isVisible>[0]),
     );
   }

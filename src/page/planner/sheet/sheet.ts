@@ -27,7 +27,7 @@ export interface Lines {
 
 export interface SheetLayer {
   name: string;
-  /** "#rrggbb" */
+  /** "#rrggbb", readable on white. */
   colour: string;
   /** Whether the file shows it. */
   isOn: boolean;

@@ -29,7 +29,7 @@ export function markOf({ rows }: Table, columns: readonly number[]): Mark {
   return likely ?? ".";
 }
 
-/** Null if it is no number. */
+/** Null if it is not a number. */
 export function numberIn(field: string, mark: Mark): number | null {
   const plain = field.replace(/(?<=\d)[\s'’](?=\d{3}(\D|$))/g, "");
   const groups = otherOf(mark) === "." ? /^[+-]?\d{1,3}(\.\d{3})+(,\d+)?$/ : /^[+-]?\d{1,3}(,\d{3})+(\.\d+)?$/;
