@@ -60,26 +60,39 @@ void print_head(const std::string& store, const OverSeeds& settings, const Signa
              matrix.columns(), settings.seeds, settings.samples);
 }
 
-void print_before(const std::vector<LabelRow>& labels, const SeedRuns& now, const SeedRuns& before) {
+void print_before(const SignalMatrix& matrix, const SeedRuns& now, const SeedRuns& before) {
   const Estimate times =
       ratio_over_seeds(now.seeds(), [&](std::size_t omitted) { return log_times(before, now, omitted); });
   fmt::print("  CPU time of a run: {:.2f} s, before {:.2f} s: {} times\n", now.cpu_seconds(none),
              before.cpu_seconds(none), text(times));
-  fmt::print("  {:<26} {:>20} {:>20} {:>9} {:>9}\n", "efficiency over before", "by stated errors",
-             "by the means", "entries", "omitted");
+  fmt::print("  {:<32} {:>18} {:>18} {:>9} {:>9} {:>17}\n", "efficiency over before", "by stated errors",
+             "by the means", "entries", "omitted", "flagged (before)");
   std::vector<double> means(now.entries());
   for (std::size_t e = 0; e < means.size(); ++e) means[e] = (now.mean(e) + before.mean(e)) / 2;
-  for (const double share : shares) {
-    std::vector<std::size_t> entries = entries_above(labels, means, share);
+  const auto print_row = [&](const std::string& title, std::vector<std::size_t> entries) {
     const std::size_t omitted = leave_out_certain(entries, now, before);
+    if (entries.empty()) return;
     const Estimate claimed = efficiency(now, before, entries, &SeedRuns::claimed_variance);
     // The sample variance of S seeds is the variance times chi-square over its S - 1 degrees of freedom, a
     // wide distribution whose logarithm has a mean below 0. Both programs have the same S, so this mean
     // cancels in the logarithm of the ratio. Only the spread remains, which the jackknife measures. The
     // comparison favours a program with rare large errors, because few seeds mostly contain none of them.
     const Estimate shown = efficiency(now, before, entries, &SeedRuns::variance_of_means);
-    fmt::print("    above {:<18g} {:>20} {:>20} {:>9} {:>9}\n", share, text(claimed), text(shown),
-               entries.size(), omitted);
+    const auto flagged = [&](const SeedRuns& runs) {
+      double sum = 0;
+      for (const std::size_t e : entries) sum += runs.flagged(e);
+      return 100 * sum / static_cast<double>(entries.size());
+    };
+    fmt::print("    {:<30} {:>18} {:>18} {:>9} {:>9} {:>6.1f} % ({:.1f} %)\n", title, text(claimed),
+               text(shown), entries.size(), omitted, flagged(now), flagged(before));
+  };
+  for (const double share : shares)
+    print_row(fmt::format("above {:g}", share), entries_above(matrix.labels, means, share));
+  constexpr std::size_t few = 8;
+  for (std::size_t j = 0; j < matrix.columns() && matrix.columns() <= few; ++j) {
+    std::vector<std::size_t> of_unit = entries_above(matrix.labels, means, shares[1]);
+    std::erase_if(of_unit, [&](std::size_t e) { return e % matrix.columns() != j; });
+    print_row(matrix.transceivers[j].id + fmt::format(", above {:g}", shares[1]), std::move(of_unit));
   }
   fmt::print("\n");
 }
@@ -161,7 +174,7 @@ void compare_with_program(const OverSeeds& settings, const std::string& program)
       if (seed % 2 == 1) run(this_program(), now);
     }
     print_head(store, settings, last.matrix);
-    print_before(last.matrix.labels, now, before);
+    print_before(last.matrix, now, before);
   }
 }
 

@@ -28,8 +28,12 @@ double square(double x) {
 void SeedRuns::add(const Simulated& run) {
   const SignalMatrix& matrix = run.matrix;
   if (sums_.empty()) sums_.assign(matrix.mean.size(), 0);
+  flags_.resize(sums_.size());
   if (matrix.mean.size() != sums_.size()) throw std::runtime_error("matrices of different sizes");
-  for (std::size_t e = 0; e < sums_.size(); ++e) sums_[e] += static_cast<double>(matrix.mean[e]);
+  for (std::size_t e = 0; e < sums_.size(); ++e) {
+    sums_[e] += static_cast<double>(matrix.mean[e]);
+    flags_[e] += matrix.is_flagged(e) ? 1 : 0;
+  }
   cpu_seconds_.push_back(run.cpu_seconds);
   means_.push_back(matrix.mean);
   errors_.push_back(matrix.standard_error);

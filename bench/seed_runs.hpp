@@ -20,6 +20,8 @@ class SeedRuns {
   std::size_t seeds() const { return cpu_seconds_.size(); }
   std::size_t entries() const { return sums_.size(); }
   double mean(std::size_t entry) const { return sums_[entry] / static_cast<double>(seeds()); }
+  /// The share of seeds in which the entry is flagged.
+  double flagged(std::size_t entry) const { return flags_[entry] / static_cast<double>(seeds()); }
 
   /// The functions below omit the seed `omitted`; `none` omits no seed.
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -35,7 +37,7 @@ class SeedRuns {
   double product_of_errors(std::size_t entry, double a, double b, std::size_t omitted) const;
 
  private:
-  std::vector<double> cpu_seconds_, sums_;
+  std::vector<double> cpu_seconds_, sums_, flags_;  ///< the last two are sums over seeds
   std::vector<std::vector<float>> means_, errors_;  ///< by seed
 };
 

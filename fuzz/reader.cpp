@@ -8,15 +8,15 @@
 
 namespace shelfbeam::fuzz {
 
-extern const Reader catalogue, checkpoint, csv_table, device_csv, eulumdat, http_request, ies, matrix,
-    measurements, mesh, npy_table, or_library, placement_file, planogram, selection_csv, sparse_text, store,
-    text_edit, websocket;
+extern const Reader catalogue, checkpoint, csv_table, device_csv, eulumdat, http_request, ies, light_operator,
+    matrix, measurements, mesh, npy_table, or_library, placement_file, planogram, selection_csv, sparse_text,
+    store, text_edit, websocket;
 
 std::span<const Reader> readers() {
   static const std::array all{store,          catalogue,  planogram,    csv_table,     npy_table,
                               sparse_text,    or_library, matrix,       checkpoint,    ies,
                               eulumdat,       mesh,       device_csv,   selection_csv, measurements,
-                              placement_file, websocket,  http_request, text_edit};
+                              placement_file, websocket,  http_request, text_edit,     light_operator};
   return all;
 }
 

@@ -63,6 +63,7 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   add_place(app, chosen);
   add_plan(app, chosen);
   add_batch(app, chosen);
+  add_preview(app, chosen);
   add_verify(app, chosen);
   add_report(app, chosen);
   add_compare(app, chosen);

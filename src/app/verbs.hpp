@@ -34,6 +34,7 @@ void add_merge(CLI::App& app, ChosenVerb& chosen);
 void add_place(CLI::App& app, ChosenVerb& chosen);
 void add_plan(CLI::App& app, ChosenVerb& chosen);
 void add_batch(CLI::App& app, ChosenVerb& chosen);
+void add_preview(CLI::App& app, ChosenVerb& chosen);
 void add_verify(CLI::App& app, ChosenVerb& chosen);
 void add_report(CLI::App& app, ChosenVerb& chosen);
 void add_compare(CLI::App& app, ChosenVerb& chosen);

@@ -29,6 +29,15 @@ struct Bounds {
     const Vec3 step{margin, margin, margin};
     return {low - step, high + step};
   }
+  /// Distance to a point, squared; 0 inside.
+  double distance_squared(const Vec3& p) const {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double away = std::max({low[axis] - p[axis], 0.0, p[axis] - high[axis]});
+      sum += away * away;
+    }
+    return sum;
+  }
   bool meets(const Bounds& other) const {
     for (int axis = 0; axis < 3; ++axis)
       if (low[axis] > other.high[axis] || high[axis] < other.low[axis]) return false;

@@ -142,6 +142,12 @@ TEST_F(HostileFiles, ShapesThatMultiply) {
       "p.csv: line 2, field 5: is 1e+09");
 }
 
+// The light of 5,000 labels for previews requires more than 0.4 GB.
+TEST_F(HostileFiles, ShopsWithTooManyLabels) {
+  const std::string store = SHELFBEAM_SOURCE_DIR "/examples/supermarket/store.json";
+  expect_refused("preview " + store + " --unit 2,2,2.9", "GB of memory", 5);
+}
+
 TEST_F(HostileFiles, DeeplyNestedBrackets) {
   const TempFolder folder;
   const std::string store = folder.write("store.json", std::string(3'000'000, '['));

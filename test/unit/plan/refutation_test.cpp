@@ -153,7 +153,7 @@ TEST(Refutation, OpenLeavesAreTestedAgain) {
 
 // A selection that just suffices, by 0.02 percent, is refuted at a level of 5 % in at most 5 % of the tests,
 // with trees that the noise of the planning matrix allows. The test fails with probability below 1e-3 at
-// exactly 5 %. Controls: limits at the level of a half refute it far more often.
+// exactly 5 %. Control: limits at a level of 80 % do not pass.
 TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
   test::PlanStore store;
   SimulationOptions options{EstimatorKind::reuse};
@@ -168,7 +168,7 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
   options.samples = 2000;
   const SelectionBudget limit{std::vector<double>(n, 1.0), 2};
   const auto prepared = prepare(scene, options, false);
-  std::size_t trees = 0, refuted = 0, refuted_by_half = 0;
+  std::size_t trees = 0, refuted = 0, refuted_by_control = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     options.seed = seed;
     const SignalMatrix matrix = simulate(scene, options).matrix;
@@ -185,15 +185,16 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
                           [&](const Refutation::Leaf& leaf) { return is_in(leaf, best.units); });
     };
     refuted += is_refuted(0.05);
-    refuted_by_half += is_refuted(0.5);
+    refuted_by_control += is_refuted(0.8);
   }
   RecordProperty("trees", static_cast<int>(trees));
   RecordProperty("refuted", static_cast<int>(refuted));
-  RecordProperty("by_half", static_cast<int>(refuted_by_half));
+  RecordProperty("by_control", static_cast<int>(refuted_by_control));
   ASSERT_GT(trees, 33U);
   const double expected = 0.05 * static_cast<double>(trees);
-  EXPECT_LE(static_cast<double>(refuted), expected + 3.1 * std::sqrt(0.95 * expected));
-  EXPECT_GT(static_cast<double>(refuted_by_half), 2 * expected + 3.1 * std::sqrt(expected));
+  const double max_refuted = expected + 3.1 * std::sqrt(0.95 * expected);
+  EXPECT_LE(static_cast<double>(refuted), max_refuted);
+  EXPECT_GT(static_cast<double>(refuted_by_control), max_refuted);
 }
 
 }  // namespace

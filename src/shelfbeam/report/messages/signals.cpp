@@ -6,14 +6,10 @@
 
 namespace shelfbeam {
 
-namespace {
-
 std::string reason_text(const Words& words, const MisfitReason& reason) {
   const std::string key = fmt::format("signals.misfit.{}", to_text(reason.code));
   return reason.missing ? words.say_count(key, reason.missing->count, reason.missing->first) : words.say(key);
 }
-
-}  // namespace
 
 std::string signals_text(const Words& words, const GivenSignals& given, std::size_t labels,
                          std::size_t candidates, const std::string& name) {

@@ -5,6 +5,7 @@
 
 #include "shelfbeam/report/page/html.hpp"
 #include "shelfbeam/report/page/sections.hpp"
+#include "shelfbeam/report/text/numbers.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/report/viewer/page_signals.hpp"
 
@@ -51,8 +52,9 @@ std::string rounding(const ReportData& data, const PageSignals& signals) {
 std::string completeness(const ReportData& data, const PageSignals& signals) {
   std::string text = signals.grain > 0 ? rounding(data, signals) : data.words.say("view.exact");
   if (!signals.error.empty()) {
+    const int decimals = signals.grain > 0 ? 0 : 3;
     const std::string digits =
-        data.words.percent(std::expm1(0.5 * signals.error_step), signals.grain > 0 ? 0 : 3);
+        data.words.percent(rounded_up(std::expm1(0.5 * signals.error_step), decimals + 2), decimals);
     text += " " + (signals.details_from == 0 ? data.words.say("view.errors", digits)
                                              : data.words.say("view.errors_omitted", digits,
                                                               data.words.percent(relevant_share, 0)));

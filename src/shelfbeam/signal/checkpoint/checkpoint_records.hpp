@@ -43,12 +43,21 @@ inline std::uint64_t hash_of_head(std::uint64_t length, std::uint64_t content_ha
   return hash64({reinterpret_cast<const char*>(values.data()), sizeof values});
 }
 
+/// What to do about a corrupt file.
+struct RecordRemedy {
+  const char* text = "delete it, or start again without resuming";
+  Setting setting = Setting::resumption;
+};
+
 /// Reads records. A truncated record at the end is ignored; any other mismatch of a checksum throws
 /// InputError.
 class RecordReader {
  public:
-  explicit RecordReader(const std::filesystem::path& path)
-      : name_(path.string()), size_(input_size(path)), file_(std::fopen(path.c_str(), "rb")) {
+  explicit RecordReader(const std::filesystem::path& path, RecordRemedy remedy = {})
+      : name_(path.string()),
+        remedy_(remedy),
+        size_(input_size(path)),
+        file_(std::fopen(path.c_str(), "rb")) {
     if (!file_)
       throw InputError(name_, fmt::format("cannot be read ({})", system_reason()), "check its permissions");
   }
@@ -76,8 +85,7 @@ class RecordReader {
   }
   std::uint64_t valid_size() const { return valid_size_; }  ///< bytes up to the end of the last record
   [[noreturn]] void fail() const {
-    throw InputError(name_, fmt::format("is corrupt at byte {}", valid_size_),
-                     "delete it, or start again without resuming", Setting::resumption);
+    throw InputError(name_, fmt::format("is corrupt at byte {}", valid_size_), remedy_.text, remedy_.setting);
   }
 
  private:
@@ -87,6 +95,7 @@ class RecordReader {
   std::size_t read(void* data, std::size_t size) { return std::fread(data, 1, size, file_.get()); }
 
   std::string name_;
+  RecordRemedy remedy_;
   std::uint64_t size_, valid_size_ = 0;
   std::unique_ptr<std::FILE, Close> file_;
   std::string content_;

@@ -1,17 +1,18 @@
+#include "shelfbeam/transport/cache/cell_light.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/transport/cache/coated_chain.hpp"
 #include "shelfbeam/transport/cache/lane_kernels.hpp"
-#include "shelfbeam/transport/cache/surface_cells.hpp"
-#include "shelfbeam/transport/world/specular_chain.hpp"
+#include "shelfbeam/transport/cells/cell_grid.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
-
-constexpr std::uint32_t gather_rays = 64;
 
 // Irradiance by the unit's exact profile, where UnitGroups has only its mean over phi.
 float true_irradiance(const World& world, std::uint32_t j, const SurfacePoint& at) {
@@ -24,12 +25,13 @@ float true_irradiance(const World& world, std::uint32_t j, const SurfacePoint& a
 
 // Sums of one lane over the points with shadow rays.
 struct Asked {
-  float open = 0, arrived = 0;
+  float open = 0, arrived = 0, capped = 0;
   std::uint8_t sample_points = 0;
 
   void operator+=(const Asked& other) {
     open += other.open;
     arrived += other.arrived;
+    capped += other.capped;
     sample_points = static_cast<std::uint8_t>(sample_points + other.sample_points);
   }
 };
@@ -37,7 +39,7 @@ struct Asked {
 }  // namespace
 
 CellLight straight_light(const World& world, const UnitGroups& units, const SurfaceCells& cells,
-                         std::size_t cell, float threshold) {
+                         std::size_t cell, float threshold, std::span<const float> caps) {
   const std::size_t width = units.size() * lanes;
   std::array<std::vector<Asked>, SurfaceCells::quadrants> samples;
   for (auto& of_quadrant : samples) of_quadrant.resize(width);
@@ -45,8 +47,8 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
   std::vector<std::size_t> which;
   std::vector<float> open, shares;
   std::vector<RayEnd> targets;
-  const auto ask = [&](std::size_t quadrant, const SurfacePoint& lane_index, bool is_first) {
-    const LanePoint point(lane_index);
+  const auto ask = [&](std::size_t quadrant, const SurfacePoint& at, bool is_first) {
+    const LanePoint point(at);
     which.clear();
     open.clear();
     targets.clear();
@@ -63,17 +65,18 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
       }
     }
     shares.resize(targets.size());
-    world.rays.shares(lane_index, targets, shares);
+    world.rays.shares(at, targets, shares);
     for (std::size_t t = 0; t < targets.size(); ++t) {
       const std::size_t g = which[t] / lanes;
       (shares[t] > 0 ? seen : hidden)[which[t]] = 1;
       const float value = shares[t] == 0 || !units.is_approximate(g)
                               ? open[t]
-                              : true_irradiance(world, units.column(g, which[t] % lanes), lane_index);
-      samples[quadrant][which[t]] += {open[t], value * shares[t], 1};
+                              : true_irradiance(world, units.column(g, which[t] % lanes), at);
+      samples[quadrant][which[t]] +=
+          {open[t], value * shares[t], std::min(value, caps[which[t]]) * shares[t], 1};
     }
   };
-  for (std::size_t k = 0; k < SurfaceCells::max_points; ++k)
+  for (std::size_t k = 0; k < SurfaceCells::max_fine_points; ++k)
     for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q)
       if (const auto sample_points = cells.sample_points(cell, q); sample_points.size() > k)
         ask(q, sample_points[k], k == 0);
@@ -90,7 +93,7 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
     light.groups.push_back(static_cast<std::uint16_t>(g));
     for (std::size_t k = 0; k < lanes; ++k) {
       light.mean.push_back(PackedLane::pack(
-          whole[k].sample_points > 0 ? whole[k].arrived / static_cast<float>(whole[k].sample_points) : 0));
+          whole[k].sample_points > 0 ? whole[k].capped / static_cast<float>(whole[k].sample_points) : 0));
       for (std::size_t q = 0; q < SurfaceCells::quadrants; ++q) {
         // The whole cell's share counts like one more point.
         const Asked& own = samples[q][g * lanes + k];
@@ -105,26 +108,61 @@ CellLight straight_light(const World& world, const UnitGroups& units, const Surf
   return light;
 }
 
-std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells, std::size_t cell,
-                                   const std::vector<SurfaceGuide>& guides, std::uint64_t seed) {
-  const auto sample_points = cells.sample_points(cell);
-  const std::uint64_t stream = mix_key(seed, cells.key(cell));
-  const ScrambledSobol square(stream);
+std::vector<CellLink> gather_links(const World& world, const SurfaceCells& cells,
+                                   std::span<const SurfacePoint> sample_points, bool by_quadrant,
+                                   const std::vector<SurfaceGuide>& guides, const RayTargets& targets,
+                                   const GatherRays& of) {
+  const ScrambledSobol square(of.stream);
   std::vector<CellLink> links;
   std::uint64_t rays = 0;
-  for (std::uint32_t r = 0; r < gather_rays; ++r) {
-    const SurfacePoint& at = sample_points[r % sample_points.size()];
-    const auto [u1, u2] = square.point(r);
-    RandomStream random(stream, r, 1, 0xCAC4E);
-    const auto end =
-        follow_chain(world, at, Frame::about(at.normal).to_world(sample_cosine_hemisphere(u1, u2)),
-                     Departure::scattered, random, rays, [](std::size_t, double) {});
-    if (!end) continue;
-    const std::uint32_t there = cells.find(end->point);
-    if (there == SurfaceCells::nowhere) continue;
-    links.push_back({there, static_cast<float>(end->throughput * pi) * guides[end->material.value].flat() /
-                                static_cast<float>(gather_rays)});
+  const auto look = [&](const SurfacePoint& at, const Vec3& direction, RandomStream& random, double weight) {
+    follow_coated_chain(world, guides, at, direction, random, rays, [&](const ChainEnd& end, double share) {
+      const std::uint32_t there = cells.find_near(end.point);
+      if (there == SurfaceCells::nowhere) return;
+      const float link = static_cast<float>(share * weight) * guides[end.material.value].flat();
+      if (!by_quadrant) {
+        links.push_back({there, link});
+        return;
+      }
+      const std::uint32_t quadrant = CellGrid::quadrant(end.point);
+      if (!cells.sample_points(there, quadrant).empty()) {
+        links.push_back({SurfaceCells::node(there, quadrant), link});
+        return;
+      }
+      // Quadrants without points are as bright as the others of their cell.
+      std::array<std::uint32_t, SurfaceCells::quadrants> known{};
+      std::size_t count = 0;
+      for (std::uint32_t q = 0; q < SurfaceCells::quadrants; ++q)
+        if (!cells.sample_points(there, q).empty()) known[count++] = SurfaceCells::node(there, q);
+      for (std::size_t q = 0; q < count; ++q) links.push_back({known[q], link / static_cast<float>(count)});
+    });
+  };
+  const auto points = static_cast<std::uint32_t>(sample_points.size());
+  for (std::uint32_t k = 0; k < std::min(points, of.count); ++k) {
+    const SurfacePoint& at = sample_points[k];
+    const std::uint32_t first = of.first + (k + points - of.first % points) % points,
+                        each = of.count / points;
+    const auto view = targets.seen_from(at.position, at.normal, each);
+    for (std::uint32_t r = first; r < of.first + of.count; r += points) {
+      const auto [u1, u2] = square.point(r);
+      RandomStream random(of.stream, r, 1, 0xCAC4E);
+      const Vec3 direction = Frame::about(at.normal).to_world(sample_cosine_hemisphere(u1, u2));
+      const double part = view.weight(each * dot(at.normal, direction) / pi, at.position, direction);
+      look(at, direction, random, pi * part / of.count);
+    }
+    RandomStream random(of.stream, first, 2, 0xCAC4E);
+    view.each_ray(mix_key(of.stream, first), [&](std::size_t target, double u1, double u2) {
+      const Vec3 direction = view.direction(target, at.position, u1, u2);
+      const double cosine = dot(at.normal, direction);
+      if (!(cosine > 0)) return;
+      const double density = each * cosine / pi + view.density(at.position, direction);
+      look(at, direction, random, cosine / (density * points));
+    });
   }
+  return merged(std::move(links));
+}
+
+std::vector<CellLink> merged(std::vector<CellLink> links) {
   std::stable_sort(links.begin(), links.end(),
                    [](const CellLink& a, const CellLink& b) { return a.cell < b.cell; });
   std::size_t kept = 0;

@@ -4,43 +4,18 @@
 
 #include "shelfbeam/math/cpu_vectors.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/transport/cache/profile_irradiance.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-// Units nearer than this count as at this distance, which suffices for an approximation.
-constexpr float min_squared_distance = 1e-6F;
-
-// I(theta) cos / d^2 in one lane, with the fewest roots and divisions for each profile.
 template <LaneProfile profile, class Group>
 SHELFBEAM_INLINE inline float in_lane(const Group& group, const float* table, int steps, const LanePoint& p,
                                       std::size_t k) {
-  const float dx = group.x[k] - p.x, dy = group.y[k] - p.y, dz = group.z[k] - p.z;
-  const float whole = dx * dx + dy * dy + dz * dz;
-  const float squared = whole > min_squared_distance ? whole : min_squared_distance;
-  const float inverse = 1 / squared;
-  const float facing = p.nx * dx + p.ny * dy + p.nz * dz;  // distance times the cosine at the point
-  const float at_point = (facing > 0 ? facing : 0) * group.scale[k];
-  const float along = -(group.ax[k] * dx + group.ay[k] * dy + group.az[k] * dz);  // the same at the unit
-  const float at_unit = along > 0 ? along : 0;
-  if constexpr (profile == LaneProfile::sine) {
-    const float across = squared - at_unit * at_unit;
-    return 2 * at_unit * at_point * std::sqrt((across > 0 ? across : 0) * inverse) * inverse * inverse;
-  } else if constexpr (profile == LaneProfile::isotropic) {
-    return (along > 0 ? at_point : 0) * inverse * std::sqrt(inverse);
-  } else if constexpr (profile == LaneProfile::lambertian) {
-    return at_unit * at_point * inverse * inverse;
-  } else {
-    const float root = std::sqrt(inverse);
-    const float cosine = along * root;
-    const float c = cosine < -1 ? -1 : cosine > 1 ? 1 : cosine;
-    const float lane_index = (1 + c) / 2 * static_cast<float>(steps);
-    const int at = static_cast<int>(lane_index);
-    const int below = at < steps ? at : steps - 1;
-    const float part = lane_index - static_cast<float>(below);
-    return at_point * inverse * root * (table[below] + part * (table[below + 1] - table[below]));
-  }
+  return profile_irradiance<profile>({group.x[k] - p.x, group.y[k] - p.y, group.z[k] - p.z},
+                                     {p.nx, p.ny, p.nz}, {group.ax[k], group.ay[k], group.az[k]},
+                                     group.scale[k], table, steps);
 }
 
 template <LaneProfile profile, class Group, class Use>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -11,23 +12,17 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/warp.hpp"
-#include "shelfbeam/transport/cache/surface_cells.hpp"
+#include "shelfbeam/transport/cache/geometric_tail.hpp"
+#include "shelfbeam/transport/cells/cell_grid.hpp"
+#include "shelfbeam/transport/cells/surface_cells.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
 using detail::CellLight;
-using detail::CellLink;
 
 constexpr int rounds = 6;  // of Jacobi iteration
-constexpr double max_ratio = 0.995;
-
-std::vector<SurfaceGuide> surface_guides(const Scene& scene) {
-  std::vector<SurfaceGuide> guides;
-  for (const NamedMaterial& named : scene.materials) guides.emplace_back(named.material);
-  return guides;
-}
 
 // Calls body(cell) for all cells, on all threads.
 template <class Body>
@@ -41,18 +36,18 @@ void for_cells(std::size_t count, const RunControl& control, const Body& body) {
 
 }  // namespace
 
-RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float threshold, std::uint64_t seed,
-                             const RunControl& control, bool from_units)
-    : guides_(surface_guides(world.scene)), cells_(world, seed, from_units, control) {
-  control.report(Task::preparing, 0.1);
-  const std::size_t count = cells_.size();
-  std::vector<CellLight> light(count);
-  std::vector<std::vector<CellLink>> links(count);
-  for_cells(count, control, [&](std::size_t cell) {
-    light[cell] = detail::straight_light(world, units, cells_, cell, threshold);
-    links[cell] = detail::gather_links(world, cells_, cell, guides_, seed);
+RadianceCache::RadianceCache(const World& world, const UnitGroups& units, const SurfaceLinks& links,
+                             float threshold, std::span<const SpotLight> spots, const RunControl& control)
+    : guides_(links.guides()), cells_(links.cells()->without_points()) {
+  std::vector<float> caps(units.size() * lanes, std::numeric_limits<float>::max());
+  for (const SpotLight& spot : spots)
+    caps[spot.lane_index] = units.cap(spot.lane_index / lanes, spot.lane_index % lanes);
+  std::vector<CellLight> light(cells_.size());
+  for_cells(light.size(), control, [&](std::size_t cell) {
+    light[cell] = detail::straight_light(world, units, *links.cells(), cell, threshold, caps);
+    light[cell].from_spots = light_from_spots(world, units, *guides_, links.cells()->sample_points(cell),
+                                              spots, threshold, links.cells()->key(cell));
   });
-  cells_.free_points();
   control.report(Task::preparing, 0.5);
   choose_groups(units.size(), light, links, threshold, control);
   control.report(Task::preparing, 0.6);
@@ -61,8 +56,7 @@ RadianceCache::RadianceCache(const World& world, const UnitGroups& units, float 
 
 // Chooses the groups of each cell by the rounds of `iterate` with one number per group, its brightest lane.
 void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLight>& light,
-                                  const std::vector<std::vector<CellLink>>& links, float threshold,
-                                  const RunControl& control) {
+                                  const SurfaceLinks& links, float threshold, const RunControl& control) {
   const std::size_t count = light.size();
   std::vector<float> straight(count * n_groups);
   for_cells(count, control, [&](std::size_t cell) {
@@ -71,16 +65,18 @@ void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLi
       straight[cell * n_groups + light[cell].groups[c]] =
           PackedLane::value(*std::max_element(mean, mean + lanes));
     }
+    for (const auto& [lane_index, irradiance] : light[cell].from_spots)
+      straight[cell * n_groups + lane_index / lanes] += irradiance;
   });
   std::vector<float> now = straight, next(straight.size());
   for (int round = 0; round < rounds; ++round) {
     for_cells(count, control, [&](std::size_t cell) {
       float* const sum = next.data() + cell * n_groups;
       std::copy_n(straight.data() + cell * n_groups, n_groups, sum);
-      for (const CellLink& link : links[cell]) {
-        const float* const from = now.data() + link.cell * n_groups;
-        for (std::size_t g = 0; g < n_groups; ++g) sum[g] += link.weight * from[g];
-      }
+      links.each_link(cell, [&](std::uint32_t other, float weight) {
+        const float* const from = now.data() + other * n_groups;
+        for (std::size_t g = 0; g < n_groups; ++g) sum[g] += weight * from[g];
+      });
     });
     now.swap(next);
   }
@@ -94,11 +90,11 @@ void RadianceCache::choose_groups(std::size_t n_groups, const std::vector<CellLi
 
 // Radiosity by Jacobi iteration for all units at once: computes the total irradiance from the direct one.
 // Frees the `light` of each cell after copying it, because a large store has a gigabyte of it.
-void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std::vector<CellLink>>& links,
+void RadianceCache::iterate(std::vector<CellLight>& light, const SurfaceLinks& links,
                             const RunControl& control) {
   const std::size_t count = light.size();
   share_.assign(detail::SurfaceCells::quadrants * groups_.size() * lanes, 0);
-  std::vector<std::uint16_t> straight(groups_.size() * lanes);
+  std::vector<std::uint16_t> straight(groups_.size() * lanes), source(straight.size());
   for_cells(count, control, [&](std::size_t cell) {
     const CellLight own = std::move(light[cell]);
     const std::size_t begin = begin_[cell], width = (begin_[cell + 1] - begin) * lanes;
@@ -110,8 +106,18 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
       for (std::size_t q = 0; q < detail::SurfaceCells::quadrants; ++q)
         std::copy_n(own.share[q].data() + b * lanes, lanes, share + q * width + (a - begin) * lanes);
     }
+    std::copy_n(straight.data() + begin * lanes, width, source.data() + begin * lanes);
+    for (const auto& [lane_index, irradiance] : own.from_spots) {
+      const auto first = groups_.begin() + static_cast<std::ptrdiff_t>(begin),
+                 last = first + static_cast<std::ptrdiff_t>(width / lanes);
+      const auto group = std::lower_bound(first, last, lane_index / lanes);
+      if (group == last || *group != lane_index / lanes) continue;
+      std::uint16_t& value =
+          source[static_cast<std::size_t>(group - groups_.begin()) * lanes + lane_index % lanes];
+      value = PackedLane::pack(PackedLane::value(value) + irradiance);
+    }
   });
-  std::vector<std::uint16_t> whole = straight, fresh(straight.size());
+  std::vector<std::uint16_t> whole = source, fresh(straight.size());
   std::vector<double> of_cell(count);
   std::array<double, 3> totals{};  // of the last three rounds
   tbb::enumerable_thread_specific<std::vector<float>> sums;
@@ -120,22 +126,21 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
       const std::size_t begin = begin_[cell], end = begin_[cell + 1];
       std::vector<float>& sum = sums.local();
       sum.assign((end - begin) * lanes, 0);
-      LaneKernels::add_packed(end - begin, 1, straight.data() + begin * lanes, sum.data());
-      for (const CellLink& link : links[cell]) {
-        const std::size_t end_there = begin_[link.cell + 1];
-        for (std::size_t a = begin, b = begin_[link.cell]; a < end && b < end_there;) {
+      LaneKernels::add_packed(end - begin, 1, source.data() + begin * lanes, sum.data());
+      links.each_link(cell, [&](std::uint32_t other, float weight) {
+        const std::size_t end_there = begin_[other + 1];
+        for (std::size_t a = begin, b = begin_[other]; a < end && b < end_there;) {
           if (groups_[a] != groups_[b]) {
             ++(groups_[a] < groups_[b] ? a : b);
             continue;
           }
           std::size_t run = 1;  // most cells have the same groups as the cells that they see
           while (a + run < end && b + run < end_there && groups_[a + run] == groups_[b + run]) ++run;
-          LaneKernels::add_packed(run, link.weight, whole.data() + b * lanes,
-                                  sum.data() + (a - begin) * lanes);
+          LaneKernels::add_packed(run, weight, whole.data() + b * lanes, sum.data() + (a - begin) * lanes);
           a += run;
           b += run;
         }
-      }
+      });
       of_cell[cell] = 0;
       for (std::size_t k = 0; k < sum.size(); ++k) {
         fresh[begin * lanes + k] = PackedLane::pack(sum[k]);
@@ -146,10 +151,7 @@ void RadianceCache::iterate(std::vector<CellLight>& light, const std::vector<std
     totals = {totals[1], totals[2], std::accumulate(of_cell.begin(), of_cell.end(), 0.0)};
     control.report(Task::preparing, 0.6 + 0.4 * (round + 1) / rounds);
   }
-  // Further rounds as a geometric series, with the ratio of the last two increments.
-  const double before = totals[1] - totals[0], last = totals[2] - totals[1];
-  const double ratio = before > 0 ? std::clamp(last / before, 0.0, max_ratio) : 0;
-  const auto further = static_cast<float>(ratio / (1 - ratio));
+  const float further = detail::geometric_tail(totals);
   indirect_ = std::move(whole);
   for (std::size_t k = 0; k < indirect_.size(); ++k) {
     const float now = PackedLane::value(indirect_[k]);
@@ -163,7 +165,8 @@ RadianceCache::Row RadianceCache::row(const SurfacePoint& point) const {
   if (cell == detail::SurfaceCells::nowhere) return {};
   const std::size_t begin = begin_[cell], count = begin_[cell + 1] - begin;
   return {groups_.data() + begin, count,
-          share_.data() + (detail::SurfaceCells::quadrants * begin + cells_.quadrant(point) * count) * lanes,
+          share_.data() +
+              (detail::SurfaceCells::quadrants * begin + detail::CellGrid::quadrant(point) * count) * lanes,
           indirect_.data() + begin * lanes};
 }
 

@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/transport/cache/cell_light.hpp"
 #include "shelfbeam/transport/cache/lane_kernels.hpp"
-#include "shelfbeam/transport/cache/surface_cells.hpp"
+#include "shelfbeam/transport/cache/surface_links.hpp"
 
 namespace shelfbeam {
 
@@ -17,11 +20,10 @@ namespace shelfbeam {
 /// and never bias.
 class RadianceCache {
  public:
-  /// A cell omits the groups whose units all give it less than `threshold` W/m^2. Without `from_units`, only
-  /// surfaces that walks from labels meet have cells.
-  /// Throws Interrupted when cancelled.
-  RadianceCache(const World& world, const UnitGroups& groups, float threshold, std::uint64_t seed,
-                const RunControl& control = {}, bool from_units = true);
+  /// A cell omits the groups whose units all give it less than `threshold` W/m^2. `spots` are the light above
+  /// the caps of units (UnitGroups) that have some, adjacent by unit. Throws Interrupted when cancelled.
+  RadianceCache(const World& world, const UnitGroups& groups, const SurfaceLinks& links, float threshold,
+                std::span<const SpotLight> spots = {}, const RunControl& control = {});
 
   /// The groups in a cell, ascending, one row of lanes each.
   struct Row {
@@ -40,7 +42,7 @@ class RadianceCache {
   /// The row of the cell around a point, on the side of the point's normal; empty if there is no cell.
   Row row(const SurfacePoint& point) const;
 
-  const SurfaceGuide& guide(MaterialId material) const { return guides_[material.value]; }
+  const SurfaceGuide& guide(MaterialId material) const { return (*guides_)[material.value]; }
 
   std::size_t cells() const { return cells_.size(); }
   /// Whether a unit shines mostly on surfaces that walks from the labels do not meet.
@@ -54,12 +56,10 @@ class RadianceCache {
 
  private:
   void choose_groups(std::size_t n_groups, const std::vector<detail::CellLight>& light,
-                     const std::vector<std::vector<detail::CellLink>>& links, float threshold,
-                     const RunControl& control);
-  void iterate(std::vector<detail::CellLight>& light, const std::vector<std::vector<detail::CellLink>>& links,
-               const RunControl& control);
+                     const SurfaceLinks& links, float threshold, const RunControl& control);
+  void iterate(std::vector<detail::CellLight>& light, const SurfaceLinks& links, const RunControl& control);
 
-  std::vector<SurfaceGuide> guides_;  // by material
+  std::shared_ptr<const std::vector<SurfaceGuide>> guides_;  // by material
   detail::SurfaceCells cells_;
   std::vector<std::size_t> begin_;  // by cell: index of its first group in groups_
   std::vector<std::uint16_t> groups_;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "shelfbeam/material/material.hpp"
+#include "shelfbeam/transport/world/ray_scene.hpp"
 
 namespace shelfbeam {
 
@@ -69,8 +70,15 @@ class SurfaceGuide {
   /// Whether a unit's light may leave by lobes that the guide does not include.
   bool is_approximate() const { return is_loose_; }
 
+  /// Whether the base has a smooth coat, which reflects like a mirror.
+  bool has_smooth_coat() const { return has_base_ && is_detailed_ && !has_highlight_; }
+
   /// Exit factor: share of the base's light that leaves in a direction with this cosine.
   double exit(double cosine) const { return plastic_ == nullptr ? 1 : plastic_->transmission(cosine); }
+  /// The same in the direction from a point to a position.
+  double exit_towards(const SurfacePoint& point, const Vec3& position) const {
+    return is_detailed_ ? exit(dot(point.normal, normalized(position - point.position))) : 1;
+  }
   /// f_r of the base without its exit factor (1/sr), for light that arrives with this cosine.
   double base(double cosine) const {
     return plastic_ == nullptr ? base_ : base_ * plastic_->transmission(cosine);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "shelfbeam/transport/cache/profile_irradiance.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 
 namespace shelfbeam {
@@ -14,9 +15,6 @@ namespace shelfbeam {
 /// Number of transceivers that vector instructions handle together: neighbours of one type, one lane each.
 inline constexpr std::size_t lanes = 16;
 using LaneValues = std::array<float, lanes>;
-
-/// Emission profiles with vectorised code.
-enum class LaneProfile { sine, isotropic, lambertian, table };
 
 /// A point of a surface for vectorised code; the normal selects the side.
 struct LanePoint {

@@ -40,8 +40,8 @@ std::vector<double> cap_distances(const std::vector<Transceiver>& units, const S
 
 // Samples a ray from a unit to the first surface in a straight line; no value if the irradiance there is
 // within the cap. SpotLight::power is the power of the ray.
-std::optional<SpotLight> shine(const World& world, const UnitGroups& units, std::uint32_t j, double u1,
-                               double u2, RandomStream& random, std::uint64_t& rays) {
+std::optional<SpotLight> light_of_ray(const World& world, const UnitGroups& units, std::uint32_t j, double u1,
+                                      double u2, RandomStream& random, std::uint64_t& rays) {
   const double u3 = random.uniform(), u4 = random.uniform();
   const auto emitted = world.emitters.emit(j, {u1, u2, u3, u4});
   if (!emitted) return std::nullopt;
@@ -103,12 +103,6 @@ std::vector<double> running_chances(const std::vector<double>& flux) {
 
 }  // namespace
 
-double SpotLight::intensity(const Scene& scene, const Vec3& direction) const {
-  const double cosine = dot(direction, point.normal);
-  if (cosine <= 0) return 0;
-  return power * cosine * eval(scene.materials[material.value].material, frame.to_local(direction), incoming);
-}
-
 BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t seed, const SpotRule& rule)
     : world_(world), units_(units), rule_(rule) {
   const std::vector<double> distances = cap_distances(world.scene.transceivers, rule);
@@ -124,16 +118,17 @@ BrightSpots::BrightSpots(const World& world, UnitGroups& units, std::uint64_t se
     for (std::uint32_t r = 0; r < side * side; ++r) {
       const auto [u1, u2] = square.point(r);
       RandomStream random(key, r, 0, 0);
-      const auto light = shine(world, units, j, u1, u2, random, rays);
+      const auto light = light_of_ray(world, units, j, u1, u2, random, rays);
       if (!light) continue;
       const double part = light->power * (1 - light->capped) / (side * side);
       found[stratum(static_cast<std::size_t>(u1 * side), static_cast<std::size_t>(u2 * side))] += part;
       flux += part;
       if (light->capped < steep) ++steep_rays;
     }
-    if (steep_rays > steep_share * side * side) any_steep_ = true;
+    const bool is_steep = steep_rays > steep_share * side * side;
+    any_steep_ = any_steep_ || is_steep;
     if (flux > 0)
-      spots_.push_back({j, flux, running_chances(found)});
+      spots_.push_back({j, is_steep, flux, running_chances(found)});
     else
       units.set_cap(j, std::numeric_limits<float>::max());
   }
@@ -156,20 +151,44 @@ void BrightSpots::draw(std::span<const RayEnd> points, const Effort& effort, con
     if (random.uniform() >= chance) continue;
     const auto count =
         static_cast<std::uint32_t>(std::clamp(much * much, 1.0, static_cast<double>(effort.most)));
-    const ScrambledSobol square(mix_key(mix_key(key.stream, spot.unit), key.batch));
-    for (std::uint32_t r = 0; r < count; ++r) {
-      const auto [u1, u2] = square.point(r);
-      const auto found = std::upper_bound(spot.chances.begin(), spot.chances.end() - 1, u1);
-      const auto s = static_cast<std::uint32_t>(found - spot.chances.begin());
-      const double below = s == 0 ? 0 : spot.chances[s - 1], own = spot.chances[s] - below;
-      const double v1 = std::clamp((u1 - below) / own, 0.0, 1.0);
-      const std::uint32_t row = s / side, column = s % side;
-      auto light = shine(world_, units_, spot.unit, (row + v1) / side, (column + u2) / side, random, rays);
-      if (!light) continue;
-      light->power /= count * chance * own * side * side;
-      lights.push_back(*light);
-    }
+    shine(spot, key.stream, key.batch, count, chance, lights, rays);
   }
+}
+
+// Adds the lights of `count` rays from a unit; `chance` is the probability of this call.
+void BrightSpots::shine(const Spot& spot, std::uint64_t stream, std::uint32_t batch, std::uint32_t count,
+                        double chance, std::vector<SpotLight>& lights, std::uint64_t& rays) const {
+  RandomStream random(mix_key(stream, spot.unit), batch, 1, 0x5B07);
+  const ScrambledSobol square(mix_key(mix_key(stream, spot.unit), batch));
+  for (std::uint32_t r = 0; r < count; ++r) {
+    const auto [u1, u2] = square.point(r);
+    const auto found = std::upper_bound(spot.chances.begin(), spot.chances.end() - 1, u1);
+    const auto s = static_cast<std::uint32_t>(found - spot.chances.begin());
+    const double below = s == 0 ? 0 : spot.chances[s - 1], own = spot.chances[s] - below;
+    const double v1 = std::clamp((u1 - below) / own, 0.0, 1.0);
+    const std::uint32_t row = s / side, column = s % side;
+    auto light =
+        light_of_ray(world_, units_, spot.unit, (row + v1) / side, (column + u2) / side, random, rays);
+    if (!light) continue;
+    light->power /= count * chance * own * side * side;
+    lights.push_back(*light);
+  }
+}
+
+RayTargets BrightSpots::targets() const {
+  RayTargets targets(world_.scene);
+  for (const Spot& spot : spots_)
+    if (spot.is_steep) targets.add_unit(world_.scene.transceivers[spot.unit].position);
+  return targets;
+}
+
+std::vector<SpotLight> BrightSpots::steep_lights(std::uint64_t seed) const {
+  constexpr std::uint32_t count = 16;  // of a unit
+  std::vector<SpotLight> lights;
+  std::uint64_t rays = 0;
+  for (const Spot& spot : spots_)
+    if (spot.is_steep) shine(spot, seed, 0, count, 1, lights, rays);
+  return lights;
 }
 
 void BrightSpots::add_near(const PathVertex& vertex, double p, double weight, RandomStream& random,

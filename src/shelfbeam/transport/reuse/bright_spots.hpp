@@ -8,6 +8,8 @@
 
 #include "shelfbeam/math/frame.hpp"
 #include "shelfbeam/math/warp.hpp"
+#include "shelfbeam/transport/cache/spot_light.hpp"
+#include "shelfbeam/transport/cells/ray_targets.hpp"
 #include "shelfbeam/transport/reuse/path_vertex.hpp"
 #include "shelfbeam/transport/world/next_event.hpp"
 
@@ -32,20 +34,6 @@ struct SpotRule {
   bool for_vertices = true;  ///< whether path vertices are receivers, too
 };
 
-/// Light of a unit on a surface, treated as a point source.
-struct SpotLight {
-  std::uint32_t lane_index = 0;  ///< UnitGroups::lane_index of the unit
-  SurfacePoint point;            ///< with the normal on the side of the unit
-  Frame frame;                   ///< Frame::of_surface, in which the material is evaluated
-  Vec3 incoming;                 ///< unit length, towards the unit, in `frame`
-  MaterialId material;
-  double power = 0;   ///< of a ray from the unit, W, over its sampling probability
-  double capped = 0;  ///< cap / e, below 1
-
-  /// W/sr towards a unit-length direction, cosine included.
-  double intensity(const Scene& scene, const Vec3& direction) const;
-};
-
 /// A receiver of a spot's light, in one direction.
 struct SpotReceiver {
   double response = 0;  ///< to radiance: R, or f cos
@@ -64,6 +52,10 @@ class BrightSpots {
   /// Whether a spot is so bright that it lights the corners around it like a second unit: 2 % of some unit's
   /// rays meet a surface where its irradiance is 16 times its cap, within a quarter of the cap's distance.
   bool any_steep() const { return any_steep_; }
+  /// The openings of the shop, and the units with steep spots.
+  RayTargets targets() const;
+  /// Sampled lights whose expected sum is the excess of the units with steep spots, adjacent by unit.
+  std::vector<SpotLight> steep_lights(std::uint64_t seed) const;
   const SpotRule& rule() const { return rule_; }
 
   /// Number of rays from a unit whose excess gives the points x times `relevant` W/m^2 on average: x^2 rays,
@@ -141,9 +133,13 @@ class BrightSpots {
  private:
   struct Spot {
     std::uint32_t unit;
+    bool is_steep;
     double flux;                  ///< estimated flux of the excess, W
     std::vector<double> chances;  ///< cumulative probabilities of the strata of its rays
   };
+  void shine(const Spot& spot, std::uint64_t stream, std::uint32_t batch, std::uint32_t count, double chance,
+             std::vector<SpotLight>& lights, std::uint64_t& rays) const;
+
   const World& world_;
   const UnitGroups& units_;
   SpotRule rule_;

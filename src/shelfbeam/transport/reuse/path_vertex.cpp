@@ -24,8 +24,7 @@ PathVertex::PathVertex(const World& world, const RadianceCache& cache, const Cha
 }
 
 double PathVertex::exit_towards(const Vec3& position) const {
-  if (!guide->is_detailed()) return 1;
-  return guide->exit(dot(end.point.normal, normalized(position - end.point.position)));
+  return guide->exit_towards(end.point, position);
 }
 
 PathVertex::Reflection PathVertex::reflected(const Vec3& to_source) const {

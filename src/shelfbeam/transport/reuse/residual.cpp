@@ -44,11 +44,13 @@ struct Residual::Found {
 // `stake_factor_`: at points that see many hundreds of units, shadow rays would otherwise take most of the
 // time.
 Residual::Residual(const World& world, const UnitGroups& units, const RadianceCache& cache,
-                   const BrightSpots& spots, double requirement, const ReuseEffort& effort)
+                   const BrightSpots& spots, const RayTargets& targets, double requirement,
+                   const ReuseEffort& effort)
     : world_(world),
       units_(units),
       cache_(cache),
       spots_(spots),
+      targets_(targets),
       requirement_(requirement),
       reach_(static_cast<float>(0.05 * requirement)),
       effort_(effort),
@@ -60,13 +62,6 @@ void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, s
                          Scratch& scratch, std::span<ResidualRows> rows, std::uint64_t& rays) const {
   if (spots_.size() == 0 || !spots_.rule().for_vertices) return;
   std::vector<std::uint32_t>& with_base = scratch.with_base;
-  with_base.clear();
-  scratch.targets.clear();
-  for (std::uint32_t a = 0; a < vertices.size(); ++a) {
-    if (!vertices[a].has_base()) continue;
-    with_base.push_back(a);
-    scratch.targets.push_back(vertices[a].end.point);
-  }
   const std::uint64_t stream = mix_key(key.stream, (std::uint64_t{key.group} << 32) | generation);
   const auto receive = [&](std::uint32_t k, const Vec3& from) {
     const PathVertex& vertex = vertices[with_base[k]];
@@ -74,11 +69,21 @@ void Residual::add_spots(std::span<const PathVertex> vertices, const Key& key, s
     if (!(cosine > 0)) return SpotReceiver{};
     return SpotReceiver{cosine * vertex.guide->base(cosine), cosine / pi};
   };
-  spots_.add_light(scratch.targets, {0.05 * requirement_, effort_.spot_rays},
-                   {mix_key(stream, 0x5B075), key.batch}, scratch.spots, rays, receive,
-                   [&](std::uint32_t k, std::uint32_t lane_index, double value) {
-                     rows[with_base[k]].base.add(lane_index, value);
-                   });
+  for (const bool close : {false, true}) {
+    with_base.clear();
+    scratch.targets.clear();
+    for (std::uint32_t a = 0; a < vertices.size(); ++a) {
+      if (!vertices[a].has_base() || targets_.is_close(vertices[a].end.point.position) != close) continue;
+      with_base.push_back(a);
+      scratch.targets.push_back(vertices[a].end.point);
+    }
+    spots_.add_light(scratch.targets,
+                     {0.05 * requirement_, (close ? effort_.more_if_close : 1) * effort_.spot_rays},
+                     {mix_key(stream, close ? 0x5B076 : 0x5B075), key.batch}, scratch.spots, rays, receive,
+                     [&](std::uint32_t k, std::uint32_t lane_index, double value) {
+                       rows[with_base[k]].base.add(lane_index, value);
+                     });
+  }
 }
 
 // Subtracts the radiance that leaves the vertex by further bounces according to the cache.
@@ -106,23 +111,40 @@ std::optional<Residual::Found> Residual::gather(const PathVertex& vertex, bool b
     spots_.add_near(found.vertex, cosine_area_density(vertex.end.point, found.vertex.end.point),
                     found.weight / count, random, row, rays);
   };
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const auto [u1, u2] = square.point(t);
-    const auto scattered =
-        by_base ? vertex.scatter_by_base(u1, u2) : vertex.scatter_otherwise(random.uniform(), u1, u2);
-    if (!scattered) continue;
-    const double weight = scattered->weight;
+  const auto look = [&](const Vec3& direction, Departure departure, double weight) {
     const auto end = follow_chain(
-        world_, vertex.end.point, scattered->direction, scattered->departure, random, rays,
+        world_, vertex.end.point, direction, departure, random, rays,
         [&](std::size_t j, double value) { row.add(units_.lane_index(j), weight * value / count); });
-    if (!end) continue;
+    if (!end) return false;
     Found found{PathVertex(world_, cache_, *end), weight * end->throughput};
     found.vertex.is_capped = by_base && end->is_straight && spots_.rule().for_vertices;
     found.vertex.row.prefetch();
     if (last) use(*last);
     last.emplace(found);
-    if (t == 0) first.emplace(found);
+    return true;
+  };
+  const SurfacePoint& here = vertex.end.point;
+  const auto view =
+      by_base && count > 0 ? targets_.seen_from(here.position, here.normal, count) : RayTargets::View();
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const auto [u1, u2] = square.point(t);
+    const auto scattered =
+        by_base ? vertex.scatter_by_base(u1, u2) : vertex.scatter_otherwise(random.uniform(), u1, u2);
+    if (!scattered) continue;
+    const Vec3& direction = scattered->direction;
+    const double part = view.weight(count * dot(here.normal, direction) / pi, here.position, direction);
+    const bool is_found = look(direction, scattered->departure, scattered->weight * part);
+    if (t > 0 || !is_found) continue;
+    first.emplace(*last);
+    first->weight /= part;
   }
+  view.each_ray(points, [&](std::size_t target, double u1, double u2) {
+    const Vec3 direction = view.direction(target, here.position, u1, u2);
+    const double cosine = dot(here.normal, direction);
+    if (!(cosine > 0)) return;
+    const double density = count * cosine / pi + view.density(here.position, direction);
+    look(direction, Departure::scattered, count * cosine * vertex.guide->base(cosine) / density);
+  });
   if (last) use(*last);
   return first;
 }
@@ -162,7 +184,7 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
   next.vertices.clear();
   next.continuations.clear();
   next.chances.assign(vertices.size(), 0);
-  const std::uint32_t count = generation == 0 ? effort_.gather_rays : effort_.later_gather_rays;
+  const std::uint32_t rays_each = generation == 0 ? effort_.gather_rays : effort_.later_gather_rays;
 
   add_spots(vertices, key, generation, scratch, rows, rays);
   for (std::size_t a = 0; a < vertices.size(); ++a) {
@@ -171,6 +193,8 @@ void Residual::extend(std::span<const PathVertex> vertices, const Key& key, std:
     RandomStream random(key.stream, key.batch, key.group, (generation << 16) + index);
     const std::uint64_t points = mix_key(mix_key(key.stream, (std::uint64_t{key.batch} << 32) | key.group),
                                          (generation << 16) + index);
+    const std::uint32_t count =
+        (targets_.is_close(vertex.end.point.position) ? effort_.more_if_close : 1) * rays_each;
     add_direct(vertex, random, scratch, rows[a], rays);
     add_far(vertex, random, rows[a], rays);
     subtract_indirect(vertex, rows[a]);

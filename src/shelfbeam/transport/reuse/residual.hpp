@@ -89,12 +89,19 @@ struct ReuseEffort {
   std::uint32_t later_gather_rays = 16;  ///< rays that look up the cache from a later vertex
   std::size_t group = 96;                ///< max number of vertices that share their continuations
   std::uint32_t spot_rays = 8;           ///< max rays from a unit, for a cluster or a group of vertices
+  /// Factor on the rays from vertices around units that are close to a surface: there are few such vertices.
+  std::uint32_t more_if_close = 8;
   SpotRule spots = {};
   /// Whether the cache's walks also start at units that shine mostly where labels' walks do not come, and
   /// small clusters then have more points.
   bool seeks_rare_light = true;
-  double survival = 0.7;  ///< min probability of a continuation; brighter surfaces use their albedo
+  bool is_hidden = false;  ///< units shine mostly there, which cells from elsewhere do not tell
+  double survival = 0.7;   ///< min probability of a continuation; brighter surfaces use their albedo
 };
+
+/// The effort where batches should be short rather than precise.
+inline constexpr ReuseEffort small_batches{
+    .lookups = 48, .points = 1, .gather_rays = 12, .later_gather_rays = 8};
 
 /// Unbiased estimate of L - h, the radiance that leaves vertices minus its approximation by the cache, for
 /// all units at once. At each vertex, shadow rays go to units chosen by importance, and several rays look up
@@ -106,7 +113,7 @@ class Residual {
   /// `requirement`: the smallest requirement. At a vertex, shadow rays consider all units that may give a
   /// twentieth of it there.
   Residual(const World& world, const UnitGroups& units, const RadianceCache& cache, const BrightSpots& spots,
-           double requirement, const ReuseEffort& effort);
+           const RayTargets& targets, double requirement, const ReuseEffort& effort);
 
   /// Identifies the paths of a group.
   struct Key {
@@ -182,6 +189,7 @@ class Residual {
   const UnitGroups& units_;
   const RadianceCache& cache_;
   const BrightSpots& spots_;
+  const RayTargets& targets_;
   double requirement_;
   float reach_;
   ReuseEffort effort_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,7 +11,9 @@
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/transport/cache/smallest_requirement.hpp"
 #include "shelfbeam/transport/reuse/bright_spots.hpp"
+#include "shelfbeam/transport/reuse/label_sharers.hpp"
 #include "shelfbeam/transport/reuse/residual.hpp"
 #include "shelfbeam/transport/world/direct.hpp"
 #include "shelfbeam/transport/world/label_clusters.hpp"
@@ -23,18 +24,15 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::size_t largest_cluster = 96;
-// The spread between the states of a shop is many times the noise of a single state.
-constexpr ReuseEffort effort_of_states{.lookups = 48, .points = 1, .gather_rays = 12, .later_gather_rays = 8};
 // The cache keeps irradiances above this share of the smallest requirement.
 constexpr double min_share = 0.005;
 
-double smallest_requirement(const Scene& scene) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Label& label : scene.labels) {
-    const double requirement = scene.requirement_of(label);
-    if (requirement > 0) smallest = std::min(smallest, requirement);
-  }
-  return std::isfinite(smallest) ? smallest : 1e-3;
+SurfaceLinks links_of(const World& world, std::uint64_t key, const ReuseEffort& effort,
+                      const RunControl& control) {
+  const auto search = effort.seeks_rare_light ? detail::CellSearch::units : detail::CellSearch::labels;
+  auto cells = std::make_shared<const detail::SurfaceCells>(world, key, search, control);
+  control.report(Task::preparing, 0.1);
+  return {world, std::move(cells), key, {}, control};
 }
 
 }  // namespace
@@ -58,17 +56,18 @@ struct ReuseEstimator::Tables {
     std::vector<double> direct;
   };
 
-  Tables(const World& w, std::uint64_t s, const ReuseEffort& e, const RunControl& control)
+  Tables(const World& w, std::uint64_t s, const ReuseEffort& e, const SurfaceLinks& links,
+         const RunControl& control)
       : world(w),
         requirement(smallest_requirement(w.scene)),
         effort(e),
         units(w),
         spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
+        targets(spots.targets()),
         shared_cache(std::make_shared<const RadianceCache>(
-            w, units, static_cast<float>(min_share * requirement), mix_key(s, hash64("radiance cache")),
-            control, e.seeks_rare_light)),
+            w, units, links, static_cast<float>(min_share * requirement), spots.steep_lights(s), control)),
         cache(*shared_cache),
-        residual(w, units, cache, spots, requirement, e) {}
+        residual(w, units, cache, spots, targets, requirement, e) {}
 
   // For another state of the world, with the cache of the first.
   Tables(const World& w, std::uint64_t s, const ReuseEffort& e, const Tables& first)
@@ -77,9 +76,10 @@ struct ReuseEstimator::Tables {
         effort(e),
         units(w, first.units),
         spots(w, units, mix_key(s, hash64("bright spots")), e.spots),
+        targets(spots.targets()),
         shared_cache(first.shared_cache),
         cache(*shared_cache),
-        residual(w, units, cache, spots, requirement, e) {}
+        residual(w, units, cache, spots, targets, requirement, e) {}
 
   // Adds the cache's light on every label, from many rays that only look up the cache, and the light of
   // sources that these rays meet over mirrors.
@@ -105,26 +105,41 @@ struct ReuseEstimator::Tables {
         if (found.vertex.is_capped)
           spots.add_near(found.vertex, found.density, static_cast<double>(found.weight), random, row, rays);
       };
+      const auto look = [&](const SurfacePoint& from, const Vec3& direction, double of_ray) {
+        const auto end =
+            follow_chain(world, from, direction, Departure::scattered, random, rays,
+                         [&](std::size_t j, double value) { row.add(units.lane_index(j), of_ray * value); });
+        if (!end) return;
+        Found found{PathVertex(world, cache, *end), static_cast<float>(of_ray * end->throughput), 0};
+        found.vertex.is_capped = end->is_straight;
+        if (end->is_straight) found.density = label_density(world, i, from, end->point);
+        found.vertex.row.prefetch();
+        if (last) use(*last);
+        last.emplace(found);
+      };
+      const auto start = [&] {
+        if (is_point) return work.at[c];
+        const double u3 = random.uniform(), u4 = random.uniform();
+        return world.receivers.point(i, u3, u4);
+      };
+      const Frame& frame = world.receivers.frame(i);
+      const auto view = targets.seen_from(work.at[c].position, frame.to_world({0, 0, 1}), effort.lookups);
       for (std::uint32_t s = 0; s < effort.lookups; ++s) {
         const auto [u1, u2] = square.point(s);
         const auto drawn = shelfbeam::sample(responsivity, u1, u2);
         if (!drawn) continue;
-        SurfacePoint from = work.at[c];
-        if (!is_point) {
-          const double u3 = random.uniform(), u4 = random.uniform();
-          from = world.receivers.point(i, u3, u4);
-        }
-        const auto end = follow_chain(
-            world, from, world.receivers.frame(i).to_world(drawn->direction), Departure::scattered, random,
-            rays, [&](std::size_t j, double value) { row.add(units.lane_index(j), weight * value); });
-        if (!end) continue;
-        Found found{PathVertex(world, cache, *end), static_cast<float>(weight * end->throughput), 0};
-        found.vertex.is_capped = end->is_straight;
-        if (end->is_straight) found.density = pdf_of(i, from, end->point);
-        found.vertex.row.prefetch();
-        if (last) use(*last);
-        last.emplace(found);
+        const SurfacePoint from = start();
+        const Vec3 direction = frame.to_world(drawn->direction);
+        const double own = view.is_empty() ? 1 : effort.lookups * pdf(responsivity, drawn->direction);
+        look(from, direction, weight * view.weight(own, from.position, direction));
       }
+      view.each_ray(mix_key(mix_key(key, batch), 2 * c), [&](std::size_t target, double u1, double u2) {
+        const SurfacePoint from = start();
+        const Vec3 direction = view.direction(target, from.position, u1, u2);
+        const double own = effort.lookups * pdf(responsivity, frame.to_local(direction));
+        if (!(own > 0)) return;
+        look(from, direction, weight * own / (own + view.density(from.position, direction)));
+      });
       if (last) use(*last);
     }
   }
@@ -149,7 +164,8 @@ struct ReuseEstimator::Tables {
   // paths. If a small cluster had few paths, short runs would miss it.
   std::uint32_t points_of(const Block& block) const {
     constexpr std::uint32_t most = 8;
-    if (!effort.seeks_rare_light || (!cache.any_hidden() && !spots.any_steep())) return effort.points;
+    const bool is_rare = effort.is_hidden || cache.any_hidden() || spots.any_steep();
+    if (!effort.seeks_rare_light || !is_rare) return effort.points;
     const auto times = static_cast<std::uint32_t>(largest_cluster / block.rows.size());
     return effort.points * std::clamp(times, 1U, most);
   }
@@ -190,25 +206,9 @@ struct ReuseEstimator::Tables {
     flush();
   }
 
-  // The labels of a cluster, which share a point. Each sends K rays; `gain` contains 1 / K, so `rays` is 1.
-  struct Sharers {
-    const Tables& tables;
-    const Block& block;
-    const std::vector<SurfacePoint>& at;
-    const PathVertex& vertex;
-
-    std::size_t size() const { return block.rows.size(); }
-    RayEnd end(std::uint32_t c) const { return at[c]; }
-    double rays(std::uint32_t) const { return 1; }
-    double density(std::uint32_t c) const { return tables.pdf_of(block.rows[c], at[c], vertex.end.point); }
-    double gain(std::uint32_t c) const {
-      return integral(tables.world.receivers.responsivity(block.rows[c])) / tables.points_of(block) *
-             vertex.exit_towards(at[c].position);
-    }
-  };
-
   // Adds the radiance from the bases of points to all labels that see them, the rest to their finders.
   void share_points(const Block& block, Workspace& work, std::uint64_t& rays) const {
+    const std::uint32_t points = points_of(block);
     for (std::size_t b = 0; b < work.vertices.size(); ++b) {
       const auto& [owner, weight, is_shared] = work.found[b];
       const PathVertex& vertex = work.vertices[b];
@@ -216,8 +216,8 @@ struct ReuseEstimator::Tables {
       work.labels[owner].add(work.points[b].own, weight);
       if (is_shared)
         share_point(
-            world, end.point, Sharers{*this, block, work.at, vertex}, owner,
-            {end.throughput * end.probability, end.probability}, work.sharing, rays,
+            world, end.point, LabelSharers{world, block.rows, work.at, end.point, *vertex.guide, points},
+            owner, {end.throughput * end.probability, end.probability}, work.sharing, rays,
             [&](std::uint32_t c, double of_base) { work.labels[c].add(work.points[b].base, of_base); });
       else
         work.labels[owner].add(work.points[b].base, vertex.exit * weight);
@@ -244,20 +244,13 @@ struct ReuseEstimator::Tables {
     return most > little * world.scene.requirement_of(world.scene.labels[i]) ? 1 : seldom;
   }
 
-  // Density per area with which a label's rays sample a point, without visibility.
-  double pdf_of(std::uint32_t label, const SurfacePoint& at, const SurfacePoint& there) const {
-    const auto seen = sight(at.position, there);
-    if (!seen) return 0;
-    return seen->area_density(
-        pdf(world.receivers.responsivity(label), world.receivers.frame(label).to_local(seen->direction)));
-  }
-
   const World& world;
   const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
   double requirement;
   ReuseEffort effort;
   UnitGroups units;
   BrightSpots spots;
+  RayTargets targets;
   std::shared_ptr<const RadianceCache> shared_cache;
   const RadianceCache& cache;
   Residual residual;
@@ -266,7 +259,11 @@ struct ReuseEstimator::Tables {
 
 ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort,
                                const RunControl& control)
-    : ReuseEstimator(std::make_shared<const Tables>(world, seed, effort, control),
+    : ReuseEstimator(world, seed, effort,
+                     links_of(world, mix_key(seed, hash64("radiance cache")), effort, control), control) {}
+ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort,
+                               const SurfaceLinks& links, const RunControl& control)
+    : ReuseEstimator(std::make_shared<const Tables>(world, seed, effort, links, control),
                      all_numbers(world.receivers.size()), seed) {}
 ReuseEstimator::ReuseEstimator(std::shared_ptr<const Tables> tables, std::span<const std::uint32_t> labels,
                                std::uint64_t seed)
@@ -298,7 +295,8 @@ std::unique_ptr<Estimator> ReuseEstimator::part(std::span<const std::uint32_t> l
   return std::unique_ptr<Estimator>(new ReuseEstimator(tables_, labels, seed));
 }
 std::unique_ptr<Estimator> ReuseEstimator::for_state(const World& changed, std::uint64_t seed) const {
-  auto tables = std::make_shared<const Tables>(changed, seed, effort_of_states, *tables_);
+  // The spread between the states of a shop is many times the noise of a single state.
+  auto tables = std::make_shared<const Tables>(changed, seed, small_batches, *tables_);
   return std::unique_ptr<Estimator>(
       new ReuseEstimator(std::move(tables), all_numbers(changed.receivers.size()), seed));
 }

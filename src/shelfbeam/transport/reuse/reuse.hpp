@@ -20,6 +20,9 @@ class ReuseEstimator : public Estimator {
   /// Throws Interrupted when cancelled.
   ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort = {},
                  const RunControl& control = {});
+  /// The same with known cells and links between them.
+  ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort, const SurfaceLinks& links,
+                 const RunControl& control = {});
   ~ReuseEstimator() override;
 
   std::size_t items() const override;

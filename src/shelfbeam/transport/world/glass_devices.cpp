@@ -70,10 +70,10 @@ class Glass {
 
 }  // namespace
 
-std::optional<Devices> devices_off_glass(const Scene& scene, double distance, double overlap) {
+std::optional<Devices> devices_off_glass(const Scene& scene, Devices devices, double distance,
+                                         double overlap) {
   const Glass glass(scene, distance, overlap);
   if (glass.is_empty()) return std::nullopt;
-  Devices devices{scene.labels, scene.transceivers};
   bool is_moved = false;
   for (Label& label : devices.labels) is_moved = glass.clear(label.position, label.normal) || is_moved;
   for (Transceiver& unit : devices.transceivers) is_moved = glass.clear(unit.position, unit.axis) || is_moved;

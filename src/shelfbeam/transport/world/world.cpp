@@ -29,6 +29,12 @@ struct TimesIntensity {
   }
 };
 
+std::optional<Devices> off_glass(const Scene& scene, Devices devices, double enlargement) {
+  constexpr double margin = 1.25;
+  return devices_off_glass(scene, std::move(devices), margin * ray_coordinates(scene).end(),
+                           max_overlap / 2 * enlargement);
+}
+
 double largest_extent(const Scene& scene) {
   const Bounds box = extent(scene);
   const Vec3 size = box.high - box.low;
@@ -66,13 +72,28 @@ std::optional<Scene> enlarged(const Scene& scene) {
   const double factor = enlargement(scene);
   if (factor != 1) own = times(scene, factor);
   const Scene& now = own ? *own : scene;
-  constexpr double margin = 1.25;
-  if (auto devices = devices_off_glass(now, margin * ray_coordinates(now).end(), max_overlap / 2 * factor)) {
+  if (auto devices = off_glass(now, {now.labels, now.transceivers}, factor)) {
     if (!own) own = scene;
     own->labels = std::move(devices->labels);
     own->transceivers = std::move(devices->transceivers);
   }
   return own;
+}
+
+Scene with_other_units(const World& like, std::vector<Transceiver> units, bool with_labels) {
+  const double factor = like.surfaces->enlargement;
+  for (Transceiver& unit : units) unit.position = unit.position * factor;
+  Scene scene;
+  scene.wavelength_nm = like.scene.wavelength_nm;
+  scene.room = like.scene.room;  // its openings
+  scene.materials = like.scene.materials;
+  scene.label_types = like.scene.label_types;
+  scene.transceiver_types = like.scene.transceiver_types;
+  if (with_labels) scene.labels = like.scene.labels;
+  scene.transceivers = units;
+  if (auto devices = off_glass(like.scene, {{}, std::move(units)}, factor))
+    scene.transceivers = std::move(devices->transceivers);
+  return scene;
 }
 
 }  // namespace shelfbeam

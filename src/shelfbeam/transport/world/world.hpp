@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -46,15 +49,40 @@ class RandomStream {
   std::size_t used_ = 4;
 };
 
+/// The surfaces of a scene, for any labels and units between them.
+struct Surfaces {
+  explicit Surfaces(const Scene& scene, double e) : enlargement(e), rays(scene, e), mirrors(scene) {}
+
+  double enlargement;
+  RayScene rays;
+  PlaneMirrors mirrors;
+};
+
+struct World;
+
+/// The room, materials and types of a world with other units, which are given as in the shop, and its labels.
+Scene with_other_units(const World& like, std::vector<Transceiver> units, bool with_labels);
+
 /// A scene prepared for light transport; a very small scene is enlarged.
 struct World {
   explicit World(const Scene& s)
       : own(enlarged(s)),
         scene(own ? *own : s),
-        rays(scene, enlargement(s)),
+        surfaces(std::make_shared<const Surfaces>(scene, enlargement(s))),
+        rays(surfaces->rays),
+        mirrors(surfaces->mirrors),
         emitters(scene),
-        receivers(scene),
-        mirrors(scene) {}
+        receivers(scene) {}
+  /// The surfaces and labels of a world with other units. Its scene has no mesh, and labels only on request:
+  /// there may be very many. `like` must outlive this world.
+  World(const World& like, std::vector<Transceiver> units, bool with_labels)
+      : own(with_other_units(like, std::move(units), with_labels)),
+        scene(*own),
+        surfaces(like.surfaces),
+        rays(surfaces->rays),
+        mirrors(surfaces->mirrors),
+        emitters(scene),
+        receivers(like.receivers) {}
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
@@ -62,10 +90,11 @@ struct World {
 
   const std::optional<Scene> own;
   const Scene& scene;
-  RayScene rays;
+  std::shared_ptr<const Surfaces> surfaces;
+  const RayScene& rays;
+  const PlaneMirrors& mirrors;
   Emitters emitters;
   Receivers receivers;
-  PlaneMirrors mirrors;
 };
 
 /// Identifies one path; its random numbers depend on this key alone.

@@ -30,6 +30,12 @@ test::BareScene room(double of_all = wall_albedo) {
   return room;
 }
 
+SurfaceLinks links_of(const World& world, std::uint64_t seed,
+                      detail::CellSearch search = detail::CellSearch::units) {
+  return {
+      world, std::make_shared<const detail::SurfaceCells>(world, seed, search, RunControl{}), seed, {}, {}};
+}
+
 struct Prepared {
   test::BareScene scene;
   World world{scene.scene};
@@ -37,7 +43,7 @@ struct Prepared {
   RadianceCache cache;
 
   explicit Prepared(double of_all = wall_albedo, float threshold = 1e-4F, std::uint64_t seed = 5)
-      : scene(room(of_all)), cache(world, groups, threshold, seed) {}
+      : scene(room(of_all)), cache(world, groups, links_of(world, seed), threshold) {}
 
   double cached(const SurfacePoint& at, std::size_t j) const {
     const RadianceCache::Row row = cache.row(at);
@@ -104,11 +110,11 @@ TEST(RadianceCache, IsEmptyOutsideLitSurfaces) {
 // The places with light of a back room's unit, among a hundred on its floor. The control is a cache whose
 // walks all start at labels, which are in the hall.
 TEST(RadianceCache, KnowsABackRoomWithoutLabels) {
-  const auto known_places = [](const std::string& name, bool from_units, std::size_t unit) {
+  const auto known_places = [](const std::string& name, detail::CellSearch search, std::size_t unit) {
     const Scene scene = test::zoo_room(name).scene();
     const World world(scene);
     const UnitGroups groups(world);
-    const RadianceCache cache(world, groups, 1e-4F, 5, {}, from_units);
+    const RadianceCache cache(world, groups, links_of(world, 5, search), 1e-4F);
     const std::size_t lane = groups.lane_index(unit);
     int known = 0;
     for (int k = 0; k < 100; ++k) {
@@ -120,15 +126,16 @@ TEST(RadianceCache, KnowsABackRoomWithoutLabels) {
     }
     return std::pair(cache.any_hidden(), known);
   };
-  const auto [is_hidden, known] = known_places("back room", true, 0);
+  const auto [is_hidden, known] = known_places("back room", detail::CellSearch::units, 0);
   EXPECT_TRUE(is_hidden);
   EXPECT_GT(known, 95);
-  const auto [is_hidden_to_labels, known_by_labels] = known_places("back room", false, 0);
+  const auto [is_hidden_to_labels, known_by_labels] =
+      known_places("back room", detail::CellSearch::labels, 0);
   EXPECT_FALSE(is_hidden_to_labels);
-  EXPECT_LT(known_by_labels, 50);
+  EXPECT_LT(known_by_labels, 70);  // cells beside inner walls are always known
   // Nothing changes where walks from labels meet what units light.
   for (const char* const name : {"ordinary shop", "warehouse", "back room with labels"})
-    EXPECT_FALSE(known_places(name, true, 0).first) << name;
+    EXPECT_FALSE(known_places(name, detail::CellSearch::units, 0).first) << name;
 }
 
 TEST(RadianceCache, FollowsFromTheSeedAlone) {

@@ -1,0 +1,166 @@
+#include "jobs/preview/preview_job.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/plan/preview/given_unit.hpp"
+#include "shelfbeam/plan/question/fitting_signals.hpp"
+#include "shelfbeam/report/messages/signals.hpp"
+#include "shelfbeam/report/text/words.hpp"
+#include "shelfbeam/scene/store/store.hpp"
+#include "shelfbeam/transport/operator/light_operator.hpp"
+#include "shelfbeam/transport/operator/unit_refinement.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
+
+#include "jobs/plan_folder.hpp"
+#include "jobs/stored_plan.hpp"
+
+namespace shelfbeam::jobs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The mounted units are found by their light, which an id alone may not have in another store.
+std::optional<PlanSignals> signals_of_plan(const fs::path& folder, const Scene& scene) {
+  if (folder.empty()) return std::nullopt;
+  constexpr auto remedy = "name the store of the plan, or plan the store again";
+  const StoredPlan stored = read_stored_plan(folder);
+  StoredSignals given = read_given_signals(folder);
+  std::vector<TransceiverColumn> mounted;
+  for (const std::uint32_t j : stored.plan.placement.selected) mounted.push_back(given.transceivers.at(j));
+  auto fitting = fitting_signals(std::move(given), scene, SimulationOptions().rules());
+  if (const auto* reason = std::get_if<MisfitReason>(&fitting))
+    throw InputError(folder.string(),
+                     fmt::format("does not fit the store, because {}", reason_text(english(), *reason)),
+                     remedy);
+  PlanSignals plan{std::get<SignalMatrix>(std::move(fitting)), {}, stored.plan.placement.problem};
+  const auto& columns = plan.matrix.transceivers;
+  for (const TransceiverColumn& unit : mounted) {
+    const auto is_same = [&](const TransceiverColumn& column) {
+      return column.light == unit.light && column.position == unit.position;
+    };
+    auto found = std::find_if(columns.begin(), columns.end(), [&](const TransceiverColumn& column) {
+      return is_same(column) && column.id == unit.id;
+    });
+    if (found == columns.end()) found = std::find_if(columns.begin(), columns.end(), is_same);
+    if (found == columns.end())
+      throw InputError(folder.string(),
+                       fmt::format("mounts {}, which the store does not have there", in_quotes(unit.id)),
+                       remedy);
+    plan.selected.push_back(static_cast<std::uint32_t>(found - columns.begin()));
+  }
+  return plan;
+}
+
+void expect_to_fit(const PreviewJob& job, const OperatorEffort& effort, const Scene& scene) {
+  const double bytes = effort.bytes(scene);
+  if (bytes <= static_cast<double>(memory_limit())) return;
+  throw MemoryError(
+      job.store.string(),
+      fmt::format("its light requires about {:.3g} GB of memory, more than is available", 1e-9 * bytes),
+      job.coarse ? "use a machine with more memory"
+                 : "preview it with less effort, or on a machine with more memory");
+}
+
+// Reads the operator, or computes and keeps it. A folder that cannot be written costs the next preview time.
+LightOperator operator_of(const PreviewJob& job, const World& world, const RunControl& control,
+                          PreviewResult& result) {
+  const OperatorEffort usual = usual_effort(world.scene.labels.size());
+  const fs::path file = job.plan / operator_name;
+  if (!job.plan.empty())
+    if (auto kept = LightOperator::load(file, world, job.seed, usual)) return std::move(*kept);
+  const OperatorEffort effort = job.coarse ? coarse_operator : usual;
+  expect_to_fit(job, effort, world.scene);
+  if (job.coarse || job.plan.empty()) return {world, job.seed, effort, control};
+  LightOperator light(world, job.seed, effort, control);
+  try {
+    light.save(file);
+  } catch (const OutputError& error) {
+    result.not_kept = error.what();
+  }
+  return light;
+}
+
+// Replaces a preview by unbiased signals, as far as the time or a cancellation allows. `done`: the share of
+// all refinements that is complete, and that of this one.
+void refine(const LightOperator& light, const Transceiver& unit, double seconds, std::uint64_t seed,
+            std::array<double, 2> done, const RunControl& control, Preview& preview) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::uint32_t at_once = 2;
+  constexpr double target = 0.002;  // of the requirement
+  const auto start = Clock::now();
+  const auto share = [&] {
+    return std::min(1.0, std::chrono::duration<double>(Clock::now() - start).count() / seconds);
+  };
+  UnitRefinement refinement(light, unit, seed, control);
+  while (!control.cancelled() && (share() < 1 || refinement.fewest_batches() < min_batches)) {
+    if (refinement.add(at_once, target, control) == 0) break;
+    control.report(Task::refining, done[0] + done[1] * share());
+  }
+  for (std::size_t i = 0; i < preview.signal.size(); ++i) {
+    if (!refinement.has_value(i)) continue;
+    preview.signal[i] = refinement.signal(i);
+    preview.error[i] = refinement.standard_error(i);
+    preview.doubts[i] = refinement.is_skewed(i) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
+  }
+}
+
+std::vector<Preview> previews_of(const PreviewJob& job, const std::vector<Transceiver>& units,
+                                 const World& world, const RunControl& control, PreviewResult& result) {
+  if (units.empty()) return {};
+  const LightOperator light = operator_of(job, world, control, result);
+  std::vector<Preview> previews;
+  previews.reserve(units.size());
+  for (const Transceiver& unit : units) previews.push_back(light.column(unit));
+  if (!job.refine_s) return previews;
+  const double each = 1 / static_cast<double>(units.size());
+  try {
+    for (std::size_t k = 0; k < units.size() && !control.cancelled(); ++k)
+      refine(light, units[k], each * *job.refine_s, job.seed, {each * static_cast<double>(k), each}, control,
+             previews[k]);
+  } catch (const Interrupted&) {
+    // Previews remain.
+  }
+  result.is_stopped = control.cancelled();
+  return previews;
+}
+
+}  // namespace
+
+PreviewResult run_preview(const PreviewJob& job, const RunControl& control) {
+  const ThreadLimit allowed(control.threads);
+  return with_threads(control.threads, [&] {
+    PreviewResult result;
+    result.scene =
+        make_scene(read_store(job.store, {.allow_outside = job.allow_outside, .cancel = control.cancel}));
+    const Scene& scene = result.scene;
+    WhatIf change;
+    change.removed = job.removed;
+    for (const std::string& text : job.added)
+      change.added.push_back(given_unit(text, scene, fmt::format("new-{}", change.added.size() + 1)));
+    for (const std::string& text : job.moved) {
+      MovedUnit moved = moved_unit(text, scene);
+      change.removed.push_back(std::move(moved.id));
+      change.added.push_back(std::move(moved.unit));
+    }
+    const auto plan = signals_of_plan(job.plan, scene);
+    kept_units(plan, change.removed);  // refuses wrong ids before the work
+    std::vector<Preview> previews;
+    if (!change.added.empty()) previews = previews_of(job, change.added, World(scene), control, result);
+    change.is_simulated = change.added.empty() || (job.refine_s && !result.is_stopped);
+    result.what_if = what_if(scene, plan, std::move(change), previews);
+    return result;
+  });
+}
+
+}  // namespace shelfbeam::jobs

@@ -1,0 +1,132 @@
+#include "shelfbeam/plan/preview/what_if.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/order.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+// The received signal of a label and its standard error.
+class Total {
+ public:
+  explicit Total(const PlacementProblem& problem)
+      : is_sum_(problem.model == CommunicationModel::cooperative),
+        redundant_(problem.redundant),
+        received_(problem) {}
+
+  void add(double signal, double error) {
+    // The error of the part that ReceivedSignal counts.
+    double part = signal, of_part = error;
+    if (signal > largest_) {
+      if (redundant_) {
+        part = largest_;
+        of_part = of_largest_;
+      }
+      largest_ = signal;
+      of_largest_ = error;
+    }
+    if (is_sum_)
+      squares_ += of_part * of_part;
+    else if (part >= received_.value())
+      squares_ = of_part * of_part;
+    received_.add(signal);
+  }
+  double signal() const { return received_.value(); }
+  double error() const { return std::sqrt(squares_); }
+
+ private:
+  bool is_sum_, redundant_;
+  ReceivedSignal received_;
+  double largest_ = 0, of_largest_ = 0, squares_ = 0;
+};
+
+template <class Test>
+std::size_t count(const std::vector<LabelWhatIf>& labels, const Test& test) {
+  return static_cast<std::size_t>(std::count_if(labels.begin(), labels.end(), test));
+}
+
+}  // namespace
+
+bool LabelWhatIf::is_close() const {
+  constexpr double quantile = 1.96;
+  return std::abs(after - requirement) <= quantile * error;
+}
+
+double LabelWhatIf::margin() const {
+  return requirement > 0 ? after / requirement : std::numeric_limits<double>::infinity();
+}
+
+std::size_t WhatIf::reached() const {
+  return count(labels, [](const LabelWhatIf& label) { return label.is_reached(); });
+}
+std::size_t WhatIf::gained() const {
+  return count(labels, [](const LabelWhatIf& label) { return label.is_reached() && !label.was_reached(); });
+}
+std::size_t WhatIf::lost() const {
+  return count(labels, [](const LabelWhatIf& label) { return !label.is_reached() && label.was_reached(); });
+}
+std::size_t WhatIf::close() const {
+  return count(labels, [](const LabelWhatIf& label) { return label.is_close(); });
+}
+std::size_t WhatIf::doubtful() const {
+  return count(labels, [](const LabelWhatIf& label) { return label.doubts != 0; });
+}
+std::vector<std::uint32_t> WhatIf::weakest() const {
+  return ordered_by(labels.size(), [&](std::uint32_t i) { return labels[i].margin(); });
+}
+
+std::vector<std::uint32_t> kept_units(const std::optional<PlanSignals>& plan,
+                                      const std::vector<std::string>& removed) {
+  std::vector<std::uint32_t> kept = plan ? plan->selected : std::vector<std::uint32_t>{};
+  for (const std::string& id : removed) {
+    const auto found = std::find_if(kept.begin(), kept.end(),
+                                    [&](std::uint32_t j) { return plan->matrix.transceivers[j].id == id; });
+    if (found == kept.end())
+      throw InputError(fmt::format("unit {}", in_quotes(id)), "is not a unit of the plan",
+                       "name one of the units that the plan mounts, once");
+    kept.erase(found);
+  }
+  return kept;
+}
+
+WhatIf what_if(const Scene& scene, const std::optional<PlanSignals>& plan, WhatIf change,
+               std::span<const Preview> added) {
+  change.has_plan = plan.has_value();
+  if (plan) change.problem = plan->problem;
+  const std::vector<std::uint32_t> kept = kept_units(plan, change.removed);
+  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    LabelWhatIf label{.requirement = scene.requirement_of(scene.labels[i])};
+    Total before(change.problem), after(change.problem);
+    const auto add = [&](const std::vector<std::uint32_t>& units, Total& total) {
+      for (const std::uint32_t j : units) {
+        const std::size_t e = plan->matrix.at(i, j);
+        total.add(static_cast<double>(plan->matrix.mean[e]),
+                  static_cast<double>(plan->matrix.standard_error[e]));
+      }
+    };
+    if (plan) {
+      add(plan->selected, before);
+      add(kept, after);
+    }
+    for (const Preview& preview : added) {
+      after.add(static_cast<double>(preview.signal[i]), static_cast<double>(preview.error[i]));
+      label.doubts |= preview.doubts[i];
+    }
+    label.before = before.signal();
+    label.after = after.signal();
+    label.error = after.error();
+    change.labels.push_back(label);
+  }
+  return change;
+}
+
+}  // namespace shelfbeam

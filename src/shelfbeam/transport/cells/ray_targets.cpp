@@ -1,0 +1,134 @@
+#include "shelfbeam/transport/cells/ray_targets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "shelfbeam/math/frame.hpp"
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+
+namespace {
+
+constexpr double min_probability = 0.0003;  // of a cosine distributed ray
+constexpr double surroundings = 0.4;        // m, of a unit
+
+RayTargets::Rectangle rectangle_of(const InnerWall& wall, const WallOpening& opening) {
+  const Vec3 way = Vec3{wall.to[0] - wall.from[0], wall.to[1] - wall.from[1], 0} / wall.length();
+  const double height = opening.top - opening.bottom;
+  return {.corner = Vec3{wall.from[0], wall.from[1], opening.bottom} + opening.at * way,
+          .along = opening.width * way,
+          .up = {0, 0, height},
+          .normal = {-way.y, way.x, 0},
+          .area = opening.width * height};
+}
+
+// Squares of small sines would cancel.
+double one_minus_cosine(const RayTargets::Ball& ball, double distance_squared) {
+  const double squared = std::min(1.0, ball.radius * ball.radius / distance_squared);
+  return squared / (1 + std::sqrt(1 - squared));
+}
+
+struct Probability {
+  const Vec3 &position, &normal;
+
+  // Roughly, from the centre, and from the part that lies farthest before the surface.
+  double operator()(const RayTargets::Rectangle& target) const {
+    const Vec3 way = target.corner + 0.5 * (target.along + target.up) - position;
+    const double ahead =
+        dot(way, normal) + 0.5 * (std::abs(dot(target.along, normal)) + std::abs(dot(target.up, normal)));
+    const double squared = length_squared(way);
+    return squared > 0 ? target.area * std::abs(dot(way, target.normal)) * ahead / (pi * squared * squared)
+                       : 0;
+  }
+  double operator()(const RayTargets::Ball& target) const {
+    const Vec3 way = target.center - position;
+    const double squared = length_squared(way), radius = target.radius;
+    if (!(squared > radius * radius)) return 0;  // most rays meet it
+    return radius * radius * (dot(way, normal) + radius) / (squared * std::sqrt(squared));
+  }
+};
+
+struct Direction {
+  const Vec3& from;
+  double u1, u2;
+
+  Vec3 operator()(const RayTargets::Rectangle& target) const {
+    return normalized(target.corner + u1 * target.along + u2 * target.up - from);
+  }
+  Vec3 operator()(const RayTargets::Ball& target) const {
+    const Vec3 way = target.center - from;
+    const double cosine = 1 - u1 * one_minus_cosine(target, length_squared(way));
+    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
+    return Frame::about(normalized(way))
+        .to_world({sine * std::cos(2 * pi * u2), sine * std::sin(2 * pi * u2), cosine});
+  }
+};
+
+struct Density {
+  const Vec3 &from, &direction;
+
+  double operator()(const RayTargets::Rectangle& target) const {
+    const double cosine = dot(direction, target.normal);
+    if (cosine == 0) return 0;
+    const double distance = dot(target.corner - from, target.normal) / cosine;
+    if (!(distance > 0)) return 0;
+    const Vec3 within = from + distance * direction - target.corner;
+    const double x = dot(within, target.along), y = dot(within, target.up);
+    if (x < 0 || y < 0 || x > length_squared(target.along) || y > length_squared(target.up)) return 0;
+    return distance * distance / (target.area * std::abs(cosine));
+  }
+  double operator()(const RayTargets::Ball& target) const {
+    const Vec3 way = target.center - from;
+    const double squared = length_squared(way), part = one_minus_cosine(target, squared);
+    return dot(direction, way) >= (1 - part) * std::sqrt(squared) ? 1 / (2 * pi * part) : 0;
+  }
+};
+
+}  // namespace
+
+RayTargets::RayTargets(const Scene& scene) {
+  if (!scene.room) return;
+  for (const InnerWall& wall : scene.room->inner_walls)
+    for (const WallOpening& opening : wall.openings)
+      if (opening.width > 0 && opening.top > opening.bottom) targets_.push_back(rectangle_of(wall, opening));
+}
+
+void RayTargets::add_unit(const Vec3& position) {
+  targets_.push_back(Ball{position, surroundings});
+}
+
+bool RayTargets::is_close(const Vec3& position) const {
+  return std::any_of(targets_.begin(), targets_.end(), [&](const Target& target) {
+    const auto* const ball = std::get_if<Ball>(&target);
+    return ball != nullptr && length_squared(position - ball->center) < ball->radius * ball->radius;
+  });
+}
+
+RayTargets::View RayTargets::seen_from(const Vec3& position, const Vec3& normal, std::uint32_t own) const {
+  std::array<std::pair<double, const Target*>, View::most> seen{};
+  for (const Target& target : targets_) {
+    std::pair next{std::visit(Probability{position, normal}, target), &target};
+    if (!(next.first >= min_probability)) continue;
+    for (auto& kept : seen)
+      if (next.first > kept.first) std::swap(kept, next);
+  }
+  View view;
+  view.rays_ = std::max(1U, own / 8);
+  for (const auto& [probability, target] : seen)
+    if (target != nullptr) view.targets_[view.count_++] = target;
+  return view;
+}
+
+Vec3 RayTargets::View::direction(std::size_t target, const Vec3& from, double u1, double u2) const {
+  return std::visit(Direction{from, u1, u2}, *targets_[target]);
+}
+
+double RayTargets::View::density(const Vec3& from, const Vec3& direction) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < count_; ++k) sum += std::visit(Density{from, direction}, *targets_[k]);
+  return rays_ * sum;
+}
+
+}  // namespace shelfbeam

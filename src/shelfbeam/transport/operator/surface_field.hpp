@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/transport/cache/surface_links.hpp"
+#include "shelfbeam/transport/operator/unit_beam.hpp"
+
+namespace shelfbeam {
+
+/// How the light of a unit reaches the points of a cell straight. Cells beyond its reach have no light at
+/// all.
+enum class CellSight : std::uint8_t { beyond, hidden, partial, open };
+
+/// The irradiance that one unit gives the surfaces of a shop, W/m^2. Quadrants of cells are numbered by
+/// SurfaceCells::node.
+struct SurfaceField {
+  std::vector<std::uint32_t> nodes;  ///< quadrants with points within reach of the unit; others are dark
+  std::vector<float> straight;       ///< by quadrant; also over one plane mirror
+  std::vector<float> mirrored;       ///< by cell: the part of this over mirrors; empty without mirrors
+  std::vector<float> indirect;       ///< by quadrant: by one or more further bounces
+  std::vector<float> strongest;      ///< by cell: at its points, without obstacles
+  std::vector<CellSight> sight;      ///< by cell
+  /// Mean irradiance that cells beyond the reach would get without obstacles, times their share of all cells.
+  float omitted = 0;
+};
+
+/// The surfaces of a shop and the light between them, ready for any unit.
+class SurfaceNodes {
+ public:
+  /// Sends two times `gather_rays` rays from each quadrant. Throws Interrupted when cancelled.
+  SurfaceNodes(const World& world, std::uint64_t seed, std::uint32_t gather_rays, const RunControl& control);
+  /// The same from the cells and links of a file.
+  SurfaceNodes(std::shared_ptr<const detail::SurfaceCells> cells, std::array<SurfaceLinks, 2> halves);
+
+  std::size_t size() const { return first_point_.size() - 1; }
+  const detail::SurfaceCells& cells() const { return *cells_; }
+  /// By material.
+  const std::vector<SurfaceGuide>& guides() const { return *halves_.front().guides(); }
+  /// The links between quadrants, in two halves from different rays.
+  const std::array<SurfaceLinks, 2>& halves() const { return halves_; }
+  const BeamPoints& points() const { return points_; }
+  /// The first point of a quadrant; it has none if the next quadrant has the same.
+  std::uint32_t first_point(std::size_t node) const { return first_point_[node]; }
+  bool has_points(std::size_t node) const { return first_point_[node] < first_point_[node + 1]; }
+
+  /// The straight light of a unit, by shadow rays to the points of cells: to more points where it is bright,
+  /// measured by the requirement. `cap` limits the irradiance of every point. Cells farther away than
+  /// `reach`, m, are omitted.
+  SurfaceField light(const World& world, const UnitBeam& beam, float cap, float requirement,
+                     double reach) const;
+
+  /// Adds the further bounces of this light, and of further irradiance by a first bounce (by quadrant; may be
+  /// empty).
+  void bounce(std::span<const float> first_bounce, SurfaceField& field) const;
+
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint32_t quadrants = detail::SurfaceCells::quadrants;
+
+  SurfaceNodes(const std::shared_ptr<const detail::SurfaceCells>& cells, const World& world,
+               std::uint64_t seed, std::uint32_t gather_rays, const RunControl& control);
+  void light_cells(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam, float cap,
+                   float requirement, SurfaceField& field) const;
+  void add_images(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam,
+                  float requirement, SurfaceField& field) const;
+  void fill_unknown(std::size_t cell, std::vector<float>& by_node) const;
+
+  std::shared_ptr<const detail::SurfaceCells> cells_;
+  std::array<SurfaceLinks, 2> halves_;
+  BeamPoints points_;
+  std::vector<std::uint32_t> first_point_;  // by quadrant
+};
+
+}  // namespace shelfbeam

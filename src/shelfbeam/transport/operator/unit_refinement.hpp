@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/transport/operator/light_operator.hpp"
+#include "shelfbeam/transport/reuse/reuse.hpp"
+#include "shelfbeam/transport/tally/analytic_direct.hpp"
+#include "shelfbeam/transport/tally/estimator.hpp"
+
+namespace shelfbeam {
+
+/// Unbiased signals of one unit, batch by batch: path reuse with the light of the operator's cells as control
+/// variate. Works on the threads of the current arena; the results are the same for any number of them.
+class UnitRefinement {
+ public:
+  /// Throws Interrupted when cancelled. The operator must outlive the object.
+  UnitRefinement(const LightOperator& light, const Transceiver& unit, std::uint64_t seed,
+                 const RunControl& control = {});
+
+  /// Adds batches to each cluster of labels that has a standard error above `target` times the label's
+  /// requirement, or too few batches to tell. Returns the number of these clusters, 0 when all are precise
+  /// enough. When cancelled, earlier batches stay.
+  std::size_t add(std::uint32_t batches, double target, const RunControl& control = {});
+
+  /// Batches of the least and most refined cluster.
+  std::uint32_t fewest_batches() const;
+  std::uint32_t most_batches() const;
+  /// Whether a label has the two batches that its signal and standard error need.
+  bool has_value(std::size_t label) const { return has_value_[label] != 0; }
+  /// Whether the batches are so skewed that the standard error is not reliable.
+  bool is_skewed(std::size_t label) const { return is_skewed_[label] != 0; }
+  float signal(std::size_t label) const { return signal_[label]; }
+  float standard_error(std::size_t label) const { return error_[label]; }
+
+ private:
+  bool is_open(std::size_t item, double target) const;
+  void evaluate(std::size_t item);
+
+  World probe_;
+  ReuseEstimator estimator_;
+  detail::AnalyticDirect direct_;
+  std::vector<ItemSums> sums_;
+  std::vector<float> signal_, error_;  // by label
+  std::vector<std::uint8_t> has_value_, is_skewed_;
+};
+
+}  // namespace shelfbeam

@@ -1,0 +1,92 @@
+#include "shelfbeam/transport/cells/ray_targets.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "shelfbeam/math/warp.hpp"
+
+namespace shelfbeam {
+namespace {
+
+constexpr std::uint32_t own = 4096;
+
+Scene scene_with_door(double width, double height) {
+  Scene scene;
+  scene.room = RoomShape::box({8, 6, 3});
+  scene.room->inner_walls.push_back(
+      {"wall", {4, 0}, {4, 6}, 0.1, {}, {{.at = 2, .width = width, .bottom = 0.5, .top = 0.5 + height}}});
+  return scene;
+}
+
+// The solid angle of a rectangle from a point above its centre.
+double solid_angle(double width, double height, double distance) {
+  const double a = width / 2, b = height / 2;
+  return 4 * std::atan(a * b / (distance * std::sqrt(a * a + b * b + distance * distance)));
+}
+
+// The mean of 1 / density over directions to a target is its solid angle.
+double sampled_solid_angle(const RayTargets::View& view, const Vec3& from) {
+  double sum = 0;
+  int rays = 0;
+  view.each_ray(7, [&](std::size_t target, double u1, double u2) {
+    sum += own / 8 / view.density(from, view.direction(target, from, u1, u2));
+    ++rays;
+  });
+  EXPECT_EQ(rays, own / 8);
+  return sum / rays;
+}
+
+TEST(RayTargets, DirectionsFillAnOpening) {
+  for (const double distance : {1.0, 2.0, 3.5}) {
+    const RayTargets targets(scene_with_door(1, 2));
+    const Vec3 from{4 - distance, 2.5, 1.5};
+    const auto view = targets.seen_from(from, {1, 0, 0}, own);
+    const double expected = solid_angle(1, 2, distance);
+    // Sobol points integrate this smooth function to 1e-4; the area over the squared distance is off by 8 %
+    // or more.
+    EXPECT_NEAR(sampled_solid_angle(view, from), expected, 1e-3 * expected);
+    EXPECT_GT(std::abs(2 / (distance * distance) - expected), 0.05 * expected);
+  }
+}
+
+TEST(RayTargets, DirectionsFillABall) {
+  RayTargets targets(Scene{});
+  targets.add_unit({0, 0, 3});
+  const Vec3 from{0.4, 0.2, 1};
+  const auto view = targets.seen_from(from, {0, 0, 1}, own);
+  const double squared = length_squared(from - Vec3{0, 0, 3});
+  EXPECT_NEAR(sampled_solid_angle(view, from), 2 * pi * (1 - std::sqrt(1 - 0.4 * 0.4 / squared)), 1e-9);
+}
+
+TEST(RayTargets, DensityIsZeroBesideTheTarget) {
+  const RayTargets targets(scene_with_door(1, 2));
+  const Vec3 from{2, 2.5, 1.5};
+  const auto view = targets.seen_from(from, {1, 0, 0}, own);
+  EXPECT_GT(view.density(from, normalized(Vec3{2, 0.49, 0.99})), 0);
+  EXPECT_EQ(view.density(from, normalized(Vec3{2, 0.51, 0})), 0);
+  EXPECT_EQ(view.density(from, normalized(Vec3{2, 0, 1.01})), 0);
+  EXPECT_EQ(view.density(from, {-1, 0, 0}), 0);
+  EXPECT_EQ(view.weight(2, from, {-1, 0, 0}), 1);
+}
+
+TEST(RayTargets, OmitsWhatASurfaceHardlySees) {
+  const RayTargets targets(scene_with_door(1, 2));
+  EXPECT_TRUE(targets.seen_from({2, 2.5, 1.5}, {-1, 0, 0}, own).is_empty());   // behind
+  EXPECT_FALSE(targets.seen_from({6, 2.5, 1.5}, {-1, 0, 0}, own).is_empty());  // from the other side
+  EXPECT_TRUE(RayTargets(scene_with_door(0.01, 0.01)).seen_from({2, 2.5, 0.5}, {1, 0, 0}, own).is_empty());
+  EXPECT_TRUE(RayTargets(Scene{}).seen_from({0, 0, 0}, {0, 0, 1}, own).is_empty());
+}
+
+TEST(RayTargets, ChoosesTheTargetsThatMostRaysMeet) {
+  RayTargets targets(Scene{});
+  for (int k = 0; k < 6; ++k) targets.add_unit({0, 0, 2.0 + k});
+  const auto view = targets.seen_from({0, 0, 0}, {0, 0, 1}, own);
+  double density = 0;
+  for (int k = 0; k < 4; ++k)
+    density += own / 8 / (2 * pi * (1 - std::sqrt(1 - 0.16 / ((2.0 + k) * (2.0 + k)))));
+  EXPECT_NEAR(view.density({0, 0, 0}, {0, 0, 1}), density, 1e-9 * density);
+}
+
+}  // namespace
+}  // namespace shelfbeam
