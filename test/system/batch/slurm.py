@@ -43,6 +43,18 @@ def descendants(root):
     return found
 
 
+def arguments_of_processes():
+    """All pairs of neighbouring arguments of all processes."""
+    pairs = []
+    for path in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            words = path.read_bytes().decode(errors="replace").split("\0")
+        except OSError:  # it has ended
+            continue
+        pairs += [list(pair) for pair in zip(words, words[1:])]
+    return pairs
+
+
 class Cluster:
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)

@@ -95,10 +95,12 @@ class Disturbed(unittest.TestCase):
             cluster.wait(lambda: records() >= SHOPS * (kill + 1) // (NODE_KILLS + 2) and is_running(), "the plans", 300)
             cluster.kill_node()
 
-        # The signal that Slurm sends before the time limit: the task saves its checkpoints and is queued again.
+        # The signal that Slurm sends before the time limit: the task saves its checkpoints and is queued again. A script
+        # that has started its plans handles the signal; one that is just starting would be killed by it.
         def has_stopped():
+            arguments = slurm.arguments_of_processes()
             for job, state in cluster.jobs():
-                if state == "RUNNING":
+                if state == "RUNNING" and ["--part", f"{job.split('_')[-1]}/{SHOPS // 2}"] in arguments:
                     cluster.run("scancel", "--batch", "--signal=INT", job)
             logs = "".join(path.read_text() for path in (results / "slurm").glob("*.log"))
             return "stopped early: repeat the command with '--resume' to continue" in logs
