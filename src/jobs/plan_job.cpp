@@ -114,7 +114,7 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   if (job.selection) store = with_candidates_of(*job.selection, std::move(store));
   const Scene scene = make_inspected_scene(store);
   if (job.selection) {
-    const Placement given = given_units(*job.selection, scene);
+    const Placement given = given_units(*job.selection, scene, job.store);
     request.partial.given = given.selected;
     request.problem.model = job.model.value_or(given.problem.model);
     request.problem.redundant = request.problem.redundant || given.problem.redundant;

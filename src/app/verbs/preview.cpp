@@ -25,8 +25,8 @@ struct PreviewArguments {
 int run_preview_verb(const PreviewArguments& options) {
   jobs::PreviewJob job = options.job;
   job.seed = options.common.seed;
-  if (job.added.empty() && job.moved.empty() && job.removed.empty())
-    throw InputError("preview", "has no unit", "add --unit, or --move or --remove with --from");
+  if (!job.plan.empty() && job.added.empty() && job.moved.empty() && job.removed.empty())
+    throw InputError("preview", "has no unit", "add --unit, --move or --remove");
   jobs::PreviewResult result;
   {
     TerminalProgress progress(options.common.quiet);
@@ -54,24 +54,22 @@ void add_preview(CLI::App& app, ChosenVerb& chosen) {
   const OptionGroup first(*verb);
   first.require("STORE", job.store, a_path(), "Store file (JSON)");
   first.add("--from", job.plan, a_path("PLAN"),
-            "Folder of a plan, whose units stay; its file light.operator makes the next preview fast");
+            "Folder of a plan, whose units stay instead of those that the store selects; its file light.operator makes the next preview fast");
   const CLI::Validator text([](std::string&) { return std::string(); }, "UNIT");
   first
       .add("--unit", job.added, text,
            "Add a unit: x,y,z[,ax,ay,az][,type], in metres; straight down by default")
       ->allow_extra_args(false);
-  first.add("--move", job.moved, text, "Move a unit of the plan: ID,x,y,z[,ax,ay,az][,type]")
-      ->allow_extra_args(false)
-      ->needs("--from");
-  first.add("--remove", job.removed, an_id(), "Remove a unit of the plan")
-      ->allow_extra_args(false)
-      ->needs("--from");
+  first.add("--move", job.moved, text, "Move a unit of the plan, or of the store: ID,x,y,z[,ax,ay,az][,type]")
+      ->allow_extra_args(false);
+  first.add("--remove", job.removed, an_id(), "Remove a unit of the plan, or of the store")->allow_extra_args(false);
   first.add("--refine", job.refine_s, positive_number("SECONDS"),
             "Simulate the units for SECONDS instead, without bias");
   first.add_flag("--coarse", job.coarse, "Compute the light of the shop in less time, with larger errors");
   add_store_options(*verb, job.allow_outside);
   finish_verb(*verb, chosen, options, run_preview_verb,
               "Examples:\n"
+              "  shelfbeam preview store.json\n"
               "  shelfbeam preview store.json --unit 4.2,3.1,2.9\n"
               "  shelfbeam preview store.json --from plan --unit 4.2,3.1,2.9,0,0.5,-1\n"
               "  shelfbeam preview store.json --from plan --move C7,4.2,3.1,2.9 --remove C12\n"

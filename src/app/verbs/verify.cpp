@@ -71,7 +71,7 @@ Installation load_installation(const VerifyArguments& options) {
                                                  .output = options.output,
                                                  .cancel = &cancel});
   const Scene scene = make_scene(with_candidates_of(units, store));
-  const Placement given = given_units(units, scene);
+  const Placement given = given_units(units, scene, options.store);
   return {store, with_units(scene, given.selected), given.problem};
 }
 
@@ -150,7 +150,7 @@ int run_verify(const VerifyArguments& options) {
     throw InputError(options.signal ? "--signal" : "--overwrite", "applies to the folder of a report",
                      "name a folder with --output");
   protect_input(options.output, options.store);
-  protect_input(options.output, options.placement);
+  if (!options.placement.empty()) protect_input(options.output, options.placement);
   const Installation installation = load_installation(options);
   if (options.states.value_or(0) > 0)
     expect_variation(installation.store);
@@ -193,8 +193,9 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   auto options = std::make_shared<VerifyArguments>();
   const OptionGroup first(*verb);
   first.require("STORE", options->store, a_path(), "Store file (JSON)");
-  first.require("PLACEMENT", options->placement, a_path(),
-                "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type");
+  first.add("PLACEMENT", options->placement, a_path(),
+            "placement.json, or a CSV of mounted units with the columns id,x,y,z,ax,ay,az,roll_deg,type; "
+            "default: the selected, pinned and installed units of the store");
   first.add("-o,--output", options->output, a_path(),
             "Write one row per label to this CSV file; another name than *.csv is a folder, for the report "
             "on these units with all files of a plan");
@@ -218,6 +219,7 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
   finish_verb(*verb, chosen, options, run_verify,
               "Examples:\n"
               "  shelfbeam verify store.json plan/placement.json\n"
+              "  shelfbeam verify store.json\n"
               "  shelfbeam verify store.json installed.csv -o verification.csv\n"
               "  shelfbeam verify store.json changed.json -o changed --signal plan\n"
               "  shelfbeam verify store.json installed.csv --states 1000");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -30,9 +31,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Preview column_of(const SignalMatrix& matrix, std::size_t unit) {
+  Preview column;
+  for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    column.signal.push_back(matrix.mean[matrix.at(i, unit)]);
+    column.error.push_back(matrix.standard_error[matrix.at(i, unit)]);
+  }
+  column.doubts.resize(matrix.rows());
+  return column;
+}
+
 // The mounted units are found by their light, which an id alone may not have in another store.
-std::optional<PlanSignals> signals_of_plan(const fs::path& folder, const Scene& scene) {
-  if (folder.empty()) return std::nullopt;
+UnitsBefore units_of_plan(const fs::path& folder, const Scene& scene) {
   constexpr auto remedy = "name the store of the plan, or plan the store again";
   const StoredPlan stored = read_stored_plan(folder);
   StoredSignals given = read_given_signals(folder);
@@ -43,8 +53,9 @@ std::optional<PlanSignals> signals_of_plan(const fs::path& folder, const Scene& 
     throw InputError(folder.string(),
                      fmt::format("does not fit the store, because {}", reason_text(english(), *reason)),
                      remedy);
-  PlanSignals plan{std::get<SignalMatrix>(std::move(fitting)), {}, stored.plan.placement.problem};
-  const auto& columns = plan.matrix.transceivers;
+  UnitsBefore units{.problem = stored.plan.placement.problem};
+  const auto& matrix = std::get<SignalMatrix>(fitting);
+  const auto& columns = matrix.transceivers;
   for (const TransceiverColumn& unit : mounted) {
     const auto is_same = [&](const TransceiverColumn& column) {
       return column.light == unit.light && column.position == unit.position;
@@ -57,9 +68,23 @@ std::optional<PlanSignals> signals_of_plan(const fs::path& folder, const Scene& 
       throw InputError(folder.string(),
                        fmt::format("mounts {}, which the store does not have there", in_quotes(unit.id)),
                        remedy);
-    plan.selected.push_back(static_cast<std::uint32_t>(found - columns.begin()));
+    units.ids.push_back(found->id);
+    units.columns.push_back(column_of(matrix, static_cast<std::size_t>(found - columns.begin())));
   }
-  return plan;
+  return units;
+}
+
+std::vector<Transceiver> chosen_units(const Scene& scene) {
+  std::vector<Transceiver> chosen;
+  for (const Transceiver& unit : scene.transceivers)
+    if (unit.is_chosen()) chosen.push_back(unit);
+  return chosen;
+}
+
+std::vector<std::string> ids_of(const std::vector<Transceiver>& units) {
+  std::vector<std::string> ids;
+  for (const Transceiver& unit : units) ids.push_back(unit.id);
+  return ids;
 }
 
 void expect_to_fit(const PreviewJob& job, const OperatorEffort& effort, const Scene& scene) {
@@ -153,12 +178,24 @@ PreviewResult run_preview(const PreviewJob& job, const RunControl& control) {
       change.removed.push_back(std::move(moved.id));
       change.added.push_back(std::move(moved.unit));
     }
-    const auto plan = signals_of_plan(job.plan, scene);
-    kept_units(plan, change.removed);  // refuses wrong ids before the work
+    // Units of the store are previewed like added ones.
+    std::vector<Transceiver> units = job.plan.empty() ? chosen_units(scene) : std::vector<Transceiver>{};
+    const std::size_t chosen = units.size();
+    std::optional<UnitsBefore> before;
+    if (!job.plan.empty())
+      before = units_of_plan(job.plan, scene);
+    else if (chosen > 0)
+      before = UnitsBefore{.ids = ids_of(units)};
+    kept_units(before, change.removed);  // refuses wrong ids before the work
+    units.insert(units.end(), change.added.begin(), change.added.end());
+    if (units.empty() && !before)
+      throw InputError(job.store.string(), "selects no unit, and none is added",
+                       "add a unit, or list ids in transceivers.selected");
     std::vector<Preview> previews;
-    if (!change.added.empty()) previews = previews_of(job, change.added, World(scene), control, result);
-    change.is_simulated = change.added.empty() || (job.refine_s && !result.is_stopped);
-    result.what_if = what_if(scene, plan, std::move(change), previews);
+    if (!units.empty()) previews = previews_of(job, units, World(scene), control, result);
+    for (std::size_t k = 0; k < chosen; ++k) before->columns.push_back(std::move(previews[k]));
+    change.is_simulated = units.empty() || (job.refine_s && !result.is_stopped);
+    result.what_if = what_if(scene, before, std::move(change), std::span(previews).subspan(chosen));
     return result;
   });
 }

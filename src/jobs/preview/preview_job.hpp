@@ -12,7 +12,8 @@
 
 namespace shelfbeam::jobs {
 
-/// Units to preview in a store.
+/// Units to preview in a store. Those of the plan stay, or without one those that the store chooses
+/// (Transceiver::is_chosen), which are previewed, too.
 struct PreviewJob {
   std::filesystem::path store;
   std::filesystem::path plan;        ///< folder of a plan; empty: none

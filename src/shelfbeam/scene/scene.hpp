@@ -38,7 +38,11 @@ struct Transceiver {
   TransceiverTypeId type;
   bool installed = false;
   bool pinned = false;        ///< not installed, but part of every selection
+  bool selected = false;      ///< part of the choice in the store file, which binds no plan
   double relative_power = 1;  ///< to that of its type
+
+  /// Whether the unit counts where the units of the store are examined.
+  bool is_chosen() const { return installed || pinned || selected; }
 };
 
 struct NamedMaterial {

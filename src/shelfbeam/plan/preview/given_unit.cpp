@@ -107,7 +107,7 @@ MovedUnit moved_unit(std::string_view text, const Scene& scene) {
     refuse(text, fmt::format("begins with {}, which is the id of no unit", in_quotes(fields[0])),
            "write ID,x,y,z, then the axis as three numbers and the type if they change");
   MovedUnit moved{found->id, *found};
-  moved.unit.installed = moved.unit.pinned = false;
+  moved.unit.installed = moved.unit.pinned = moved.unit.selected = false;
   read(text, fields, 1, scene, moved.unit);
   return moved;
 }

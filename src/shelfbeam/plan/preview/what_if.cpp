@@ -84,44 +84,40 @@ std::vector<std::uint32_t> WhatIf::weakest() const {
   return ordered_by(labels.size(), [&](std::uint32_t i) { return labels[i].margin(); });
 }
 
-std::vector<std::uint32_t> kept_units(const std::optional<PlanSignals>& plan,
+std::vector<std::uint32_t> kept_units(const std::optional<UnitsBefore>& before,
                                       const std::vector<std::string>& removed) {
-  std::vector<std::uint32_t> kept = plan ? plan->selected : std::vector<std::uint32_t>{};
+  std::vector<std::uint32_t> kept = all_numbers(before ? before->ids.size() : 0);
   for (const std::string& id : removed) {
     const auto found = std::find_if(kept.begin(), kept.end(),
-                                    [&](std::uint32_t j) { return plan->matrix.transceivers[j].id == id; });
+                                    [&](std::uint32_t k) { return before->ids[k] == id; });
     if (found == kept.end())
-      throw InputError(fmt::format("unit {}", in_quotes(id)), "is not a unit of the plan",
-                       "name one of the units that the plan mounts, once");
+      throw InputError(fmt::format("unit {}", in_quotes(id)), "is not among the mounted units",
+                       "name a unit that the plan mounts or, without a plan, that the store selects, once");
     kept.erase(found);
   }
   return kept;
 }
 
-WhatIf what_if(const Scene& scene, const std::optional<PlanSignals>& plan, WhatIf change,
+WhatIf what_if(const Scene& scene, const std::optional<UnitsBefore>& before, WhatIf change,
                std::span<const Preview> added) {
-  change.has_plan = plan.has_value();
-  if (plan) change.problem = plan->problem;
-  const std::vector<std::uint32_t> kept = kept_units(plan, change.removed);
+  change.has_before = before.has_value();
+  if (before) change.problem = before->problem;
+  const std::vector<std::uint32_t> kept = kept_units(before, change.removed);
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
     LabelWhatIf label{.requirement = scene.requirement_of(scene.labels[i])};
-    Total before(change.problem), after(change.problem);
-    const auto add = [&](const std::vector<std::uint32_t>& units, Total& total) {
-      for (const std::uint32_t j : units) {
-        const std::size_t e = plan->matrix.at(i, j);
-        total.add(static_cast<double>(plan->matrix.mean[e]),
-                  static_cast<double>(plan->matrix.standard_error[e]));
-      }
+    Total first(change.problem), after(change.problem);
+    const auto add = [i](const Preview& unit, Total& total) {
+      total.add(static_cast<double>(unit.signal[i]), static_cast<double>(unit.error[i]));
     };
-    if (plan) {
-      add(plan->selected, before);
-      add(kept, after);
-    }
-    for (const Preview& preview : added) {
-      after.add(static_cast<double>(preview.signal[i]), static_cast<double>(preview.error[i]));
-      label.doubts |= preview.doubts[i];
-    }
-    label.before = before.signal();
+    const auto add_after = [&](const Preview& unit) {
+      add(unit, after);
+      label.doubts |= unit.doubts[i];
+    };
+    if (before)
+      for (const Preview& unit : before->columns) add(unit, first);
+    for (const std::uint32_t k : kept) add_after(before->columns[k]);
+    for (const Preview& unit : added) add_after(unit);
+    label.before = first.signal();
     label.after = after.signal();
     label.error = after.error();
     change.labels.push_back(label);

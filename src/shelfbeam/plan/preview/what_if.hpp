@@ -9,20 +9,19 @@
 
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/scene/scene.hpp"
-#include "shelfbeam/signal/signal_matrix.hpp"
 #include "shelfbeam/transport/operator/preview.hpp"
 
 namespace shelfbeam {
 
-/// The simulated signals of the units of a plan.
-struct PlanSignals {
-  SignalMatrix matrix;                  ///< rows in the order of the scene's labels
-  std::vector<std::uint32_t> selected;  ///< columns
-  PlacementProblem problem = {};        ///< of the plan
+/// The units before a change, of a plan or chosen by the store.
+struct UnitsBefore {
+  std::vector<std::string> ids;
+  std::vector<Preview> columns;   ///< by unit: previews, or simulated signals without doubts
+  PlacementProblem problem = {};  ///< of the plan
 };
 
-/// A label with the units of a plan, and with changed units, in the signal's unit of measure: its received
-/// signal by the problem of the plan.
+/// A label with the units before a change, and after it, in the signal's unit of measure: its received signal
+/// by the problem of the plan.
 struct LabelWhatIf {
   double requirement = 0;
   double before = 0;
@@ -37,15 +36,17 @@ struct LabelWhatIf {
   double margin() const;
 };
 
-/// The labels if units are added to a plan, moved or removed. Without a plan, all units are added ones.
+/// The labels if units are added, moved or removed. If there are none before, all units are added ones.
 struct WhatIf {
   PlacementProblem problem = {};
-  bool has_plan = false;
+  bool has_before = false;
   bool is_simulated = false;         ///< all signals are unbiased
   std::vector<Transceiver> added;    ///< moved units, too
   std::vector<std::string> removed;  ///< moved units, too
   std::vector<LabelWhatIf> labels;   ///< in the order of the scene
 
+  /// Whether there is anything to compare.
+  bool has_change() const { return has_before && !(added.empty() && removed.empty()); }
   std::size_t reached() const;
   std::size_t gained() const;
   std::size_t lost() const;
@@ -55,14 +56,14 @@ struct WhatIf {
   std::vector<std::uint32_t> weakest() const;
 };
 
-/// The columns of the plan's units without the removed ones. Throws InputError for a removed unit that is not
-/// part of the plan.
-std::vector<std::uint32_t> kept_units(const std::optional<PlanSignals>& plan,
+/// The numbers of the units without the removed ones. Throws InputError for a removed unit that is not among
+/// them.
+std::vector<std::uint32_t> kept_units(const std::optional<UnitsBefore>& before,
                                       const std::vector<std::string>& removed);
 
 /// `change`: everything but problem and labels. Errors of added units count as independent. Throws as
 /// kept_units.
-WhatIf what_if(const Scene& scene, const std::optional<PlanSignals>& plan, WhatIf change,
+WhatIf what_if(const Scene& scene, const std::optional<UnitsBefore>& before, WhatIf change,
                std::span<const Preview> added);
 
 }  // namespace shelfbeam

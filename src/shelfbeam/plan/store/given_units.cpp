@@ -1,6 +1,7 @@
 #include "shelfbeam/plan/store/given_units.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -19,10 +20,20 @@ bool is_placement_file(const std::filesystem::path& file) {
 }
 
 Store with_candidates_of(const std::filesystem::path& file, Store store) {
-  return is_placement_file(file) ? std::move(store) : store_with_units(std::move(store), file);
+  return file.empty() || is_placement_file(file) ? std::move(store) : store_with_units(std::move(store), file);
 }
 
-Placement given_units(const std::filesystem::path& file, const Scene& scene) {
+Placement given_units(const std::filesystem::path& file, const Scene& scene,
+                      const std::filesystem::path& store) {
+  if (file.empty()) {
+    Placement chosen;
+    for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j)
+      if (scene.transceivers[j].is_chosen()) chosen.selected.push_back(j);
+    if (chosen.selected.empty())
+      throw InputError(store.string(), "selects no transceivers",
+                       "list their ids in transceivers.selected, or name a placement");
+    return chosen;
+  }
   if (!is_placement_file(file)) {
     Placement all;
     all.selected = all_numbers(scene.transceivers.size());

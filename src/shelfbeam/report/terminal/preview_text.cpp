@@ -55,14 +55,14 @@ std::string listed(const WhatIf& what_if, const Scene& scene, bool gained) {
 std::string preview_answer(const WhatIf& what_if) {
   std::string text = fmt::format("{}: {} of {} reached", what_if.is_simulated ? "simulated" : "preview",
                                  what_if.reached(), labels_text(what_if.labels.size()));
-  if (!what_if.has_plan) return text;
-  return fmt::format("{}; compared with the plan, {} gained and {} lost", text, what_if.gained(),
+  if (!what_if.has_change()) return text;
+  return fmt::format("{}; compared with the units before, {} gained and {} lost", text, what_if.gained(),
                      what_if.lost());
 }
 
 std::string preview_remarks(const WhatIf& what_if, const Scene& scene) {
   std::string text;
-  if (what_if.has_plan)
+  if (what_if.has_change())
     for (const bool gained : {true, false})
       if (const std::string ids = listed(what_if, scene, gained); !ids.empty())
         text += fmt::format("  {}: {}\n", gained ? "gained" : "lost", ids);
@@ -84,13 +84,13 @@ std::vector<std::vector<std::string>> preview_table(const WhatIf& what_if, const
   std::vector<std::vector<std::string>> rows;
   if (what_if.labels.empty()) return rows;
   rows.push_back({"weakest label", "share of the requirement", "error"});
-  if (what_if.has_plan) rows.back().emplace_back("with the plan");
+  if (what_if.has_change()) rows.back().emplace_back("before");
   const std::vector<std::uint32_t> weakest = what_if.weakest();
   for (std::size_t k = 0; k < std::min(most, weakest.size()); ++k) {
     const LabelWhatIf& label = what_if.labels[weakest[k]];
     rows.push_back({scene.labels[weakest[k]].id, fmt::format("{:.3f}", label.margin()),
                     fmt::format("{:.3f}", label.error / label.requirement)});
-    if (what_if.has_plan) rows.back().push_back(fmt::format("{:.3f}", label.before / label.requirement));
+    if (what_if.has_change()) rows.back().push_back(fmt::format("{:.3f}", label.before / label.requirement));
   }
   return rows;
 }
@@ -101,7 +101,7 @@ nlohmann::ordered_json preview_json(const WhatIf& what_if, const Scene& scene) {
   json["model"] = to_text(what_if.problem.model);
   json["survives_failure"] = what_if.problem.redundant;
   json["labels_reached"] = what_if.reached();
-  if (what_if.has_plan) {
+  if (what_if.has_before) {
     json["labels_gained"] = what_if.gained();
     json["labels_lost"] = what_if.lost();
   }
@@ -120,7 +120,7 @@ nlohmann::ordered_json preview_json(const WhatIf& what_if, const Scene& scene) {
     auto& row = labels.emplace_back();
     row["id"] = scene.labels[i].id;
     row["requirement"] = label.requirement;
-    if (what_if.has_plan) row["before"] = label.before;
+    if (what_if.has_before) row["before"] = label.before;
     row["signal"] = label.after;
     row["error"] = label.error;
     row["reached"] = label.is_reached();

@@ -32,13 +32,13 @@ class GivenUnits {
     }
   }
 
-  void mark_installed() {
-    for (const auto& [id, where] : store_.installed) {
+  void mark(const std::vector<Listed<std::string>>& ids, bool Transceiver::* is_marked) {
+    for (const auto& [id, where] : ids) {
       const auto found = index_.find(id);
       if (found == index_.end())
         throw InputError(where, fmt::format("names the unknown transceiver {}", in_quotes(id)),
                          is_kept_out(id) ? in_keep_out : "list it, or correct the id");
-      units_[found->second].installed = true;
+      units_[found->second].*is_marked = true;
       given_.emplace_back(found->second, where);
     }
   }
@@ -63,7 +63,7 @@ class GivenUnits {
       if (first != nullptr && first != &unit)
         throw InputError(where,
                          fmt::format("{} is {} at the mounting point of {}", in_quotes(unit.id),
-                                     unit.pinned ? "pinned" : "installed", in_quotes(first->id)),
+                                     state_of(unit), in_quotes(first->id)),
                          "remove one of the two, or correct a position");
       first = &unit;
     }
@@ -76,10 +76,9 @@ class GivenUnits {
       if (found.empty() && !is_kept_out(pattern.value)) refuse(pattern, {});
       for (const std::uint32_t j : found) {
         const Transceiver& unit = units_[j];
-        if (unit.installed || unit.pinned)
+        if (unit.is_chosen())
           throw InputError(pattern.where,
-                           fmt::format("excludes the {} unit {}", unit.installed ? "installed" : "pinned",
-                                       in_quotes(unit.id)),
+                           fmt::format("excludes the {} unit {}", state_of(unit), in_quotes(unit.id)),
                            "remove the unit from one of the two lists");
         excluded[j] = true;
       }
@@ -88,6 +87,10 @@ class GivenUnits {
   }
 
  private:
+  static const char* state_of(const Transceiver& unit) {
+    return unit.installed ? "installed" : unit.pinned ? "pinned" : "selected";
+  }
+
   bool is_kept_out(std::string_view pattern) const {
     return std::any_of(kept_out_.begin(), kept_out_.end(),
                        [&](const auto& id) { return matches_glob(id, pattern); });
@@ -109,7 +112,7 @@ class GivenUnits {
   std::vector<Transceiver>& units_;
   std::vector<std::string_view> ids_;
   std::unordered_map<std::string_view, std::uint32_t> index_;
-  /// Installed and pinned units, each with its location in the store.
+  /// Installed, pinned and selected units, each with its location in the store.
   std::vector<std::pair<std::uint32_t, std::string>> given_;
 };
 
@@ -128,10 +131,12 @@ void leave_out(const std::vector<bool>& excluded, Scene& scene, DeviceSources& s
 
 void mark_given_units(const Store& store, const std::set<std::string>& kept_out, Scene& scene,
                       DeviceSources& sources) {
-  if (store.installed.empty() && store.pinned.empty() && store.excluded.empty()) return;
+  if (store.installed.empty() && store.pinned.empty() && store.selected.empty() && store.excluded.empty())
+    return;
   GivenUnits units(store, kept_out, scene);
-  units.mark_installed();
+  units.mark(store.installed, &Transceiver::installed);
   units.mark_pinned();
+  units.mark(store.selected, &Transceiver::selected);
   units.expect_one_at_a_point();
   const std::vector<bool> excluded = units.excluded();
   if (std::find(excluded.begin(), excluded.end(), false) == excluded.end())

@@ -25,7 +25,7 @@ StoreWithScene read_store_with_scene(const std::filesystem::path& path, const St
   return {std::move(store), std::move(scene)};
 }
 
-Store store_with_units(Store store, const std::filesystem::path& csv) {
+void clear_units(Store& store) {
   store.grids.clear();
   store.areas.clear();
   store.rails.clear();
@@ -35,6 +35,11 @@ Store store_with_units(Store store, const std::filesystem::path& csv) {
   store.installed.clear();
   store.pinned.clear();
   store.excluded.clear();
+  store.selected.clear();
+}
+
+Store store_with_units(Store store, const std::filesystem::path& csv) {
+  clear_units(store);
   read_transceivers_csv(InputFile(csv), StoreNames(store), store);
   if (store.transceivers.empty()) throw InputError(csv.string(), "lists no units", "list the mounted units");
   return store;

@@ -50,6 +50,12 @@ void append_list(std::string& text, std::size_t level, const Items& items, const
   text += items.empty() ? "[]" : line.substr(0, level + 1) + "]";
 }
 
+// A key of "transceivers". The choice of units is the last one.
+std::string key_of(std::string_view name) {
+  return fmt::format(",\n  \"{}\": ", name);
+}
+constexpr auto end_of_store = "\n }\n}\n";
+
 }  // namespace
 
 std::string hash_of_resolved(std::string_view text) {
@@ -70,7 +76,11 @@ std::string hash_of_resolved(std::string_view text) {
       if (text.substr(at).starts_with(line)) leave_out_line(at);
   for (std::size_t at; (at = text.find(description, std::max(begin, head))) != std::string_view::npos;)
     leave_out_line(at);
-  return content_hash(begin == 0 ? text : kept.append(text.substr(begin)));
+  const std::size_t choice = text.rfind(key_of("selected"));
+  if (begin == 0 && choice == std::string_view::npos) return content_hash(text);
+  kept.append(text.substr(begin, choice - begin));  // all if there is none
+  if (choice != std::string_view::npos) kept.append(end_of_store);
+  return content_hash(kept);
 }
 
 std::string resolved_store_json(const Store& store, const Scene& scene) {
@@ -100,7 +110,7 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   all.insert(all.end(), scene.excluded.begin(), scene.excluded.end());
   append_list(text, 2, all, store.cancel, [&](const Transceiver& unit) { return resolved(unit, lists); });
   const auto append_ids = [&](std::string_view key, const std::vector<std::string>& ids) {
-    text += fmt::format(",\n  \"{}\": ", key);
+    text += key_of(key);
     append_list(text, 2, ids, store.cancel, [](const std::string& id) { return Json(id); });
   };
   const auto ids_of = [](const std::vector<Transceiver>& units, const auto& is_listed) {
@@ -114,7 +124,9 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   if (!pinned.empty()) append_ids("pinned", pinned);
   if (!scene.excluded.empty())
     append_ids("excluded", ids_of(scene.excluded, [](const auto&) { return true; }));
-  return text + "\n }\n}\n";
+  const auto selected = ids_of(scene.transceivers, [](const Transceiver& unit) { return unit.selected; });
+  if (!selected.empty()) append_ids("selected", selected);
+  return text.append(end_of_store);
 }
 
 }  // namespace shelfbeam

@@ -102,15 +102,7 @@ class StoreStates::Drawing {
         state_.labels.back().value.relative_sensitivity *=
             factor(variation_.label_sensitivity_db, draws(Cause::labels, "label", label.id));
     }
-    state_.grids.clear();
-    state_.areas.clear();
-    state_.rails.clear();
-    state_.faces.clear();
-    state_.keep_out.clear();
-    state_.transceivers.clear();
-    state_.installed.clear();
-    state_.pinned.clear();
-    state_.excluded.clear();
+    clear_units(state_);
     for (Transceiver unit : devices_.transceivers) {
       expect_running(state_.cancel);
       if (varies(Cause::mounting)) move(unit);

@@ -156,7 +156,7 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
                        Store& store, Problems& problems) {
   problems.collect([&] {
     section.expect_keys(
-        {"grids", "areas", "rails", "on", "list", "keep_out", "installed", "pinned", "excluded"});
+        {"grids", "areas", "rails", "on", "list", "keep_out", "installed", "pinned", "excluded", "selected"});
   });
   const auto each = [&](const char* key, const auto& read) {
     if (const auto list = section.find(key)) problems.collect([&] { read(*list); });
@@ -180,6 +180,7 @@ void read_transceivers(const JsonCursor& section, const StoreNames& names, const
   ids("installed", store.installed);
   ids("pinned", store.pinned);
   ids("excluded", store.excluded);
+  ids("selected", store.selected);
 }
 
 void read_labels_csv(const InputFile& file, const StoreNames& names, Store& store, Problems* problems) {

@@ -74,6 +74,7 @@ struct Store {
   std::vector<Listed<KeepOut>> keep_out;
   std::vector<Listed<std::string>> installed;
   std::vector<Listed<std::string>> pinned, excluded;  ///< ids or patterns
+  std::vector<Listed<std::string>> selected;          ///< ids; a choice that binds no plan
   std::optional<StoreVariation> variation;
   std::vector<Finding> warnings;  ///< about the ids in its CSV files
   IgnoredCodes ignored;
@@ -106,6 +107,9 @@ struct DeviceSources {
 
 /// Expands fixtures and grids, checks ids and positions, and freezes the result. Throws InputError.
 Scene make_scene(const Store& store, DeviceSources* sources = nullptr);
+
+/// Removes candidates, mounted units and choices.
+void clear_units(Store& store);
 
 /// The store with the units of a CSV file (read_transceivers_csv) instead of its candidates. They may have
 /// any position, even the same. Throws InputError with file and line.

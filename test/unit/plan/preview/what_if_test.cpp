@@ -27,19 +27,11 @@ WhatIf without(std::vector<std::string> units) {
 class WhatIfOfAPlan : public testing::Test {
  protected:
   WhatIfOfAPlan() {
-    PlanSignals of;
-    of.selected = {0, 2};
-    of.matrix.transceivers.resize(3);
-    for (std::size_t j = 0; j < 3; ++j) of.matrix.transceivers[j].id = std::string("ABC").substr(j, 1);
-    of.matrix.labels.resize(m);
-    of.matrix.mean.resize(3 * m);
-    of.matrix.standard_error.assign(3 * m, static_cast<float>(requirement / 10));
-    const auto t = static_cast<float>(requirement);
-    for (std::size_t i = 0; i < m; ++i) {
-      of.matrix.mean[of.matrix.at(i, 0)] = t / 2;
-      of.matrix.mean[of.matrix.at(i, 1)] = 100 * t;
-      of.matrix.mean[of.matrix.at(i, 2)] = 2 * t;
-    }
+    UnitsBefore of;
+    of.ids = {"A", "C"};
+    of.columns = {preview(0.5), preview(2)};
+    for (Preview& column : of.columns)
+      column.error.assign(m, static_cast<float>(requirement / 10));
     plan = std::move(of);
   }
 
@@ -52,12 +44,12 @@ class WhatIfOfAPlan : public testing::Test {
   const Scene scene = test::PlanStore().scene();
   const std::size_t m = scene.labels.size();
   const double requirement = scene.requirement_of(scene.labels[0]);
-  std::optional<PlanSignals> plan;
+  std::optional<UnitsBefore> plan;
 };
 
 TEST_F(WhatIfOfAPlan, RemovesUnits) {
   const WhatIf result = what_if(scene, plan, without({"C"}), {});
-  EXPECT_TRUE(result.has_plan);
+  EXPECT_TRUE(result.has_before);
   EXPECT_EQ(result.lost(), m);
   EXPECT_EQ(result.reached(), 0U);
   EXPECT_NEAR(result.labels[0].before, 2.5 * requirement, 1e-6 * requirement);
@@ -105,7 +97,7 @@ TEST(WhatIf, CountsFromNothingWithoutAPlan) {
                 std::vector<std::uint8_t>(m)};
   added.signal[2] = 1;
   const WhatIf result = what_if(scene, {}, {}, std::vector{added});
-  EXPECT_FALSE(result.has_plan);
+  EXPECT_FALSE(result.has_before);
   EXPECT_EQ(result.reached(), 1U);
   EXPECT_EQ(result.weakest().back(), 2U);
   EXPECT_THROW(what_if(scene, {}, without({"T0-0"}), {}), InputError);
