@@ -125,6 +125,14 @@ void Child::kill() const {
   if (state_->id > 0) ::kill(state_->id, SIGKILL);
 }
 
+void Child::pause() const {
+  if (state_->id > 0) ::kill(state_->id, SIGSTOP);
+}
+
+void Child::resume() const {
+  if (state_->id > 0) ::kill(state_->id, SIGCONT);
+}
+
 std::string Child::new_output() {
   std::string text = state_->out.text(state_->read);
   state_->read += static_cast<off_t>(text.size());

@@ -38,6 +38,9 @@ class Child {
   void interrupt() const;
   /// Ends it at once.
   void kill() const;
+  /// Stops it where it is, until `resume`.
+  void pause() const;
+  void resume() const;
   /// Its standard output since the last call.
   std::string new_output();
   /// Whether it has ended; fills `end` then.

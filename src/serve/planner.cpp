@@ -20,9 +20,11 @@
 
 #include "serve/http/gate.hpp"
 #include "serve/http/server.hpp"
+#include "serve/light/live_light.hpp"
 #include "serve/live/comparison.hpp"
 #include "serve/live/file_facts.hpp"
 #include "serve/live/shop.hpp"
+#include "serve/live/unit_edits.hpp"
 #include "serve/live/warning_finder.hpp"
 #include "serve/project/project.hpp"
 #include "serve/project/project_file.hpp"
@@ -79,6 +81,7 @@ struct Planner::State {
         shop((folder / "store.json").lexically_normal(), &token),
         warnings((folder / "store.json").lexically_normal()),
         comparison(folder),
+        light(folder),
         server(with_page(std::move(options)), handlers(std::move(log))) {
     resolve();
     steps = project.steps();
@@ -98,7 +101,11 @@ struct Planner::State {
   http::Handlers handlers(std::function<void(std::string_view)> log) {
     return {.opened = [this](TabId tab) { open(tab); },
             .text = [this](TabId tab, std::string_view text) { or_stop([&] { answer(tab, text); }); },
-            .closed = [this](TabId tab) { tabs.erase(tab); },
+            .closed =
+                [this](TabId tab) {
+                  tabs.erase(tab);
+                  light.release(tab, LiveLight::Clock::now());
+                },
             .get = [this](std::string_view file) { return document(file); },
             .put = [this](std::string_view file, std::string_view content) { return keep(file, content); },
             .tick = [this] { or_stop([&] { look(); }); },
@@ -126,6 +133,7 @@ struct Planner::State {
     server.send(tab, http::Message::text(with_document(json)));
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
     if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
+    for (const http::Message& message : light.everything()) server.send(tab, message);
     if (found) server.send(tab, http::Message::text(text_of(warnings_json())));
   }
 
@@ -162,6 +170,9 @@ struct Planner::State {
   void send_to_all(const http::Message& message) {
     for (const TabId tab : tabs) server.send(tab, message);
   }
+  void send_to_all(const std::vector<http::Message>& messages) {
+    for (const http::Message& message : messages) send_to_all(message);
+  }
 
   void answer(TabId tab, std::string_view text) {
     Request request{tab, message_of(text)};
@@ -174,6 +185,7 @@ struct Planner::State {
         compared = {tab, request.json["id"]};
         return;  // the answer comes later
       }
+      if (request.text("do") == "drag") return server.send(tab, light.drag(request.json, shop.draft()));
       reply.update(result_of(request));
       is_done = true;
     } catch (const InputError& error) {
@@ -194,12 +206,19 @@ struct Planner::State {
     if (verb == "presets") return {{"presets", shop.presets()}};
     if (verb == "find") return {{"hits", shop.find(request.text("text"))}};
     if (verb == "device") return device(request);
+    if (verb == "mount") return LiveLight::mount(request.json, shop.draft());
+    if (verb == "hold") return light.hold(request.tab), Json::object();
+    if (verb == "release") return light.release(request.tab, LiveLight::Clock::now()), Json::object();
     if (verb == "facts") return facts_of_file(folder, request.text("file"), shop.limits());
     ops.reset();
     if (verb == "edit") {
       edit(request, request.ops());
     } else if (verb == "dissolve") {
       edit(request, shop.dissolved(request.text("path")));
+    } else if (verb == "unit") {
+      UnitEdit change = unit_edit(request.json, shop.json(), shop.draft());
+      edit(request, std::move(change.ops));
+      return {{"revision", project.revision()}, {"id", change.id}};
     } else if (verb == "undo") {
       project.undo();
     } else if (verb == "redo") {
@@ -229,6 +248,7 @@ struct Planner::State {
   ShopChanges resolve() {
     ShopChanges changes = shop.update(project.text(), project.revision());
     revision = project.revision();
+    light.change(project.text(), revision, shop.draft(), changes.changes_light, LiveLight::Clock::now());
     found.reset();
     warnings.restart(WarningFinder::Clock::now());
     return changes;
@@ -261,6 +281,7 @@ struct Planner::State {
     send_to_all(http::Message::text(is_edit ? text_of(json) : with_document(json)));
     if (changes.labels) send_to_all(http::Message::binary(*changes.labels));
     if (changes.units) send_to_all(http::Message::binary(*changes.units));
+    send_to_all(light.messages());
   }
 
   http::Receipt keep(std::string_view file, std::string_view content) const {
@@ -311,6 +332,7 @@ struct Planner::State {
       project.check_outside();
       tell_changes({});
     }
+    send_to_all(light.poll(shop.draft(), now));
     if (auto summary = comparison.poll()) {
       const bool has_failed = summary->contains("message");
       const Json reply{{"id", compared.second}, {has_failed ? "error" : "comparison", std::move(*summary)}};
@@ -330,6 +352,7 @@ struct Planner::State {
   Shop shop;
   WarningFinder warnings;
   Comparison comparison;
+  LiveLight light;
   std::pair<TabId, Json> compared;  // the tab and the request of the comparison that is running
   std::set<TabId> tabs;
   std::uint64_t revision = 0;  // of the shop

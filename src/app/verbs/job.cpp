@@ -4,12 +4,11 @@
 #include <string>
 #include <string_view>
 
-#include <unistd.h>
-
 #include "shelfbeam/base/error.hpp"
 
 #include "app/text/end_at_once.hpp"
 #include "app/text/flags.hpp"
+#include "app/text/pipe.hpp"
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 #include "jobs/event.hpp"
@@ -23,25 +22,9 @@ namespace {
 
 constexpr std::size_t max_request = std::size_t{1} << 20;
 
-std::string standard_input() {
-  std::string text(max_request + 1, '\0');
-  std::size_t size = 0;
-  for (ssize_t got = 1; got > 0 && size < text.size(); size += static_cast<std::size_t>(got)) {
-    got = ::read(STDIN_FILENO, text.data() + size, text.size() - size);
-    if (got < 0) throw InputError("standard input", "cannot be read", "pass the job as JSON");
-  }
-  if (size > max_request) throw InputError("standard input", "is larger than 1 MiB", "pass a single job");
-  text.resize(size);
-  return text;
-}
-
 // If the reader has ended, the job continues without events.
 void print(std::string_view line) {
-  while (!line.empty()) {
-    const ssize_t written = ::write(STDOUT_FILENO, line.data(), line.size());
-    if (written < 0) return;
-    line.remove_prefix(static_cast<std::size_t>(written));
-  }
+  write_at_once(line);
 }
 
 JobEnd run_and_report() {
@@ -50,7 +33,7 @@ JobEnd run_and_report() {
   std::signal(SIGPIPE, SIG_IGN);
   PlanJob job;
   try {
-    job = parse_plan_job(standard_input(), "job");
+    job = parse_plan_job(standard_input(max_request, "pass a single job as JSON"), "job");
     std::optional<EndAtOnce> reading(stopped_early);
     const PlanEnd end = run_plan(job, {.cancel = &cancel,
                                        .progress = job.reports_progress ? &progress : nullptr,

@@ -10,6 +10,8 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/memory.hpp"
 
+#include "serve/live/newest_plan.hpp"
+
 namespace shelfbeam::serve {
 
 namespace fs = std::filesystem;
@@ -17,29 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-bool is_plain_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::symlink_status(path, ignored).type() == fs::file_type::regular;
-}
-
-// The folder of the plan that was finished last. Links are not followed.
-std::string newest_plan(const fs::path& folder) {
-  std::string newest;
-  fs::file_time_type last{};
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
-    const fs::path placement = entry.path() / "placement.json";
-    if (!is_plain_file(placement) || !is_plain_file(entry.path() / "signal.h5")) continue;
-    const fs::file_time_type time = fs::last_write_time(placement, error);
-    if (!error && (newest.empty() || time > last)) {
-      newest = entry.path().filename().string();
-      last = time;
-    }
-  }
-  return newest;
-}
 
 std::string free_name(const fs::path& folder) {
   std::error_code ignored;

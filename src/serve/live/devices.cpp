@@ -87,9 +87,10 @@ DeviceArrays units_of(const Draft& draft) {
   for (std::size_t j = 0; j < scene.transceivers.size(); ++j) {
     const Transceiver& unit = scene.transceivers[j];
     add(unit,
-        unit.installed ? UnitState::installed
-        : unit.pinned  ? UnitState::pinned
-                       : UnitState::candidate,
+        unit.installed  ? UnitState::installed
+        : unit.pinned   ? UnitState::pinned
+        : unit.selected ? UnitState::selected
+                        : UnitState::candidate,
         sources.transceivers[j]);
   }
   for (std::size_t j = 0; j < scene.excluded.size(); ++j)

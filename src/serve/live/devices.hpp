@@ -20,7 +20,7 @@ struct DeviceArrays {
   bool operator==(const DeviceArrays&) const = default;
 };
 
-enum class UnitState : std::uint8_t { candidate, installed, pinned, excluded };
+enum class UnitState : std::uint8_t { candidate, installed, pinned, excluded, selected };
 enum class LabelSource : std::uint8_t { list, fixture, file };
 enum class UnitSource : std::uint8_t { list, grid, area, rail, on, file };
 

@@ -1,6 +1,7 @@
 #include "serve/live/shop.hpp"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <iterator>
 #include <limits>
@@ -69,6 +70,20 @@ Resolved resolve(const JsonCursor& document, const std::filesystem::path& folder
   }
 }
 
+// Keys of a store on which no light of its units depends.
+constexpr auto without_light = std::to_array<std::string_view>(
+    {"name", "language", "currency", "drawing", "variation", "ignore", "transceivers"});
+
+bool changes_light(const Json& before, const Json& after) {
+  const auto has_other = [](const Json& one, const Json& other) {
+    for (const auto& [key, value] : one.items())
+      if (std::ranges::find(without_light, key) == without_light.end())
+        if (const auto found = other.find(key); found == other.end() || *found != value) return true;
+    return false;
+  };
+  return has_other(before, after) || has_other(after, before);
+}
+
 // The types of a draft may be missing.
 template <class Device, class Type>
 Json device_json(const Device& device, const std::vector<Type>& types, const std::string& where,
@@ -126,6 +141,7 @@ ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
   changes.labels = devices_frame("labels", revision, labels_, labels);
   changes.units = devices_frame("units", revision, units_, units);
 
+  changes.changes_light = changes_light(json(), document.value());
   document_ = std::move(document);
   draft_ = std::move(draft);
   parts_ = std::move(parts);

@@ -25,6 +25,7 @@ namespace shelfbeam::serve {
 struct ShopChanges {
   nlohmann::ordered_json parts;              ///< {"set": [...], "remove": [...]}
   std::optional<std::string> labels, units;  ///< frames
+  bool changes_light = true;                 ///< more may have changed than units and names
 };
 
 /// The resolved shop of a store file that is being edited.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,8 @@ struct LightKeys {
 };
 
 LightKeys light_keys(const Scene& scene);
+
+/// LightKeys::transceivers of units with the types of the scene.
+std::vector<std::uint64_t> light_keys_of(const Scene& scene, std::span<const Transceiver> units);
 
 }  // namespace shelfbeam

@@ -56,9 +56,9 @@ std::size_t count(const std::vector<LabelWhatIf>& labels, const Test& test) {
 
 }  // namespace
 
-bool LabelWhatIf::is_close() const {
+bool is_undecided(double signal, double error, double requirement) {
   constexpr double quantile = 1.96;
-  return std::abs(after - requirement) <= quantile * error;
+  return std::abs(signal - requirement) <= quantile * error;
 }
 
 double LabelWhatIf::margin() const {
@@ -88,8 +88,8 @@ std::vector<std::uint32_t> kept_units(const std::optional<UnitsBefore>& before,
                                       const std::vector<std::string>& removed) {
   std::vector<std::uint32_t> kept = all_numbers(before ? before->ids.size() : 0);
   for (const std::string& id : removed) {
-    const auto found = std::find_if(kept.begin(), kept.end(),
-                                    [&](std::uint32_t k) { return before->ids[k] == id; });
+    const auto found =
+        std::find_if(kept.begin(), kept.end(), [&](std::uint32_t k) { return before->ids[k] == id; });
     if (found == kept.end())
       throw InputError(fmt::format("unit {}", in_quotes(id)), "is not among the mounted units",
                        "name a unit that the plan mounts or, without a plan, that the store selects, once");

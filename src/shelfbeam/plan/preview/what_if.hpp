@@ -20,6 +20,9 @@ struct UnitsBefore {
   PlacementProblem problem = {};  ///< of the plan
 };
 
+/// Whether 95 % of the truths include both answers to the question whether a signal meets its requirement.
+bool is_undecided(double signal, double error, double requirement);
+
 /// A label with the units before a change, and after it, in the signal's unit of measure: its received signal
 /// by the problem of the plan.
 struct LabelWhatIf {
@@ -30,8 +33,7 @@ struct LabelWhatIf {
 
   bool was_reached() const { return is_met(before, requirement); }
   bool is_reached() const { return is_met(after, requirement); }
-  /// Whether 95 % of the truths include both answers.
-  bool is_close() const;
+  bool is_close() const { return is_undecided(after, error, requirement); }
   /// Share of the requirement; infinite without one.
   double margin() const;
 };

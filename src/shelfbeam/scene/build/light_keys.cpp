@@ -56,6 +56,14 @@ ContentBytes& add(ContentBytes& bytes, const Vec3& v) {
   return bytes.add(v.x).add(v.y).add(v.z);
 }
 
+std::uint64_t key_of(const std::string& type, const Vec3& position, const Vec3& direction, double factor = 1,
+                     double roll_deg = 0) {
+  ContentBytes bytes;
+  bytes.add(type).add(factor).add(roll_deg);
+  add(add(bytes, position), direction);
+  return bytes.key();
+}
+
 std::string hash_of_surfaces(const Scene& scene) {
   ContentBytes bytes;
   bytes.add(scene.wavelength_nm);
@@ -81,21 +89,19 @@ std::string hash_of_surfaces(const Scene& scene) {
 }  // namespace
 
 LightKeys light_keys(const Scene& scene) {
-  LightKeys keys{hash_of_surfaces(scene), {}, {}};
-  const auto key_of = [](const std::string& type, const Vec3& position, const Vec3& direction,
-                         double factor = 1, double roll_deg = 0) {
-    ContentBytes bytes;
-    bytes.add(type).add(factor).add(roll_deg);
-    add(add(bytes, position), direction);
-    return bytes.key();
-  };
+  LightKeys keys{hash_of_surfaces(scene), {}, light_keys_of(scene, scene.transceivers)};
   const std::vector<std::string> labels = lights_of(scene.label_types);
   for (const Label& label : scene.labels)
     keys.labels.push_back(key_of(labels[label.type.value], label.position, label.normal));
-  const std::vector<std::string> units = lights_of(scene.transceiver_types);
-  for (const Transceiver& unit : scene.transceivers)
-    keys.transceivers.push_back(
-        key_of(units[unit.type.value], unit.position, unit.axis, unit.relative_power, unit.roll_deg));
+  return keys;
+}
+
+std::vector<std::uint64_t> light_keys_of(const Scene& scene, std::span<const Transceiver> units) {
+  const std::vector<std::string> types = lights_of(scene.transceiver_types);
+  std::vector<std::uint64_t> keys;
+  for (const Transceiver& unit : units)
+    keys.push_back(
+        key_of(types[unit.type.value], unit.position, unit.axis, unit.relative_power, unit.roll_deg));
   return keys;
 }
 

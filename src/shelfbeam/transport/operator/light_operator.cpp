@@ -42,6 +42,28 @@ struct PreviewError {
   }
 };
 
+std::vector<float> direct_signals(const World& probe, std::uint64_t stream) {
+  const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
+  constexpr std::uint32_t strata = 3;
+  std::vector<float> signals(probe.receivers.size());
+  parallel_for_ranges(signals.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const DirectSignal direct = is_point_to_point(probe, i, 0)
+                                      ? direct_between_points(probe, i, 0, rules)
+                                      : sample_direct(probe, i, 0, {mix_key(stream, i), 0, 0}, strata, rules);
+      signals[i] = static_cast<float>(direct.straight + direct.mirrored);
+    }
+  });
+  return signals;
+}
+
+// The world with a unit instead of all others.
+World probe_of(const World& world, const Transceiver& unit) {
+  std::vector<Transceiver> units{unit};
+  units[0].id = "unit";  // an id would change the random numbers
+  return {world, std::move(units), false};
+}
+
 // Doubts about all signals of a unit.
 std::uint8_t doubts_of(const UnitSurvey& survey) {
   constexpr double much = 0.1, most = 0.15;  // of the unit's light
@@ -62,6 +84,10 @@ std::uint8_t doubts_of(const LabelHits& hits, std::size_t c) {
 }
 
 }  // namespace
+
+std::vector<float> direct_column(const World& world, const Transceiver& unit, std::uint64_t seed) {
+  return direct_signals(probe_of(world, unit), stream_of(seed));
+}
 
 LightOperator::LightOperator(const World& world, std::uint64_t seed, const OperatorEffort& effort,
                              SurfaceNodes nodes)
@@ -102,34 +128,18 @@ void LightOperator::mark_seen() {
   }
 }
 
-void LightOperator::add_direct(const World& probe, Preview& preview) const {
-  const PathRules rules{.strategy = Strategy::nee, .samples_direct = false};
-  constexpr std::uint32_t strata = 3;
-  parallel_for_ranges(preview.direct.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const DirectSignal direct =
-          is_point_to_point(probe, i, 0)
-              ? direct_between_points(probe, i, 0, rules)
-              : sample_direct(probe, i, 0, {mix_key(stream_, i), 0, 0}, strata, rules);
-      preview.direct[i] = static_cast<float>(direct.straight + direct.mirrored);
-    }
-  });
-}
-
 UnitSurvey LightOperator::survey(const World& probe) const {
   return survey_unit(probe, nodes_, seen_, mix_key(stream_, hash64("survey")));
 }
 
 Preview LightOperator::column(const Transceiver& unit) const {
-  std::vector<Transceiver> units{unit};
-  units[0].id = "unit";  // an id would change the random numbers
-  const World probe(world_, std::move(units), false);
+  const World probe = probe_of(world_, unit);
   const std::size_t m = world_.receivers.size();
   Preview preview;
-  for (std::vector<float>* const values : {&preview.signal, &preview.direct, &preview.error})
-    values->resize(m);
+  preview.signal.resize(m);
+  preview.error.resize(m);
   preview.doubts.resize(m);
-  add_direct(probe, preview);
+  preview.direct = direct_signals(probe, stream_);
   const std::uint8_t doubts = doubts_of(survey(probe));
   const UnitSpots spots(probe, nodes_, mix_key(stream_, hash64("spots")));
   const UnitBeam beam(probe);

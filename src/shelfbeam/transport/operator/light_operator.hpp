@@ -32,6 +32,10 @@ struct OperatorEffort {
   }
 };
 
+/// The signals of all labels from a unit without any reflection, of one of the scene's types: exact between
+/// points, sampled for discs and labels with an area. They are those of Preview::direct.
+std::vector<float> direct_column(const World& world, const Transceiver& unit, std::uint64_t seed);
+
 /// The usual effort: the default with up to 10,000 labels; then fewer rays per label and a shorter reach, so
 /// that memory and time grow little.
 inline OperatorEffort usual_effort(std::size_t labels) {
@@ -81,7 +85,6 @@ class LightOperator {
   LightOperator(const World& world, std::uint64_t seed, const OperatorEffort& effort, SurfaceNodes nodes);
   static CheckpointIdentity identity(const World& world, std::uint64_t seed, const OperatorEffort& effort);
   void mark_seen();
-  void add_direct(const World& probe, Preview& preview) const;
 
   const World& world_;
   std::uint64_t seed_, stream_;

@@ -41,21 +41,24 @@ UnitRefinement::UnitRefinement(const LightOperator& light, const Transceiver& un
   if (!direct_.is_complete()) throw Interrupted("the refinement was stopped before it began");
 }
 
-bool UnitRefinement::is_open(std::size_t item, double target) const {
+bool UnitRefinement::is_open(std::size_t item, double target, const std::vector<std::uint8_t>& wanted) const {
   const std::uint32_t batches = sums_[item].batches;
-  if (batches < min_batches / 2) return true;
-  // Errors of few batches are uncertain.
-  const double wanted = batches < min_batches ? target / 4 : target;
   const auto& rows = estimator_.block(item).rows;
+  const auto counts = [&](std::uint32_t i) { return wanted.empty() || wanted[i] != 0; };
+  if (batches < min_batches / 2) return std::any_of(rows.begin(), rows.end(), counts);
+  // Errors of few batches are uncertain.
+  const double limit = batches < min_batches ? target / 4 : target;
   return std::any_of(rows.begin(), rows.end(), [&](std::uint32_t i) {
-    return static_cast<double>(error_[i]) > wanted * probe_.scene.requirement_of(probe_.scene.labels[i]);
+    return counts(i) &&
+           static_cast<double>(error_[i]) > limit * probe_.scene.requirement_of(probe_.scene.labels[i]);
   });
 }
 
-std::size_t UnitRefinement::add(std::uint32_t batches, double target, const RunControl& control) {
+std::size_t UnitRefinement::add(std::uint32_t batches, double target, const RunControl& control,
+                                const std::vector<std::uint8_t>& wanted) {
   std::vector<std::uint32_t> open;
   for (std::uint32_t item = 0; item < sums_.size(); ++item)
-    if (is_open(item, target)) open.push_back(item);
+    if (is_open(item, target, wanted)) open.push_back(item);
   // Items with the same number of batches continue together.
   const auto batches_of = [&](std::uint32_t item) { return sums_[item].batches; };
   std::stable_sort(open.begin(), open.end(),

@@ -20,10 +20,12 @@ class UnitRefinement {
   UnitRefinement(const LightOperator& light, const Transceiver& unit, std::uint64_t seed,
                  const RunControl& control = {});
 
-  /// Adds batches to each cluster of labels that has a standard error above `target` times the label's
-  /// requirement, or too few batches to tell. Returns the number of these clusters, 0 when all are precise
-  /// enough. When cancelled, earlier batches stay.
-  std::size_t add(std::uint32_t batches, double target, const RunControl& control = {});
+  /// Adds batches to each cluster with labels that have a standard error above `target` times their
+  /// requirement, or too few batches to tell. `wanted`: by label, those that count; all if it is empty.
+  /// Returns the number of these clusters, 0 when all are precise enough. When cancelled, earlier batches
+  /// stay.
+  std::size_t add(std::uint32_t batches, double target, const RunControl& control = {},
+                  const std::vector<std::uint8_t>& wanted = {});
 
   /// Batches of the least and most refined cluster.
   std::uint32_t fewest_batches() const;
@@ -36,7 +38,7 @@ class UnitRefinement {
   float standard_error(std::size_t label) const { return error_[label]; }
 
  private:
-  bool is_open(std::size_t item, double target) const;
+  bool is_open(std::size_t item, double target, const std::vector<std::uint8_t>& wanted) const;
   void evaluate(std::size_t item);
 
   World probe_;

@@ -1,0 +1,310 @@
+#include "jobs/preview/light_job.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/json.hpp"
+#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/plan/preview/what_if.hpp"
+#include "shelfbeam/scene/build/draft.hpp"
+#include "shelfbeam/scene/light_keys.hpp"
+#include "shelfbeam/transport/operator/light_operator.hpp"
+#include "shelfbeam/transport/operator/unit_refinement.hpp"
+#include "shelfbeam/transport/run/simulation_options.hpp"
+
+#include "jobs/preview/light_frame.hpp"
+#include "jobs/preview/preview_job.hpp"
+
+namespace shelfbeam::jobs {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint64_t seed = 1;
+constexpr double finest = 0.002;  // of the requirement: nobody sees a smaller error
+
+// A unit on the plan.
+struct Placed {
+  Transceiver unit;
+  std::string key;
+  Preview column = {};
+  LightStage stage = LightStage::direct;
+  std::uint32_t batches = 0;
+  std::unique_ptr<UnitRefinement> work = {};
+};
+
+class LightRun : ProgressSink {
+ public:
+  LightRun(const LightJob& job, Draft draft, const SendFrame& send, const RunControl& control)
+      : job_(job),
+        draft_(std::move(draft)),
+        world_(draft_.scene),
+        send_(send),
+        control_{control.threads, control.cancel, this} {
+    std::vector<Transceiver> chosen;
+    for (const Transceiver& unit : scene().transceivers)
+      if (unit.is_chosen()) chosen.push_back(unit);
+    const std::vector<std::uint64_t> keys = light_keys_of(scene(), chosen);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+      units_.push_back({.unit = std::move(chosen[k]), .key = unit_key(keys[k])});
+    take_known();
+  }
+
+  void run() {
+    const OperatorEffort usual = usual_effort(scene().labels.size());
+    if (const auto kept = LightOperator::load(job_.keep / operator_name, world_, seed, usual)) {
+      show_previews(*kept, LightStage::fine);
+      return refine(*kept);
+    }
+    show_direct();
+    show_previews(kept_or_made(coarse_operator, coarse_operator_name), LightStage::coarse);
+    const LightOperator light = made(usual, operator_name);
+    show_previews(light, LightStage::fine);
+    refine(light);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto report_interval = std::chrono::milliseconds(250);
+
+  const Scene& scene() const { return draft_.scene; }
+
+  void take_known() {
+    std::map<std::string, Placed*> by_key;
+    for (Placed& unit : units_) by_key.emplace(unit.key, &unit);
+    for (const std::string& frame : job_.known) {
+      const Json about = about_of(frame);
+      const auto found = by_key.find(about.at("unit").get<std::string>());
+      const auto stage = from_text<LightStage>(about.at("stage").get<std::string>());
+      if (found == by_key.end() || !stage) continue;
+      Placed& unit = *found->second;
+      unit.column = column_of(frame);
+      if (unit.column.signal.size() != scene().labels.size())
+        throw std::out_of_range("a column is of other labels");
+      unit.stage = *stage;
+      unit.batches = about.at("batches").get<std::uint32_t>();
+    }
+  }
+
+  LightOperator kept_or_made(const OperatorEffort& effort, const char* name) {
+    if (auto kept = LightOperator::load(job_.keep / name, world_, seed, effort)) return std::move(*kept);
+    return made(effort, name);
+  }
+
+  LightOperator made(const OperatorEffort& effort, const char* name) {
+    const double bytes = effort.bytes(scene());
+    if (bytes > static_cast<double>(memory_limit()))
+      throw MemoryError(
+          job_.name,
+          fmt::format("its light requires about {:.3g} GB of memory, more than is available", 1e-9 * bytes),
+          "use a machine with more memory");
+    LightOperator light(world_, seed, effort, control_);
+    light.save(job_.keep / name);
+    return light;
+  }
+
+  void show(const Placed& unit) const {
+    send_(column_frame({{"event", "column"},
+                        {"generation", job_.generation},
+                        {"unit", unit.key},
+                        {"stage", to_text(unit.stage)},
+                        {"batches", unit.batches}},
+                       unit.column));
+  }
+
+  void show_direct() {
+    say("preparing");
+    const std::size_t m = scene().labels.size();
+    for (Placed& unit : units_) {
+      if (!unit.column.signal.empty()) continue;
+      unit.column.signal = direct_column(world_, unit.unit, seed);
+      unit.column.error.resize(m);
+      unit.column.doubts.resize(m);
+      show(unit);
+    }
+  }
+
+  void show_previews(const LightOperator& light, LightStage stage) {
+    operator_ = to_text(stage);
+    for (Placed& unit : units_) {
+      if (unit.stage >= stage && !unit.column.signal.empty()) continue;
+      unit.column = light.column(unit.unit);
+      unit.stage = stage;
+      show(unit);
+    }
+    say(stage == LightStage::fine ? "refining" : "preparing");
+  }
+
+  // Simulates the units one after the other, those without simulated values first; then those whose errors
+  // matter most where labels are undecided.
+  void refine(const LightOperator& light) {
+    if (units_.empty()) return say("none");
+    phase_ = "refining";
+    for (Placed& unit : units_)
+      if (unit.stage != LightStage::simulated) advance(light, unit, min_batches, {});
+    for (;;) {
+      const std::vector<std::uint8_t> open = undecided();
+      Placed* const unit = most_uncertain(open);
+      if (unit == nullptr) break;
+      const std::uint32_t before = unit->work ? unit->work->most_batches() : unit->batches;
+      if (!advance(light, *unit, std::max(min_batches, 2 * before), open)) finished_.push_back(unit);
+    }
+    say("done");
+  }
+
+  // Continues until every cluster of labels that is wanted has so many batches. Returns whether there was
+  // anything to do.
+  bool advance(const LightOperator& light, Placed& unit, std::uint32_t batches,
+               const std::vector<std::uint8_t>& wanted) {
+    constexpr std::uint32_t at_once = 2;
+    if (!unit.work) unit.work = std::make_unique<UnitRefinement>(light, unit.unit, seed, control_);
+    bool has_worked = false;
+    while (unit.work->most_batches() < batches) {
+      if (control_.cancelled()) throw Interrupted("the light of the shop was not computed completely");
+      if (unit.work->add(at_once, finest, control_, wanted) == 0) break;
+      has_worked = true;
+    }
+    if (unit.work->most_batches() < unit.batches) return has_worked;  // fewer than the values that are known
+    for (std::size_t i = 0; i < unit.column.signal.size(); ++i) {
+      if (!unit.work->has_value(i)) continue;
+      unit.column.signal[i] = unit.work->signal(i);
+      unit.column.error[i] = unit.work->standard_error(i);
+      unit.column.doubts[i] = unit.work->is_skewed(i) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
+    }
+    unit.stage = LightStage::simulated;
+    unit.batches = unit.work->most_batches();
+    if (has_worked) show(unit);
+    undecided();
+    say("refining");
+    return has_worked;
+  }
+
+  // By label: whether its requirement is within the error.
+  std::vector<std::uint8_t> undecided() {
+    std::vector<std::uint8_t> open(scene().labels.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      double signal = 0, squares = 0;
+      for (const Placed& unit : units_) {
+        const auto error = static_cast<double>(unit.column.error[i]);
+        signal += static_cast<double>(unit.column.signal[i]);
+        squares += error * error;
+      }
+      open[i] = is_undecided(signal, std::sqrt(squares), requirement(i)) ? 1 : 0;
+      count += open[i];
+    }
+    count_ = count;
+    return open;
+  }
+
+  double requirement(std::size_t label) const { return scene().requirement_of(scene().labels[label]); }
+
+  Placed* most_uncertain(const std::vector<std::uint8_t>& open) {
+    Placed* worst = nullptr;
+    double most = 0;
+    for (Placed& unit : units_) {
+      if (std::find(finished_.begin(), finished_.end(), &unit) != finished_.end()) continue;
+      double squares = 0;
+      for (std::size_t i = 0; i < open.size(); ++i) {
+        const double share = static_cast<double>(unit.column.error[i]) / requirement(i);
+        if (open[i] != 0 && share > finest) squares += share * share;
+      }
+      if (squares > most) {
+        most = squares;
+        worst = &unit;
+      }
+    }
+    return worst;
+  }
+
+  void say(const std::string& phase, std::optional<double> progress = {}) {
+    phase_ = phase;
+    Json about{{"event", "state"},
+               {"phase", phase},
+               {"operator", operator_.empty() ? Json() : Json(operator_)},
+               {"undecided", count_ ? Json(*count_) : Json()},
+               {"progress", progress ? Json(*progress) : Json()}};
+    send_(column_frame(about, {}));
+  }
+
+  void report(Task task, double fraction, std::string_view /*detail*/) override {
+    const auto now = Clock::now();
+    if (task != Task::preparing || phase_ != "preparing" || now - reported_ < report_interval) return;
+    reported_ = now;
+    say(phase_, fraction);
+  }
+
+  const LightJob& job_;
+  const Draft draft_;
+  const World world_;
+  const SendFrame& send_;
+  const RunControl control_;
+  std::vector<Placed> units_;
+  std::vector<const Placed*> finished_;  // units that cannot be refined further
+  std::string phase_, operator_;
+  std::optional<std::size_t> count_;  // of undecided labels
+  Clock::time_point reported_{};
+};
+
+}  // namespace
+
+std::string input_of(const LightJob& job) {
+  Json head{{"generation", job.generation}, {"name", job.name},        {"folder", job.folder.string()},
+            {"keep", job.keep.string()},    {"text", job.text.size()}, {"known", Json::array()}};
+  for (const std::string& frame : job.known) head["known"].push_back(frame.size());
+  std::string input = head.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" + job.text;
+  for (const std::string& frame : job.known) input += frame;
+  return input;
+}
+
+LightJob light_job_of(std::string_view input) {
+  const std::size_t line = input.find('\n');
+  if (line == std::string_view::npos) throw std::out_of_range("the job has no head");
+  const Json head = Json::parse(input.substr(0, line));
+  std::string_view rest = input.substr(line + 1);
+  const auto next = [&](std::size_t size) {
+    if (rest.size() < size) throw std::out_of_range("the job is too short");
+    const std::string part(rest.substr(0, size));
+    rest.remove_prefix(size);
+    return part;
+  };
+  LightJob job{.generation = head.at("generation"),
+               .name = head.at("name"),
+               .text = {},
+               .folder = {},
+               .keep = {},
+               .known = {}};
+  job.folder = head.at("folder").get<std::string>();
+  job.keep = head.at("keep").get<std::string>();
+  job.text = next(head.at("text").get<std::size_t>());
+  for (const Json& size : head.at("known")) job.known.push_back(next(size.get<std::size_t>()));
+  return job;
+}
+
+void run_light(const LightJob& job, const SendFrame& send, const RunControl& control) {
+  const ThreadLimit allowed(control.threads);
+  with_threads(control.threads, [&] {
+    Draft draft = read_draft(JsonCursor::parse(job.text, job.name), job.folder, SceneDetail::surfaces,
+                             {.cancel = control.cancel, .allow_links = false});
+    if (draft.scene.labels.empty() || draft.scene.mesh.triangles.empty())
+      throw InputError(job.name, "has no labels yet", "add labels to see the light that reaches them");
+    LightRun(job, std::move(draft), send, control).run();
+    return 0;
+  });
+}
+
+}  // namespace shelfbeam::jobs

@@ -1,0 +1,62 @@
+#include "serve/light/loaded_light.hpp"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "shelfbeam/base/json.hpp"
+
+namespace shelfbeam::serve {
+
+namespace {
+
+constexpr std::uint64_t seed = 1;  // of jobs/preview/light_job.cpp
+
+template <class Result>
+bool is_ready(const std::future<Result>& future) {
+  return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+LoadedLight::Result LoadedLight::read(const Source& source, std::shared_ptr<const Shop> shop) {
+  try {
+    if (!shop)
+      shop =
+          std::make_shared<const Shop>(read_draft(JsonCursor::parse(source.text, source.name), source.folder,
+                                                  SceneDetail::surfaces, {.allow_links = false}));
+    const OperatorEffort effort = source.stage == jobs::LightStage::coarse
+                                      ? coarse_operator
+                                      : usual_effort(shop->draft.scene.labels.size());
+    auto light = LightOperator::load(source.file, shop->world, seed, effort);
+    if (!light) return nullptr;
+    return std::unique_ptr<const Ready>(new Ready{std::move(shop), std::move(*light), source.stage});
+  } catch (const std::exception&) {
+    return nullptr;  // another process has replaced or removed it; previews follow from that one
+  }
+}
+
+void LoadedLight::forget() {
+  if (coming_) abandoned_.push_back(std::move(*coming_));
+  coming_.reset();
+  ready_.reset();
+}
+
+void LoadedLight::load(Source source) {
+  if (coming_) abandoned_.push_back(std::move(*coming_));
+  std::shared_ptr<const Shop> shop = ready_ ? ready_->shop : nullptr;
+  coming_ = std::async(std::launch::async,
+                       [source = std::move(source), shop = std::move(shop)] { return read(source, shop); });
+}
+
+bool LoadedLight::poll() {
+  std::erase_if(abandoned_, [](const auto& future) { return is_ready(future); });
+  if (!coming_ || !is_ready(*coming_)) return false;
+  Result result = coming_->get();
+  coming_.reset();
+  if (!result) return false;
+  ready_ = std::move(result);
+  return true;
+}
+
+}  // namespace shelfbeam::serve
