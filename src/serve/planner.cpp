@@ -218,7 +218,7 @@ struct Planner::State {
     } else if (verb == "unit") {
       UnitEdit change = unit_edit(request.json, shop.json(), shop.draft());
       edit(request, std::move(change.ops));
-      return {{"revision", project.revision()}, {"id", change.id}};
+      return {{"revision", project.revision()}, {"unit", change.id}};
     } else if (verb == "undo") {
       project.undo();
     } else if (verb == "redo") {

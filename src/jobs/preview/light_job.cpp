@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -35,7 +34,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t seed = 1;
-constexpr double finest = 0.002;  // of the requirement: nobody sees a smaller error
+constexpr double finest = 0.005;  // of the requirement: closer labels stay undecided
 
 // A unit on the plan.
 struct Placed {
@@ -44,7 +43,6 @@ struct Placed {
   Preview column = {};
   LightStage stage = LightStage::direct;
   std::uint32_t batches = 0;
-  std::unique_ptr<UnitRefinement> work = {};
 };
 
 class LightRun : ProgressSink {
@@ -149,48 +147,64 @@ class LightRun : ProgressSink {
     say(stage == LightStage::fine ? "refining" : "preparing");
   }
 
-  // Simulates the units one after the other, those without simulated values first; then those whose errors
-  // matter most where labels are undecided.
+  // Simulates the units without simulated values first, then all units where labels are undecided.
   void refine(const LightOperator& light) {
     if (units_.empty()) return say("none");
     phase_ = "refining";
-    for (Placed& unit : units_)
-      if (unit.stage != LightStage::simulated) advance(light, unit, min_batches, {});
+    std::vector<Placed*> fresh, all;
+    for (Placed& unit : units_) {
+      all.push_back(&unit);
+      if (unit.stage != LightStage::simulated) fresh.push_back(&unit);
+    }
+    std::optional<UnitRefinement> work;
+    if (!fresh.empty()) {
+      work.emplace(light, units_of(fresh), seed, control_);
+      continue_until(*work, min_batches, {});
+      take(*work, fresh);
+    }
+    if (fresh.size() < all.size()) work.reset();
     for (;;) {
       const std::vector<std::uint8_t> open = undecided();
-      Placed* const unit = most_uncertain(open);
-      if (unit == nullptr) break;
-      const std::uint32_t before = unit->work ? unit->work->most_batches() : unit->batches;
-      if (!advance(light, *unit, std::max(min_batches, 2 * before), open)) finished_.push_back(unit);
+      say("refining");
+      if (std::find(open.begin(), open.end(), 1) == open.end()) break;
+      if (!work) work.emplace(light, units_of(all), seed, control_);
+      if (!continue_until(*work, std::max(min_batches, 2 * work->most_batches()), open)) break;
+      take(*work, all);
     }
     say("done");
   }
 
-  // Continues until every cluster of labels that is wanted has so many batches. Returns whether there was
-  // anything to do.
-  bool advance(const LightOperator& light, Placed& unit, std::uint32_t batches,
-               const std::vector<std::uint8_t>& wanted) {
+  static std::vector<Transceiver> units_of(const std::vector<Placed*>& placed) {
+    std::vector<Transceiver> units;
+    for (const Placed* unit : placed) units.push_back(unit->unit);
+    return units;
+  }
+
+  // Continues until the clusters of labels that are wanted have so many batches, or are precise enough.
+  // Returns whether there was anything to do.
+  bool continue_until(UnitRefinement& work, std::uint32_t batches, const std::vector<std::uint8_t>& wanted) {
     constexpr std::uint32_t at_once = 2;
-    if (!unit.work) unit.work = std::make_unique<UnitRefinement>(light, unit.unit, seed, control_);
     bool has_worked = false;
-    while (unit.work->most_batches() < batches) {
+    while (work.most_batches() < batches) {
       if (control_.cancelled()) throw Interrupted("the light of the shop was not computed completely");
-      if (unit.work->add(at_once, finest, control_, wanted) == 0) break;
+      if (work.add(at_once, finest, control_, wanted) == 0) break;
       has_worked = true;
+      say("refining",
+          wanted.empty() ? std::optional(static_cast<double>(work.most_batches()) / batches) : std::nullopt);
     }
-    if (unit.work->most_batches() < unit.batches) return has_worked;  // fewer than the values that are known
-    for (std::size_t i = 0; i < unit.column.signal.size(); ++i) {
-      if (!unit.work->has_value(i)) continue;
-      unit.column.signal[i] = unit.work->signal(i);
-      unit.column.error[i] = unit.work->standard_error(i);
-      unit.column.doubts[i] = unit.work->is_skewed(i) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
-    }
-    unit.stage = LightStage::simulated;
-    unit.batches = unit.work->most_batches();
-    if (has_worked) show(unit);
-    undecided();
-    say("refining");
     return has_worked;
+  }
+
+  // Takes the values of units that come from more batches than those that are known.
+  void take(const UnitRefinement& work, const std::vector<Placed*>& units) {
+    for (std::size_t k = 0; k < units.size(); ++k) {
+      Placed& unit = *units[k];
+      const std::uint32_t known = unit.stage == LightStage::simulated ? unit.batches : 0;
+      work.fill(k, unit.column, known);
+      unit.stage = LightStage::simulated;
+      unit.batches = std::max(known, min_batches);
+      show(unit);
+    }
   }
 
   // By label: whether its requirement is within the error.
@@ -212,24 +226,6 @@ class LightRun : ProgressSink {
   }
 
   double requirement(std::size_t label) const { return scene().requirement_of(scene().labels[label]); }
-
-  Placed* most_uncertain(const std::vector<std::uint8_t>& open) {
-    Placed* worst = nullptr;
-    double most = 0;
-    for (Placed& unit : units_) {
-      if (std::find(finished_.begin(), finished_.end(), &unit) != finished_.end()) continue;
-      double squares = 0;
-      for (std::size_t i = 0; i < open.size(); ++i) {
-        const double share = static_cast<double>(unit.column.error[i]) / requirement(i);
-        if (open[i] != 0 && share > finest) squares += share * share;
-      }
-      if (squares > most) {
-        most = squares;
-        worst = &unit;
-      }
-    }
-    return worst;
-  }
 
   void say(const std::string& phase, std::optional<double> progress = {}) {
     phase_ = phase;
@@ -254,7 +250,6 @@ class LightRun : ProgressSink {
   const SendFrame& send_;
   const RunControl control_;
   std::vector<Placed> units_;
-  std::vector<const Placed*> finished_;  // units that cannot be refined further
   std::string phase_, operator_;
   std::optional<std::size_t> count_;  // of undecided labels
   Clock::time_point reported_{};

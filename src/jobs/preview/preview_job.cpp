@@ -1,7 +1,6 @@
 #include "jobs/preview/preview_job.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <span>
 #include <utility>
@@ -116,10 +115,9 @@ LightOperator operator_of(const PreviewJob& job, const World& world, const RunCo
   return light;
 }
 
-// Replaces a preview by unbiased signals, as far as the time or a cancellation allows. `done`: the share of
-// all refinements that is complete, and that of this one.
-void refine(const LightOperator& light, const Transceiver& unit, double seconds, std::uint64_t seed,
-            std::array<double, 2> done, const RunControl& control, Preview& preview) {
+// Replaces previews by unbiased signals, as far as the time or a cancellation allows.
+void refine(const LightOperator& light, const std::vector<Transceiver>& units, double seconds,
+            std::uint64_t seed, const RunControl& control, std::vector<Preview>& previews) {
   using Clock = std::chrono::steady_clock;
   constexpr std::uint32_t at_once = 2;
   constexpr double target = 0.002;  // of the requirement
@@ -127,17 +125,12 @@ void refine(const LightOperator& light, const Transceiver& unit, double seconds,
   const auto share = [&] {
     return std::min(1.0, std::chrono::duration<double>(Clock::now() - start).count() / seconds);
   };
-  UnitRefinement refinement(light, unit, seed, control);
+  UnitRefinement refinement(light, units, seed, control);
   while (!control.cancelled() && (share() < 1 || refinement.fewest_batches() < min_batches)) {
     if (refinement.add(at_once, target, control) == 0) break;
-    control.report(Task::refining, done[0] + done[1] * share());
+    control.report(Task::refining, share());
   }
-  for (std::size_t i = 0; i < preview.signal.size(); ++i) {
-    if (!refinement.has_value(i)) continue;
-    preview.signal[i] = refinement.signal(i);
-    preview.error[i] = refinement.standard_error(i);
-    preview.doubts[i] = refinement.is_skewed(i) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
-  }
+  for (std::size_t k = 0; k < units.size(); ++k) refinement.fill(k, previews[k]);
 }
 
 std::vector<Preview> previews_of(const PreviewJob& job, const std::vector<Transceiver>& units,
@@ -148,11 +141,8 @@ std::vector<Preview> previews_of(const PreviewJob& job, const std::vector<Transc
   previews.reserve(units.size());
   for (const Transceiver& unit : units) previews.push_back(light.column(unit));
   if (!job.refine_s) return previews;
-  const double each = 1 / static_cast<double>(units.size());
   try {
-    for (std::size_t k = 0; k < units.size() && !control.cancelled(); ++k)
-      refine(light, units[k], each * *job.refine_s, job.seed, {each * static_cast<double>(k), each}, control,
-             previews[k]);
+    refine(light, units, *job.refine_s, job.seed, control, previews);
   } catch (const Interrupted&) {
     // Previews remain.
   }

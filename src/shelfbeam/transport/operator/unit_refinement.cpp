@@ -15,29 +15,34 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::uint32_t min_evaluated = 2;  // batches
 // So that a column of a large shop has enough batches within seconds.
-ReuseEffort effort_of(const UnitSurvey& survey) {
+ReuseEffort effort_of(const LightOperator& light, const std::vector<Transceiver>& units) {
   constexpr double most = 1.0 / 3;  // of the unit's light
   ReuseEffort effort = small_batches;
-  effort.is_hidden = survey.unseen + survey.unexplored > most;
+  effort.is_hidden = std::any_of(units.begin(), units.end(), [&](const Transceiver& unit) {
+    const UnitSurvey survey = light.survey(World(light.world(), {unit}, true));
+    return survey.unseen + survey.unexplored > most;
+  });
   return effort;
 }
 
 }  // namespace
 
-UnitRefinement::UnitRefinement(const LightOperator& light, const Transceiver& unit, std::uint64_t seed,
-                               const RunControl& control)
-    : probe_(light.world(), {unit}, true),
-      estimator_(probe_, mix_key(seed, hash64("refinement")), effort_of(light.survey(probe_)),
+UnitRefinement::UnitRefinement(const LightOperator& light, const std::vector<Transceiver>& units,
+                               std::uint64_t seed, const RunControl& control)
+    : probe_(light.world(), units, true),
+      estimator_(probe_, mix_key(seed, hash64("refinement")), effort_of(light, units),
                  SurfaceLinks::between_cells(light.nodes().halves()), control),
       direct_(probe_, SimulationOptions().rules(), all_numbers(probe_.receivers.size()), control),
-      signal_(probe_.receivers.size()),
-      error_(probe_.receivers.size()) {
-  for (std::size_t item = 0; item < estimator_.items(); ++item)
-    sums_.emplace_back(estimator_.block(item).rows.size(), false, 0);
-  has_value_.resize(signal_.size());
-  is_skewed_.resize(signal_.size());
+      item_of_(probe_.receivers.size()),
+      signal_(probe_.receivers.size() * units.size()),
+      error_(signal_.size()),
+      is_skewed_(signal_.size()) {
+  for (std::uint32_t item = 0; item < estimator_.items(); ++item) {
+    const Estimator::Block& block = estimator_.block(item);
+    sums_.emplace_back(block.rows.size() * block.columns.size(), false, 0);
+    for (const std::uint32_t i : block.rows) item_of_[i] = item;
+  }
   if (!direct_.is_complete()) throw Interrupted("the refinement was stopped before it began");
 }
 
@@ -49,8 +54,9 @@ bool UnitRefinement::is_open(std::size_t item, double target, const std::vector<
   // Errors of few batches are uncertain.
   const double limit = batches < min_batches ? target / 4 : target;
   return std::any_of(rows.begin(), rows.end(), [&](std::uint32_t i) {
-    return counts(i) &&
-           static_cast<double>(error_[i]) > limit * probe_.scene.requirement_of(probe_.scene.labels[i]);
+    const auto errors = std::span(error_).subspan(at(i, 0), units());
+    return counts(i) && static_cast<double>(*std::max_element(errors.begin(), errors.end())) >
+                            limit * probe_.scene.requirement_of(probe_.scene.labels[i]);
   });
 }
 
@@ -76,19 +82,28 @@ std::size_t UnitRefinement::add(std::uint32_t batches, double target, const RunC
     done += count;
   }
   for (const std::uint32_t item : open)
-    if (sums_[item].batches >= min_evaluated) evaluate(item);
+    if (sums_[item].batches >= 2) evaluate(item);
   return open.size();
 }
 
 void UnitRefinement::evaluate(std::size_t item) {
-  const auto& rows = estimator_.block(item).rows;
-  for (std::size_t c = 0; c < rows.size(); ++c) {
-    const PowerSums sums = sums_[item].entry(c);
-    const std::uint32_t i = rows[c];
-    signal_[i] = static_cast<float>(sums.mean() + direct_.straight(i, 0) + direct_.mirrored(i, 0));
-    error_[i] = static_cast<float>(sums.standard_error());
-    has_value_[i] = 1;
-    is_skewed_[i] = sums.is_skewed() ? 1 : 0;
+  const auto& [rows, columns] = estimator_.block(item);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const PowerSums sums = sums_[item].entry(r * columns.size() + c);
+      const std::uint32_t i = rows[r], j = columns[c];
+      signal_[at(i, j)] = static_cast<float>(sums.mean() + direct_.straight(i, j) + direct_.mirrored(i, j));
+      error_[at(i, j)] = static_cast<float>(sums.standard_error());
+      is_skewed_[at(i, j)] = sums.is_skewed() ? 1 : 0;
+    }
+}
+
+void UnitRefinement::fill(std::size_t unit, Preview& preview, std::uint32_t batches) const {
+  for (std::size_t i = 0; i < item_of_.size(); ++i) {
+    if (!has_value(i) || this->batches(i) < batches) continue;
+    preview.signal[i] = signal(i, unit);
+    preview.error[i] = standard_error(i, unit);
+    preview.doubts[i] = is_skewed(i, unit) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
   }
 }
 
