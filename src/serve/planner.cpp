@@ -73,7 +73,7 @@ std::string text_of(const Json& json) {
 
 struct Planner::State {
   State(const fs::path& given, http::Options options, const CancelToken& token,
-        std::function<void(std::string_view)> log)
+        std::function<void(std::string_view)> log, bool has_light)
       : cancel(token),
         folder(with_store(given)),
         folder_name(fs::weakly_canonical(folder).filename().string()),
@@ -81,7 +81,7 @@ struct Planner::State {
         shop((folder / "store.json").lexically_normal(), &token),
         warnings((folder / "store.json").lexically_normal()),
         comparison(folder),
-        light(folder),
+        light(folder, has_light),
         server(with_page(std::move(options)), handlers(std::move(log))) {
     resolve();
     steps = project.steps();
@@ -218,7 +218,7 @@ struct Planner::State {
     } else if (verb == "unit") {
       UnitEdit change = unit_edit(request.json, shop.json(), shop.draft());
       edit(request, std::move(change.ops));
-      return {{"revision", project.revision()}, {"unit", change.id}};
+      return {{"revision", project.revision()}, {"units", change.ids}};
     } else if (verb == "undo") {
       project.undo();
     } else if (verb == "redo") {
@@ -374,8 +374,8 @@ bool has_page() {
 }
 
 Planner::Planner(const fs::path& folder, http::Options options, const CancelToken& cancel,
-                 std::function<void(std::string_view)> log)
-    : state_(std::make_unique<State>(folder, std::move(options), cancel, std::move(log))) {}
+                 std::function<void(std::string_view)> log, bool has_light)
+    : state_(std::make_unique<State>(folder, std::move(options), cancel, std::move(log), has_light)) {}
 
 Planner::~Planner() = default;
 

@@ -21,10 +21,10 @@ bool has_page();
 class Planner {
  public:
   /// Creates a shop in an empty folder. `cancel` ends it, and must outlive it. `log` is told of errors of the
-  /// program while it serves. Throws InputError, for example if another planner uses the folder, OutputError,
-  /// and Interrupted.
+  /// program while it serves. `has_light`: signals are computed while the shop is drawn. Throws InputError,
+  /// for example if another planner uses the folder, OutputError, and Interrupted.
   Planner(const std::filesystem::path& folder, http::Options options, const CancelToken& cancel,
-          std::function<void(std::string_view)> log = {});
+          std::function<void(std::string_view)> log = {}, bool has_light = true);
   ~Planner();
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;

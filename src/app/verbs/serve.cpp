@@ -36,7 +36,7 @@ struct ServeArguments {
   std::uint16_t port = 0;
   std::string address = "127.0.0.1";
   std::vector<std::string> hosts;
-  bool no_browser = false, demo = false;
+  bool no_browser = false, no_light = false, demo = false;
 };
 
 // The folder that a user means, perhaps by the store.json in it.
@@ -108,9 +108,10 @@ int run_serve(const ServeArguments& options) {
   // Names of files in messages are then relative to the folder, which other programs may rename.
   make_output_folder(folder.path());
   fs::current_path(folder.path());
-  serve::Planner planner(".", std::move(http), cancel, [](std::string_view what) {
-    print_message("internal error: {}\n", one_line(what));
-  });
+  serve::Planner planner(
+      ".", std::move(http), cancel,
+      [](std::string_view what) { print_message("internal error: {}\n", one_line(what)); },
+      !options.no_light);
   if (!options.address.starts_with("127.") && options.address != "::1")
     print_message(
         "Other computers can reach this planner at {}; by a name only with --allow-host NAME. Anyone with "
@@ -135,6 +136,8 @@ void add_serve(CLI::App& app, ChosenVerb& chosen) {
   first.add_flag(
       "--demo", options->demo,
       "Work on a copy of the example grocery, which is removed at the end unless a FOLDER is given");
+  first.add_flag("--no-light", options->no_light,
+                 "Compute no signals while the shop is drawn, for slow computers");
   const OptionGroup network(*verb, "Network");
   network.add("--port", options->port, whole_number("N", 1, 65535), "Port; default: any free one");
   network.add_flag("--no-browser", options->no_browser, "Only print the address");

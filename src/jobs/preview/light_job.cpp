@@ -277,12 +277,7 @@ LightJob light_job_of(std::string_view input) {
     rest.remove_prefix(size);
     return part;
   };
-  LightJob job{.generation = head.at("generation"),
-               .name = head.at("name"),
-               .text = {},
-               .folder = {},
-               .keep = {},
-               .known = {}};
+  LightJob job{.generation = head.at("generation"), .name = head.at("name")};
   job.folder = head.at("folder").get<std::string>();
   job.keep = head.at("keep").get<std::string>();
   job.text = next(head.at("text").get<std::size_t>());

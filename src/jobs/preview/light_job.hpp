@@ -14,10 +14,10 @@ namespace shelfbeam::jobs {
 /// The light of a shop that is being drawn, and of the units on its plan.
 struct LightJob {
   std::uint64_t generation = 0;
-  std::string name = "store.json", text;  ///< of the store file
-  std::filesystem::path folder;           ///< of the files that the store names
-  std::filesystem::path keep;             ///< folder of the light operators
-  std::vector<std::string> known;         ///< messages `column` of this generation, which need not be made
+  std::string name = "store.json", text = {};  ///< of the store file
+  std::filesystem::path folder = {};           ///< of the files that the store names
+  std::filesystem::path keep = {};             ///< folder of the light operators
+  std::vector<std::string> known = {};         ///< messages `column` of this generation, which need not be made
 };
 
 /// Names of light operators in the folder of a LightJob.

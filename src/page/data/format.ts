@@ -45,3 +45,9 @@ export function plain(value: number): string {
   const text = localised(String(Number(Math.abs(value).toPrecision(6))));
   return value < 0 && text !== "0" ? `−${text}` : text;
 }
+
+/** A finite margin, with two decimals if it would otherwise read as 0.0 dB. */
+export function decibelText(value: number): string {
+  const digits = fixed(value, Math.abs(value) < 0.095 ? 2 : 1);
+  return `${value > 0 && digits !== "0.00" ? "+" : ""}${digits}\u00a0dB`;
+}

@@ -4,6 +4,7 @@ export type Topic =
   | "document"
   | "devices"
   | "warnings"
+  | "light"
   | "selection"
   | "layers"
   | "picture"
@@ -19,6 +20,8 @@ interface Listener {
 }
 
 export class Changes {
+  /** All listeners know of the changes. */
+  onFlushed: () => void = () => {};
   private changed = new Set<Topic>();
   private readonly listeners: Listener[] = [];
   private isScheduled = false;
@@ -39,5 +42,6 @@ export class Changes {
     const { changed } = this;
     this.changed = new Set();
     for (const { topics, update } of this.listeners) if (topics.some((topic) => changed.has(topic))) update(changed);
+    this.onFlushed();
   }
 }

@@ -10,6 +10,7 @@ import { Presets } from "./draw/presets";
 import { ToolSettings } from "./draw/settings";
 import type { DrawTool } from "./draw/tools";
 import { Connection } from "./document/connection";
+import { DeviceAnswers } from "./document/device_answers";
 import { StoreDocument } from "./document/document";
 import { isObject } from "./document/json";
 import type { Part, Point } from "./document/messages";
@@ -17,7 +18,10 @@ import type { Clip } from "./elements/copies";
 import { inUnit } from "./form/convert";
 import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
+import { Light } from "./light/light";
 import { Snapping } from "./snap/snapping";
+import { UnitMover } from "./units/mover";
+import { UnitTool } from "./units/tool";
 import { Fan } from "./view/fan";
 import { Layers } from "./view/layers";
 import { copyKey, placeAgain, Selection, type Item, type Place } from "./view/selection";
@@ -51,7 +55,11 @@ export class Planner {
   readonly traced: Traced;
   readonly snapping: Snapping;
   readonly presets: Presets;
+  readonly light: Light;
   readonly settings = new ToolSettings(this.changes);
+  readonly answers: DeviceAnswers;
+  readonly unitTool: UnitTool;
+  readonly mover: UnitMover;
   tool: Tool = "select";
   /** Whether the plan or the 3-D picture is shown. */
   isPlan = true;
@@ -74,13 +82,27 @@ export class Planner {
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
     this.picture = new Picture(address, this.changes, this.look);
     this.presets = new Presets(this.document, this.changes);
+    this.light = new Light(this.document, this.changes, this.connection);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.traced = new Traced(this);
     this.snapping = new Snapping(this, this.traced);
+    this.document.onStart = () => {
+      this.light.restart();
+      this.mover.cancel(); // units have other numbers
+    };
+    this.document.onLight = (event) => this.light.receive(event);
+    this.document.onLightFrame = (frame) => this.light.receiveFrame(frame);
+    this.document.onChanged = (...change) => this.light.noteChange(...change);
     this.document.onMoved = (place) => this.moved(place);
     this.document.onReplaced = (before) => this.moved(placeAgain(before, this.document.json));
+    this.answers = new DeviceAnswers(this.document, this.changes);
+    this.unitTool = new UnitTool(this);
+    this.mover = new UnitMover(this);
     for (const devices of [this.document.labels, this.document.units])
-      devices.onReplaced = (...range) => this.selection.replaceDevices(devices, ...range);
+      devices.onReplaced = (...range) => {
+        this.selection.replaceDevices(devices, ...range);
+        if (devices.kind === "unit") this.mover.follow(...range);
+      };
     this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
   }
 

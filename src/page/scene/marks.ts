@@ -32,7 +32,10 @@ const rowLength = 1024; // texels
 export const mostColours = 20;
 
 /** Shapes, numbered as in the fragment shader. */
-export const shapes = { disc: 0, triangle: 1, square: 2, cross: 3 } as const;
+export const shapes = { disc: 0, triangle: 1, square: 2, cross: 3, diamond: 4, none: 5 } as const;
+
+/** What is added to a shape: stripes, a hole in the middle, paler colours. */
+export const patterns = { none: 0, hatched: 16, hollow: 32, pale: 64 } as const;
 
 const vertexShader = /* glsl */ `
 uniform float worldRadius, lift, spread, pixel;
@@ -41,10 +44,11 @@ uniform vec2 pixelRadius; // minimum and maximum
 uniform int count;
 uniform sampler2D centres; // and number
 uniform sampler2D facings;
-uniform highp usampler2D looks; // colour, shape, emphasis (0 faint, 1 usual, 2 selected, 3 in front), level
+uniform highp usampler2D looks; // colour, shape and patterns, emphasis (0 faint, 1 usual, 2 selected, 3 in front), level
 uniform sampler2D idents;
 out vec2 place;
 flat out vec4 mark;
+flat out int pattern;
 flat out vec4 name;
 flat out float digits;
 flat out float radius;
@@ -58,7 +62,13 @@ void main() {
   ivec2 texel = ivec2(index % ${rowLength}, index / ${rowLength});
   vec4 centre = texelFetch(centres, texel, 0);
   vec3 facing = texelFetch(facings, texel, 0).xyz;
-  vec4 look = vec4(texelFetch(looks, texel, 0));
+  uvec4 coded = texelFetch(looks, texel, 0);
+  pattern = int(coded.y);
+  vec4 look = vec4(coded.x, coded.y & 15u, coded.zw);
+  if (look.y == 5.0) {
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
   mark = look;
   name = texelFetch(idents, texel, 0);
   digits = centre.w;
@@ -89,6 +99,7 @@ uniform sampler2D numbers;
 uniform vec2 numberGrid;
 in vec2 place;
 flat in vec4 mark;
+flat in int pattern;
 flat in vec4 name;
 flat in float digits;
 flat in float radius;
@@ -102,6 +113,7 @@ float outline(vec2 p) {
     vec2 q = abs(p);
     return max(max(q.x, q.y) - 0.9, min(q.x, q.y) - 0.16);
   }
+  if (mark.y == 4.0) return (abs(p.x) + abs(p.y) - 1.15) * 0.71;
   return length(p) - 1.0;
 }
 
@@ -118,6 +130,13 @@ void main() {
   bool special = mark.y == 1.0 || (mark.y == 2.0 && digits < 0.0);
   float line = mark.y == 3.0 && !selected ? 0.0 : selected ? 2.5 : special ? 1.4 : radius > 3.0 ? 0.8 : 0.0;
   vec3 fill = palette[int(mark.x)];
+  vec2 pixels = place * radius;
+  if ((pattern & ${patterns.hatched}) != 0 && fract((pixels.x + pixels.y) / 4.4 + 0.25) > 0.5) fill = paper;
+  if ((pattern & ${patterns.hollow}) != 0) {
+    float deep = radius * (mark.y == 1.0 ? 0.55 : mark.y == 2.0 ? 0.85 : 1.0); // from the outline to the middle
+    fill = mix(fill, paper, clamp(max(0.9, 0.38 * deep) - deep - away + 0.5, 0.0, 1.0));
+    if (!selected) line = min(line, 0.9);
+  }
   vec3 border = selected || special ? strong : digits >= 0.0 ? paper : edge;
   vec3 shown = mix(fill, border, clamp(away + line + 0.5, 0.0, 1.0) * step(0.01, line));
   if (digits > 0.5 && radius > 6.0) {
@@ -126,6 +145,7 @@ void main() {
     if (all(lessThan(abs(place), vec2(1.0)))) shown = mix(shown, paper, texture(numbers, uv).a);
   }
   if (mark.z == 0.0) shown = mix(paper, shown, 0.55);
+  if ((pattern & ${patterns.pale}) != 0) shown = mix(paper, shown, 0.38);
   colour = vec4(overlay ? shown * inside : shown, inside);
 }`;
 
@@ -175,6 +195,7 @@ export class Marks {
   private readonly places: Float32Array;
   private readonly facings: Float32Array;
   private readonly looks: Uint8Array;
+  private isChanged = false;
   private readonly textures: { centres: DataTexture; facings: DataTexture; looks: DataTexture; idents: DataTexture };
 
   /** Picking returns `idents`. */
@@ -240,8 +261,17 @@ export class Marks {
     for (const [name, colour] of Object.entries(others)) (this.uniform(name).value as Color).copy(colour);
   }
 
+  /** `shape`: perhaps with patterns. */
   setLook(mark: number, colour: number, shape: number, emphasis: number, level: number): void {
-    this.looks.set([colour, shape, emphasis, level], 4 * mark);
+    const { looks } = this;
+    const at = 4 * mark;
+    if (looks[at] === colour && looks[at + 1] === shape && looks[at + 2] === emphasis && looks[at + 3] === level)
+      return;
+    looks[at] = colour;
+    looks[at + 1] = shape;
+    looks[at + 2] = emphasis;
+    looks[at + 3] = level;
+    this.isChanged = true;
   }
 
   /** A cell of the number texture; -1: a label, 0: no number. */
@@ -278,8 +308,10 @@ export class Marks {
     this.mesh.material.dispose();
   }
 
+  /** Shows changed looks. */
   upload(): void {
-    this.textures.looks.needsUpdate = true;
+    if (this.isChanged) this.textures.looks.needsUpdate = true;
+    this.isChanged = false;
   }
 
   uploadNumbers(): void {

@@ -21,6 +21,7 @@ import { Fixtures } from "./fixtures";
 import { Links } from "./links";
 import type { Marks } from "./marks";
 import { colourOf } from "./palette";
+import { isSoftware } from "./software";
 import type { Scenery } from "../data/scenery";
 
 ColorManagement.enabled = false;
@@ -64,7 +65,7 @@ export class Stage {
   private readonly scene = new Scene();
   private readonly perspective = new PerspectiveCamera(fieldOfView, 1, 0.1, 1000);
   private readonly above = new OrthographicCamera(-1, 1, 1, -1, 0.1, 1000);
-  private readonly orbit: OrbitControls;
+  readonly orbit: OrbitControls; // of the 3-D view
   private readonly pan: MapControls;
   private marks: Marks[] = [];
   private readonly pickTarget = new WebGLRenderTarget(pickSize, pickSize, {
@@ -81,9 +82,9 @@ export class Stage {
     private scenery: Scenery,
     private readonly options: StageOptions,
   ) {
-    // For many small marks, smooth edges cost more time than their effect is worth.
-    const antialias = options.marks <= mostSmooth;
     const alpha = options.overlay ?? false;
+    // Smooth edges cost more time than their effect is worth for many marks, and without a graphics card in drags.
+    const antialias = options.marks <= mostSmooth && !(alpha && isSoftware());
     this.renderer = new WebGLRenderer({ canvas, antialias, alpha, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.fixtures = new Fixtures(scenery);
@@ -230,10 +231,8 @@ export class Stage {
     const [camera, controls] = this.current();
     const step = this.isPlan ? 0.08 / this.above.zoom : 0.06 * camera.position.distanceTo(controls.target);
     const x = new Vector3().setFromMatrixColumn(camera.matrix, 0).setZ(0).normalize();
-    const move = x
-      .clone()
-      .multiplyScalar(right * step)
-      .addScaledVector(new Vector3(-x.y, x.x, 0), up * step);
+    const ahead = new Vector3(-x.y, x.x, 0);
+    const move = x.multiplyScalar(right * step).addScaledVector(ahead, up * step);
     camera.position.add(move);
     controls.target.add(move);
     this.moved();
@@ -284,11 +283,15 @@ export class Stage {
   draw(): void {
     if (this.pending) return;
     this.pending = true;
-    requestAnimationFrame(() => {
-      this.pending = false;
-      this.render();
-      this.onDrawn();
-    });
+    requestAnimationFrame(() => this.drawPending());
+  }
+
+  /** Does not wait for the next frame. */
+  drawPending(): void {
+    if (!this.pending) return;
+    this.pending = false;
+    this.render();
+    this.onDrawn();
   }
 
   /** Draws one frame, then times several (limited by count and ms) and stores the median time. */

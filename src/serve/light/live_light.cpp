@@ -79,8 +79,12 @@ void add_place(LiveLight::Json& json, const Mounted& mounted) {
 
 }  // namespace
 
-LiveLight::LiveLight(fs::path folder, std::string program)
-    : folder_(std::move(folder)), keep_(folder_ / ".shelfbeam"), child_(std::move(program)), plan_(folder_) {}
+LiveLight::LiveLight(fs::path folder, bool is_on, std::string program)
+    : folder_(std::move(folder)),
+      keep_(folder_ / ".shelfbeam"),
+      is_on_(is_on),
+      child_(std::move(program)),
+      plan_(folder_) {}
 
 void LiveLight::change(const std::string& text, std::uint64_t revision, const Draft& draft,
                        bool changes_light, Clock::time_point now) {
@@ -94,6 +98,7 @@ void LiveLight::change(const std::string& text, std::uint64_t revision, const Dr
     ++generation_;
     columns_.clear();
     light_.forget();
+    is_slow_ = false;
     child_.stop();
     operator_ = nullptr;
     requirements_ = requirements_of(draft.scene, generation_);
@@ -105,7 +110,7 @@ void LiveLight::change(const std::string& text, std::uint64_t revision, const Dr
     // Work on an operator goes on: it serves any units.
     if (!child_.is_running() || operator_ == "fine") {
       child_.stop();
-      start_at_ = has_labels_ ? std::optional(now + quiet) : std::nullopt;
+      start_at_ = is_on_ && has_labels_ ? std::optional(now + quiet) : std::nullopt;
     }
   }
   baseline_ = plan_.json(draft.scene);
@@ -132,15 +137,16 @@ std::vector<std::string> LiveLight::keys() const {
 }
 
 void LiveLight::preview_new_units(const Draft& draft) {
-  if (light_.light() == nullptr) return;
+  const LoadedLight::Ready* const best = light_.best();
+  if (best == nullptr) return;
   std::size_t count = 0;
   for (const Unit& unit : units_) {
     if (columns_.contains(unit.key) || ++count > most_at_once) continue;
-    const Preview column = light_.light()->column(draft.scene.transceivers[unit.index]);
+    const Preview column = best->light.column(draft.scene.transceivers[unit.index]);
     keep(unit.key, http::Message::binary(jobs::column_frame({{"event", "column"},
                                                              {"generation", generation_},
                                                              {"unit", unit.key},
-                                                             {"stage", to_text(light_.stage())},
+                                                             {"stage", to_text(best->stage)},
                                                              {"batches", 0}},
                                                             column)));
   }
@@ -249,8 +255,10 @@ LiveLight::Json LiveLight::state() const {
             {"generation", generation_},
             {"revision", revision_},
             {"units", std::move(units)},
-            {"phase", is_none ? "none" : phase_},
-            {"operator", light_.light() == nullptr ? Json() : Json(to_text(light_.stage()))},
+            {"phase", !is_on_   ? "off"
+                      : is_none ? "none"
+                                : phase_},
+            {"operator", light_.best() == nullptr ? Json() : Json(to_text(light_.best()->stage))},
             {"undecided", undecided_},
             {"progress", progress_},
             {"baseline", baseline_}};
@@ -262,8 +270,8 @@ std::vector<http::Message> LiveLight::everything() const {
   std::vector<http::Message> list;
   list.push_back(http::Message::text(state().dump(-1, ' ', false, Json::error_handler_t::replace)));
   if (requirements_.bytes) list.push_back(requirements_);
-  for (const Unit& unit : units_)
-    if (const auto found = columns_.find(unit.key); found != columns_.end()) list.push_back(found->second);
+  // Also those of units that an undo may bring back.
+  for (const auto& [key, column] : columns_) list.push_back(column);
   return list;
 }
 
@@ -284,16 +292,19 @@ LiveLight::Json LiveLight::mount(const Json& request, const Draft& draft) {
   return {{"mount", std::move(place)}};
 }
 
-http::Message LiveLight::drag(const Json& request, const Draft& draft) const {
-  if (light_.light() == nullptr)
+http::Message LiveLight::drag(const Json& request, const Draft& draft) {
+  constexpr double most_ms = 35;  // so that labels follow the pointer
+  const LoadedLight::Ready* const light = is_slow_ ? light_.fastest() : light_.best();
+  if (light == nullptr)
     throw InputError("drag", "needs the light of the shop, which is not computed yet", "wait a moment");
   const Mounted moved = mounted(request, draft);
   const auto begin = Clock::now();
-  const Preview column = light_.light()->column(moved.unit);
+  const Preview column = light->light.column(moved.unit);
   const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  if (light == light_.best()) is_slow_ = ms > most_ms;
   Json about{{"event", "drag"}, {"id", request.at("id")}, {"generation", generation_}};
   add_place(about, moved);
-  about["stage"] = to_text(light_.stage());
+  about["stage"] = to_text(light->stage);
   about["column_ms"] = ms;
   return http::Message::binary(jobs::column_frame(about, column));
 }

@@ -28,8 +28,9 @@ class LiveLight {
   using Clock = std::chrono::steady_clock;
   using Json = nlohmann::ordered_json;
 
-  /// `folder`: of the project. `program`: shelfbeam.
-  explicit LiveLight(std::filesystem::path folder, std::string program = jobs::own_program);
+  /// `folder`: of the project. `is_on`: false: nothing is computed. `program`: shelfbeam.
+  explicit LiveLight(std::filesystem::path folder, bool is_on = true,
+                     std::string program = jobs::own_program);
 
   /// The shop has changed. `text`: of the store file; `changes_light`: more than the units on the plan may
   /// have changed. Columns of new units follow from `poll` or at once from `messages`.
@@ -48,8 +49,9 @@ class LiveLight {
 
   /// The answer to a request `mount`.
   static Json mount(const Json& request, const Draft& draft);
-  /// The answer to a request `drag`. Throws InputError, also if there is no operator yet.
-  http::Message drag(const Json& request, const Draft& draft) const;
+  /// The answer to a request `drag`, by the coarse operator where the fine one takes too long. Throws
+  /// InputError, also if there is no operator yet.
+  http::Message drag(const Json& request, const Draft& draft);
 
  private:
   struct Unit {
@@ -67,6 +69,7 @@ class LiveLight {
   Json state() const;
 
   const std::filesystem::path folder_, keep_;
+  const bool is_on_;
   LightChild child_;
   LoadedLight light_;
   PlanReach plan_;
@@ -84,6 +87,7 @@ class LiveLight {
   Json told_;  // the last state
   std::set<http::TabId> holds_;
   bool is_paused_ = false;
+  bool is_slow_ = false;  // the fine operator, for drags
   std::optional<Clock::time_point> start_at_, resume_at_;
   Clock::time_point looked_{};
 };

@@ -39,12 +39,13 @@ LoadedLight::Result LoadedLight::read(const Source& source, std::shared_ptr<cons
 void LoadedLight::forget() {
   if (coming_) abandoned_.push_back(std::move(*coming_));
   coming_.reset();
-  ready_.reset();
+  coarse_.reset();
+  fine_.reset();
 }
 
 void LoadedLight::load(Source source) {
   if (coming_) abandoned_.push_back(std::move(*coming_));
-  std::shared_ptr<const Shop> shop = ready_ ? ready_->shop : nullptr;
+  std::shared_ptr<const Shop> shop = best() != nullptr ? best()->shop : nullptr;
   coming_ = std::async(std::launch::async,
                        [source = std::move(source), shop = std::move(shop)] { return read(source, shop); });
 }
@@ -55,7 +56,7 @@ bool LoadedLight::poll() {
   Result result = coming_->get();
   coming_.reset();
   if (!result) return false;
-  ready_ = std::move(result);
+  (result->stage == jobs::LightStage::coarse ? coarse_ : fine_) = std::move(result);
   return true;
 }
 

@@ -15,7 +15,8 @@
 
 namespace shelfbeam::serve {
 
-/// A light operator in this process, which another one has kept as a file. It is read on a thread of its own.
+/// The light operators in this process, which another one has kept as files: a coarse one, which is fast, and
+/// then also a fine one. They are read on a thread of its own.
 class LoadedLight {
  public:
   /// The store whose light it is.
@@ -26,17 +27,19 @@ class LoadedLight {
     jobs::LightStage stage = jobs::LightStage::coarse;
   };
 
+  /// A light operator.
+  struct Ready;
+
   /// There is no operator from now on.
   void forget();
-  /// Reads one in the background; it replaces the present one.
+  /// Reads one in the background.
   void load(Source source);
   /// To be called often. Returns whether an operator has been read.
   bool poll();
 
-  const LightOperator* light() const { return ready_ ? &ready_->light : nullptr; }
-  /// Precondition for both: there is an operator.
-  const Scene& scene() const { return ready_->shop->draft.scene; }
-  jobs::LightStage stage() const { return ready_->stage; }
+  /// The best, and the fastest one; null without any.
+  const Ready* best() const { return fine_ ? fine_.get() : coarse_.get(); }
+  const Ready* fastest() const { return coarse_ ? coarse_.get() : fine_.get(); }
 
  private:
   struct Shop {
@@ -44,18 +47,19 @@ class LoadedLight {
     const Draft draft;
     const World world;
   };
-  struct Ready {
-    std::shared_ptr<const Shop> shop;
-    LightOperator light;
-    jobs::LightStage stage;
-  };
   using Result = std::unique_ptr<const Ready>;
 
   static Result read(const Source& source, std::shared_ptr<const Shop> shop);
 
-  Result ready_;
+  Result coarse_, fine_;
   std::optional<std::future<Result>> coming_;
   std::vector<std::future<Result>> abandoned_;  // their destruction would wait
+};
+
+struct LoadedLight::Ready {
+  std::shared_ptr<const Shop> shop;
+  LightOperator light;
+  jobs::LightStage stage;
 };
 
 }  // namespace shelfbeam::serve

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -91,10 +92,14 @@ class UnitLists {
     ops.push_back({fmt::format("/transceivers/{}/{}", list_key, entry), old, value});
     old = std::move(value);
   }
-  void erase(std::size_t entry) {
+  void erase_later(std::size_t entry) { erased_.insert(entry); }
+  // From the last one, so that the numbers of the others stay.
+  void erase() {
     Json& list = section_[list_key];
-    ops.push_back({fmt::format("/transceivers/{}/{}", list_key, entry), list[entry], {}});
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(entry));
+    for (const std::size_t entry : std::ranges::reverse_view(erased_)) {
+      ops.push_back({fmt::format("/transceivers/{}/{}", list_key, entry), list[entry], {}});
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(entry));
+    }
   }
   const Json& entry(std::size_t k) const { return section_.at(list_key).at(k); }
 
@@ -110,15 +115,21 @@ class UnitLists {
   }
 
   Json section_;
+  std::set<std::size_t> erased_;
 };
 
+// A request for one unit.
 class Action {
  public:
-  Action(const Json& request, const Json& store, const Draft& draft)
-      : request_(request), draft_(draft), lists_(store), factor_(to_metres(1, draft.store.unit)) {}
+  Action(const Json& request, const Draft& draft, UnitLists& lists, std::set<std::string>& new_ids)
+      : request_(request),
+        draft_(draft),
+        lists_(lists),
+        new_ids_(new_ids),
+        factor_(to_metres(1, draft.store.unit)) {}
 
-  UnitEdit done() {
-    const auto name = request_.at("action").get<std::string>();
+  // Returns the id of the unit afterwards.
+  std::string apply(const std::string& name) {
     if (name == "place") {
       place();
     } else {
@@ -130,7 +141,7 @@ class Action {
       else
         mark(name, request_.at("on").get<bool>());
     }
-    return {std::move(lists_.ops), id_};
+    return id_;
   }
 
  private:
@@ -149,6 +160,7 @@ class Action {
 
   void place() {
     unit_.position = vector_of(request_, "position");
+    expect_outside_keep_out();
     change_unit(request_, draft_, unit_);
     id_ = free_id();
     lists_.append(list_key, json_of_unit(Json::object()));
@@ -160,7 +172,10 @@ class Action {
   void change() {
     const std::string old = id_;
     change_unit(request_, draft_, unit_);
-    if (request_.contains("position")) unit_.position = vector_of(request_, "position");
+    if (request_.contains("position")) {
+      unit_.position = vector_of(request_, "position");
+      expect_outside_keep_out();
+    }
     if (entry_) {
       lists_.replace(*entry_, json_of_unit(lists_.entry(*entry_)));
     } else {
@@ -174,7 +189,14 @@ class Action {
 
   void remove() {
     for (const char* key : {selected, pinned, installed, excluded}) lists_.remove(key, id_);
-    if (entry_) lists_.erase(*entry_);
+    if (entry_) lists_.erase_later(*entry_);
+  }
+
+  void expect_outside_keep_out() const {
+    const auto& areas = draft_.store.keep_out;
+    if (std::any_of(areas.begin(), areas.end(),
+                    [&](const auto& area) { return area.value.contains(unit_.position); }))
+      refuse(id_, "would be in a keep-out area, where no plan has units", "choose another place");
   }
 
   void mark(const std::string& name, bool is_on) {
@@ -233,16 +255,21 @@ class Action {
   }
 
   std::string free_id() const {
-    std::set<std::string_view> taken;
+    std::set<std::string> taken = new_ids_;
     for (const auto* units : {&draft_.scene.transceivers, &draft_.scene.excluded})
       for (const Transceiver& unit : *units) taken.insert(unit.id);
-    for (int k = 1;; ++k)
-      if (std::string id = fmt::format("U{}", k); !taken.contains(id)) return id;
+    for (int k = 1;; ++k) {
+      std::string id = fmt::format("U{}", k);
+      if (taken.contains(id)) continue;
+      new_ids_.insert(id);
+      return id;
+    }
   }
 
   const Json& request_;
   const Draft& draft_;
-  UnitLists lists_;
+  UnitLists& lists_;
+  std::set<std::string>& new_ids_;
   double factor_;  // m per unit of the file
   std::size_t index_ = 0;
   Transceiver unit_;
@@ -254,7 +281,20 @@ class Action {
 }  // namespace
 
 UnitEdit unit_edit(const Json& request, const Json& store, const Draft& draft) {
-  return Action(request, store, draft).done();
+  const auto name = request.at("action").get<std::string>();
+  UnitLists lists(store);
+  std::set<std::string> new_ids;
+  UnitEdit edit;
+  const auto apply = [&](const Json& one) {
+    edit.ids.push_back(Action(one, draft, lists, new_ids).apply(name));
+  };
+  if (request.contains("each"))
+    for (const Json& one : request["each"]) apply(one);
+  else
+    apply(request);
+  lists.erase();
+  edit.ops = std::move(lists.ops);
+  return edit;
 }
 
 const Transceiver& unit_numbered(const Draft& draft, std::size_t index) {

@@ -14,10 +14,11 @@ namespace shelfbeam::serve {
 /// What an action makes of the lists of units (docs/formats/planner.md#units).
 struct UnitEdit {
   std::vector<EditOp> ops;
-  std::string id;  ///< of the unit afterwards
+  std::vector<std::string> ids;  ///< of the units afterwards
 };
 
-/// `request`: the keys of the action. Throws InputError if it does not fit the store.
+/// `request`: the keys of the action, or a list `each` of such requests. Throws InputError if it does not fit
+/// the store.
 UnitEdit unit_edit(const nlohmann::ordered_json& request, const nlohmann::ordered_json& store,
                    const Draft& draft);
 

@@ -12,6 +12,7 @@ namespace {
 
 using test::Json;
 using testing::HasSubstr;
+using testing::Not;
 
 class Preview : public test::ProgramTest {
  protected:
@@ -93,11 +94,40 @@ TEST_F(Preview, RefusesWhatItCannotRead) {
            {"--unit 2,1.5,2.9,0,0,0", "axis of length 0"},
            {"--unit 2,1.5,2.9,lamp", "unknown type"},
            {"--unit 2,1.5,2.9,ceiling,more", "more than a type"},
-           {"", "has no unit"},
-           {"--from @plan --remove nobody", "not a unit of the plan"},
+           {"", "selects no unit"},
+           {"--from @plan", "has no unit"},
+           {"--from @plan --remove nobody", "not among the mounted units"},
            {"--from @plan --move nobody,2,1.5,2.9", "the id of no unit"},
            {"--from @nowhere --unit 2,1.5,2.9", "nowhere"}})
     refused("preview @store.json " + options, {part});
+}
+
+// The units that the store selects are those of a plan that selects them.
+TEST_F(Preview, ExaminesTheUnitsThatTheStoreSelects) {
+  Json store = json("store.json");
+  store["transceivers"]["selected"] = Json::parse(bytes("plan/placement.json"))["selected"];
+  folder.write("chosen.json", store.dump());
+  const auto of_chosen = [&](const std::string& options) {
+    return Json::parse(told("preview @chosen.json " + options + " --json"));
+  };
+  const Json alone = of_chosen("");
+  EXPECT_EQ(alone["simulated"], false);
+  EXPECT_EQ(alone["labels_gained"], 0);
+  EXPECT_THAT(told("preview @chosen.json"), Not(HasSubstr("gained")));
+  const std::string id = chosen();
+  const Json without = of_chosen("--remove " + id);
+  EXPECT_LT(without["labels"][0]["signal"], alone["labels"][0]["signal"]);
+  EXPECT_EQ(without["labels"][0]["before"], alone["labels"][0]["signal"]);
+  const Json refined = of_chosen("--refine 0.2"), of_plan = previewed("--from @plan --remove " + id);
+  EXPECT_EQ(refined["simulated"], true);
+  // Signals of the plan have errors, too; as above.
+  for (std::size_t i = 0; i < refined["labels"].size(); ++i) {
+    const double signal = refined["labels"][i]["signal"], before = of_plan["labels"][i]["before"],
+                 error = refined["labels"][i]["error"];
+    EXPECT_NEAR(signal, before, 4 * error + 0.03 * before);
+  }
+  EXPECT_THAT(told("verify @chosen.json"), HasSubstr("reach all 17 labels"));
+  refused("verify @store.json", {"selects no transceivers"});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Tests the keyboard, menus, dialogs, and accessibility.
 
 import { check, equal, says } from "../viewer/check.mjs";
+import { findings } from "./findings.mjs";
 import { testPlanner } from "./opened.mjs";
 
 testPlanner("the menu opens by right click and by Shift+F10", {}, async (tab) => {
@@ -137,23 +138,11 @@ testPlanner("the page speaks what happens", {}, async (tab) => {
   await tab.until(() => document.querySelector('.notice[role="status"]').textContent === "Undone: Delete A3");
 });
 
-/** The findings of axe-core. The test injects it through the driver, past the content security policy. */
-async function findings(tab, axe) {
-  await tab.page.evaluate(axe);
-  return tab.page.evaluate(async () => {
-    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
-    return violations.map(
-      ({ id, nodes }) =>
-        `${id}: ${nodes.map(({ target, failureSummary }) => `${target} ${failureSummary}`).join("; ")}`,
-    );
-  });
-}
-
 for (const dark of [false, true])
   testPlanner(`axe has no findings, ${dark ? "dark" : "light"}`, { dark, smoke: !dark }, async (tab, { axe }) => {
     const clean = async (what) => equal(await findings(tab, axe), [], what);
     await clean("at first");
-    for (const name of ["layers", "types", "problems", "history", "objects"]) {
+    for (const name of ["layers", "light", "types", "problems", "history", "objects"]) {
       await tab.push(`#tab-${name}`);
       await clean(name);
     }

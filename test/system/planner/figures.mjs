@@ -31,7 +31,7 @@ async function serve(name, prepare = () => {}) {
   const folder = mkdtempSync(join(tmpdir(), "shelfbeam-figures-"));
   cpSync(join(examples, name), folder, { recursive: true });
   prepare(join(folder, "store.json"));
-  const server = spawn(program, ["serve", folder, "--no-browser", "--json"]);
+  const server = spawn(program, ["serve", folder, "--no-browser", "--no-light", "--json"]);
   const address = await new Promise((resolve) => {
     let out = "";
     server.stdout.on("data", (bytes) => {

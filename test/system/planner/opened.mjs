@@ -9,13 +9,13 @@ import { check, equal, test } from "../viewer/check.mjs";
  */
 export const testPlanner = (
   what,
-  { store = "grocery", prepare, keeps = false, smoke = false, alone = false, ...options },
+  { store = "grocery", prepare, keeps = false, smoke = false, alone = false, light = false, ...options },
   run,
 ) =>
   test(
     what,
     async (given) => {
-      const server = await given.serve(store, prepare);
+      const server = await given.serve(store, prepare, light);
       const tab = await given.tab(server, options);
       await run(tab, given);
       equal(tab.errors, [], "errors in the console");

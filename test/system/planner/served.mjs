@@ -9,8 +9,9 @@ import { Wire } from "./wire.mjs";
 
 export class Served {
   /** `example`: null for an empty folder. `prepare` gets the folder before the program starts. */
-  constructor(program, example, work, prepare) {
+  constructor(program, example, work, prepare, hasLight) {
     this.program = program;
+    this.hasLight = hasLight;
     this.folder = mkdtempSync(join(work, `${example === null ? "empty" : basename(example)}-`));
     if (example !== null) cpSync(example, this.folder, { recursive: true });
     prepare(this.folder);
@@ -26,7 +27,9 @@ export class Served {
   }
 
   async start(packages) {
-    this.child = spawn(this.program, ["serve", this.folder, "--no-browser"], { stdio: ["ignore", "pipe", "pipe"] });
+    // The light of a shop takes all processors, so only tests that look at it have it.
+    const options = ["--no-browser", ...(this.hasLight ? [] : ["--no-light"])];
+    this.child = spawn(this.program, ["serve", this.folder, ...options], { stdio: ["ignore", "pipe", "pipe"] });
     const address = await new Promise((found, failed) => {
       let said = "";
       const read = (data) => {

@@ -16,21 +16,23 @@ export class Workshop {
   }
 
   /** `store`: the name of an example; null: an empty folder. `prepare`: gets the folder before the program starts. */
-  async serve(store, prepare = () => {}) {
+  async serve(store, prepare = () => {}, hasLight = false) {
     const { shelfbeam, packages, examples, work } = this.tools;
-    const server = new Served(shelfbeam, store === null ? null : join(examples, store), work, prepare);
+    const server = new Served(shelfbeam, store === null ? null : join(examples, store), work, prepare, hasLight);
     this.#servers.push(server);
     await server.start(packages);
     return server;
   }
 
-  async tab(server, { width = 1280, height = 720, dark = false, ...options } = {}) {
+  async tab(server, { width = 1280, height = 720, dark = false, script = null, ...options } = {}) {
     const context = await this.tools.browser.newContext({
       viewport: { width, height },
       colorScheme: dark ? "dark" : "light",
       ...options,
     });
     this.#contexts.push(context);
+    // What a test puts before the script of the page, and its argument.
+    if (script) await context.addInitScript(...script);
     const tab = new Tab(await context.newPage(), server, this.tools.pictures);
     await tab.open();
     return tab;

@@ -53,7 +53,7 @@ class NotStarted(Exception):
 
 
 def command(folder, *options, browser=False):
-    return [PROGRAM, "serve", folder, *([] if browser else ["--no-browser"]), "--json", *options]
+    return [PROGRAM, "serve", folder, *([] if browser else ["--no-browser"]), "--no-light", "--json", *options]
 
 
 class Server:

@@ -22,13 +22,13 @@ struct PlanStore {
   double spacing = 0.7;
   int across = 4;
 
-  Scene scene() const {
+  std::string text() const {
     std::string units;
     for (int x = 0; x < across; ++x)
       for (int y = 0; y < 3; ++y)
         units += fmt::format(R"({}{{"id": "T{}-{}", "position": [{}, {}, 2.98], "type": "wide"}})",
                              x + y == 0 ? "" : ",", x, y, 5.0 * (x + 0.5) / across + 0.5, 0.8 + 1.7 * y);
-    return make_scene(parse_store(fmt::format(R"({{
+    return fmt::format(R"({{
           "room": {{"size": [6, 5, 3], "floor": "paper", "ceiling": "paper", "walls": "paper"}},
           "materials": {{"paper": {{"type": "lambertian", "reflectance": 0.6}}}},
           "label_types": {{"standard": {{"threshold": {}}}}},
@@ -37,9 +37,9 @@ struct PlanStore {
                         "material": "paper", "shelves": [0.5, 1.1], "stocking": 0.7,
                         "labels": {{"type": "standard", "spacing": {}}}}}],
           "transceivers": {{"list": [{}]}}}})",
-                                              threshold, spacing, units),
-                                  "plan store", "."));
+                       threshold, spacing, units);
   }
+  Scene scene() const { return make_scene(parse_store(text(), "plan store", ".")); }
 };
 
 /// The two units with the largest sum at their weakest label, and this sum.

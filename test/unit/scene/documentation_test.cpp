@@ -52,7 +52,8 @@ TEST(Documentation, EveryExampleIsTested) {
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
   tested["store/variation.md"] = tested["store/fixtures.md"] = tested["store/drawing.md"] = 1;
-  tested["store/room.md"] = tested["store/transceivers.md"] = 2;
+  tested["store/room.md"] = 2;
+  tested["store/transceivers.md"] = 3;
   tested["store/labels.md"] = 4;
   EXPECT_EQ(stores, tested);
   EXPECT_EQ(tables, (std::map<std::string, std::size_t>{{"store/csv.md", 2}, {"store/labels.md", 2}}));
@@ -162,6 +163,16 @@ TEST(Documentation, ExampleOfGivenUnitsIsAccepted) {
   ASSERT_NE(pinned, scene.transceivers.end());
   EXPECT_EQ(pinned->id, "G1-3-2");
   EXPECT_EQ(scene.excluded.size(), 4u);
+}
+
+TEST(Documentation, ExampleOfSelectedUnitsIsAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store["transceivers"] =
+      Json::parse(fenced_blocks("store/transceivers.md", "jsonc").at(2), nullptr, true, true);
+  std::vector<std::string> chosen;
+  for (const Transceiver& unit : test::scene_of(store).transceivers)
+    if (unit.is_chosen()) chosen.push_back(unit.id);
+  EXPECT_EQ(chosen, (std::vector<std::string>{"G1-3-2", "by the door"}));
 }
 
 TEST(Documentation, ExampleOfADrawingIsAcceptedAndChangesNoHash) {

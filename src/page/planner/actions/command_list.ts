@@ -10,7 +10,9 @@ import { text } from "../text";
 import { say } from "../../data/text";
 import { drawingPath } from "../backdrop/drawing";
 import { editDrawing, turnPicture } from "../backdrop/edits";
-import { assignType } from "./assign";
+import { chosenUnits } from "../units/chosen";
+import { unitCommands } from "../units/commands";
+import { assignType, canAssign } from "./assign";
 import { canTake, outlineUses, takeOutlines } from "./outlines";
 import { canNumber, numberFixtures } from "./rename";
 import { copySelection, deleteSelection, duplicateSelection, paste } from "./copy";
@@ -52,6 +54,7 @@ function editCommands({ planner, gestures, showField }: Surroundings): Command[]
   const several = () => planner.selected.length > 1 && document.locked === null;
   const many = () => planner.selected.length > 2 && document.locked === null;
   const isCopy = () => planner.selection.items.some(({ kind, path }) => kind !== "element" && path !== null);
+  const areUnits = () => chosenUnits(planner).length > 0;
   const turn = (degrees: number) => void turnElements(planner, planner.selected, degrees);
   const step = async (what: "undo" | "redo") => {
     if (!(await document[what]())) return;
@@ -80,9 +83,9 @@ function editCommands({ planner, gestures, showField }: Surroundings): Command[]
       isEnabled: () => planner.clip.copied.length > 0,
     }),
     command("edit", "duplicate", ["Ctrl+D"], () => void duplicateSelection(planner), { isEnabled: copyable, why }),
-    // While something is drawn, Backspace takes corners back.
+    // While something is drawn, Backspace takes corners back. Units have commands of their own with this key.
     command("edit", "delete", ["Delete", "Backspace"], () => void deleteSelection(planner), {
-      isEnabled: () => copyable() && !isDrawTool(planner.tool),
+      isEnabled: () => copyable() && !isDrawTool(planner.tool) && !areUnits(),
       why: () => (isDrawTool(planner.tool) ? null : why()),
     }),
     command("edit", "edit_source", ["Enter"], () => selectSource(planner), { where: "plan", isEnabled: isCopy }),
@@ -91,10 +94,10 @@ function editCommands({ planner, gestures, showField }: Surroundings): Command[]
     }),
     // Its key draws the room if nothing is selected, or while something is drawn.
     command("arrange", "rotate", ["R"], () => turn(90), {
-      isEnabled: () => some() && !isDrawTool(planner.tool),
+      isEnabled: () => some() && !isDrawTool(planner.tool) && !areUnits(),
       why: () => (planner.selection.items.length > 0 && !isDrawTool(planner.tool) ? why() : null),
     }),
-    command("arrange", "rotate_back", ["Shift+R"], () => turn(-90), { isEnabled: some, why }),
+    command("arrange", "rotate_back", ["Shift+R"], () => turn(-90), { isEnabled: () => some() && !areUnits(), why }),
     command("arrange", "mirror_x", ["Shift+H"], () => void mirrorSelection(planner, 0), { isEnabled: some, why }),
     command("arrange", "mirror_y", ["Shift+V"], () => void mirrorSelection(planner, 1), { isEnabled: some, why }),
     command("arrange", "labels", ["L"], () => showField("/labels"), {
@@ -126,10 +129,12 @@ const isLineTool = ({ tool }: Planner) =>
 
 function arrowCommand({ planner, gestures, turnSpace }: Surroundings, [x, y]: [number, number], isFast: boolean): void {
   const { unit } = planner.document;
+  const [chosen, ...others] = chosenUnits(planner);
   const why = planner.selection.items.length > 0 ? whyNot(planner) : null;
   const metres = (isFast ? 10 : 1) * unit.step * unit.factor;
   const pixels = (planner.tool === "scale" || planner.tool === "check" ? 1 : crossPixels) * (isFast ? 10 : 1);
   if (isLineTool(planner)) gestures.moveCross(x * pixels, y * pixels);
+  else if (chosen !== undefined && others.length === 0) void planner.mover.nudge(chosen, [x * metres, y * metres]);
   else if (why !== null) planner.say(why, true);
   else if (planner.selected.length > 0) void shiftElements(planner, planner.selected, [x * metres, y * metres], true);
   else if (planner.isPlan || !turnSpace(x, y)) planner.viewport.pan(-x * arrowPixels, y * arrowPixels);
@@ -171,7 +176,7 @@ function selectCommands({ planner, gestures }: Surroundings): Command[] {
       command("types", `type_${k + 1}` as Command["id"], [String(k + 1)], () => assignType(planner, k), {
         family: "type",
         where: "plan",
-        isEnabled: () => planner.selected.length > 0 && !isDrawTool(planner.tool),
+        isEnabled: () => canAssign(planner) && !isDrawTool(planner.tool),
       }),
     ),
   ];
@@ -223,6 +228,9 @@ const drawKeys: Record<DrawTool, string[]> = {
   keep_out: ["K"],
   area: ["A"],
   rows: ["N"],
+  unit: ["U"],
+  rail: ["T"],
+  faces: ["C"],
 };
 
 const drawCommands = ({ planner }: Surroundings): Command[] =>
@@ -287,6 +295,7 @@ const outlineCommands = ({ planner }: Surroundings): Command[] =>
 
 export const commandList = (around: Surroundings): Command[] => [
   ...selectCommands(around),
+  ...unitCommands(around.planner, around.showField),
   ...editCommands(around),
   ...moveCommands(around),
   ...drawCommands(around), // after the others, because R turns a selection

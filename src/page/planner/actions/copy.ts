@@ -1,7 +1,7 @@
 // Copies, pastes, duplicates and deletes the selected elements.
 
 import { EditBuilder } from "../document/edit";
-import type { Json } from "../document/json";
+import { pointerTo, type Json } from "../document/json";
 import type { Part, Point } from "../document/messages";
 import { noPreview, type Preview } from "../document/preview";
 import { contextOf } from "../elements/context";
@@ -142,8 +142,19 @@ export function deleteSelection(planner: Planner): Promise<boolean> {
   // From the last to the first, so that places stay right.
   const paths = elements.map(({ path }) => path).sort((a, b) => indexOf(b) - indexOf(a));
   for (const path of paths) if (kindOf(path)) builder.set(path, undefined);
+  forgetUnits(builder, new Set(elements.flatMap(({ kind, value }) => (kind === "unit" ? [value.id] : []))));
   const keys = paths.flatMap((path) => document.parts.of(path).map(({ key }) => key));
   return document.edit({ label, ops: builder.ops }, { ...noPreview, hidden: new Set(keys) });
+}
+
+/** Lists that name units no longer name these. */
+function forgetUnits(builder: EditBuilder, ids: ReadonlySet<Json>): void {
+  for (const key of ["installed", "pinned", "excluded", "selected"]) {
+    const list = pointerTo("/transceivers", key);
+    const names = ids.size > 0 ? builder.get(list) : undefined;
+    if (!Array.isArray(names)) continue;
+    for (let k = names.length - 1; k >= 0; --k) if (ids.has(names[k])) builder.set(pointerTo(list, k), undefined);
+  }
 }
 
 const indexOf = (path: string): number => Number(path.slice(path.lastIndexOf("/") + 1));

@@ -3,9 +3,8 @@
 import { counted } from "../../data/format";
 import type { CommandId } from "../access/commands";
 import type { Point } from "../document/messages";
-import { finishAll, siteOf, type Finished } from "../draw/finish";
+import { finishAll, siteOf, type Finished, type MakingTool } from "../draw/finish";
 import { templateOf } from "../draw/template";
-import type { DrawTool } from "../draw/tools";
 import { fixtureLine, simplified } from "../make/outline";
 import { isOneSided, type Template } from "../make/run";
 import { wallLines } from "../make/walls";
@@ -19,7 +18,7 @@ export type OutlineUse = (typeof outlineUses)[number];
 
 export const outlineMenu: CommandId[] = outlineUses.map((use): CommandId => `outline_${use}`);
 
-const toolOf: Record<OutlineUse, DrawTool> = {
+const toolOf: Record<OutlineUse, MakingTool> = {
   room: "room",
   column: "block",
   block: "block",

@@ -1,5 +1,6 @@
 // The WebSocket to the server: requests with answers, events, and a new connection after a lost one.
 
+import { readFrame, type PageData } from "../../data/page_data";
 import type { Refusal, ServerEvent } from "./messages";
 
 /** The server refuses a request. */
@@ -13,7 +14,8 @@ export class Refused extends Error {
 export class Lost extends Error {}
 
 interface Waiting {
-  resolve: (answer: Record<string, unknown>) => void;
+  /** An answer with arrays is a frame. */
+  resolve: (answer: Record<string, unknown> | PageData<unknown>) => void;
   reject: (error: Error) => void;
 }
 
@@ -24,7 +26,7 @@ const attempts = 2;
 
 export class Connection {
   onEvent: (event: ServerEvent) => void = () => {};
-  onFrame: (bytes: ArrayBuffer) => void = () => {};
+  onFrame: (frame: PageData<unknown>) => void = () => {};
   onState: (open: boolean) => void = () => {};
 
   private socket: WebSocket | null = null;
@@ -52,7 +54,7 @@ export class Connection {
     });
     socket.addEventListener("message", ({ data }) => {
       if (typeof data === "string") this.receive(JSON.parse(data));
-      else this.onFrame(data as ArrayBuffer);
+      else this.receiveFrame(readFrame(data as ArrayBuffer));
     });
     socket.addEventListener("close", () => this.closed(socket));
   }
@@ -92,6 +94,16 @@ export class Connection {
     this.waiting.delete(message.id);
     if (message.error) waiting?.reject(new Refused(message.error));
     else waiting?.resolve(message);
+  }
+
+  private receiveFrame(frame: PageData<{ id?: number }>): void {
+    const { id } = frame.about;
+    if (id === undefined) {
+      this.onFrame(frame);
+      return;
+    }
+    this.waiting.get(id)?.resolve(frame);
+    this.waiting.delete(id);
   }
 
   private closed(socket: WebSocket): void {

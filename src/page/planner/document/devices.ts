@@ -18,7 +18,11 @@ const sources: Record<DeviceKind, (string | null)[]> = {
   ],
 };
 
-export const unitStates = ["candidate", "installed", "pinned", "excluded"] as const;
+export const unitStates = ["candidate", "installed", "pinned", "excluded", "selected"] as const;
+export type UnitState = (typeof unitStates)[number];
+
+/** Whether a unit is on the plan, so that it sends light: it is installed, pinned or selected. */
+export const isOn = (state: UnitState): boolean => state !== "candidate" && state !== "excluded";
 
 type Numbers = Float32Array | Uint8Array | Uint32Array;
 
@@ -80,6 +84,11 @@ export class Devices {
   pathOf(index: number): string | null {
     const list = sources[this.kind][this.sourceKind[index]] ?? null;
     return list && `${list}/${this.source[index]}`;
+  }
+
+  /** Whether it is an element of the store itself, or a unit on the plan: not one of many candidates. */
+  stands(index: number): boolean {
+    return this.isListed(index) || (this.kind === "unit" && isOn(unitStates[this.state[index]]));
   }
 
   /** Whether it is an element of the store itself. */

@@ -1,6 +1,6 @@
 // The store as the page shows it: what the server has confirmed, and the edits that it has not answered yet.
 
-import { readFrame } from "../../data/page_data";
+import type { PageData } from "../../data/page_data";
 import type { Changes } from "../changes";
 import { unitNamed, type LengthUnit, metre } from "../geometry/units";
 import { text } from "../text";
@@ -23,6 +23,8 @@ import type {
   ChangedEvent,
   DevicesAbout,
   History,
+  LightAbout,
+  LightEvent,
   Locked,
   Problem,
   ProjectEvent,
@@ -78,6 +80,12 @@ export class StoreDocument {
   onRefused: (label: string, refusal: Refusal) => void = () => {};
   /** Another tab or another program has changed the store. */
   onOthers: (others: Others) => void = () => {};
+  /** The server, perhaps another one than before, sends everything. */
+  onStart: () => void = () => {};
+  /** The server has confirmed a change; null: perhaps of all of the store. */
+  onChanged: (revision: number, ops: readonly EditOp[] | null) => void = () => {};
+  onLight: (event: LightEvent) => void = () => {};
+  onLightFrame: (frame: PageData<LightAbout>) => void = () => {};
 
   private confirmed: Json = {};
   private tab: number | undefined;
@@ -86,6 +94,8 @@ export class StoreDocument {
   private refusal: Refusal | null = null;
   /** Steps that the server was asked to undo and has not answered. */
   private undoing = 0;
+  /** Changes that the server makes and has not answered. */
+  private asking = 0;
 
   constructor(
     private readonly connection: Connection,
@@ -100,7 +110,7 @@ export class StoreDocument {
       () => changes.note("document"),
     );
     connection.onEvent = (event) => this.receive(event);
-    connection.onFrame = (bytes) => this.receiveFrame(bytes);
+    connection.onFrame = (frame) => this.receiveFrame(frame as PageData<DevicesAbout | LightAbout>);
     connection.onState = () => {
       changes.note("status");
     };
@@ -109,7 +119,7 @@ export class StoreDocument {
   get saving(): Saving {
     if (this.isReady && !this.connection.isOpen)
       return { state: "lost", edits: this.pending.length, hasEnded: this.connection.hasEnded };
-    if (this.pending.length > 0) return { state: "saving" };
+    if (this.pending.length > 0 || this.asking > 0) return { state: "saving" };
     return this.refusal ? { state: "refused", refusal: this.refusal } : { state: "saved" };
   }
 
@@ -126,6 +136,11 @@ export class StoreDocument {
     this.gesture = preview ?? noPreview;
     this.showParts();
     this.changes.note("preview");
+  }
+
+  /** The edits without an answer. */
+  get pendingOps(): EditOp[] {
+    return this.pending.flatMap(({ edit }) => edit.ops);
   }
 
   get preview(): Preview {
@@ -162,42 +177,52 @@ export class StoreDocument {
 
   undo(): Promise<boolean> {
     ++this.undoing;
-    return this.ask("undo").finally(() => {
+    return this.does("undo").finally(() => {
       --this.undoing;
       this.changes.note("status");
     });
   }
 
   redo(): Promise<boolean> {
-    return this.ask("redo");
+    return this.does("redo");
   }
 
   /** Undoes or redoes steps until `position` are applied. */
   go(position: number): Promise<boolean> {
-    return this.ask("go", { position });
+    return this.does("go", { position });
   }
 
   dissolve(path: string, label: string): Promise<boolean> {
-    return this.ask("dissolve", { path, label });
+    return this.does("dissolve", { path, label });
   }
 
   restore(): Promise<boolean> {
-    return this.ask("restore");
+    return this.does("restore");
   }
 
   request<Answer>(what: string, members: object): Promise<Answer> {
     return this.connection.request<Answer>(what, members);
   }
 
-  private async ask(what: string, members: object = {}): Promise<boolean> {
+  private async does(what: string, members: object = {}): Promise<boolean> {
+    return (await this.ask(what, members)) !== null;
+  }
+
+  /** Asks for a change that the server makes; null if it refuses, which the page says of `label`. */
+  async ask<Answer = object>(what: string, members: object, label = what): Promise<Answer | null> {
+    ++this.asking;
+    this.changes.note("status");
     try {
-      await this.connection.request(what, members);
+      const answer = await this.connection.request<Answer>(what, members);
       this.refusal = null;
-      return true;
+      return answer;
     } catch (error) {
-      if (error instanceof Refused) this.refused(what, error.refusal);
-      else if (error instanceof Lost) this.onRefused(what, { message: text.notices.no_connection });
-      return false;
+      if (error instanceof Refused) this.refused(label, error.refusal);
+      else if (error instanceof Lost) this.onRefused(label, { message: text.notices.no_connection });
+      return null;
+    } finally {
+      --this.asking;
+      this.changes.note("status");
     }
   }
 
@@ -247,8 +272,7 @@ export class StoreDocument {
   }
 
   private showParts(): void {
-    const ops = this.pending.flatMap(({ edit }) => edit.ops);
-    this.parts.show(this.preview, this.placesAfter(ops, this.confirmed));
+    this.parts.show(this.preview, this.placesAfter(this.pendingOps, this.confirmed));
   }
 
   private placesAfter(ops: readonly EditOp[], root: Json): (path: string) => string | null {
@@ -264,6 +288,7 @@ export class StoreDocument {
   private receive(event: ServerEvent): void {
     if (event.event === "project") this.start(event);
     else if (event.event === "changed") this.change(event);
+    else if (event.event === "light") this.onLight(event);
     else {
       this.warnings = event.warnings;
       this.changes.note("warnings");
@@ -280,6 +305,7 @@ export class StoreDocument {
     this.labels.clear();
     this.units.clear();
     this.take(event);
+    this.onStart();
     const wasReady = this.isReady;
     this.isReady = true;
     if (wasReady) this.sendAgain(revisionBefore);
@@ -326,6 +352,7 @@ export class StoreDocument {
     if (!event.ops || (!own && event.ops.some(isMoving))) this.details.clear();
     const ofOthers = event.revision - this.revision - (event.tab === this.tab ? 1 : 0);
     this.revision = event.revision;
+    this.onChanged(event.revision, event.ops ?? (event.json === undefined ? [] : null));
     if (event.parts) this.parts.change(event.parts);
     this.take(event);
     if (own) this.settle(own, true);
@@ -346,9 +373,13 @@ export class StoreDocument {
     Object.assign(this, { problems, shared, locked, history: { position, steps: [...earlier, ...steps] } });
   }
 
-  private receiveFrame(bytes: ArrayBuffer): void {
-    const frame = readFrame<DevicesAbout>(bytes);
-    (frame.about.event === "labels" ? this.labels : this.units).receive(frame);
+  private receiveFrame(frame: PageData<DevicesAbout | LightAbout>): void {
+    const { event } = frame.about;
+    if (event !== "labels" && event !== "units") {
+      this.onLightFrame(frame as PageData<LightAbout>);
+      return;
+    }
+    (event === "labels" ? this.labels : this.units).receive(frame as PageData<DevicesAbout>);
     this.changes.note("devices");
   }
 }

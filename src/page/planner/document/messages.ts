@@ -114,7 +114,77 @@ export interface WarningsEvent {
   warnings: Problem[];
 }
 
-export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent;
+/** From the roughest to the exact one. */
+export const stages = ["direct", "coarse", "fine", "simulated"] as const;
+export type Stage = (typeof stages)[number];
+
+/** A unit on the plan: installed, pinned or selected. */
+export interface UnitOnPlan {
+  index: number;
+  id: string;
+  /** Finds its values; changes with its place, axis, roll, type and power. */
+  key: string;
+}
+
+export interface LightEvent {
+  event: "light";
+  /** Counts the changes of everything on which light depends, except units. */
+  generation: number;
+  revision: number;
+  units: UnitOnPlan[];
+  phase: "waiting" | "preparing" | "refining" | "done" | "failed" | "none" | "off";
+  message?: string;
+  operator: "coarse" | "fine" | null;
+  undecided: number | null;
+  progress: number | null;
+  /** `reached`: for each label 1, 0, or - if it is unknown. */
+  baseline: { plan: string; reached: string } | null;
+}
+
+export interface RequirementsAbout {
+  event: "requirements";
+  generation: number;
+}
+
+export interface ColumnAbout {
+  event: "column";
+  generation: number;
+  /** Its key. */
+  unit: string;
+  stage: Stage;
+  batches?: number;
+}
+
+export type LightAbout = RequirementsAbout | ColumnAbout;
+
+export type MountKind = "ceiling" | "rail" | "face" | "free";
+
+export interface DragAbout {
+  event: "drag";
+  id: number;
+  generation: number;
+  position: number[];
+  axis: number[];
+  roll_deg: number;
+  on: MountKind;
+  /** Of the rail, the fixture or the wall. */
+  name?: string;
+  stage: Stage;
+  /** Time of the server. */
+  column_ms: number;
+}
+
+export interface DragRequest {
+  at: number[];
+  /** The index of the unit that is dragged; without it, a new one with `type` is, which rails and faces attract. */
+  unit?: number;
+  reach?: number;
+  type?: string;
+  axis?: number[];
+  roll_deg?: number;
+}
+
+export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LightEvent;
 
 /** The header of a binary frame: labels or units from..from+remove are replaced by those of the frame. */
 export interface DevicesAbout {

@@ -13,11 +13,12 @@ import { minus, times } from "../geometry/vector";
 import { addArea, addBlock, addKeepOut } from "../make/block";
 import { addHole, addZone, losesWalls, setRoom } from "../make/room";
 import { addRun, runAlong, setRows } from "../make/run";
-import { firstName, inFile, type Site } from "../make/site";
+import { inFile, type Site } from "../make/site";
 import { addOpening, addWalls, along, wallLines, wallNear } from "../make/walls";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 import { materialFor } from "./materials";
+import { addMounts } from "./mounts";
 import { templateOf, withDepth } from "./template";
 import type { DrawTool } from "./tools";
 
@@ -51,26 +52,30 @@ export interface Freedom {
   isExact: boolean;
   isFree: boolean;
   depth?: number;
+  /** Shift is held. */
+  isShift?: boolean;
 }
+
+/** A tool of which the page itself knows what its stroke makes; the server places units. */
+export type MakingTool = Exclude<DrawTool, "unit">;
 
 function make(
   planner: Planner,
   site: Site,
   builder: EditBuilder,
-  tool: DrawTool,
+  tool: MakingTool,
   points: readonly Point[],
   freedom: Freedom,
 ): Made | string {
   const { settings } = planner;
   const { thickness, zoneHeight, blockHeight, isColumn, spacing } = settings.now;
-  const { json } = planner.document;
   const one = (path: string, kind: Part["kind"], outline = points): Made => ({
     paths: [path],
     preview: ghost(kind, outline),
   });
   switch (tool) {
     case "room": {
-      if (losesWalls(json)) planner.say(text.draw.lost_walls, true);
+      if (losesWalls(site.json)) planner.say(text.draw.lost_walls, true);
       const origin = setRoom(builder, site, points);
       return { paths: ["/room"], preview: noPreview, origin };
     }
@@ -111,9 +116,14 @@ function make(
     case "keep_out":
       return one(addKeepOut(builder, site, points), "keep_out");
     case "area": {
-      const type = firstName(json, "transceiver_types") ?? planner.document.shared.transceiver_types?.[0];
+      const { type } = planner.unitTool;
       if (type === undefined) return text.draw.no_type;
       return one(addArea(builder, site, points, type, spacing), "area");
+    }
+    case "rail":
+    case "faces": {
+      const path = addMounts(planner, site, builder, tool, points);
+      return path.startsWith("/") ? one(path, tool) : path;
     }
   }
 }
@@ -133,7 +143,7 @@ function openingForm(planner: Planner) {
 
 /** What a tool makes of a stroke. */
 export interface Finished {
-  tool: DrawTool;
+  tool: MakingTool;
   points: readonly Point[];
   freedom: Freedom;
 }
@@ -167,6 +177,10 @@ export async function finishAll(planner: Planner, strokes: readonly Finished[], 
 
 /** Adds the drawn element, and selects it. */
 export function finish(planner: Planner, tool: DrawTool, points: readonly Point[], freedom: Freedom): Promise<boolean> {
+  if (tool === "unit") {
+    const isInstalled = planner.settings.now.isInstalled || freedom.isShift === true;
+    return planner.unitTool.place(points[0], freedom.isFree, isInstalled);
+  }
   const done = finishAll(planner, [{ tool, points, freedom }], say(text.edits.draw, text.drawn[tool]));
   if (tool === "rows") planner.setTool("select");
   return done;

@@ -36,6 +36,7 @@ export const undrawn = (planner: Planner, tool: DrawTool): Drawing => ({
   typed: { length: "", angle: "" },
   byKeys: false,
   isFree: false,
+  isShift: false,
 });
 
 /** Whether there is something to cancel. */
@@ -56,19 +57,20 @@ function aim(planner: Planner, before: Drawing, pointer: Point, { shift, alt }: 
   // The fixture of rows may have arrived or moved in the meantime.
   const scope = tool === "rows" ? { ...before, stroke: begin(tool, startOf(planner, tool)) } : before;
   const { stroke } = scope;
+  const isFree = alt;
   const end = planner.snapping.at(pointer, {
     drawn: stroke.points,
     closes: formOf[stroke.tool] === "outline",
     isBox,
-    isFree: alt,
+    isFree: isFree || tool === "faces",
     isOrtho: shift,
     ...fixed(planner, scope),
     held: scope.end ?? undefined,
   });
-  const isFree = alt;
-  if (stroke.tool === "rows" && !isFree) return { ...scope, isFree, end: rowEnd(planner, scope, end) };
+  const next = { ...scope, isFree, isShift: shift };
+  if (stroke.tool === "rows" && !isFree) return { ...next, end: rowEnd(planner, scope, end) };
   const isTyped = scope.typed.length !== "";
-  return { ...scope, isFree, end: end.kind === null && !isTyped ? { ...end, at: atSteps(planner, end.at) } : end };
+  return { ...next, end: end.kind === null && !isTyped ? { ...end, at: atSteps(planner, end.at) } : end };
 }
 
 /**
@@ -111,7 +113,7 @@ export function penDown(planner: Planner, scope: Drawing, screen: Point, world: 
 
 export function penMove(planner: Planner, scope: Drawing, world: Point, keys: Keys): Drawing {
   const { pressed, stroke } = scope;
-  const isDrag = pressed !== null && stroke.points.length === 0;
+  const isDrag = pressed !== null && stroke.points.length === 0 && formOf[stroke.tool] !== "point";
   if (!isDrag) return aim(planner, scope, world, keys);
   // A drag snaps as the end of a line, or as the opposite corner of a rectangle.
   const begun = { ...scope, stroke: { ...stroke, points: [pressed.at] } };
@@ -128,6 +130,12 @@ export function draggedSoFar(planner: Planner, { pressed, stroke, end }: Drawing
 export function penUp(planner: Planner, scope: Drawing, screen: Point, world: Point, keys: Keys): Drawing {
   const { pressed, stroke } = scope;
   if (!pressed) return scope;
+  if (formOf[stroke.tool] === "point") {
+    const { end: aimed } = aim(planner, scope, world, keys);
+    const isThere = aimed !== null && isOnPlan(planner, screen);
+    const released = { ...scope, pressed: null };
+    return isThere ? proceed(planner, { ...released, isShift: keys.shift }, addPoint(stroke, aimed.at)) : released;
+  }
   const isDrag = stroke.points.length === 0 && distance(screen, pressed.screen) > slack;
   if (!isDrag) return proceed(planner, { ...scope, pressed: null }, addPoint(stroke, pressed.at));
   const points = draggedSoFar(planner, penMove(planner, scope, world, keys));
@@ -202,9 +210,10 @@ export function takeBack(planner: Planner, scope: Drawing): Drawing | null {
 }
 
 /** What modules and walls do not change. */
-export const freedomOf = ({ isFree, typed }: Drawing): Freedom => ({
+export const freedomOf = ({ isFree, isShift, typed }: Drawing): Freedom => ({
   isExact: typed.length !== "",
   isFree,
+  isShift,
 });
 
 /** Typed values are for one edge. */

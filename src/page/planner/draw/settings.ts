@@ -24,7 +24,34 @@ export interface Settings {
   spacing: number;
   /** Of rows. */
   count: number;
+  /** Null: the first type of the store. */
+  unitType: string | null;
+  /** Of units below the ceiling: degrees from straight down, and to which side, clockwise from north. */
+  unitTilt: number;
+  heading: number;
+  /** Of units on faces: degrees downwards from the horizontal. */
+  faceTilt: number;
+  /** Whether rails and faces attract units. */
+  attracts: boolean;
+  /** Whether placed units are mounted already. */
+  isInstalled: boolean;
+  /** Null: the next free one. */
+  railId: string | null;
+  /** Of rails: below the ceiling. */
+  below: number;
+  railSpacing: number;
+  /** Whether candidates are on all faces, or on the one at the pointer. */
+  isAround: boolean;
+  faceHeight: number;
+  faceSpacing: number;
 }
+
+export type AngleKey = "unitTilt" | "heading" | "faceTilt";
+
+export type LengthKey = Exclude<
+  { [Key in keyof Settings]: Settings[Key] extends number ? Key : never }[keyof Settings],
+  AngleKey | "count"
+>;
 
 const usual: Settings = {
   preset: null,
@@ -40,6 +67,18 @@ const usual: Settings = {
   materials: {},
   spacing: 1.2,
   count: 2,
+  unitType: null,
+  unitTilt: 0,
+  heading: 0,
+  faceTilt: 30,
+  attracts: true,
+  isInstalled: false,
+  railId: null,
+  below: 0.05,
+  railSpacing: 0.5,
+  isAround: true,
+  faceHeight: 2.4,
+  faceSpacing: 1,
 };
 
 export class ToolSettings {

@@ -34,6 +34,7 @@ function crossingEdges(points: readonly Point[], isClosed: boolean): [Point, Poi
 export function addPoint(stroke: Stroke, at: Point): Step {
   const { points, tool } = stroke;
   const form = formOf[tool];
+  if (form === "point") return { done: [at] };
   const last = lastOf(stroke);
   if (last && distance(last, at) < samePlace) return points.length > 1 ? end(stroke) : { stroke };
   if (form === "outline" && points.length > 2 && distance(points[0], at) < samePlace) return end(stroke);

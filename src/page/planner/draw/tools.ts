@@ -11,12 +11,15 @@ export const drawTools = [
   "keep_out",
   "area",
   "rows",
+  "unit",
+  "rail",
+  "faces",
 ] as const;
 
 export type DrawTool = (typeof drawTools)[number];
 
-/** An outline closes; a chain ends where it likes; a segment has two ends. */
-export type StrokeForm = "outline" | "chain" | "segment";
+/** An outline closes; a chain ends where it likes; a segment has two ends; a point is one click. */
+export type StrokeForm = "outline" | "chain" | "segment" | "point";
 
 export const formOf: Record<DrawTool, StrokeForm> = {
   room: "outline",
@@ -29,6 +32,9 @@ export const formOf: Record<DrawTool, StrokeForm> = {
   keep_out: "outline",
   area: "outline",
   rows: "segment",
+  unit: "point",
+  rail: "chain",
+  faces: "point",
 };
 
 export const isDrawTool = (tool: string): tool is DrawTool => (drawTools as readonly string[]).includes(tool);

@@ -38,6 +38,7 @@ import { Space } from "../space/space";
 import { text } from "../text";
 import { Banner } from "./banner";
 import { listenToKeys } from "./keyboard";
+import { LightView } from "./light_view";
 import { Rail } from "./rail";
 import { StatusLine } from "./status";
 import { Toolbar } from "./toolbar";
@@ -49,6 +50,8 @@ const leastNamed = 26;
 const elementMenu: CommandId[][] = [
   ["edit_source", "dissolve"],
   ["cut", "copy", "paste", "duplicate", "delete"],
+  ["unit_switch", "unit_pin", "unit_exclude", "unit_install", "unit_remove"],
+  ["unit_turn", "unit_turn_back", "unit_tilt", "unit_exchange", "unit_power"],
   ["rotate", "mirror_x", "mirror_y"],
   ["align_left", "align_centre", "align_right", "align_top", "align_middle", "align_bottom"],
   ["distribute_x", "distribute_y", "labels", "number"],
@@ -123,10 +126,16 @@ export class Page {
     const toolbar = new Toolbar(planner, this.commands);
     const status = new StatusLine(planner, this.gestures, this.commands);
     const banner = new Banner(planner);
+    this.stage = new Stage(this.canvas, emptyScenery([0, 0], [10, 10]), { marks: usualMarks, overlay: true });
+    this.marks = new DeviceMarks(planner, this.stage);
+    const light = new LightView(planner, this.gestures, this.stage, this.marks, this.surface, () =>
+      this.rail.isOpen("light"),
+    );
     this.rail = new Rail(
       [
         { id: "objects", icon: "objects", content: objects },
         { id: "layers", icon: "layers", content: new LayerList(planner) },
+        { id: "light", icon: "light", content: light.panel },
         { id: "types", icon: "types", content: new TypeLists(planner) },
         { id: "problems", icon: "problems", content: new ProblemList(planner) },
         { id: "history", icon: "history", content: new HistoryList(planner) },
@@ -144,6 +153,7 @@ export class Page {
       this.loupe.root,
       this.lengthField.root,
       this.edgeFields.root,
+      light.card.root,
     );
     root.replaceChildren(
       toolbar.root,
@@ -157,14 +167,14 @@ export class Page {
         this.arrivals.root,
       ),
     );
-    this.stage = new Stage(this.canvas, emptyScenery([0, 0], [10, 10]), { marks: usualMarks, overlay: true });
     this.stage.setPlan(true);
-    this.marks = new DeviceMarks(planner, this.stage);
     this.space = new Space(planner, this.stage, this.marks, address);
     this.stage.onDrawn = () => {
       this.names.update(this.stage, []);
       this.markDrawn();
+      this.marks.markDrawn();
     };
+    planner.changes.onFlushed = () => this.stage.drawPending();
     this.commands.onRefused = (why) => planner.say(why, true);
     planner.onTool = () => this.gestures.useTool();
     this.gestures.onMenu = ([x, y]) => this.openMenuAt(x, y);
@@ -195,7 +205,7 @@ export class Page {
     changes.listen(["viewport"], () => this.follow());
     changes.listen(["devices"], () => this.marks.rebuild());
     changes.listen(["preview"], () => this.marks.displace());
-    changes.listen(["selection", "layers", "viewport", "tool"], () => this.marks.update());
+    changes.listen(["selection", "layers", "tool"], () => this.marks.update());
     changes.listen(["document", "preview", "selection", "viewport", "tool", "devices", "layers", "warnings"], () =>
       this.overlay.update(),
     );
@@ -205,6 +215,7 @@ export class Page {
     changes.listen(["selection", "document", "tool"], () => this.space.showSelection());
     changes.listen(["document", "selection", "layers", "devices", "warnings"], () => this.rail.update());
     changes.listen(["selection"], () => objects.follow());
+    changes.listen(["light"], () => objects.followUnits());
     changes.listen(["document", "warnings"], () => this.countProblems());
     changes.listen(["document", "selection", "devices", "warnings", "status", "tool", "presets"], () =>
       this.properties.update(),

@@ -9,6 +9,7 @@ import type { Gestures } from "../gesture/gestures";
 import { namesOf } from "../elements/names";
 import { lengthText } from "../geometry/units";
 import type { Planner } from "../planner";
+import { chosenUnits, nameOfUnit, whyFixed } from "../units/chosen";
 
 const noticeTime = 6000; // ms
 
@@ -57,12 +58,16 @@ export class StatusLine {
   private hintOf(): string {
     const { planner, gestures } = this;
     const { kind } = gestures.scope;
+    if (planner.mover.isDragging) return text.hints.carrying;
     if (!planner.isPlan) return text.hints.space;
     if (kind === "moving" || kind === "rotating" || kind === "resizing" || kind === "marquee") return text.hints[kind];
     if (kind === "shifting") return text.hints.shifting;
     if (kind === "scaling" && gestures.scope.to) return text.hints.length;
     if (planner.tool !== "select") return text.hints[planner.tool];
     const { items } = planner.selection;
+    const units = chosenUnits(planner);
+    if (units.length === 1 && whyFixed(planner, units[0]) === null)
+      return say(text.hints.units, nameOfUnit(planner, units[0]));
     if (items.length === 0) return text.hints.nothing;
     const elements = planner.selected;
     if (elements.length === 0) return text.hints.locked;

@@ -23,6 +23,9 @@ const drawing: [CommandId, IconName][] = [
   ["draw_zone", "zone"],
   ["draw_keep_out", "keep_out"],
   ["draw_area", "area"],
+  ["draw_unit", "unit"],
+  ["draw_rail", "rail"],
+  ["draw_faces", "faces"],
 ];
 const steps: [CommandId, IconName][] = [
   ["undo", "undo"],

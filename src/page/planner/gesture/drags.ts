@@ -17,12 +17,13 @@ import { directionOf, distance, minus, plus, times, wholeTurn } from "../geometr
 import type { Planner } from "../planner";
 import { snapMove, type Moved } from "../snap/box";
 import { say, text } from "../text";
-import { itemOf, partAt } from "../view/hit";
-import type { Item } from "../view/selection";
+import { turnUnits } from "../units/act";
+import { chosenUnits } from "../units/chosen";
 import type { Scope } from "./scope";
 
 type Moving = Extract<Scope, { kind: "moving" }>;
 type Rotating = Extract<Scope, { kind: "rotating" }>;
+type Carrying = Extract<Scope, { kind: "carrying" }>;
 type Resizing = Extract<Scope, { kind: "resizing" }>;
 
 export interface Keys {
@@ -96,6 +97,11 @@ function dropTurn(planner: Planner, { elements, middle, turn }: Rotating): Promi
     planner.document.show(null);
     return Promise.resolve(false);
   }
+  const units = chosenUnits(planner);
+  if (units.length === 1) {
+    planner.document.show(null);
+    return turnUnits(planner, units, turn);
+  }
   const label = say(text.edits.rotate, namesOf(elements));
   return moveElements(planner, elements, () => turnAbout(turn, middle), { label });
 }
@@ -167,23 +173,19 @@ export function sizeReadout(planner: Planner, { context }: Resizing): string {
   return outline.length === 4 ? say(text.readout.size, size(0, 1), size(1, 2)) : "";
 }
 
-/** What a drag takes along: the element of a label or candidate, and the row that is selected for one of its copies. */
-export function draggedItem(planner: Planner, pressed: Item | null, world: Point, reach: number): Item | null {
-  const { selection, document, layers } = planner;
-  let item = pressed;
-  if (item?.kind === "device") {
-    const part = partAt(document.parts.all, world, 0.6 * reach, layers);
-    item = part && itemOf(part);
-  }
-  if (item?.kind !== "copy" || item.path === null) return item;
-  const row: Item = { kind: "element", path: item.path };
-  return selection.has(row) ? row : item;
+/** Shift keeps the direction of the longer side. */
+export function carry(planner: Planner, scope: Carrying, to: Point, { shift }: Keys): Carrying {
+  const [x, y] = minus(to, scope.from);
+  const way: Point = !shift ? [x, y] : Math.abs(x) > Math.abs(y) ? [x, 0] : [0, y];
+  planner.mover.to(wholeSteps(planner, plus(scope.start, way)));
+  return scope;
 }
 
 /** Ends a drag with its effect; false if it has none. */
 export function drop(planner: Planner, scope: Scope): boolean {
   if (scope.kind === "moving") void dropMove(planner, scope);
   else if (scope.kind === "rotating") void dropTurn(planner, scope);
+  else if (scope.kind === "carrying") void planner.mover.drop();
   else if (scope.kind === "cropping") dropCrop(planner, scope);
   else if (scope.kind === "shifting") dropPicture(planner, scope);
   else if (scope.kind === "resizing" && scope.ops.length > 0) void dropSize(planner, scope);

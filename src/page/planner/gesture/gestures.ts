@@ -21,17 +21,16 @@ import { contextOf } from "../elements/context";
 import { boundsBetween, middleOf } from "../geometry/bounds";
 import { directionOf, distance, minus } from "../geometry/vector";
 import type { Planner } from "../planner";
-import { text } from "../text";
 import { itemAt, itemsWithin } from "../view/hit";
 import type { Item, Place } from "../view/selection";
-import { draggedItem, dragMove, dragSize, dragTurn, drop, type Keys } from "./drags";
+import { dragScope, reachOf } from "./begin";
+import { carry, dragMove, dragSize, dragTurn, drop, type Keys } from "./drags";
 import { gripAt, gripsOf } from "./grips";
 import { aimMeasure, setMeasure, unmeasured } from "./measuring";
 import { busy, idle, pathsOf, type Scope } from "./scope";
 import { Touches } from "./touches";
 
 const slack = 4; // pixels between a click and a drag
-const reach = 9; // pixels
 /** Scopes that the press of a button does not end. */
 const resting: ReadonlySet<Scope["kind"]> = new Set(["idle", "measuring", "scaling", "drawing"]);
 const buttons = { left: 0, middle: 1, right: 2, none: -1 };
@@ -76,7 +75,7 @@ export class Gestures {
 
   /** Whether the pointer is changing something or about to. */
   get isBusy(): boolean {
-    return busy.has(this.scope.kind);
+    return busy.has(this.scope.kind) || this.planner.mover.isDragging;
   }
 
   /** After a change that is not from the gesture: it goes on with the same elements, or ends if one of them is gone. */
@@ -104,8 +103,9 @@ export class Gestures {
     if (scope.kind === "marquee") this.planner.selection.set(scope.before);
     if (scope.kind === "shifting") this.planner.hold(null);
     this.planner.document.show(null);
+    const wasCarried = this.planner.mover.cancel(); // also in 3-D
     this.enter(this.resting);
-    return isGesture;
+    return isGesture || wasCarried;
   }
 
   /** What the tool does before the first press. */
@@ -136,6 +136,7 @@ export class Gestures {
     const scope = wanted.kind === "drawing" && wanted.stroke.tool !== this.planner.tool ? this.resting : wanted;
     this.scope = scope;
     this.surface.dataset.scope = scope.kind;
+    this.planner.unitTool.follow(scope);
     this.planner.changes.note("preview");
   }
 
@@ -146,7 +147,7 @@ export class Gestures {
   }
 
   private get reach(): number {
-    return reach / this.planner.viewport.scale;
+    return reachOf(this.planner);
   }
 
   private down(event: PointerEvent): void {
@@ -213,13 +214,16 @@ export class Gestures {
         this.pan(scope, screen, [x, y]);
         break;
       case "pressed":
-        if (distance(screen, scope.screen) > slack) this.beginDrag(scope, screen, world, keys);
+        if (distance(screen, scope.screen) > slack) this.enter(dragScope(planner, scope, screen, world, keys));
         break;
       case "marquee":
         this.stretch(scope, world);
         break;
       case "moving":
         this.enter(dragMove(planner, scope, world, keys));
+        break;
+      case "carrying":
+        this.enter(carry(planner, scope, world, keys));
         break;
       case "rotating":
         this.enter(dragTurn(planner, scope, world, keys));
@@ -256,45 +260,6 @@ export class Gestures {
     const [dx, dy] = scope.hasMoved ? [x, y] : minus(screen, scope.screen);
     this.planner.viewport.pan(dx, dy);
     this.enter({ ...scope, hasMoved });
-  }
-
-  private beginDrag(scope: Extract<Scope, { kind: "pressed" }>, screen: Point, world: Point, keys: Keys): void {
-    const { planner } = this;
-    const { selection, document } = planner;
-    if (scope.isTouch) {
-      this.enter({ kind: "panning", screen: scope.screen, button: buttons.left, hasMoved: true, before: idle });
-      planner.viewport.pan(...minus(screen, scope.screen));
-      return;
-    }
-    const item = draggedItem(planner, scope.item, scope.world, this.reach);
-    if (!item && picture.isOnFreePicture(planner, scope.world)) {
-      this.enter(picture.dragPicture(planner, { kind: "shifting", from: scope.world, to: scope.world }, world));
-      return;
-    }
-    if (!item) {
-      const before = [...selection.items];
-      this.enter({ kind: "marquee", from: scope.world, to: world, kept: keys.shift ? before : [], before });
-      return;
-    }
-    if (!selection.has(item)) {
-      if (keys.shift) selection.add([item]);
-      else selection.set([item]);
-    }
-    const why = item.kind === "copy" ? text.why_not.copy : null;
-    if (why !== null || document.locked) {
-      planner.say(why ?? text.why_not.locked, true);
-      this.enter(idle);
-      return;
-    }
-    const moving: Scope = {
-      kind: "moving",
-      elements: planner.selected,
-      from: scope.world,
-      shift: [0, 0],
-      guides: [],
-      isCopying: keys.alt,
-    };
-    this.enter(dragMove(planner, moving, world, { ...keys, shift: false }));
   }
 
   /** From left to right, the marquee selects what lies inside; from right to left, also what it touches. */

@@ -47,7 +47,10 @@ export type Scope =
       byKeys: boolean;
       /** Nothing attracts the end. */
       isFree: boolean;
+      isShift: boolean;
     }
+  /** A unit moves along its surface; it began at `start`, and the pointer at `from`. */
+  | { kind: "carrying"; from: Point; start: Point }
   /** The picture moves. */
   | { kind: "shifting"; from: Point; to: Point };
 
@@ -60,6 +63,7 @@ export const busy: ReadonlySet<Scope["kind"]> = new Set([
   "moving",
   "rotating",
   "resizing",
+  "carrying",
   "cropping",
   "shifting",
 ]);

@@ -12,6 +12,7 @@ import { boundsBetween, rectangle } from "../geometry/bounds";
 import { lengthText } from "../geometry/units";
 import { between, distance, directionOf, minus, unitAt } from "../geometry/vector";
 import type { Planner } from "../planner";
+import { placeWords } from "../units/mount";
 import { deviceItem, isOpenLine } from "../view/hit";
 import type { Item } from "../view/selection";
 import { guidesOf, reading, snapMarks } from "./guides";
@@ -46,6 +47,7 @@ export class Overlay {
       ...this.picture(),
       ...(scope.kind === "moving" ? guidesOf(this.planner, scope.guides) : []),
       ...this.drawing(),
+      ...this.carried(),
       ...this.reading(),
     ];
   }
@@ -175,6 +177,23 @@ export class Overlay {
     return [
       ...lines(from ? [...measured, [from, to.at]] : measured),
       ...(planner.pointer === null ? [] : snapMarks(planner, to)),
+    ];
+  }
+
+  /** The dragged unit with the way from its old place. */
+  private carried(): Node[] {
+    const { mover, document } = this.planner;
+    const { shown } = mover;
+    if (!shown) return [];
+    const [x, y] = document.units.at(shown.index);
+    const [from, to] = this.screen([
+      [x, y],
+      [shown.mount.position[0], shown.mount.position[1]],
+    ]);
+    return [
+      svg("path", { class: "guide", d: pathOf([from, to], true) }),
+      svg("circle", { class: "chosen", cx: to[0], cy: to[1], r: 9 }),
+      ...(mover.isDragging ? [reading([to[0], to[1] + 30], placeWords(shown.mount, document.unit))] : []),
     ];
   }
 

@@ -25,11 +25,12 @@ export function tiltOf([x, y, z]: number[]): number {
   return (Math.atan2(z, Math.hypot(x, y)) * 180) / Math.PI;
 }
 
-export function deviceFacts(answer: DeviceAnswer, unit: LengthUnit): Facts {
+/** `hasType`: no field shows it. */
+export function deviceFacts(answer: DeviceAnswer, unit: LengthUnit, hasType = true): Facts {
   const facts: Facts = [];
   if (answer.description) facts.push([text.fields.description, answer.description]);
   if (answer.place) facts.push([text.label_place.title, placeText(answer.place, unit)]);
-  facts.push([text.fields.type, answer.type]);
+  if (hasType) facts.push([text.fields.type, answer.type]);
   facts.push([text.fields.position, answer.position.map((value) => value.toFixed(2)).join(", ") + "\u00a0m"]);
   if (answer.normal) facts.push([text.fields.tilt_deg, `${Math.round(tiltOf(answer.normal))}°`]);
   facts.push([text.properties.source, answer.source]);

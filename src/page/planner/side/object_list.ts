@@ -1,12 +1,29 @@
 // The list of all elements. Only rows in view are in the page; arrow keys move through all of them.
 
 import { element } from "../../panel/dom";
-import { elementsOf, kinds, type ElementKind, type StoreElement } from "../elements/kinds";
+import { isOn } from "../document/devices";
+import { elementsOf, kinds, type ElementKind } from "../elements/kinds";
 import { nameOf } from "../elements/names";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 import { grouped } from "../../data/format";
 import { markedOf } from "../plan/shapes";
+import { stateOf, stateWords } from "../units/chosen";
+import { deviceItem } from "../view/hit";
+import type { Item } from "../view/selection";
+
+/** An element, or a unit on the plan that is none. */
+interface Row {
+  item: Item;
+  kind: ElementKind;
+  name: string;
+  /** The type or kind, in small letters. */
+  note: string;
+  isOnPlan: boolean;
+}
+
+/** Of the choice of kinds. */
+const onPlan = "on_plan";
 
 const rowHeight = 28; // pixels
 const spare = 6; // rows beyond the view
@@ -43,12 +60,14 @@ export class ObjectList {
     this.note,
   );
 
-  private elements: StoreElement[] = [];
+  private elements: Row[] = [];
   private active = 0;
   private anchor = 0;
+  private units = "";
 
   constructor(private readonly planner: Planner) {
     this.kindChoice.append(element("option", { value: "", text: text.objects.all }));
+    this.kindChoice.append(element("option", { value: onPlan, text: text.objects.on_plan }));
     for (const kind of kinds) this.kindChoice.append(element("option", { value: kind, text: text.layers.names[kind] }));
     this.list.addEventListener("scroll", () => this.draw());
     this.list.addEventListener("keydown", (event) => {
@@ -60,12 +79,12 @@ export class ObjectList {
 
   update(): void {
     const wanted = this.search.value.trim().toLowerCase();
-    const kind = this.kindChoice.value as ElementKind | "";
-    const all = elementsOf(this.planner.document.json);
+    const kind = this.kindChoice.value;
+    const all = this.all();
     this.elements = all.filter(
       (found) =>
-        (kind === "" || found.kind === kind) &&
-        (wanted === "" || `${nameOf(found)} ${typeOf(found)}`.toLowerCase().includes(wanted)),
+        (kind === "" || (kind === onPlan ? found.isOnPlan : found.kind === kind)) &&
+        (wanted === "" || `${found.name} ${found.note}`.toLowerCase().includes(wanted)),
     );
     this.active = Math.min(this.active, Math.max(this.elements.length - 1, 0));
     this.rows.style.height = `${this.elements.length * rowHeight}px`;
@@ -73,10 +92,51 @@ export class ObjectList {
     this.draw();
   }
 
+  private all(): Row[] {
+    const { document, light } = this.planner;
+    const { units, parts } = document;
+    const elements = elementsOf(document.json).map((found): Row => {
+      const { kind, path, value } = found;
+      const unit = kind === "unit" ? units.withPath(path) : undefined;
+      const type = value.preset ?? value.type;
+      const words = typeof type === "string" ? type : text.kinds[kind];
+      const copies = parts.of(path).length;
+      const isOnPlan = unit !== undefined && isOn(stateOf(units, unit));
+      return {
+        item: { kind: "element", path },
+        kind,
+        name: nameOf(found),
+        note: isOnPlan
+          ? stateWords(units, unit as number)
+          : copies > 1
+            ? say(text.objects.copies, words, copies)
+            : words,
+        isOnPlan,
+      };
+    });
+    // The event of light may be older than the units.
+    const known = light.units.filter(({ index }) => index < units.count && !units.isListed(index));
+    return [
+      ...elements,
+      ...known.map(({ index, id }): Row => {
+        const note = stateWords(units, index);
+        return { item: deviceItem(units, index), kind: "unit", name: id, note, isOnPlan: true };
+      }),
+    ];
+  }
+
+  /** After a change of light: the server may know other units on the plan. */
+  followUnits(): void {
+    const units = this.planner.light.units.map(({ index, id }) => `${index} ${id}`).join();
+    if (units === this.units) return;
+    this.units = units;
+    this.update();
+  }
+
   /** After a selection elsewhere: shows the first selected row. */
   follow(): void {
     const { selection } = this.planner;
-    const index = this.elements.findIndex(({ path }) => selection.has({ kind: "element", path }));
+    const index = this.elements.findIndex(({ item }) => selection.has(item));
     if (index >= 0 && document.activeElement !== this.list) {
       this.active = index;
       this.anchor = index;
@@ -105,10 +165,9 @@ export class ObjectList {
   }
 
   private row(index: number, { problems, warnings }: ReturnType<typeof markedOf>): HTMLElement {
-    const found = this.elements[index];
-    const { path, kind } = found;
-    const { layers, selection, document } = this.planner;
-    const copies = document.parts.of(path).length;
+    const { item, kind, name, note } = this.elements[index];
+    const path = item.kind === "element" ? item.path : "";
+    const { layers, selection } = this.planner;
     const state = problems.has(path) ? "wrong" : warnings.has(path) ? "doubtful" : "";
     const row = element(
       "div",
@@ -117,13 +176,13 @@ export class ObjectList {
         role: "option",
         id: `object${index}`,
         "data-index": index,
-        "aria-selected": String(selection.has({ kind: "element", path })),
+        "aria-selected": String(selection.has(item)),
         "aria-setsize": this.elements.length,
         "aria-posinset": index + 1,
         "aria-disabled": layers.isFree(kind) ? undefined : "true",
       },
-      element("span", { class: "name", text: nameOf(found) }),
-      element("small", { text: copies > 1 ? say(text.objects.copies, typeOf(found), copies) : typeOf(found) }),
+      element("span", { class: "name", text: name }),
+      element("small", { text: note }),
     );
     if (state) row.append(element("span", { class: "state", text: text.problems.marks[state] }));
     row.style.top = `${index * rowHeight}px`;
@@ -132,14 +191,14 @@ export class ObjectList {
 
   private select(index: number, { toggle, extend }: { toggle: boolean; extend: boolean }): void {
     const { selection, layers } = this.planner;
-    const free = (k: number) => (layers.isFree(this.elements[k].kind) ? [this.elements[k].path] : []);
+    const free = (k: number) => (layers.isFree(this.elements[k].kind) ? [this.elements[k].item] : []);
     this.active = index;
     if (!extend) this.anchor = index;
-    if (toggle) for (const path of free(index)) selection.toggle({ kind: "element", path });
+    if (toggle) for (const item of free(index)) selection.toggle(item);
     else if (extend) {
       const [a, b] = [Math.min(this.anchor, index), Math.max(this.anchor, index)];
-      selection.setPaths(Array.from({ length: b - a + 1 }, (_, k) => a + k).flatMap(free));
-    } else selection.setPaths(free(index));
+      selection.set(Array.from({ length: b - a + 1 }, (_, k) => a + k).flatMap(free));
+    } else selection.set(free(index));
     this.reveal();
     this.draw();
   }
@@ -177,9 +236,3 @@ export class ObjectList {
     return true;
   }
 }
-
-/** The type or kind, in small letters beside the name. */
-const typeOf = ({ kind, value }: StoreElement): string => {
-  const type = value.preset ?? value.type;
-  return typeof type === "string" ? type : text.kinds[kind];
-};

@@ -4,6 +4,7 @@ import { element } from "../../panel/dom";
 import { shiftElements, turnElements } from "../actions/move";
 import { component, entry, type Place } from "../form/inputs";
 import { numberFrom, unitText } from "../form/parse";
+import { row } from "../form/row";
 import { lengthText, tidy } from "../geometry/units";
 import type { StoreElement } from "../elements/kinds";
 import type { Planner } from "../planner";
@@ -55,13 +56,6 @@ export function placeRows(
     read: (typed) => numberFrom(typed, "degrees", unit),
     commit: (value) => void turnElements(planner, elements, Number(value)),
   });
-  const row = (name: string, ...controls: HTMLElement[]) =>
-    element(
-      "div",
-      { class: "row" },
-      element("span", { class: "name", text: name }),
-      element("div", { class: "control" }, ...controls),
-    );
   const [width, height] = [0, 1].map((axis) => lengthText(bounds.upper[axis] - bounds.lower[axis], unit));
   return element(
     "section",
@@ -69,12 +63,12 @@ export function placeRows(
     row(text.place.title, element("span", { class: "vector" }, coordinate(0), coordinate(1))),
     row(text.place.turn, turn),
     row(text.place.size, element("span", { class: "constant", text: say(text.place.by, width, height) })),
-    ...gapRow(planner, row),
+    ...gapRow(planner),
   );
 }
 
 /** The distances between two selected elements. */
-function gapRow(planner: Planner, row: (name: string, ...controls: HTMLElement[]) => HTMLElement): HTMLElement[] {
+function gapRow(planner: Planner): HTMLElement[] {
   const all = planner.selection.items.flatMap((item) => planner.boundsOfItem(item) ?? []);
   if (all.length !== 2) return [];
   const [a, b] = all;

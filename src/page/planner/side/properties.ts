@@ -10,7 +10,7 @@ import type { CommandId, Commands } from "../access/commands";
 import { overrideOf } from "../actions/override";
 import { EditBuilder } from "../document/edit";
 import { isObject, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
-import { withoutPlace, type DeviceAnswer } from "../document/messages";
+import { withoutPlace } from "../document/messages";
 import { ToolPanel } from "../draw/panel";
 import { isDrawTool } from "../draw/tools";
 import { contextOf } from "../elements/context";
@@ -23,9 +23,12 @@ import { showProblems } from "../form/problems";
 import { groupOfElement, groupOfStore } from "../form/schema";
 import { pointerOfPath, type Target } from "../form/targets";
 import type { Planner } from "../planner";
+import { chosenUnits, stateWords } from "../units/chosen";
+import { UnitPanel } from "../units/panel";
 import { deviceFacts } from "./device_facts";
 import { say, text } from "../text";
 import type { Item, Place } from "../view/selection";
+import { LabelLight } from "./label_light";
 import { placeRows } from "./place";
 import { ProfilePicture } from "./profile_picture";
 import { typeGroup } from "./type_group";
@@ -44,7 +47,8 @@ export class Properties {
   private shown: StoreElement[] = [];
   private readonly picture: PicturePanel;
   private readonly profile: ProfilePicture;
-  private device: { item: string; answer: DeviceAnswer } | null = null;
+  private readonly light: LabelLight;
+  private readonly units: UnitPanel;
 
   constructor(
     private readonly planner: Planner,
@@ -52,6 +56,9 @@ export class Properties {
   ) {
     this.picture = new PicturePanel(planner, commands);
     this.profile = new ProfilePicture(planner.document, planner.changes);
+    this.light = new LabelLight(planner);
+    planner.changes.listen(["light"], () => this.light.update());
+    this.units = new UnitPanel(planner, commands);
     this.root.addEventListener("focusout", () => {
       if (this.isStale) setTimeout(() => this.update());
     });
@@ -105,9 +112,11 @@ export class Properties {
     if (!document.isReady) return [];
     const elements = this.planner.selected;
     const ofTool = isDrawTool(tool) ? new ToolPanel(this.planner).content(tool) : [];
-    if (elements.length > 0) return [...ofTool, ...this.elements(elements)];
+    // Candidates may be selected together with entries of the list.
+    const item = selection.items.find(({ kind }) => kind !== "element");
+    const hasOthers = item !== undefined && chosenUnits(this.planner).length > 0;
+    if (elements.length > 0 && !hasOthers) return [...ofTool, ...this.elements(elements)];
     if (ofTool.length > 0) return ofTool;
-    const [item] = selection.items;
     if (item?.kind === "copy") return this.copy(item);
     if (item?.kind === "device") return this.labelOrUnit(item);
     const { drawing } = this.planner;
@@ -194,7 +203,7 @@ export class Properties {
     const [first] = contexts;
     const single = contexts.length === 1 ? first : null;
     const type = single ? (single.effective.type ?? single.parts[0]?.type) : undefined;
-    const subtitle = single ? subtitleOf(single, type) : text.properties.several;
+    const subtitle = single ? this.subtitleOf(single, type) : text.properties.several;
     const name = namesOf(elements);
     const hasPlace = single ? single.effective.at === undefined && single.effective.position === undefined : true;
     const isDisabled = document.locked !== null;
@@ -206,11 +215,13 @@ export class Properties {
         this.kindChips(),
         this.tools(
           ["rotate", "turn"],
+          ["unit_turn", "turn"],
           ["mirror_x", "mirror_x"],
           ["mirror_y", "mirror_y"],
           ["duplicate", "duplicate"],
           ["fit_selection", "show"],
           ["delete", "delete"],
+          ["unit_remove", "delete"],
         ),
         contexts.length > 1
           ? this.tools(
@@ -225,6 +236,8 @@ export class Properties {
             )
           : null,
       ),
+      ...this.units.content(),
+      ...this.light.content(),
       ...[hasPlace ? placeRows(this.planner, elements, isDisabled) : null].filter((row) => row !== null),
       ...(groups.length === contexts.length
         ? [
@@ -238,6 +251,13 @@ export class Properties {
       // At the end, because warnings come later than the fields, and must not move them.
       element("div", { class: "whole", "data-field": "" }),
     ];
+  }
+
+  private subtitleOf({ kind, path }: StoreElement, type: Json | undefined): string {
+    const { units } = this.planner.document;
+    const unit = kind === "unit" ? units.withPath(path) : undefined;
+    if (unit !== undefined) return stateWords(units, unit);
+    return kind === "fixture" ? optionText(type) : kind === "room" ? "" : text.kinds[kind];
   }
 
   /** For a selection of several kinds: a click keeps one of them. */
@@ -281,26 +301,20 @@ export class Properties {
   }
 
   private labelOrUnit(item: Extract<Item, { kind: "device" }>): Node[] {
-    const { document } = this.planner;
-    const name = `${item.device}${item.index}/${document.revision}`;
-    if (this.device?.item !== name) {
-      void document.request<{ device: DeviceAnswer }>("device", { kind: item.device, index: item.index }).then(
-        ({ device }) => {
-          this.device = { item: name, answer: device };
-          this.planner.changes.note("selection");
-        },
-        () => {},
-      );
-    }
-    const answer = this.device?.item === name ? this.device.answer : null;
-    const facts = answer ? deviceFacts(answer, document.unit) : [];
+    const { selection, document } = this.planner;
+    const units = this.units.content();
+    const tools = this.tools(["unit_turn", "turn"], ["fit_selection", "show"], ["unit_remove", "delete"]);
+    if (units.length > 0 && selection.items.length > 1)
+      return [this.header(counted(text.counted.units, selection.items.length), "", tools), ...units];
+    const answer = this.planner.answers.now(item.device, item.index);
+    const isUnit = item.device === "unit";
+    const kind = isUnit ? stateWords(document.units, item.index) : text.kinds.label;
     return [
-      this.header(answer?.id ?? "…", text.kinds[item.device]),
-      listOf(facts),
-      element("p", {
-        class: "locked",
-        text: item.path === null ? text.properties.of_file : text.properties.of_element,
-      }),
+      this.header(answer?.id ?? "…", kind, units.length > 0 ? tools : null),
+      ...units,
+      listOf(answer ? deviceFacts(answer, document.unit, !isUnit || item.path === null) : []),
+      ...this.light.content(),
+      element("p", { class: "locked", text: text.properties[sourceOf(item)] }),
       this.commandButtons("edit_source", "dissolve"),
     ];
   }
@@ -369,14 +383,12 @@ const isTyping = (field: HTMLElement): boolean =>
   field.dataset.shown !== undefined &&
   (field.value.trim() !== field.dataset.shown || field.ariaInvalid === "true");
 
+const sourceOf = ({ path, device }: Extract<Item, { kind: "device" }>) =>
+  path === null ? "of_file" : device === "unit" ? "of_candidates" : "of_element";
+
 const listOf = (facts: readonly [string, string][]): HTMLElement =>
   element("dl", {}, ...facts.flatMap(([term, fact]) => [element("dt", { text: term }), element("dd", { text: fact })]));
 
 function optionText(type: Json | undefined): string {
   return (text.options as Record<string, string>)[String(type)] ?? String(type ?? text.kinds.fixture);
-}
-
-function subtitleOf({ kind }: StoreElement, type: Json | undefined): string {
-  if (kind === "fixture") return optionText(type);
-  return kind === "room" ? "" : text.kinds[kind];
 }

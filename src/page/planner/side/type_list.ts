@@ -3,7 +3,7 @@
 import { button, element, replaceChildren } from "../../panel/dom";
 import { EditBuilder } from "../document/edit";
 import { pointerTo, splitPointer, valueAt, type Json } from "../document/json";
-import { typesOfSelection } from "../actions/assign";
+import { assignedTypes } from "../actions/assign";
 import { nextId } from "../elements/copies";
 import { namesIn } from "../form/initial";
 import type { TypeList } from "../elements/types";
@@ -25,7 +25,7 @@ export class TypeLists {
 
   update(): void {
     const { json, shared } = this.planner.document;
-    const assigned = typesOfSelection(this.planner.selected)?.[0];
+    const assigned = assignedTypes(this.planner);
     replaceChildren(
       this.sections,
       lists.flatMap((list) => {

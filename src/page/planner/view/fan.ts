@@ -11,8 +11,14 @@ const most = 0.6; // m of all together
 /** m in front of the shelf, also of a single label. */
 export const lift = 0.03;
 
-/** The number of labels at the same point that are lower, for each label. */
-export function ranksOf({ count, position }: Devices): Uint8Array {
+interface Points {
+  /** The number of labels at the same point that are lower, for each label. */
+  ranks: Uint8Array;
+  /** The number of the point of each label. */
+  groups: Uint32Array;
+}
+
+export function pointsOf({ count, position }: Pick<Devices, "count" | "position">): Points {
   const groups = new Map<string, number[]>();
   for (let index = 0; index < count; ++index) {
     const key = `${Math.round(position[3 * index] * 100)},${Math.round(position[3 * index + 1] * 100)}`;
@@ -20,18 +26,22 @@ export function ranksOf({ count, position }: Devices): Uint8Array {
     if (group) group.push(index);
     else groups.set(key, [index]);
   }
-  const ranks = new Uint8Array(count);
-  for (const group of groups.values())
+  const points = { ranks: new Uint8Array(count), groups: new Uint32Array(count) };
+  [...groups.values()].forEach((group, number) => {
     group
       .sort((a, b) => position[3 * a + 2] - position[3 * b + 2])
       .forEach((index, rank) => {
-        ranks[index] = Math.min(rank, 255);
+        points.ranks[index] = Math.min(rank, 255);
+        points.groups[index] = number;
       });
-  return ranks;
+  });
+  return points;
 }
 
 export class Fan {
-  private ranks: Uint8Array = new Uint8Array();
+  /** From afar: 1 for labels that lie above the others at their point; null if none does. */
+  front: Uint8Array | null = null;
+  private points: Points = { ranks: new Uint8Array(), groups: new Uint32Array() };
   private highest = 0;
   private of: Float32Array | null = null;
 
@@ -53,7 +63,18 @@ export class Fan {
 
   rank(index: number): number {
     this.refresh();
-    return this.ranks[index] ?? 0;
+    return this.points.ranks[index] ?? 0;
+  }
+
+  /** The number of the point of each label. */
+  get groups(): Uint32Array {
+    this.refresh();
+    return this.points.groups;
+  }
+
+  /** Whether another label lies above it. */
+  isCovered(index: number): boolean {
+    return this.front?.[index] === 0;
   }
 
   /** Where the plan shows a label or unit. */
@@ -68,7 +89,8 @@ export class Fan {
   private refresh(): void {
     if (this.of === this.labels.position) return;
     this.of = this.labels.position;
-    this.ranks = ranksOf(this.labels);
-    this.highest = this.ranks.reduce((most, rank) => Math.max(most, rank), 0);
+    this.points = pointsOf(this.labels);
+    this.front = null;
+    this.highest = this.points.ranks.reduce((most, rank) => Math.max(most, rank), 0);
   }
 }

@@ -50,8 +50,9 @@ function nearestDevice(devices: Devices, point: Point, reach: number, { layers, 
   for (let index = 0; index < count; ++index) {
     if (Math.abs(position[3 * index] - point[0]) > farthest) continue;
     if (Math.abs(position[3 * index + 1] - point[1]) > farthest) continue;
-    const away = distance(fan.place(devices, index), point) / (devices.isListed(index) ? 1 : derivedShare);
-    if (away <= (found?.[1] ?? reach) && isDeviceFree(devices, index, layers)) found = [index, away];
+    const away = distance(fan.place(devices, index), point) / (devices.stands(index) ? 1 : derivedShare);
+    if (away > (found?.[1] ?? reach) || (devices.kind === "label" && fan.isCovered(index))) continue;
+    if (isDeviceFree(devices, index, layers)) found = [index, away];
   }
   return found;
 }

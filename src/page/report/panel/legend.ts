@@ -2,28 +2,10 @@
 
 import { grouped } from "../../data/format";
 import { element } from "../../panel/dom";
+import { key } from "../../panel/key";
 import type { Model } from "../data/model";
 import { say, text } from "../data/text";
 import type { ClassCounts } from "../scene/picture";
-
-const shapes = {
-  disc: '<circle r="7" class="v3-thin"/>',
-  triangle: '<path d="M0-8 8 6H-8Z"/>',
-  square: '<path d="M-6-6H6V6H-6Z"/>',
-  block: '<path d="M-5-8H5V8H-5Z"/>',
-  dot: '<circle r="8" class="v3-bare"/>',
-  cross: '<path d="M-4 0h8M0-4v8" class="v3-stroke"/>',
-  solid: '<path d="M-9 0H9" class="v3-stroke v3-wide"/>',
-  dashed: '<path d="M-9 0H9" class="v3-stroke v3-wide v3-dashed"/>',
-};
-
-/** `colour`: a CSS variable. */
-function key(shape: keyof typeof shapes, colour: string, name: string): HTMLElement {
-  const mark = element("span", { class: "v3-key" });
-  mark.innerHTML = `<svg viewBox="-10 -10 20 20">${shapes[shape]}</svg>`;
-  mark.style.setProperty("--tone", `var(${colour})`);
-  return element("li", {}, mark, name);
-}
 
 export class Legend {
   readonly root = element("ul", { class: "legend v3-legend" });

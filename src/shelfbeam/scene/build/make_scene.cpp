@@ -317,11 +317,7 @@ class SceneMaker {
 
   bool is_kept_out(const Vec3& p) const {
     const Vec3 q{p.x, p.y, 0};
-    return keep_out_.any({q, q}, [&](std::uint32_t k) {
-      const KeepOut& area = store_.keep_out[k].value;
-      return area.low <= p.z && p.z <= area.high &&
-             (area.polygon.empty() || contains(area.polygon, {p.x, p.y}));
-    });
+    return keep_out_.any({q, q}, [&](std::uint32_t k) { return store_.keep_out[k].value.contains(p); });
   }
 
   void add_transceiver(const Transceiver& unit, const std::string& where) {

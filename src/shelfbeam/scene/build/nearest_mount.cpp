@@ -154,7 +154,13 @@ Vec2 within(const std::optional<RoomShape>& room, const Vec2& p) {
   Vec2 best = p;
   double least = HUGE_VAL;
   for (const OuterWall& wall : room->walls()) {
-    const Vec2 at = nearest_of(wall.from, wall.to, p);
+    // Not in a corner, where the next wall is as near.
+    const double margin = std::min(clearance / std::max(wall.length(), clearance), 0.5);
+    const auto along = [&](double share) {
+      return Vec2{wall.from[0] + share * (wall.to[0] - wall.from[0]),
+                  wall.from[1] + share * (wall.to[1] - wall.from[1])};
+    };
+    const Vec2 at = nearest_of(along(margin), along(1 - margin), p);
     const Vec2 inside{at[0] + clearance * wall.inward[0], at[1] + clearance * wall.inward[1]};
     if (const double away = distance(inside, p); away < least && room->covers(inside)) {
       best = inside;
@@ -173,10 +179,10 @@ Vec3 turned(const Vec3& axis, const Vec2& from, const Vec2& to) {
 }  // namespace
 
 MountPlace nearest_mount(const Store& store, const Scene& scene, const PointedAt& at, double reach) {
-  if (const RailPlace rail = nearest_rail(store, at.plan); rail.distance <= reach)
+  if (const RailPlace rail = nearest_rail(store, at.plan); rail.distance <= reach && reach > 0)
     return {rail.at, rail.rail->unit.axes.front(), MountKind::rail, rail.rail->id};
   const Faces faces(scene);
-  if (const FacePlace face = faces.nearest(at.plan); face.distance <= reach)
+  if (const FacePlace face = faces.nearest(at.plan); face.distance <= reach && reach > 0)
     return {before(face, usual_offset, at.z.value_or(usual_height)),
             {face.face->outward[0], face.face->outward[1], 0},
             MountKind::face,

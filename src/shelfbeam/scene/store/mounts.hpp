@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/math/compass.hpp"
+#include "shelfbeam/math/polygon.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/room_shape.hpp"
 
@@ -55,6 +56,12 @@ struct KeepOut {
   Vec2 min{}, max{};  ///< the rectangle, or the bounds of the polygon
   Polygon polygon;    ///< empty for a rectangle
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+
+  bool contains(const Vec3& p) const {
+    const Vec2 plan{p.x, p.y};
+    const bool is_within = min[0] <= p.x && p.x <= max[0] && min[1] <= p.y && p.y <= max[1];
+    return low <= p.z && p.z <= high && (polygon.empty() ? is_within : shelfbeam::contains(polygon, plan));
+  }
 };
 
 }  // namespace shelfbeam

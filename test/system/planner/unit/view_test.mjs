@@ -6,7 +6,7 @@ import fc from "fast-check";
 import { area, contains, distanceTo, touches } from "../../../../src/page/planner/geometry/polygon";
 import { roundLength } from "../../../../src/page/planner/plan/scale_bar";
 import { distanceTo as distanceAlong } from "../../../../src/page/planner/space/prisms";
-import { ranksOf } from "../../../../src/page/planner/view/fan";
+import { pointsOf } from "../../../../src/page/planner/view/fan";
 import { itemAt } from "../../../../src/page/planner/view/hit";
 import { Selection } from "../../../../src/page/planner/view/selection";
 import { Viewport } from "../../../../src/page/planner/view/viewport";
@@ -64,7 +64,7 @@ test("the smallest outline at a point is found, and lines only at their lines", 
   const sight = (hidden = []) => ({
     document: { parts: { all }, labels: none, units: { ...none, kind: "unit" } },
     layers: { isFree: (kind) => !hidden.includes(kind), isLevelFree: () => true },
-    fan: { reach: 0 },
+    fan: { reach: 0, isCovered: () => false },
   });
   const at = (point, hidden) => itemAt(sight(hidden), point, 0.1)?.path ?? null;
   assert.equal(at([4.5, 4.5]), "/small");
@@ -89,7 +89,9 @@ test("the scale bar has a round length that fits", () => {
 
 test("labels at one point are ranked by their heights", () => {
   const position = Float32Array.from([1, 1, 0.8, 1, 1, 0.3, 2, 1, 0.3, 1, 1, 1.7]);
-  assert.deepEqual([...ranksOf({ count: 4, position })], [1, 0, 0, 2]);
+  const { ranks, groups } = pointsOf({ count: 4, position });
+  assert.deepEqual([...ranks], [1, 0, 0, 2]);
+  assert.deepEqual([...groups], [0, 0, 1, 0]);
 });
 
 test("a ray hits the top or a side of a fixture", () => {

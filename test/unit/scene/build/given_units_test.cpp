@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/scene/light_keys.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 
 #include "support/expect_input_error.hpp"
@@ -103,6 +104,41 @@ TEST(GivenUnits, MayNotContradictEachOther) {
   json["transceivers"].erase("installed");
   json["transceivers"]["excluded"] = {"G*", "T*"};
   expect_input_error([&] { scene_of(json); }, "transceivers.excluded[1]: ", "leaves no candidate");
+}
+
+std::vector<std::string> selected(const Scene& scene) {
+  return ids_of(scene.transceivers, [](const Transceiver& unit) { return unit.selected; });
+}
+
+// The choice is kept, and binds nothing: neither the hash of the store nor its light depends on it.
+TEST(GivenUnits, AreSelectedWithoutAnEffect) {
+  Json json = sample_store();
+  const Scene before = scene_of(json);
+  json["transceivers"]["selected"] = {"T2", "G1-4-3", "T1"};
+  const Store store = test::read_text(json.dump());
+  const Scene scene = make_scene(store);
+  EXPECT_EQ(selected(scene), (std::vector<std::string>{"G1-4-3", "T1", "T2"}));
+  EXPECT_EQ(ids_of(scene.transceivers, [](const Transceiver& unit) { return unit.is_chosen(); }),
+            selected(scene))
+      << "T1 is installed, too";
+  EXPECT_EQ(scene.store_hash, before.store_hash);
+  EXPECT_EQ(light_keys(scene).light_hash, light_keys(before).light_hash);
+  EXPECT_EQ(light_keys(scene).transceivers, light_keys(before).transceivers);
+  const std::string resolved = resolved_store_json(store, scene);
+  EXPECT_EQ(selected(make_scene(test::read_text(resolved))), selected(scene));
+  EXPECT_EQ(hash_of_resolved(resolved), scene.store_hash);
+  json["transceivers"]["pinned"] = {"T2"};
+  EXPECT_NE(scene_of(json).store_hash, before.store_hash) << "a control: a pin binds plans";
+}
+
+TEST(GivenUnits, OfAChoiceAreNamedByTheirIds) {
+  expect_input_error([] { scene_with("selected", {"G1-*"}); }, "transceivers.selected[0]",
+                     "unknown transceiver");
+  Json store = sample_store();
+  store["transceivers"]["selected"] = {"T2"};
+  store["transceivers"]["excluded"] = {"T?"};
+  store["transceivers"].erase("installed");
+  expect_input_error([&] { scene_of(store); }, "transceivers.excluded[0]", "excludes the selected unit");
 }
 
 }  // namespace

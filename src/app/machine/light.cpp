@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include <unistd.h>
+
 #include "shelfbeam/base/error.hpp"
 
 #include "app/text/pipe.hpp"
@@ -32,6 +34,8 @@ void add_light(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb = app.add_subcommand("light", "Compute the light of a shop for the planner");
   verb->callback([&chosen] {
     chosen = [] {
+      // The planner answers first.
+      [[maybe_unused]] const int priority = ::nice(10);
       jobs::LightJob job;
       try {
         job = jobs::light_job_of(standard_input(max_job, "pass the job of a planner"));

@@ -1,0 +1,42 @@
+// For what follows the pointer: one request at a time, and then the newest.
+
+interface Waiting<Wanted, Answer> {
+  wanted: Wanted;
+  done: (answer: Answer | null) => void;
+}
+
+export class Newest<Wanted, Answer> {
+  private next: Waiting<Wanted, Answer> | null = null;
+  private isBusy = false;
+  /** Answers to what was asked before a stop are late. */
+  private round = 0;
+
+  constructor(private readonly ask: (wanted: Wanted) => Promise<Answer | null>) {}
+
+  /** Null if a newer request overtakes this one, or after a stop. */
+  get(wanted: Wanted): Promise<Answer | null> {
+    this.next?.done(null);
+    return new Promise((done) => {
+      this.next = { wanted, done };
+      void this.send();
+    });
+  }
+
+  /** Answers that are still to come have no effect. */
+  stop(): void {
+    ++this.round;
+    this.next?.done(null);
+    this.next = null;
+  }
+
+  private async send(): Promise<void> {
+    const { next, round } = this;
+    if (this.isBusy || !next) return;
+    this.next = null;
+    this.isBusy = true;
+    const answer = await this.ask(next.wanted).catch(() => null);
+    this.isBusy = false;
+    next.done(round === this.round ? answer : null);
+    void this.send();
+  }
+}

@@ -1,0 +1,161 @@
+#include "serve/live/unit_edits.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "serve/live/shop.hpp"
+#include "support/expect_input_error.hpp"
+#include "support/temp_folder.hpp"
+
+namespace shelfbeam::serve {
+namespace {
+
+constexpr auto head = R"({
+  "units": "cm",
+  "room": {"size": [1000, 600, 300], "floor": "p", "ceiling": "p", "walls": "p"},
+  "materials": {"p": {"type": "lambertian", "reflectance": 0.5}},
+  "label_types": {"l": {"threshold": 1}},
+  "transceiver_types": {"t": {"emission": {"type": "sin2theta", "peak": 1}},
+                        "narrow": {"emission": {"type": "sin2theta", "peak": 2}}},
+  "labels": [{"id": "L", "position": [100, 100, 100], "normal": [0, 1, 0], "type": "l"}])";
+
+// A store whose text follows the edits.
+class UnitEdits : public testing::Test {
+ protected:
+  explicit UnitEdits(const std::string& transceivers = R"(,
+  "transceivers": {
+    "grids": [{"type": "t", "min": [100, 100], "max": [500, 100], "spacing": 100, "z": 290}],
+    "list": [
+      {"id": "A", "type": "t", "position": [200, 300, 290]},  // by the door
+      {"id": "B", "type": "t", "position": [300, 300, 290], "axis": [0, 1, -1]}
+    ],
+    "selected": ["A", "G1-2-1"], "excluded": ["G1-5-*"], "installed": ["B"], "keep_out": [{"min": [900, 500], "max": [1000, 600]}]
+  }
+})")
+      : shop_(folder_.path() / "store.json"), text_(head + transceivers) {
+    shop_.update(text_, 1);
+  }
+
+  std::size_t index(const std::string& id) const {
+    for (std::size_t k = 0; k < shop_.unit_count(); ++k)
+      if (shop_.unit(k)["id"] == id) return k;
+    ADD_FAILURE() << id;
+    return 0;
+  }
+  std::string act(Json request) {
+    const UnitEdit edit = unit_edit(request, shop_.json(), shop_.draft());
+    const std::string before = text_;
+    text_ = edited(text_, edit.ops).text;
+    shop_.update(text_, 1);
+    EXPECT_TRUE(shop_.problems().empty()) << shop_.problems() << text_;
+    std::vector<EditOp> inverse;  // undo gives the text before
+    for (auto op = edit.ops.rbegin(); op != edit.ops.rend(); ++op)
+      inverse.push_back({op->path, op->after, op->before});
+    EXPECT_EQ(Json::parse(edited(text_, inverse).text, nullptr, true, true),
+              Json::parse(before, nullptr, true, true));
+    return edit.ids.empty() ? "" : edit.ids.back();
+  }
+  std::string mark(const std::string& action, const std::string& id, bool on) {
+    return act({{"action", action}, {"index", index(id)}, {"on", on}});
+  }
+  const Json& units() const { return shop_.json()["transceivers"]; }
+
+  test::TempFolder folder_;
+  Shop shop_;
+  std::string text_;
+};
+
+TEST_F(UnitEdits, PlaceAUnitThatIsPinned) {
+  EXPECT_EQ(act({{"action", "place"}, {"type", "narrow"}, {"position", {1.23456789, 2, 2.95}}}), "U1");
+  EXPECT_EQ(units()["list"][2],
+            Json::parse(R"({"id": "U1", "type": "narrow", "position": [123.46, 200, 295]})"));
+  EXPECT_EQ(units()["pinned"], Json({"U1"}));
+  EXPECT_EQ(act({{"action", "place"},
+                 {"type", "t"},
+                 {"position", {3, 2, 2.95}},
+                 {"axis", {0, 3, -4}},
+                 {"roll_deg", 30},
+                 {"as", "installed"}}),
+            "U2");
+  EXPECT_EQ(units()["list"][3]["axis"], Json({0, 0.6, -0.8}));
+  EXPECT_EQ(units()["list"][3]["roll_deg"], 30);
+  EXPECT_EQ(units()["installed"], Json({"B", "U2"}));
+}
+
+TEST_F(UnitEdits, MoveAUnitOfTheListAndPinIt) {
+  EXPECT_EQ(act({{"action", "change"}, {"index", index("A")}, {"position", {2.5, 3, 2.9}}}), "A");
+  EXPECT_EQ(units()["list"][0]["position"], Json({250, 300, 290}));
+  EXPECT_EQ(units()["pinned"], Json({"A"}));
+  EXPECT_EQ(units()["selected"], Json({"A", "G1-2-1"}));
+  EXPECT_NE(text_.find("// by the door"), std::string::npos);
+  act({{"action", "change"}, {"index", index("B")}, {"type", "narrow"}, {"axis", {0, 0, -1}}});
+  EXPECT_FALSE(units()["list"][1].contains("axis"));
+  EXPECT_EQ(units()["list"][1]["type"], "narrow");
+  EXPECT_EQ(units()["pinned"], Json({"A"})) << "an installed unit stays so";
+}
+
+TEST_F(UnitEdits, MoveACandidateIntoTheList) {
+  EXPECT_EQ(act({{"action", "change"}, {"index", index("G1-2-1")}, {"position", {2.2, 1.1, 2.9}}}), "U1");
+  EXPECT_EQ(units()["list"][2]["position"], Json({220, 110, 290}));
+  EXPECT_EQ(units()["selected"], Json({"A"})) << "the candidate is off the plan";
+  EXPECT_EQ(units()["pinned"], Json({"U1"}));
+}
+
+TEST_F(UnitEdits, MarkUnits) {
+  mark("switch", "G1-1-1", true);
+  EXPECT_EQ(units()["selected"], Json({"A", "G1-2-1", "G1-1-1"}));
+  mark("pin", "G1-1-1", true);
+  EXPECT_EQ(units()["pinned"], Json({"G1-1-1"}));
+  mark("exclude", "G1-1-1", true);
+  EXPECT_EQ(units()["excluded"], Json({"G1-5-*", "G1-1-1"}));
+  EXPECT_EQ(units()["pinned"], Json::array());
+  EXPECT_EQ(units()["selected"], Json({"A", "G1-2-1"}));
+  mark("pin", "G1-1-1", true);
+  EXPECT_EQ(units()["excluded"], Json({"G1-5-*"}));
+  mark("install", "G1-1-1", true);
+  EXPECT_EQ(units()["installed"], Json({"B", "G1-1-1"}));
+  EXPECT_EQ(units()["pinned"], Json::array());
+  mark("switch", "G1-1-1", false);
+  EXPECT_EQ(units()["installed"], Json({"B"}));
+  EXPECT_EQ(act({{"action", "remove"}, {"index", index("A")}}), "A");
+  EXPECT_EQ(units()["list"].size(), 1U);
+  EXPECT_EQ(units()["selected"], Json({"G1-2-1"}));
+}
+
+TEST_F(UnitEdits, ChangeSeveralInOneStep) {
+  act({{"action", "pin"},
+       {"each", {{{"index", index("A")}, {"on", true}}, {{"index", index("G1-1-1")}, {"on", true}}}}});
+  EXPECT_EQ(units()["pinned"], Json({"A", "G1-1-1"}));
+  act({{"action", "change"},
+       {"each",
+        {{{"index", index("G1-1-1")}, {"roll_deg", 90}}, {{"index", index("G1-2-1")}, {"roll_deg", 90}}}}});
+  EXPECT_EQ(units()["pinned"], Json({"A", "U1", "U2"}));
+  act({{"action", "remove"},
+       {"each", {{{"index", index("A")}}, {{"index", index("U1")}}, {{"index", index("B")}}}}});
+  EXPECT_EQ(units()["list"].size(), 1U);
+  EXPECT_EQ(units()["list"][0]["id"], "U2");
+}
+
+TEST_F(UnitEdits, RefuseWhatAPatternDecides) {
+  test::expect_input_error([&] { mark("pin", "G1-5-1", true); }, "G1-5-1", "excluded by the pattern");
+  test::expect_input_error([&] { act({{"action", "place"}, {"type", "t"}, {"position", {9.5, 5.5, 2.9}}}); },
+                           "keep-out area");
+  EXPECT_THROW(act({{"action", "place"}, {"type", "other"}, {"position", {1, 2, 2.95}}}), InputError);
+  EXPECT_THROW(act({{"action", "change"}, {"index", 99}}), InputError);
+  EXPECT_THROW(act({{"action", "dance"}, {"index", 0}, {"on", true}}), InputError);
+}
+
+class UnitEditsOfAnEmptyShop : public UnitEdits {
+ protected:
+  UnitEditsOfAnEmptyShop() : UnitEdits("}") {}
+};
+
+TEST_F(UnitEditsOfAnEmptyShop, AddTheFirstUnit) {
+  EXPECT_EQ(act({{"action", "place"}, {"type", "t"}, {"position", {1, 2, 2.95}}}), "U1");
+  EXPECT_EQ(units()["list"].size(), 1U);
+}
+
+}  // namespace
+}  // namespace shelfbeam::serve
