@@ -169,7 +169,9 @@ const line = (what, values) => {
   console.log(what.padEnd(52) + found.map((value) => value.toFixed(1).padStart(8)).join(""));
   return found[3];
 };
-console.log(`${example}${isDrawn ? "" : ", marks are not drawn"}: ${drags.length} answers to ${moves} events of the pointer; ms`);
+console.log(
+  `${example}${isDrawn ? "" : ", marks are not drawn"}: ${drags.length} answers to ${moves} events of the pointer; ms`,
+);
 console.log(`first coverage ${((covered - begun) / 1000).toFixed(1)} s after the first unit was switched on`);
 console.log(" ".repeat(52) + quantiles.map((q) => (q === 1 ? "max" : `${100 * q} %`).padStart(8)).join(""));
 const whole = line(

@@ -23,8 +23,8 @@ struct PlanJob {
   std::filesystem::path store, folder;
   PlanRequest plan = {};
   UnitChoice units = {};  ///< besides those of the store
-  /// Units to be examined instead of planned (given_units); empty: those of the store. Their problem is that of the file, with `model`
-  /// and unit failure of this job if these are given.
+  /// Units to be examined instead of planned (given_units); empty: those of the store. Their problem is that
+  /// of the file, with `model` and unit failure of this job if these are given.
   std::optional<std::filesystem::path> selection = {};
   std::optional<CommunicationModel> model = {};
   /// Signals to reuse: a signal file, or the folder of a plan (read_given_signals).

@@ -208,7 +208,8 @@ void describe(Fields& f, PlanJob& job) {
   with_default(job.folder, usual.folder, [&](auto& given) { path(f, "folder", given, "for the results"); });
   f.object("plan", [&](Fields& part) { describe(part, job.plan); }, optional("the request", true));
   path(f, "selection", job.selection,
-       "placement.json, or a CSV of mounted units, to be examined instead of a plan; empty: those of the store");
+       "placement.json, or a CSV of mounted units, to be examined instead of a plan; empty: those of the "
+       "store");
   name(f, "model", job.model, "of a selection: instead of its own");
   texts(f, "pinned", job.units.pinned, "ids or patterns of units that are part of the plan");
   texts(f, "excluded", job.units.excluded, "ids or patterns of units that are not");

@@ -54,15 +54,18 @@ void add_preview(CLI::App& app, ChosenVerb& chosen) {
   const OptionGroup first(*verb);
   first.require("STORE", job.store, a_path(), "Store file (JSON)");
   first.add("--from", job.plan, a_path("PLAN"),
-            "Folder of a plan, whose units stay instead of those that the store selects; its file light.operator makes the next preview fast");
+            "Folder of a plan, whose units stay instead of those that the store selects; its file "
+            "light.operator makes the next preview fast");
   const CLI::Validator text([](std::string&) { return std::string(); }, "UNIT");
   first
       .add("--unit", job.added, text,
            "Add a unit: x,y,z[,ax,ay,az][,type], in metres; straight down by default")
       ->allow_extra_args(false);
-  first.add("--move", job.moved, text, "Move a unit of the plan, or of the store: ID,x,y,z[,ax,ay,az][,type]")
+  first
+      .add("--move", job.moved, text, "Move a unit of the plan, or of the store: ID,x,y,z[,ax,ay,az][,type]")
       ->allow_extra_args(false);
-  first.add("--remove", job.removed, an_id(), "Remove a unit of the plan, or of the store")->allow_extra_args(false);
+  first.add("--remove", job.removed, an_id(), "Remove a unit of the plan, or of the store")
+      ->allow_extra_args(false);
   first.add("--refine", job.refine_s, positive_number("SECONDS"),
             "Simulate the units for SECONDS instead, without bias");
   first.add_flag("--coarse", job.coarse, "Compute the light of the shop in less time, with larger errors");

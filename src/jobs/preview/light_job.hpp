@@ -17,7 +17,7 @@ struct LightJob {
   std::string name = "store.json", text = {};  ///< of the store file
   std::filesystem::path folder = {};           ///< of the files that the store names
   std::filesystem::path keep = {};             ///< folder of the light operators
-  std::vector<std::string> known = {};         ///< messages `column` of this generation, which need not be made
+  std::vector<std::string> known = {};  ///< messages `column` of this generation, which need not be made
 };
 
 /// Names of light operators in the folder of a LightJob.

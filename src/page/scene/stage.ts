@@ -83,8 +83,7 @@ export class Stage {
     private readonly options: StageOptions,
   ) {
     const alpha = options.overlay ?? false;
-    // Smooth edges cost more time than their effect is worth for many marks, and without a graphics card in drags.
-    const antialias = options.marks <= mostSmooth && !(alpha && isSoftware());
+    const antialias = options.marks <= mostSmooth && !(alpha && isSoftware()); // edges that are worth their time
     this.renderer = new WebGLRenderer({ canvas, antialias, alpha, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.fixtures = new Fixtures(scenery);

@@ -95,8 +95,8 @@ class Disturbed(unittest.TestCase):
             cluster.wait(lambda: records() >= SHOPS * (kill + 1) // (NODE_KILLS + 2) and is_running(), "the plans", 300)
             cluster.kill_node()
 
-        # The signal that Slurm sends before the time limit: the task saves its checkpoints and is queued again. A script
-        # that has started its plans handles the signal; one that is just starting would be killed by it.
+        # The signal that Slurm sends before the time limit: the task saves its checkpoints and is queued again. A
+        # script that has started its plans handles the signal; one that is just starting would be killed by it.
         def has_stopped():
             arguments = slurm.arguments_of_processes()
             for job, state in cluster.jobs():

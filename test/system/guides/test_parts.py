@@ -147,6 +147,9 @@ class Keys(unittest.TestCase):
         text = actions.read_text(encoding="utf-8")
         lists = re.findall(r"\bcommand\(\s*\S+,\s*[^,\[\]]+,\s*\[(.*?)\]", text)
         known = {key for keys in lists for key in re.findall(r'"([^"]+)"', keys)}
+        units = (actions.parent.parent / "units/commands.ts").read_text(encoding="utf-8")
+        marks = re.search(r"const keys: Record<Mark, string> = \{(.*?)\}", units).group(1)
+        known |= set(re.findall(r'"([^"]+)"', marks))
         drawing = text.split("const drawKeys")[1].split("};")[0]
         known |= set(re.findall(r'"([^"]+)"', drawing.split("= {")[1]))
         self.assertGreaterEqual(len(known), 38)

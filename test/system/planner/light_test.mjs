@@ -41,8 +41,8 @@ const four = select(["G1-2-2", "G1-5-2", "G1-2-5", "G1-5-5"]);
 
 const rms = (list) => Math.sqrt(list.reduce((sum, z) => sum + z * z, 0) / list.length);
 
-// At most 200 labels: the root mean square of independent z-scores would be 1 +- 0.05. Labels of a cluster share paths,
-// so that the limit is 1.35; a hundred runs with other seeds of the page's own shop stayed below 1.2.
+// At most 200 labels: the root mean square of independent z-scores would be 1 +- 0.05. Labels of a cluster share
+// paths, so that the limit is 1.35; a hundred runs with other seeds of the page's own shop stayed below 1.2.
 testPlanner(
   "light: after the refinement, the page shows the signals of verify",
   { store: "thesis", prepare: four, light: true },
@@ -56,13 +56,15 @@ testPlanner(
     spawnSync(tools.shelfbeam, ["verify", join(tab.server.folder, "store.json"), "-o", table, "--quiet"]);
     const [head, ...rows] = readFileSync(table, "utf8").trim().split("\n");
     const column = (name) => head.split(",").indexOf(name);
-    const truth = rows.map((row) => row.split(",")).map((row) => ({
-      signal: Number(row[column("signal")]),
-      error: Number(row[column("standard_error")]),
-    }));
+    const truth = rows
+      .map((row) => row.split(","))
+      .map((row) => ({
+        signal: Number(row[column("signal")]),
+        error: Number(row[column("standard_error")]),
+      }));
     equal(truth.length, page.total.length);
     const step = Math.max(1, Math.floor(truth.length / 200));
-    const chosen = truth.flatMap((one, label) => (label % step === 0 ? [label] : []));
+    const chosen = truth.flatMap((_, label) => (label % step === 0 ? [label] : []));
     const scores = (signals, errors) =>
       chosen.map((label) => (signals[label] - truth[label].signal) / Math.hypot(errors[label], truth[label].error));
     const found = rms(scores(page.total, page.error));
@@ -105,15 +107,21 @@ testPlanner(
 
     // A unit that is switched off takes its light with it, and undo brings it back.
     const all = await values(tab);
-    const { at } = await unitAt(tab, ...(await page.evaluate(() => {
-      const { planner } = window.shelfbeamPlanner;
-      return planner.document.units.at(planner.light.units[0].index).slice(0, 2);
-    })));
+    const { at } = await unitAt(
+      tab,
+      ...(await page.evaluate(() => {
+        const { planner } = window.shelfbeamPlanner;
+        return planner.document.units.at(planner.light.units[0].index).slice(0, 2);
+      })),
+    );
     await tab.click(at[0], at[1]);
     await tab.press("q");
     await tab.steps(2);
     const without = await values(tab);
-    check(without.total.every((signal, label) => signal < all.total[label]), "less light everywhere");
+    check(
+      without.total.every((signal, label) => signal < all.total[label]),
+      "less light everywhere",
+    );
     await tab.press("Control+z");
     await tab.steps(1);
     const again = await values(tab);
@@ -133,7 +141,10 @@ function delayColumns(forges) {
   const keyOf = (signal) => Array.from(signal.subarray(0, 6)).join();
   let newest = -1;
   let random = 1;
-  const draw = () => (random = (random * 48271) % 2147483647) / 2147483647;
+  const draw = () => {
+    random = (random * 48271) % 2147483647;
+    return random / 2147483647;
+  };
   const Socket = window.WebSocket;
   window.WebSocket = class extends Socket {
     addEventListener(type, listener, options) {
@@ -154,20 +165,23 @@ function delayColumns(forges) {
         const [{ count }] = header.arrays;
         const body = data.slice(4 + size);
         origins.set(keyOf(new Float32Array(body, 0, count)), header.about.generation);
-        setTimeout(() => {
-          if (!forges) {
-            listener({ data });
-            return;
-          }
-          const text = new TextEncoder().encode(
-            JSON.stringify({ ...header, about: { ...header.about, generation: newest } }),
-          );
-          const bytes = new Uint8Array(4 + text.length + body.byteLength);
-          new DataView(bytes.buffer).setUint32(0, text.length, true);
-          bytes.set(text, 4);
-          bytes.set(new Uint8Array(body), 4 + text.length);
-          listener({ data: bytes.buffer });
-        }, 1500 * draw() ** 2);
+        setTimeout(
+          () => {
+            if (!forges) {
+              listener({ data });
+              return;
+            }
+            const text = new TextEncoder().encode(
+              JSON.stringify({ ...header, about: { ...header.about, generation: newest } }),
+            );
+            const bytes = new Uint8Array(4 + text.length + body.byteLength);
+            new DataView(bytes.buffer).setUint32(0, text.length, true);
+            bytes.set(text, 4);
+            bytes.set(new Uint8Array(body), 4 + text.length);
+            listener({ data: bytes.buffer });
+          },
+          1500 * draw() ** 2,
+        );
       });
     }
   };
@@ -193,7 +207,10 @@ async function dragAndEdit(tab, drags, count) {
   });
   let [x, y] = place;
   let seed = 7;
-  const draw = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  const draw = () => {
+    seed = (seed * 48271) % 2147483647;
+    return seed / 2147483647;
+  };
   for (let k = 0; k < drags; ++k) {
     const [u, v] = [place[0] + 1.5 * (draw() - 0.5), place[1] + 1.5 * (draw() - 0.5)];
     const from = await tab.at(x, y);
@@ -223,10 +240,19 @@ async function dragAndEdit(tab, drags, count) {
           await new Promise((done) => setTimeout(done, 10));
         const { units } = planner.document;
         for (let index = 0; index < units.count; ++index)
-          if (planner.document.json.transceivers.list?.length > 0 && units.isListed(index)) return units.at(index).slice(0, 2);
+          if (planner.document.json.transceivers.list?.length > 0 && units.isListed(index))
+            return units.at(index).slice(0, 2);
         return units.at(planner.light.units[0].index).slice(0, 2);
       },
-      [await page.evaluate(() => Object.entries(window.shelfbeamPlanner.planner.document.json.materials).find(([, one]) => typeof one.reflectance === "number")[0]), edits],
+      [
+        await page.evaluate(
+          () =>
+            Object.entries(window.shelfbeamPlanner.planner.document.json.materials).find(
+              ([, one]) => typeof one.reflectance === "number",
+            )[0],
+        ),
+        edits,
+      ],
     );
   }
   return page.evaluate(() => window.generations);

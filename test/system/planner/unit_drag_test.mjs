@@ -38,32 +38,36 @@ testPlanner("units: a drag moves a candidate along the ceiling, and pins it", { 
   check(tab.server.text === tab.server.first, "undo brings the candidate back");
 });
 
-testPlanner("units: the light follows a drag, and comes back with Esc", { store: "chiller", light: true }, async (tab) => {
-  const light = (read) => tab.page.evaluate(read);
-  for (let k = 0; k < 10 && !(await light(() => window.shelfbeamPlanner.planner.light.canDrag)); ++k)
-    await new Promise((done) => setTimeout(done, 1000));
-  const signals = () => light(() => [...(window.shelfbeamPlanner.planner.light.field?.total ?? [])].join());
-  const position = () => light(() => window.shelfbeamPlanner.planner.light.dragged?.about.position ?? null);
-  await tab.until(() => window.shelfbeamPlanner.planner.light.event.phase === "done");
-  const before = await signals();
-  for (const cancel of ["Escape", "Control+z"]) {
-    await tab.drag([10.6, 2.6], [8.6, 4.1], {
-      during: async () => {
-        await tab.until(
-          () => Math.abs((window.shelfbeamPlanner.planner.light.dragged?.about.position[0] ?? 0) - 8.6) < 0.05,
-        );
-        check((await signals()) !== before, "other signals");
-        await tab.press(cancel);
-      },
-    });
-    equal(await position(), null, cancel);
-    equal(await signals(), before, `${cancel} brings the signals back`);
-  }
-  await tab.drag([10.6, 2.6], [8.6, 4.1]);
-  await tab.steps(1);
-  check((await signals()) !== before, "the light of the last place stays");
-  isAt(tab.json.transceivers.list[6].position, [8.6, 4.1, 3.15], 0.06);
-});
+testPlanner(
+  "units: the light follows a drag, and comes back with Esc",
+  { store: "chiller", light: true },
+  async (tab) => {
+    const light = (read) => tab.page.evaluate(read);
+    for (let k = 0; k < 10 && !(await light(() => window.shelfbeamPlanner.planner.light.canDrag)); ++k)
+      await new Promise((done) => setTimeout(done, 1000));
+    const signals = () => light(() => [...(window.shelfbeamPlanner.planner.light.field?.total ?? [])].join());
+    const position = () => light(() => window.shelfbeamPlanner.planner.light.dragged?.about.position ?? null);
+    await tab.until(() => window.shelfbeamPlanner.planner.light.event.phase === "done");
+    const before = await signals();
+    for (const cancel of ["Escape", "Control+z"]) {
+      await tab.drag([10.6, 2.6], [8.6, 4.1], {
+        during: async () => {
+          await tab.until(
+            () => Math.abs((window.shelfbeamPlanner.planner.light.dragged?.about.position[0] ?? 0) - 8.6) < 0.05,
+          );
+          check((await signals()) !== before, "other signals");
+          await tab.press(cancel);
+        },
+      });
+      equal(await position(), null, cancel);
+      equal(await signals(), before, `${cancel} brings the signals back`);
+    }
+    await tab.drag([10.6, 2.6], [8.6, 4.1]);
+    await tab.steps(1);
+    check((await signals()) !== before, "the light of the last place stays");
+    isAt(tab.json.transceivers.list[6].position, [8.6, 4.1, 3.15], 0.06);
+  },
+);
 
 testPlanner("units: one on a column moves around it", { store: "market-hall" }, async (tab) => {
   const { at } = await unitAt(tab, 8.5, 3.9);

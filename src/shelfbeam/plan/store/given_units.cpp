@@ -20,7 +20,8 @@ bool is_placement_file(const std::filesystem::path& file) {
 }
 
 Store with_candidates_of(const std::filesystem::path& file, Store store) {
-  return file.empty() || is_placement_file(file) ? std::move(store) : store_with_units(std::move(store), file);
+  return file.empty() || is_placement_file(file) ? std::move(store)
+                                                 : store_with_units(std::move(store), file);
 }
 
 Placement given_units(const std::filesystem::path& file, const Scene& scene,

@@ -41,7 +41,7 @@ function planned(rows, json = { transceivers: { grids: [{}], list: [] } }) {
       units: unitsOf(rows),
       ask: (_, request) => {
         log.done.push(request);
-        return Promise.resolve(log.refuses ? null : { unit: "U1" });
+        return Promise.resolve(log.refuses ? null : { units: (request.each ?? [0]).map(() => "U1") });
       },
     },
     answers: { of: () => Promise.resolve(), now: () => ({ id: "G1-1-1" }) },
@@ -78,7 +78,8 @@ test("a drag asks for one place at a time, shows the last answer, and writes the
   await settle();
   assert.equal(waiting.length, 0, "no movement after the drop");
   assert.equal(log.done.length, 1);
-  const [{ action, index, position, label }] = log.done;
+  const [{ action, each, label }] = log.done;
+  const [{ index, position }] = each;
   assert.deepEqual([action, index, position], ["change", 0, [4, 1, 3]]);
   assert.equal(label, "Move unit G1-1-1");
   assert.deepEqual(log.ended, [true]);
@@ -156,7 +157,7 @@ test("arrow keys add up while the server is asked", async () => {
   void mover.nudge(0, [0.01, 0]);
   void mover.nudge(0, [0, 0.1]);
   await answer();
-  assert.deepEqual(log.done[0].position, [1.01, 1, 3]);
+  assert.deepEqual(log.done[0].each[0].position, [1.01, 1, 3]);
   assert.equal(log.done[0].join, true);
   await settle();
   assert.deepEqual(log.asked[1][2].slice(0, 2), [1.01, 1.1]);
@@ -181,23 +182,15 @@ test("what cannot be changed says why", () => {
   assert.match(whyFixed(planner, 2), /invalid/);
 });
 
-test("marks go to the units that lack them, one after the other", async () => {
+test("marks go to the units that lack them, in one step", async () => {
   const { planner, log } = planned([{ at: [0, 0, 3] }, { at: [1, 1, 3], state: "pinned" }, { at: [2, 2, 3] }]);
   assert.ok(await markUnits(planner, [0, 1, 2], "pin", true));
-  assert.deepEqual(
-    log.done.map(({ action, index, on, label }) => [action, index, on, label]),
-    [
-      ["pin", 0, true, "Pin 2 units"],
-      ["pin", 2, true, "Pin 2 units"],
-    ],
-  );
+  const pinned = [0, 2].map((index) => ({ index, on: true }));
+  assert.deepEqual(log.done, [{ action: "pin", each: pinned, label: "Pin 2 units" }]);
   assert.ok(await markUnits(planner, [1], "switch", false), "a pinned unit is on");
-  assert.deepEqual(
-    log.done.slice(2).map(({ action, on }) => [action, on]),
-    [["switch", false]],
-  ); // prettier-ignore
+  assert.deepEqual([log.done[1].action, log.done[1].each], ["switch", [{ index: 1, on: false }]]);
   assert.ok(await removeUnits(planner, [1]));
-  assert.equal(log.done[3].action, "remove");
+  assert.equal(log.done[2].action, "remove");
 });
 
 test("a unit is found again by its place and source", () => {

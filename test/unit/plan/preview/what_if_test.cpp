@@ -30,8 +30,7 @@ class WhatIfOfAPlan : public testing::Test {
     UnitsBefore of;
     of.ids = {"A", "C"};
     of.columns = {preview(0.5), preview(2)};
-    for (Preview& column : of.columns)
-      column.error.assign(m, static_cast<float>(requirement / 10));
+    for (Preview& column : of.columns) column.error.assign(m, static_cast<float>(requirement / 10));
     plan = std::move(of);
   }
 
