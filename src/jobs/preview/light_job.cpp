@@ -30,7 +30,6 @@ namespace shelfbeam::jobs {
 
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t seed = 1;
@@ -176,6 +175,7 @@ class LightRun : ProgressSink {
 
   static std::vector<Transceiver> units_of(const std::vector<Placed*>& placed) {
     std::vector<Transceiver> units;
+    units.reserve(placed.size());
     for (const Placed* unit : placed) units.push_back(unit->unit);
     return units;
   }
@@ -273,7 +273,7 @@ LightJob light_job_of(std::string_view input) {
   std::string_view rest = input.substr(line + 1);
   const auto next = [&](std::size_t size) {
     if (rest.size() < size) throw std::out_of_range("the job is too short");
-    const std::string part(rest.substr(0, size));
+    std::string part(rest.substr(0, size));
     rest.remove_prefix(size);
     return part;
   };

@@ -82,6 +82,7 @@ std::vector<Transceiver> chosen_units(const Scene& scene) {
 
 std::vector<std::string> ids_of(const std::vector<Transceiver>& units) {
   std::vector<std::string> ids;
+  ids.reserve(units.size());
   for (const Transceiver& unit : units) ids.push_back(unit.id);
   return ids;
 }

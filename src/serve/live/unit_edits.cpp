@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -96,9 +95,9 @@ class UnitLists {
   // From the last one, so that the numbers of the others stay.
   void erase() {
     Json& list = section_[list_key];
-    for (const std::size_t entry : std::ranges::reverse_view(erased_)) {
-      ops.push_back({fmt::format("/transceivers/{}/{}", list_key, entry), list[entry], {}});
-      list.erase(list.begin() + static_cast<std::ptrdiff_t>(entry));
+    for (auto entry = erased_.rbegin(); entry != erased_.rend(); ++entry) {
+      ops.push_back({fmt::format("/transceivers/{}/{}", list_key, *entry), list[*entry], {}});
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(*entry));
     }
   }
   const Json& entry(std::size_t k) const { return section_.at(list_key).at(k); }

@@ -179,10 +179,11 @@ Vec3 turned(const Vec3& axis, const Vec2& from, const Vec2& to) {
 }  // namespace
 
 MountPlace nearest_mount(const Store& store, const Scene& scene, const PointedAt& at, double reach) {
-  if (const RailPlace rail = nearest_rail(store, at.plan); rail.distance <= reach && reach > 0)
+  const auto attracts = [reach](double distance) { return reach > 0 && distance <= reach; };
+  if (const RailPlace rail = nearest_rail(store, at.plan); rail.rail != nullptr && attracts(rail.distance))
     return {rail.at, rail.rail->unit.axes.front(), MountKind::rail, rail.rail->id};
   const Faces faces(scene);
-  if (const FacePlace face = faces.nearest(at.plan); face.distance <= reach && reach > 0)
+  if (const FacePlace face = faces.nearest(at.plan); face.face != nullptr && attracts(face.distance))
     return {before(face, usual_offset, at.z.value_or(usual_height)),
             {face.face->outward[0], face.face->outward[1], 0},
             MountKind::face,
