@@ -73,10 +73,9 @@ TEST_F(LiveLightOfAShop, IsRefinedByItself) {
   EXPECT_EQ(state()["phase"], "waiting");
   EXPECT_EQ(state()["units"][0]["id"], "T0-0");
   EXPECT_THROW(light_.drag({{"id", 1}, {"unit", 0}, {"at", {2, 2}}}, shop_.draft()), InputError);
-  ASSERT_TRUE(wait([&] { return is_done(); }));
+  ASSERT_TRUE(wait([&] { return is_done() && state()["operator"] == "fine"; }));
   EXPECT_EQ(stages().front(), "direct");
   EXPECT_EQ(stages().back(), "simulated");
-  EXPECT_EQ(state()["operator"], "fine");
   EXPECT_TRUE(state()["undecided"].is_number());
   // A unit that comes is previewed at once, and then simulated; the other one stays as it is.
   const std::size_t from = heard_.size();
@@ -131,15 +130,11 @@ TEST_F(LiveLightOfAShop, AnswersDrags) {
   EXPECT_EQ(mount["mount"]["name"], "wall 3");
 }
 
-// During a gesture, the process rests.
+// During a gesture, the process rests: without it, the rest takes less than three seconds.
 TEST_F(LiveLightOfAShop, PausesDuringGestures) {
   ASSERT_TRUE(wait([&] { return !stages().empty(); }));
   light_.hold(1);
-  const auto is_later = [&, end = Clock::now() + 500ms] { return Clock::now() > end; };
-  wait(is_later);
-  const std::size_t heard = heard_.size();
-  wait([&, end = Clock::now() + 1s] { return Clock::now() > end; });
-  EXPECT_EQ(heard_.size(), heard);
+  EXPECT_FALSE(wait([&] { return is_done(); }, 3s));
   light_.release(1, Clock::now());
   EXPECT_TRUE(wait([&] { return is_done(); }));
 }
