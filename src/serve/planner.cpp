@@ -95,6 +95,8 @@ struct Planner::State {
                              http::Asset(std::string(type), std::string(content)));
     options.tick = tick;
     options.limits.upload = max_file_bytes;
+    // A new page is sent the columns of all units, of 9 bytes per label; all pages share the bytes.
+    options.limits.queue = std::size_t{256} << 20;
     return options;
   }
 

@@ -9,14 +9,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/base/memory.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/plan/preview/what_if.hpp"
+#include "shelfbeam/plan/store/given_units.hpp"
 #include "shelfbeam/scene/build/draft.hpp"
 #include "shelfbeam/scene/light_keys.hpp"
 #include "shelfbeam/transport/operator/light_operator.hpp"
@@ -32,7 +31,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t seed = light_seed;
 constexpr double finest = 0.005;  // of the requirement: closer labels stay undecided
 
 // A unit on the plan.
@@ -53,8 +52,7 @@ class LightRun : ProgressSink {
         send_(send),
         control_{control.threads, control.cancel, this} {
     std::vector<Transceiver> chosen;
-    for (const Transceiver& unit : scene().transceivers)
-      if (unit.is_chosen()) chosen.push_back(unit);
+    for (const std::uint32_t j : chosen_units(scene())) chosen.push_back(scene().transceivers[j]);
     const std::vector<std::uint64_t> keys = light_keys_of(scene(), chosen);
     for (std::size_t k = 0; k < chosen.size(); ++k)
       units_.push_back({.unit = std::move(chosen[k]), .key = unit_key(keys[k])});
@@ -103,12 +101,7 @@ class LightRun : ProgressSink {
   }
 
   LightOperator made(const OperatorEffort& effort, const char* name) {
-    const double bytes = effort.bytes(scene());
-    if (bytes > static_cast<double>(memory_limit()))
-      throw MemoryError(
-          job_.name,
-          fmt::format("its light requires about {:.3g} GB of memory, more than is available", 1e-9 * bytes),
-          "use a machine with more memory");
+    expect_to_fit(effort, scene(), job_.name, "use a machine with more memory");
     LightOperator light(world_, seed, effort, control_);
     light.save(job_.keep / name);
     return light;

@@ -27,6 +27,9 @@ inline constexpr auto coarse_operator_name = "coarse.operator";
 std::string input_of(const LightJob& job);
 LightJob light_job_of(std::string_view input);
 
+/// The seed of the operators that a LightJob keeps.
+inline constexpr std::uint64_t light_seed = 1;
+
 using SendFrame = std::function<void(std::string_view)>;
 
 /// Computes the light, from the fastest to the best: columns without reflections, a coarse operator, the

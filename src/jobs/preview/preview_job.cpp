@@ -14,6 +14,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/plan/preview/given_unit.hpp"
 #include "shelfbeam/plan/question/fitting_signals.hpp"
+#include "shelfbeam/plan/store/given_units.hpp"
 #include "shelfbeam/report/messages/signals.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/store/store.hpp"
@@ -73,28 +74,11 @@ UnitsBefore units_of_plan(const fs::path& folder, const Scene& scene) {
   return units;
 }
 
-std::vector<Transceiver> chosen_units(const Scene& scene) {
-  std::vector<Transceiver> chosen;
-  for (const Transceiver& unit : scene.transceivers)
-    if (unit.is_chosen()) chosen.push_back(unit);
-  return chosen;
-}
-
 std::vector<std::string> ids_of(const std::vector<Transceiver>& units) {
   std::vector<std::string> ids;
   ids.reserve(units.size());
   for (const Transceiver& unit : units) ids.push_back(unit.id);
   return ids;
-}
-
-void expect_to_fit(const PreviewJob& job, const OperatorEffort& effort, const Scene& scene) {
-  const double bytes = effort.bytes(scene);
-  if (bytes <= static_cast<double>(memory_limit())) return;
-  throw MemoryError(
-      job.store.string(),
-      fmt::format("its light requires about {:.3g} GB of memory, more than is available", 1e-9 * bytes),
-      job.coarse ? "use a machine with more memory"
-                 : "preview it with less effort, or on a machine with more memory");
 }
 
 // Reads the operator, or computes and keeps it. A folder that cannot be written costs the next preview time.
@@ -105,7 +89,9 @@ LightOperator operator_of(const PreviewJob& job, const World& world, const RunCo
   if (!job.plan.empty())
     if (auto kept = LightOperator::load(file, world, job.seed, usual)) return std::move(*kept);
   const OperatorEffort effort = job.coarse ? coarse_operator : usual;
-  expect_to_fit(job, effort, world.scene);
+  expect_to_fit(effort, world.scene, job.store.string(),
+                job.coarse ? "use a machine with more memory"
+                           : "preview it with less effort, or on a machine with more memory");
   if (job.coarse || job.plan.empty()) return {world, job.seed, effort, control};
   LightOperator light(world, job.seed, effort, control);
   try {
@@ -153,6 +139,16 @@ std::vector<Preview> previews_of(const PreviewJob& job, const std::vector<Transc
 
 }  // namespace
 
+void expect_to_fit(const OperatorEffort& effort, const Scene& scene, const std::string& store,
+                   const std::string& remedy) {
+  const double bytes = effort.bytes(scene);
+  if (bytes <= static_cast<double>(memory_limit())) return;
+  throw MemoryError(
+      store,
+      fmt::format("its light requires about {:.3g} GB of memory, more than is available", 1e-9 * bytes),
+      remedy);
+}
+
 PreviewResult run_preview(const PreviewJob& job, const RunControl& control) {
   const ThreadLimit allowed(control.threads);
   return with_threads(control.threads, [&] {
@@ -170,7 +166,9 @@ PreviewResult run_preview(const PreviewJob& job, const RunControl& control) {
       change.added.push_back(std::move(moved.unit));
     }
     // Units of the store are previewed like added ones.
-    std::vector<Transceiver> units = job.plan.empty() ? chosen_units(scene) : std::vector<Transceiver>{};
+    std::vector<Transceiver> units;
+    if (job.plan.empty())
+      for (const std::uint32_t j : chosen_units(scene)) units.push_back(scene.transceivers[j]);
     const std::size_t chosen = units.size();
     std::optional<UnitsBefore> before;
     if (!job.plan.empty())

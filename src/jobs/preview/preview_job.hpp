@@ -9,6 +9,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/plan/preview/what_if.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/transport/operator/light_operator.hpp"
 
 namespace shelfbeam::jobs {
 
@@ -35,6 +36,11 @@ struct PreviewResult {
   bool is_stopped = false;  ///< by the user, before the refinement was complete
   std::string not_kept;     ///< why the light operator could not be kept; empty: it is, or need not be
 };
+
+/// Throws MemoryError, with the name of the store and a remedy, if the light operator of a scene does not fit
+/// into the memory.
+void expect_to_fit(const OperatorEffort& effort, const Scene& scene, const std::string& store,
+                   const std::string& remedy);
 
 /// Reads or computes the light operator of the store, keeps it in the folder of the plan, and previews the
 /// units. Throws InputError, or Interrupted when cancelled before all previews; when refinement is cancelled,

@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/plan/store/given_units.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
 #include "shelfbeam/scene/build/nearest_mount.hpp"
 #include "shelfbeam/scene/light_keys.hpp"
@@ -24,8 +25,8 @@ using jobs::LightStage;
 
 constexpr auto quiet = std::chrono::milliseconds(300);
 constexpr auto look_interval = std::chrono::seconds(1);
-constexpr std::size_t most_columns = 200;  // that are kept, for undo
-constexpr std::size_t most_at_once = 4;    // units that are previewed between two requests
+constexpr std::size_t most_bytes = std::size_t{32} << 20;  // of columns that are kept, for undo
+constexpr std::size_t most_at_once = 4;                    // units that are previewed between two requests
 
 http::Message requirements_of(const Scene& scene, std::uint64_t generation) {
   std::vector<float> requirements;
@@ -121,8 +122,7 @@ void LiveLight::list_units(const Draft& draft) {
   units_.clear();
   const auto& all = draft.scene.transceivers;
   std::vector<Transceiver> chosen;
-  for (std::size_t j = 0; j < all.size(); ++j) {
-    if (!all[j].is_chosen()) continue;
+  for (const std::uint32_t j : chosen_units(draft.scene)) {
     units_.push_back({j, all[j].id, {}});
     chosen.push_back(all[j]);
   }
@@ -153,7 +153,7 @@ void LiveLight::preview_new_units(const Draft& draft) {
 }
 
 void LiveLight::keep(const std::string& key, http::Message message) {
-  if (columns_.size() >= most_columns && !columns_.contains(key))
+  if (columns_.size() * message.bytes->size() >= most_bytes && !columns_.contains(key))
     std::erase_if(columns_, [&](const auto& column) {
       return std::none_of(units_.begin(), units_.end(),
                           [&](const Unit& unit) { return unit.key == column.first; });

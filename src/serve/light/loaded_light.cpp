@@ -6,11 +6,11 @@
 
 #include "shelfbeam/base/json.hpp"
 
+#include "jobs/preview/light_job.hpp"
+
 namespace shelfbeam::serve {
 
 namespace {
-
-constexpr std::uint64_t seed = 1;  // of jobs/preview/light_job.cpp
 
 template <class Result>
 bool is_ready(const std::future<Result>& future) {
@@ -28,7 +28,7 @@ LoadedLight::Result LoadedLight::read(const Source& source, std::shared_ptr<cons
     const OperatorEffort effort = source.stage == jobs::LightStage::coarse
                                       ? coarse_operator
                                       : usual_effort(shop->draft.scene.labels.size());
-    auto light = LightOperator::load(source.file, shop->world, seed, effort);
+    auto light = LightOperator::load(source.file, shop->world, jobs::light_seed, effort);
     if (!light) return nullptr;
     return std::unique_ptr<const Ready>(new Ready{std::move(shop), std::move(*light), source.stage});
   } catch (const std::exception&) {

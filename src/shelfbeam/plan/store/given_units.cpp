@@ -24,12 +24,18 @@ Store with_candidates_of(const std::filesystem::path& file, Store store) {
                                                  : store_with_units(std::move(store), file);
 }
 
+std::vector<std::uint32_t> chosen_units(const Scene& scene) {
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j)
+    if (scene.transceivers[j].is_chosen()) chosen.push_back(j);
+  return chosen;
+}
+
 Placement given_units(const std::filesystem::path& file, const Scene& scene,
                       const std::filesystem::path& store) {
   if (file.empty()) {
     Placement chosen;
-    for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j)
-      if (scene.transceivers[j].is_chosen()) chosen.selected.push_back(j);
+    chosen.selected = chosen_units(scene);
     if (chosen.selected.empty())
       throw InputError(store.string(), "selects no transceivers",
                        "list their ids in transceivers.selected, or name a placement");

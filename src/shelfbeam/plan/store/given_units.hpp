@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/scene/scene.hpp"
@@ -16,6 +18,9 @@ bool is_placement_file(const std::filesystem::path& file);
 
 /// The store with the units of a CSV as its only candidates; otherwise the store.
 Store with_candidates_of(const std::filesystem::path& file, Store store);
+
+/// The numbers of the units that the store chooses (Transceiver::is_chosen).
+std::vector<std::uint32_t> chosen_units(const Scene& scene);
 
 /// The selection and the problem of a placement.json; all units of the scene for a CSV; the chosen ones
 /// (Transceiver::is_chosen) without a file. Throws InputError if no unit is selected; `store` is its name.
