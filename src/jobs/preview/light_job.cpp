@@ -31,7 +31,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t seed = light_seed;
 constexpr double finest = 0.005;  // of the requirement: closer labels stay undecided
 
 // A unit on the plan.
@@ -61,7 +60,7 @@ class LightRun : ProgressSink {
 
   void run() {
     const OperatorEffort usual = usual_effort(scene().labels.size());
-    if (const auto kept = LightOperator::load(job_.keep / operator_name, world_, seed, usual)) {
+    if (const auto kept = LightOperator::load(job_.keep / operator_name, world_, light_seed, usual)) {
       show_previews(*kept, LightStage::fine);
       return refine(*kept);
     }
@@ -96,13 +95,14 @@ class LightRun : ProgressSink {
   }
 
   LightOperator kept_or_made(const OperatorEffort& effort, const char* name) {
-    if (auto kept = LightOperator::load(job_.keep / name, world_, seed, effort)) return std::move(*kept);
+    if (auto kept = LightOperator::load(job_.keep / name, world_, light_seed, effort))
+      return std::move(*kept);
     return made(effort, name);
   }
 
   LightOperator made(const OperatorEffort& effort, const char* name) {
     expect_to_fit(effort, scene(), job_.name, "use a machine with more memory");
-    LightOperator light(world_, seed, effort, control_);
+    LightOperator light(world_, light_seed, effort, control_);
     light.save(job_.keep / name);
     return light;
   }
@@ -121,7 +121,7 @@ class LightRun : ProgressSink {
     const std::size_t m = scene().labels.size();
     for (Placed& unit : units_) {
       if (!unit.column.signal.empty()) continue;
-      unit.column.signal = direct_column(world_, unit.unit, seed);
+      unit.column.signal = direct_column(world_, unit.unit, light_seed);
       unit.column.error.resize(m);
       unit.column.doubts.resize(m);
       show(unit);
@@ -150,7 +150,7 @@ class LightRun : ProgressSink {
     }
     std::optional<UnitRefinement> work;
     if (!fresh.empty()) {
-      work.emplace(light, units_of(fresh), seed, control_);
+      work.emplace(light, units_of(fresh), light_seed, control_);
       continue_until(*work, min_batches, {});
       take(*work, fresh);
     }
@@ -159,7 +159,7 @@ class LightRun : ProgressSink {
       const std::vector<std::uint8_t> open = undecided();
       say("refining");
       if (std::find(open.begin(), open.end(), 1) == open.end()) break;
-      if (!work) work.emplace(light, units_of(all), seed, control_);
+      if (!work) work.emplace(light, units_of(all), light_seed, control_);
       if (!continue_until(*work, std::max(min_batches, 2 * work->most_batches()), open)) break;
       take(*work, all);
     }

@@ -15,9 +15,9 @@ namespace shelfbeam {
 
 /// The units before a change, of a plan or chosen by the store.
 struct UnitsBefore {
-  std::vector<std::string> ids;
-  std::vector<Preview> columns;   ///< by unit: previews, or simulated signals without doubts
-  PlacementProblem problem = {};  ///< of the plan
+  std::vector<std::string> ids = {};
+  std::vector<Preview> columns = {};  ///< by unit: previews, or simulated signals without doubts
+  PlacementProblem problem = {};      ///< of the plan
 };
 
 /// Whether 95 % of the truths include both answers to the question whether a signal meets its requirement.
