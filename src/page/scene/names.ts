@@ -8,9 +8,13 @@ const line = 20; // CSS pixels, distance between ids above one another
 
 export class Names {
   readonly root = element("div", { class: "names", "aria-hidden": "true" });
+  private shown = "";
   private names: { at: number[]; width: number; text: HTMLElement }[] = [];
 
   set(names: { id: string; at: number[] }[]): void {
+    const wanted = JSON.stringify(names);
+    if (wanted === this.shown) return;
+    this.shown = wanted;
     this.names = names.map(({ id, at }) => ({
       at,
       width: letter * id.length + 14,

@@ -170,7 +170,7 @@ export class Page {
     this.stage.setPlan(true);
     this.space = new Space(planner, this.stage, this.marks, address);
     this.stage.onDrawn = () => {
-      this.names.update(this.stage, []);
+      if (!planner.isPlan) this.names.update(this.stage, []);
       this.markDrawn();
       this.marks.markDrawn();
     };
@@ -201,7 +201,6 @@ export class Page {
     });
     changes.listen(["layers"], () => planner.typePath === drawingPath && this.properties.update());
     changes.listen(["document", "preview", "selection", "layers", "warnings"], () => this.shapes.update());
-    changes.listen(["document", "preview", "layers", "viewport"], () => this.showNames());
     changes.listen(["viewport"], () => this.follow());
     changes.listen(["devices"], () => this.marks.rebuild());
     changes.listen(["preview"], () => this.marks.displace());
@@ -211,6 +210,7 @@ export class Page {
     );
     changes.listen(["viewport", "document", "tool"], () => this.scaleBar.update());
     changes.listen(["tool"], () => this.showTool());
+    changes.listen(["document", "preview", "layers", "viewport", "tool"], () => this.showNames());
     changes.listen(["document", "tool"], () => this.space.update());
     changes.listen(["selection", "document", "tool"], () => this.space.showSelection());
     changes.listen(["document", "selection", "layers", "devices", "warnings"], () => this.rail.update());

@@ -223,7 +223,7 @@ export class Gestures {
         this.enter(dragMove(planner, scope, world, keys));
         break;
       case "carrying":
-        this.enter(carry(planner, scope, world, keys));
+        carry(planner, scope, world, keys); // the answer of the server shows it
         break;
       case "rotating":
         this.enter(dragTurn(planner, scope, world, keys));
