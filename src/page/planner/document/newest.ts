@@ -11,7 +11,11 @@ export class Newest<Wanted, Answer> {
   /** Answers to what was asked before a stop are late. */
   private round = 0;
 
-  constructor(private readonly ask: (wanted: Wanted) => Promise<Answer | null>) {}
+  /** `rest`: passes between an answer and the next request. */
+  constructor(
+    private readonly ask: (wanted: Wanted) => Promise<Answer | null>,
+    private readonly rest?: () => Promise<void>,
+  ) {}
 
   /** Null if a newer request overtakes this one, or after a stop. */
   get(wanted: Wanted): Promise<Answer | null> {
@@ -35,8 +39,9 @@ export class Newest<Wanted, Answer> {
     this.next = null;
     this.isBusy = true;
     const answer = await this.ask(next.wanted).catch(() => null);
-    this.isBusy = false;
     next.done(round === this.round ? answer : null);
+    await this.rest?.();
+    this.isBusy = false;
     void this.send();
   }
 }

@@ -12,6 +12,15 @@ export interface DragAnswer {
   column: Column;
 }
 
+const longest = 100; // ms that drawing delays a request
+
+/** Until the page has drawn an answer: on a computer without a graphics card, drawing would slow the next one down. */
+const drawn = (): Promise<void> =>
+  new Promise((done) => {
+    requestAnimationFrame(() => requestAnimationFrame(() => done()));
+    setTimeout(done, longest); // the tab may be hidden
+  });
+
 export class Dragger {
   private readonly requests: Newest<DragRequest, DragAnswer | Refused>;
 
@@ -20,7 +29,7 @@ export class Dragger {
     private readonly connection: Pick<Connection, "request">,
     private readonly onAnswer: (unit: number | null, answer: DragAnswer) => void,
   ) {
-    this.requests = new Newest((request) => this.ask(request));
+    this.requests = new Newest((request) => this.ask(request), drawn);
   }
 
   /** The result is null if a newer request overtakes this one, or the drag ends. */

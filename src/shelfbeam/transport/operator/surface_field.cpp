@@ -173,23 +173,32 @@ void SurfaceNodes::light_cells(std::span<const std::uint32_t> cells, const World
 // Adds the light over plane mirrors at one point of each cell.
 void SurfaceNodes::add_images(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam,
                               float requirement, SurfaceField& field) const {
-  const double least = 0.02 * static_cast<double>(requirement);
+  constexpr float surely = 0.99F;  // despite rounding
+  const float least = 0.02F * requirement;
+  BeamPoints middles;
+  middles.reserve(cells.size());
   for (const std::uint32_t cell : cells) {
     const std::uint32_t* const of = first_point_.data() + first_node(cell);
-    const SurfacePoint point = points_.at((of[0] + of[quadrants]) / 2);
-    double sum = 0;
-    for (std::size_t g = 0; g < world.mirrors.size(); ++g) {
+    middles.add(points_.at((of[0] + of[quadrants]) / 2));
+  }
+  std::vector<float> most(cells.size());
+  for (std::size_t g = 0; g < world.mirrors.size(); ++g) {
+    beam.irradiance_of_image(g, middles, most.data());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (most[c] < surely * least) continue;
+      const SurfacePoint point = middles.at(c);
       const auto way = world.mirrors.mirror_path(g, point.position, beam.position());
       if (!way) continue;
       const double cosine = dot(way->from_first, point.normal);
       const double open = cosine > 0 ? beam.irradiance(*way, cosine) : 0;
-      if (open < least) continue;
-      sum += open * world.mirrors.share(g, *way, point, beam.position(), world.rays);
+      if (open < static_cast<double>(least)) continue;
+      field.mirrored[cells[c]] +=
+          static_cast<float>(open * world.mirrors.share(g, *way, point, beam.position(), world.rays));
     }
-    field.mirrored[cell] = static_cast<float>(sum);
+  }
+  for (const std::uint32_t cell : cells)
     for (std::uint32_t q = 0; q < quadrants; ++q)
       field.straight[first_node(cell) + q] += field.mirrored[cell];
-  }
 }
 
 // Quadrants without points are as bright as the others of their cell.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace shelfbeam {
@@ -25,6 +26,11 @@ std::optional<OperatorKernels::Unit> fast_unit(const Transceiver& unit, const Em
   if (lambertian != nullptr && lambertian->order == 1)
     return with(LaneProfile::lambertian, mean_intensity(emission, 0));
   return std::nullopt;
+}
+
+OperatorKernels::Points from(const BeamPoints& points, std::size_t first) {
+  return {points.x.data() + first,  points.y.data() + first,  points.z.data() + first,
+          points.nx.data() + first, points.ny.data() + first, points.nz.data() + first};
 }
 
 }  // namespace
@@ -59,14 +65,22 @@ UnitBeam::UnitBeam(const World& probe)
 void UnitBeam::irradiance(const BeamPoints& points, std::size_t first, std::size_t count,
                           float* result) const {
   if (fast_) {
-    OperatorKernels::irradiance(
-        *fast_,
-        {points.x.data() + first, points.y.data() + first, points.z.data() + first, points.nx.data() + first,
-         points.ny.data() + first, points.nz.data() + first},
-        count, result);
+    OperatorKernels::irradiance(*fast_, from(points, first), count, result);
     return;
   }
   for (std::size_t k = 0; k < count; ++k) result[k] = static_cast<float>(irradiance(points.at(first + k)));
+}
+
+void UnitBeam::irradiance_of_image(std::size_t mirror, const BeamPoints& points, float* result) const {
+  if (!fast_) {
+    std::fill_n(result, points.size(), std::numeric_limits<float>::infinity());
+    return;
+  }
+  const Transceiver& unit = probe_.scene.transceivers[0];
+  OperatorKernels::Unit image = *fast_;
+  image.position = narrow(probe_.mirrors.image(mirror, unit.position));
+  image.axis = narrow(probe_.mirrors.image_direction(mirror, unit.axis));
+  OperatorKernels::irradiance(image, from(points, 0), points.size(), result);
 }
 
 double UnitBeam::irradiance(const SurfacePoint& point) const {

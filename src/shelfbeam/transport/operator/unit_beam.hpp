@@ -41,6 +41,9 @@ class UnitBeam {
   /// Writes the irradiance at the points from `first` on, W/m^2.
   void irradiance(const BeamPoints& points, std::size_t first, std::size_t count, float* result) const;
   double irradiance(const SurfacePoint& point) const;
+  /// The same from the image of the unit in a plane mirror that reflects everything; infinite for emissions
+  /// without vectorised code.
+  void irradiance_of_image(std::size_t mirror, const BeamPoints& points, float* result) const;
   /// The irradiance of a connection (over a mirror, say) that reaches a surface with this cosine.
   double irradiance(const Connection& way, double cosine) const;
 

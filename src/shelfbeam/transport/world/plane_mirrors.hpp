@@ -42,6 +42,16 @@ class PlaneMirrors {
   /// Number of specular triangles of each material that belong to none of these mirrors.
   const std::vector<std::size_t>& omitted() const { return left_out_; }
 
+  /// The images of a point and of a direction in mirror g.
+  Vec3 image(std::size_t g, const Vec3& point) const {
+    const Mirror& mirror = mirrors_[g];
+    return point - mirror.normal * (2 * (dot(mirror.normal, point) - mirror.offset));
+  }
+  Vec3 image_direction(std::size_t g, const Vec3& direction) const {
+    const Vec3& normal = mirrors_[g].normal;
+    return direction - normal * (2 * dot(normal, direction));
+  }
+
   /// The mirror path over the plane of mirror g, if both points are on the same side of the plane and the
   /// path meets the mirror's bounding box.
   std::optional<Connection> mirror_path(std::size_t g, const Vec3& first, const Vec3& second) const;
