@@ -17,7 +17,7 @@ const longest = 100; // ms that drawing delays a request
 /** Until the page has drawn an answer: on a computer without a graphics card, drawing would slow the next one down. */
 const drawn = (): Promise<void> =>
   new Promise((done) => {
-    requestAnimationFrame(() => requestAnimationFrame(() => done()));
+    requestAnimationFrame(() => setTimeout(done));
     setTimeout(done, longest); // the tab may be hidden
   });
 
