@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/polygon_edges.hpp"
 #include "shelfbeam/report/place/look.hpp"
 
 namespace shelfbeam {
@@ -27,21 +27,13 @@ Bounds plan_box(std::span<const Vec2> polygon) {
   return box;
 }
 
-Vec2 nearest_point(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
-  const double share =
-      square > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square, 0.0, 1.0) : 0.0;
-  return {a[0] + share * dx, a[1] + share * dy};
-}
-
-Vec2 nearest_point(std::span<const Vec2> polygon, const Vec2& p) {
+Vec2 nearest_on_outline(std::span<const Vec2> polygon, const Vec2& p) {
   Vec2 nearest = polygon.front();
   double least = HUGE_VAL;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Vec2 at = nearest_point(polygon[k], polygon[(k + 1) % polygon.size()], p);
-    const double distance = std::hypot(at[0] - p[0], at[1] - p[1]);
-    if (distance < least) {
-      least = distance;
+    if (const double away = distance(at, p); away < least) {
+      least = away;
       nearest = at;
     }
   }
@@ -109,7 +101,7 @@ std::vector<ShopPlaces::Near> ShopPlaces::near(const Vec3& position) const {
   std::vector<Near> all;
   for (const std::uint32_t k : found) {
     const FixtureOutline& fixture = scene_.fixtures[standing_[k]];
-    const Vec2 to = nearest_point(fixture.footprint, from);
+    const Vec2 to = nearest_on_outline(fixture.footprint, from);
     const Vec2 way{to[0] - from[0], to[1] - from[1]};
     const bool is_within = fixture.footprint.size() > 2 && contains(fixture.footprint, from);
     const double distance = is_within ? 0 : std::hypot(way[0], way[1]);

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/compass.hpp"
-#include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/math/polygon_edges.hpp"
 
 namespace shelfbeam {
 
@@ -21,17 +21,6 @@ constexpr double usual_offset = 0.02;  // m from a face
 constexpr double usual_height = 2.4;   // m, on a face
 constexpr double free_height = 2.5;    // m, of a unit without a ceiling
 constexpr double clearance = 0.01;     // m from the walls of the room
-
-double distance(const Vec2& a, const Vec2& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
-}
-
-Vec2 nearest_of(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const double dx = b[0] - a[0], dy = b[1] - a[1], square = dx * dx + dy * dy;
-  const double t =
-      square > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dy) / square, 0.0, 1.0) : 0.0;
-  return {a[0] + t * dx, a[1] + t * dy};
-}
 
 // A vertical face: a straight piece of an outline, with air on the side of its normal.
 struct Face {
@@ -76,7 +65,7 @@ class Faces {
   static FacePlace nearest_on(const Carrier& carrier, const Vec2& p) {
     FacePlace best;
     for (const Face& face : carrier.faces) {
-      const Vec2 at = nearest_of(face.from, face.to, p);
+      const Vec2 at = nearest_point(face.from, face.to, p);
       if (const double away = distance(at, p); away < best.distance) best = {&carrier, &face, at, away};
     }
     return best;
@@ -88,7 +77,7 @@ class Faces {
     FacePlace best;
     for (const Carrier& carrier : carriers_)
       for (const Face& face : carrier.faces) {
-        const Vec2 p{unit.position.x, unit.position.y}, at = nearest_of(face.from, face.to, p);
+        const Vec2 p{unit.position.x, unit.position.y}, at = nearest_point(face.from, face.to, p);
         const double away = distance(at, p);
         const double before = (p[0] - at[0]) * face.outward[0] + (p[1] - at[1]) * face.outward[1];
         const bool looks_away = unit.axis.x * face.outward[0] + unit.axis.y * face.outward[1] > 0.1;
@@ -129,7 +118,7 @@ RailPlace nearest_on(const MountRail& rail, const Vec2& p) {
   RailPlace best;
   for (std::size_t k = 1; k < rail.points.size(); ++k) {
     const Vec3 &a = rail.points[k - 1], &b = rail.points[k];
-    const Vec2 from{a.x, a.y}, to{b.x, b.y}, at = nearest_of(from, to, p);
+    const Vec2 from{a.x, a.y}, to{b.x, b.y}, at = nearest_point(from, to, p);
     const double away = distance(at, p), whole = distance(from, to);
     const double share = whole > 0 ? distance(from, at) / whole : 0;
     if (away < best.distance) best = {&rail, {at[0], at[1], a.z + share * (b.z - a.z)}, away};
@@ -160,7 +149,7 @@ Vec2 within(const std::optional<RoomShape>& room, const Vec2& p) {
       return Vec2{wall.from[0] + share * (wall.to[0] - wall.from[0]),
                   wall.from[1] + share * (wall.to[1] - wall.from[1])};
     };
-    const Vec2 at = nearest_of(along(margin), along(1 - margin), p);
+    const Vec2 at = nearest_point(along(margin), along(1 - margin), p);
     const Vec2 inside{at[0] + clearance * wall.inward[0], at[1] + clearance * wall.inward[1]};
     if (const double away = distance(inside, p); away < least && room->covers(inside)) {
       best = inside;

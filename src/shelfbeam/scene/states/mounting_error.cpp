@@ -15,17 +15,6 @@ namespace {
 
 constexpr double length_rounding = 1e-9;  // m
 
-Vec2 nearest_point(const Vec2& a, const Vec2& b, const Vec2& p) {
-  const double x = b[0] - a[0], y = b[1] - a[1], squared = x * x + y * y;
-  const double along = squared > 0 ? ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / squared : 0;
-  const double share = std::clamp(along, 0.0, 1.0);
-  return {a[0] + share * x, a[1] + share * y};
-}
-
-double distance(const Vec2& p, const Vec2& q) {
-  return std::hypot(q[0] - p[0], q[1] - p[1]);
-}
-
 // The distance from p, in either direction, at which a line meets the edge; infinite if it does not.
 double distance_along(const Vec2& p, const Vec2& direction, const Vec2& a, const Vec2& b) {
   const double x = b[0] - a[0], y = b[1] - a[1], slope = direction[0] * y - direction[1] * x;
