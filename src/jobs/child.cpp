@@ -49,17 +49,24 @@ class MemoryFile {
     }
   }
   // The text from a position on, of a large file the end only.
-  std::string text(off_t begin = 0) const {
-    constexpr off_t max_size = 64 << 20;
-    const off_t size = ::lseek(descriptor_, 0, SEEK_END);
-    const off_t from = std::max(begin, size - max_size);
-    std::string content(static_cast<std::size_t>(std::max<off_t>(0, size - from)), '\0');
-    const ssize_t got = ::pread(descriptor_, content.data(), content.size(), from);
+  std::string end_of_text(off_t begin = 0) const { return text(std::max(begin, size() - max_size)); }
+  // The text from a position on, of a large file not all at once.
+  std::string text(off_t begin) const {
+    std::string content(static_cast<std::size_t>(std::clamp<off_t>(size() - begin, 0, max_size)), '\0');
+    const ssize_t got = ::pread(descriptor_, content.data(), content.size(), begin);
     content.resize(got < 0 ? 0 : static_cast<std::size_t>(got));
     return content;
   }
+  // Frees the memory of the text before a position.
+  void forget_before(off_t end) const {
+    if (end > 0) ::fallocate(descriptor_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, 0, end);
+  }
 
  private:
+  static constexpr off_t max_size = 64 << 20;
+
+  off_t size() const { return ::lseek(descriptor_, 0, SEEK_END); }
+
   int descriptor_;
 };
 
@@ -81,7 +88,8 @@ struct Child::State {
   MemoryFile in, out, err;
   std::chrono::steady_clock::time_point started = std::chrono::steady_clock::now();
   pid_t id = 0;
-  off_t read = 0;  ///< of `out`
+  off_t read = 0;   ///< of `out`
+  off_t freed = 0;  ///< of `out`
 };
 
 Child::Child(std::vector<std::string> words, std::uint64_t memory, std::string_view input)
@@ -139,6 +147,13 @@ std::string Child::new_output() {
   return text;
 }
 
+std::string Child::take_output() {
+  std::string text = new_output();
+  state_->freed = state_->read;
+  state_->out.forget_before(state_->freed);
+  return text;
+}
+
 bool Child::has_ended(ChildEnd& end) {
   int status = 0;
   rusage usage{};
@@ -147,8 +162,8 @@ bool Child::has_ended(ChildEnd& end) {
   if (found < 0) fail("the end of a program is unknown");
   state_->id = 0;
   end.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  end.out = state_->out.text();
-  end.err = state_->err.text();
+  end.out = state_->out.end_of_text(state_->freed);
+  end.err = state_->err.end_of_text();
   end.cpu_s = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   end.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - state_->started).count();
   end.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;

@@ -41,8 +41,10 @@ class Child {
   /// Stops it where it is, until `resume`.
   void pause() const;
   void resume() const;
-  /// Its standard output since the last call.
+  /// Its standard output since the last call; of much output only the next part.
   std::string new_output();
+  /// The same, for the last time: its memory is freed, and it is no part of ChildEnd::out.
+  std::string take_output();
   /// Whether it has ended; fills `end` then.
   bool has_ended(ChildEnd& end);
 

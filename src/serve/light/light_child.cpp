@@ -27,8 +27,11 @@ std::vector<std::string> LightChild::poll(std::string& failure) {
   if (!child_) return {};
   jobs::ChildEnd end;
   const bool has_ended = child_->has_ended(end);
-  buffer_ += child_->new_output();
-  std::vector<std::string> frames = complete_frames();
+  std::vector<std::string> frames;
+  for (std::string more = child_->take_output(); !more.empty(); more = child_->take_output()) {
+    buffer_ += more;
+    add_complete_frames(frames);
+  }
   if (!has_ended) return frames;
   child_.reset();
   if (end.exit_code == 0) return frames;
@@ -38,8 +41,7 @@ std::vector<std::string> LightChild::poll(std::string& failure) {
   return frames;
 }
 
-std::vector<std::string> LightChild::complete_frames() {
-  std::vector<std::string> frames;
+void LightChild::add_complete_frames(std::vector<std::string>& frames) {
   std::size_t at = 0;
   for (std::uint32_t size = 0; buffer_.size() - at >= sizeof size; at += sizeof size + size) {
     std::memcpy(&size, buffer_.data() + at, sizeof size);
@@ -47,7 +49,6 @@ std::vector<std::string> LightChild::complete_frames() {
     frames.push_back(buffer_.substr(at + sizeof size, size));
   }
   buffer_.erase(0, at);
-  return frames;
 }
 
 }  // namespace shelfbeam::serve

@@ -27,7 +27,7 @@ class LightChild {
   std::vector<std::string> poll(std::string& failure);
 
  private:
-  std::vector<std::string> complete_frames();
+  void add_complete_frames(std::vector<std::string>& frames);
 
   std::string program_;
   std::optional<jobs::Child> child_;

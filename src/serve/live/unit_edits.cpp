@@ -26,6 +26,16 @@ using Json = nlohmann::ordered_json;
 constexpr const char *list_key = "list", *pinned = "pinned", *selected = "selected", *installed = "installed",
                      *excluded = "excluded";
 
+struct Mark {
+  const char *action, *list, *state;
+};
+constexpr auto marks = std::to_array<Mark>({{"switch", selected, "selected"},
+                                            {"pin", pinned, "pinned"},
+                                            {"exclude", excluded, "excluded"},
+                                            {"install", installed, "installed"}});
+
+constexpr double least_power = 1e-3, most_power = 1e3;  // times the usual one, as in stores
+
 [[noreturn]] void refuse(const std::string& id, const std::string& why, const std::string& remedy) {
   throw InputError(id.empty() ? "unit" : in_quotes(id), why, remedy);
 }
@@ -117,22 +127,43 @@ class UnitLists {
   std::set<std::size_t> erased_;
 };
 
+// Ids that no unit of the draft has.
+class FreeIds {
+ public:
+  explicit FreeIds(const Draft& draft) {
+    for (const auto* units : {&draft.scene.transceivers, &draft.scene.excluded})
+      for (const Transceiver& unit : *units) taken_.insert(unit.id);
+  }
+
+  std::string next() {
+    std::string id;
+    do {
+      id = fmt::format("U{}", ++last_);
+    } while (taken_.contains(id));
+    return id;
+  }
+
+ private:
+  std::set<std::string> taken_;
+  int last_ = 0;
+};
+
 // A request for one unit.
 class Action {
  public:
-  Action(const Json& request, const Draft& draft, UnitLists& lists, std::set<std::string>& new_ids)
+  Action(const Json& request, const Draft& draft, UnitLists& lists, FreeIds& free_ids)
       : request_(request),
         draft_(draft),
         lists_(lists),
-        new_ids_(new_ids),
+        free_ids_(free_ids),
         factor_(to_metres(1, draft.store.unit)) {}
 
   // Returns the id of the unit afterwards.
-  std::string apply(const std::string& name) {
+  std::string apply(const std::string& name, bool is_one_of_many) {
     if (name == "place") {
       place();
     } else {
-      find();
+      find(is_one_of_many);
       if (name == "change")
         change();
       else if (name == "remove")
@@ -144,10 +175,14 @@ class Action {
   }
 
  private:
-  void find() {
+  // The id of a request that is not one of many is that of the message.
+  void find(bool is_one_of_many) {
     index_ = request_.at("index").get<std::size_t>();
     unit_ = unit_numbered(draft_, index_);
     id_ = unit_.id;
+    if (is_one_of_many && request_.value("id", id_) != id_)
+      refuse(request_["id"].get<std::string>(), "has another number by now, because the shop has changed",
+             "try again");
     const std::size_t candidates = draft_.scene.transceivers.size();
     is_excluded_ = index_ >= candidates;
     const auto& where =
@@ -161,7 +196,7 @@ class Action {
     unit_.position = vector_of(request_, "position");
     expect_outside_keep_out();
     change_unit(request_, draft_, unit_);
-    id_ = free_id();
+    id_ = free_ids_.next();
     lists_.append(list_key, json_of_unit(Json::object()));
     const std::string as = request_.value("as", pinned);
     if (as != pinned && as != installed) throw InputError("as", "is neither pinned nor installed");
@@ -178,17 +213,26 @@ class Action {
     if (entry_) {
       lists_.replace(*entry_, json_of_unit(lists_.entry(*entry_)));
     } else {
-      id_ = free_id();
+      id_ = free_ids_.next();
       lists_.append(list_key, json_of_unit(Json::object()));
-      for (const char* key : {selected, pinned, installed, excluded}) lists_.remove(key, old);
+      remove_from_lists(old);
     }
     if (is_excluded_ && entry_) lists_.remove(excluded, id_, "excluded");
     lists_.add(unit_.installed ? installed : pinned, id_);
   }
 
   void remove() {
-    for (const char* key : {selected, pinned, installed, excluded}) lists_.remove(key, id_);
+    remove_from_lists(id_);
     if (entry_) lists_.erase_later(*entry_);
+  }
+
+  // A candidate that a pattern keeps on the plan, or from it, would stay so.
+  void remove_from_lists(const std::string& id) {
+    for (const Mark& m : marks)
+      if (entry_)
+        lists_.remove(m.list, id);
+      else
+        lists_.remove(m.list, id, m.state);
   }
 
   void expect_outside_keep_out() const {
@@ -199,13 +243,6 @@ class Action {
   }
 
   void mark(const std::string& name, bool is_on) {
-    struct Mark {
-      const char *action, *list, *state;
-    };
-    constexpr auto marks = std::to_array<Mark>({{"switch", selected, "selected"},
-                                                {"pin", pinned, "pinned"},
-                                                {"exclude", excluded, "excluded"},
-                                                {"install", installed, "installed"}});
     const auto found =
         std::find_if(marks.begin(), marks.end(), [&](const Mark& m) { return name == m.action; });
     if (found == marks.end()) throw InputError("action", "is unknown", "reload the page");
@@ -253,22 +290,10 @@ class Action {
     return entry;
   }
 
-  std::string free_id() const {
-    std::set<std::string> taken = new_ids_;
-    for (const auto* units : {&draft_.scene.transceivers, &draft_.scene.excluded})
-      for (const Transceiver& unit : *units) taken.insert(unit.id);
-    for (int k = 1;; ++k) {
-      std::string id = fmt::format("U{}", k);
-      if (taken.contains(id)) continue;
-      new_ids_.insert(id);
-      return id;
-    }
-  }
-
   const Json& request_;
   const Draft& draft_;
   UnitLists& lists_;
-  std::set<std::string>& new_ids_;
+  FreeIds& free_ids_;
   double factor_;  // m per unit of the file
   std::size_t index_ = 0;
   Transceiver unit_;
@@ -282,15 +307,15 @@ class Action {
 UnitEdit unit_edit(const Json& request, const Json& store, const Draft& draft) {
   const auto name = request.at("action").get<std::string>();
   UnitLists lists(store);
-  std::set<std::string> new_ids;
+  FreeIds free_ids(draft);
   UnitEdit edit;
-  const auto apply = [&](const Json& one) {
-    edit.ids.push_back(Action(one, draft, lists, new_ids).apply(name));
+  const auto apply = [&](const Json& one, bool is_one_of_many) {
+    edit.ids.push_back(Action(one, draft, lists, free_ids).apply(name, is_one_of_many));
   };
   if (request.contains("each"))
-    for (const Json& one : request["each"]) apply(one);
+    for (const Json& one : request["each"]) apply(one, true);
   else
-    apply(request);
+    apply(request, false);
   lists.erase();
   edit.ops = std::move(lists.ops);
   return edit;
@@ -317,12 +342,15 @@ void change_unit(const Json& request, const Draft& draft, Transceiver& unit) {
     throw InputError("transceiver_types", "has no type", "define a type of transceivers first");
   if (request.contains("axis")) {
     const Vec3 axis = vector_of(request, "axis");
-    if (!(length(axis) > 0)) throw InputError("axis", "has the length 0");
+    if (!(length(axis) > 0) || !std::isfinite(length(axis)))
+      throw InputError("axis", "has no length between 0 and infinity");
     unit.axis = normalized(axis);
   }
   unit.roll_deg = request.value("roll_deg", unit.roll_deg);
   if (!(std::abs(unit.roll_deg) <= 360)) throw InputError("roll_deg", "is beyond 360 degrees");
   unit.relative_power = request.value("power", unit.relative_power);
+  if (!(unit.relative_power >= least_power && unit.relative_power <= most_power))
+    throw InputError("power", fmt::format("is not between {} and {}", least_power, most_power));
 }
 
 }  // namespace shelfbeam::serve

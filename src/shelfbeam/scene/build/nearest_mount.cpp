@@ -22,6 +22,10 @@ constexpr double usual_height = 2.4;   // m, on a face
 constexpr double free_height = 2.5;    // m, of a unit without a ceiling
 constexpr double clearance = 0.01;     // m from the walls of the room
 
+double ceiling_at(const RoomShape& room, const Vec2& p) {
+  return room.ceiling_over(p).at(p);
+}
+
 // A vertical face: a straight piece of an outline, with air on the side of its normal.
 struct Face {
   Vec2 from, to, outward;
@@ -43,7 +47,7 @@ struct FacePlace {
 
 class Faces {
  public:
-  explicit Faces(const Scene& scene) {
+  explicit Faces(const Scene& scene) : scene_(scene) {
     for (const FixtureOutline& fixture : scene.fixtures)
       if (fixture.footprint.size() > 2 && fixture.height > 0)
         add(fixture.id, fixture.footprint, fixture.height);
@@ -62,11 +66,13 @@ class Faces {
     return best;
   }
 
-  static FacePlace nearest_on(const Carrier& carrier, const Vec2& p) {
+  // Without places that another fixture or a wall covers.
+  FacePlace nearest_on(const Carrier& carrier, const Vec2& p) const {
     FacePlace best;
     for (const Face& face : carrier.faces) {
       const Vec2 at = nearest_point(face.from, face.to, p);
-      if (const double away = distance(at, p); away < best.distance) best = {&carrier, &face, at, away};
+      if (const double away = distance(at, p); away < best.distance && is_free(carrier, face, at))
+        best = {&carrier, &face, at, away};
     }
     return best;
   }
@@ -89,6 +95,14 @@ class Faces {
   }
 
  private:
+  bool is_free(const Carrier& carrier, const Face& face, const Vec2& at) const {
+    const Vec2 before{at[0] + usual_offset * face.outward[0], at[1] + usual_offset * face.outward[1]};
+    if (scene_.room && !scene_.room->covers(before)) return false;
+    return std::none_of(scene_.fixtures.begin(), scene_.fixtures.end(), [&](const FixtureOutline& other) {
+      return other.id != carrier.name && other.height >= face.top && contains(other.footprint, before);
+    });
+  }
+
   void add(const std::string& id, const Polygon& outline, double height) {
     Carrier carrier{id, {}};
     const std::vector<Vec2> normals = outward_normals(outline);
@@ -97,15 +111,19 @@ class Faces {
     carriers_.push_back(std::move(carrier));
   }
 
+  const Scene& scene_;
   std::vector<Carrier> carriers_;
 };
 
 // On a face at a height, or as near to it as the face reaches.
-Vec3 before(const FacePlace& place, double offset, double z) {
-  constexpr double margin = 0.05;  // m from the edges of the face
-  const auto& [from, to, outward, bottom, top] = *place.face;
+Vec3 before(const Scene& scene, const FacePlace& place, double offset, double z) {
+  constexpr double margin = 0.05;  // m from the edges of the face, and below the ceiling
+  const auto& [from, to, outward, bottom, whole] = *place.face;
+  const Vec2 p{place.at[0] + offset * outward[0], place.at[1] + offset * outward[1]};
+  const double top =
+      scene.room && scene.room->covers(p) ? std::min(whole, ceiling_at(*scene.room, p)) : whole;
   const double height = top - bottom > 2 * margin ? std::clamp(z, bottom + margin, top - margin) : top / 2;
-  return {place.at[0] + offset * outward[0], place.at[1] + offset * outward[1], height};
+  return {p[0], p[1], height};
 }
 
 struct RailPlace {
@@ -131,10 +149,6 @@ RailPlace nearest_rail(const Store& store, const Vec2& p) {
   for (const auto& [rail, where] : store.rails)
     if (const RailPlace one = nearest_on(rail, p); one.distance < best.distance) best = one;
   return best;
-}
-
-double ceiling_at(const RoomShape& room, const Vec2& p) {
-  return room.ceiling_over(p).at(p);
 }
 
 // The point, or the nearest one in the room.
@@ -173,7 +187,7 @@ MountPlace nearest_mount(const Store& store, const Scene& scene, const PointedAt
     return {rail.at, rail.rail->unit.axes.front(), MountKind::rail, rail.rail->id};
   const Faces faces(scene);
   if (const FacePlace face = faces.nearest(at.plan); face.face != nullptr && attracts(face.distance))
-    return {before(face, usual_offset, at.z.value_or(usual_height)),
+    return {before(scene, face, usual_offset, at.z.value_or(usual_height)),
             {face.face->outward[0], face.face->outward[1], 0},
             MountKind::face,
             face.carrier->name};
@@ -188,18 +202,22 @@ MountPlace moved_mount(const Store& store, const Scene& scene, const Transceiver
   for (const auto& [rail, where] : store.rails)
     if (length(nearest_on(rail, {now.x, now.y}).at - now) <= on_rail)
       return {nearest_on(rail, at.plan).at, unit.axis, MountKind::rail, rail.id};
+  const Vec2 here{now.x, now.y};
+  const bool is_inside = scene.room && scene.room->covers(here);
+  const double gap = is_inside ? ceiling_at(*scene.room, here) - now.z : HUGE_VAL;
   const Faces faces(scene);
-  if (const FacePlace from = faces.behind(unit); from.carrier != nullptr) {
-    const FacePlace to = Faces::nearest_on(*from.carrier, at.plan);
-    return {before(to, std::max(from.distance, 1e-3), at.z.value_or(now.z)),
+  // A tilted unit below the ceiling may be close to a wall.
+  const FacePlace from = faces.behind(unit);
+  const FacePlace to = from.carrier == nullptr || (gap >= 0 && gap < from.distance)
+                           ? FacePlace{}
+                           : faces.nearest_on(*from.carrier, at.plan);
+  if (to.face != nullptr) {
+    return {before(scene, to, std::max(from.distance, 1e-3), at.z.value_or(now.z)),
             turned(unit.axis, from.face->outward, to.face->outward), MountKind::face, to.carrier->name};
   }
-  const Vec2 p = within(scene.room, at.plan), here{now.x, now.y};
-  if (scene.room && scene.room->covers(here)) {
-    const double gap = ceiling_at(*scene.room, here) - now.z;
-    if (gap >= 0 && gap <= below_ceiling)
-      return {{p[0], p[1], ceiling_at(*scene.room, p) - gap}, unit.axis, MountKind::ceiling};
-  }
+  const Vec2 p = within(scene.room, at.plan);
+  if (gap >= 0 && gap <= below_ceiling)
+    return {{p[0], p[1], ceiling_at(*scene.room, p) - gap}, unit.axis, MountKind::ceiling};
   const double top = scene.room ? ceiling_at(*scene.room, p) : HUGE_VAL;
   return {{p[0], p[1], std::min(at.z.value_or(now.z), top)}, unit.axis, MountKind::free};
 }
