@@ -283,7 +283,7 @@ struct Planner::State {
     send_to_all(http::Message::text(is_edit ? text_of(json) : with_document(json)));
     if (changes.labels) send_to_all(http::Message::binary(*changes.labels));
     if (changes.units) send_to_all(http::Message::binary(*changes.units));
-    send_to_all(light.messages());
+    send_to_all(light.messages(shop.draft()));
   }
 
   http::Receipt keep(std::string_view file, std::string_view content) const {

@@ -32,6 +32,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double finest = 0.005;  // of the requirement: closer labels stay undecided
+// Of Student's distribution with min_batches / 2 - 1 = 7 degrees of freedom, at 97.5 %, and of the normal
+// one.
+constexpr float of_few = 2.365F / 1.96F;
 
 // A unit on the plan.
 struct Placed {
@@ -40,6 +43,7 @@ struct Placed {
   Preview column = {};
   LightStage stage = LightStage::direct;
   std::uint32_t batches = 0;
+  std::vector<std::uint32_t> batches_here = {};  // by label, of this process
 };
 
 class LightRun : ProgressSink {
@@ -151,8 +155,10 @@ class LightRun : ProgressSink {
     std::optional<UnitRefinement> work;
     if (!fresh.empty()) {
       work.emplace(light, units_of(fresh), light_seed, control_);
-      continue_until(*work, min_batches, {});
-      take(*work, fresh);
+      for (const std::uint32_t batches : {min_batches / 2, min_batches}) {
+        continue_until(*work, batches, {});
+        take(*work, fresh);
+      }
     }
     if (fresh.size() < all.size()) work.reset();
     for (;;) {
@@ -188,14 +194,29 @@ class LightRun : ProgressSink {
     return has_worked;
   }
 
-  // Takes the values of units that come from more batches than those that are known.
+  // Takes the values of units that come from more batches than those of this process, or are more precise
+  // than those of an earlier one.
   void take(const UnitRefinement& work, const std::vector<Placed*>& units) {
     for (std::size_t k = 0; k < units.size(); ++k) {
       Placed& unit = *units[k];
-      const std::uint32_t known = unit.stage == LightStage::simulated ? unit.batches : 0;
-      work.fill(k, unit.column, known);
+      Preview& column = unit.column;
+      unit.batches_here.resize(column.signal.size());
+      for (std::size_t i = 0; i < column.signal.size(); ++i) {
+        const std::uint32_t batches = work.batches(i);
+        if (batches < min_batches / 2) continue;
+        // Errors of few batches are uncertain.
+        const float error = (batches < min_batches ? of_few : 1) * work.standard_error(i, k);
+        const bool is_better = unit.stage != LightStage::simulated ? true
+                               : unit.batches_here[i] > 0          ? batches > unit.batches_here[i]
+                                                                   : error < column.error[i];
+        if (!is_better) continue;
+        column.signal[i] = work.signal(i, k);
+        column.error[i] = error;
+        column.doubts[i] = work.is_skewed(i, k) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
+        unit.batches_here[i] = batches;
+      }
       unit.stage = LightStage::simulated;
-      unit.batches = std::max(known, min_batches);
+      unit.batches = std::max(unit.batches, std::min(min_batches, work.fewest_batches()));
       show(unit);
     }
   }

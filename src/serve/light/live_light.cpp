@@ -1,6 +1,7 @@
 #include "serve/light/live_light.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <system_error>
 #include <utility>
@@ -27,6 +28,7 @@ constexpr auto quiet = std::chrono::milliseconds(300);
 constexpr auto look_interval = std::chrono::seconds(1);
 constexpr std::size_t most_bytes = std::size_t{32} << 20;  // of columns that are kept, for undo
 constexpr std::size_t most_at_once = 4;                    // units that are previewed between two requests
+constexpr int most_tries = 3;                              // of fine columns, to see how long they take
 
 http::Message requirements_of(const Scene& scene, std::uint64_t generation) {
   std::vector<float> requirements;
@@ -99,7 +101,8 @@ void LiveLight::change(const std::string& text, std::uint64_t revision, const Dr
     ++generation_;
     columns_.clear();
     light_.forget();
-    is_slow_ = false;
+    fine_tries_ = 0;
+    fine_ms_ = HUGE_VAL;
     child_.stop();
     operator_ = nullptr;
     requirements_ = requirements_of(draft.scene, generation_);
@@ -115,7 +118,6 @@ void LiveLight::change(const std::string& text, std::uint64_t revision, const Dr
     }
   }
   baseline_ = plan_.json(draft.scene);
-  preview_new_units(draft);
 }
 
 void LiveLight::list_units(const Draft& draft) {
@@ -138,7 +140,7 @@ std::vector<std::string> LiveLight::keys() const {
 
 void LiveLight::preview_new_units(const Draft& draft) {
   const LoadedLight::Ready* const best = light_.best();
-  if (best == nullptr) return;
+  if (best == nullptr || !holds_.empty()) return;
   std::size_t count = 0;
   for (const Unit& unit : units_) {
     if (columns_.contains(unit.key) || ++count > most_at_once) continue;
@@ -183,7 +185,7 @@ void LiveLight::start() {
   phase_ = "preparing";
 }
 
-void LiveLight::take(std::string frame, bool& is_new_state) {
+void LiveLight::take(std::string frame) {
   const Json about = jobs::about_of(frame);
   if (about.at("event") == "column") {
     if (about.at("generation") == generation_)
@@ -192,8 +194,8 @@ void LiveLight::take(std::string frame, bool& is_new_state) {
   }
   const Json& kind = about.at("operator");
   if (kind != operator_ && !kind.is_null()) {
-    light_.load(source(kind == "fine" ? LightStage::fine : LightStage::coarse));
-    is_new_state = true;
+    light_.load(source(LightStage::coarse));  // also beside the fine one: drags may need it
+    if (kind == "fine") light_.load(source(LightStage::fine));
   }
   operator_ = kind;
   progress_ = about.at("progress");
@@ -208,7 +210,7 @@ std::vector<http::Message> LiveLight::poll(const Draft& draft, Clock::time_point
     plan_.look();
     baseline_ = plan_.json(draft.scene);
   }
-  if (light_.poll()) preview_new_units(draft);
+  if (holds_.empty()) light_.poll();
   if (resume_at_ && now >= *resume_at_ && holds_.empty()) {
     resume_at_.reset();
     is_paused_ = false;
@@ -219,22 +221,23 @@ std::vector<http::Message> LiveLight::poll(const Draft& draft, Clock::time_point
     start();
   }
   std::string failure;
-  bool has_operator = false;
-  for (std::string& frame : child_.poll(failure)) take(std::move(frame), has_operator);
+  for (std::string& frame : child_.poll(failure)) take(std::move(frame));
   if (!failure.empty()) {
     phase_ = "failed";
     message_ = failure;
     progress_ = nullptr;
   }
-  // The units may have changed while the operator was made.
-  if (has_operator && operator_ == "fine" && started_ != keys() && child_.is_running()) {
+  // The units may have changed while the operator was made; the process may have ended by then.
+  const bool is_free = !child_.is_running() || operator_ == "fine";
+  if (is_on_ && has_labels_ && is_free && !start_at_ && started_ != keys()) {
     child_.stop();
     start_at_ = now;
   }
-  return messages();
+  return messages(draft);
 }
 
-std::vector<http::Message> LiveLight::messages() {
+std::vector<http::Message> LiveLight::messages(const Draft& draft) {
+  preview_new_units(draft);
   Json now = state();
   std::vector<http::Message> list;
   if (now != told_) {
@@ -280,6 +283,7 @@ void LiveLight::hold(http::TabId tab) {
   resume_at_.reset();
   is_paused_ = true;
   child_.pause();
+  fine_tries_ = std::min(fine_tries_, most_tries - 1);
 }
 
 void LiveLight::release(http::TabId tab, Clock::time_point now) {
@@ -294,14 +298,20 @@ LiveLight::Json LiveLight::mount(const Json& request, const Draft& draft) {
 
 http::Message LiveLight::drag(const Json& request, const Draft& draft) {
   constexpr double most_ms = 35;  // so that labels follow the pointer
-  const LoadedLight::Ready* const light = is_slow_ ? light_.fastest() : light_.best();
+  const bool is_slow = fine_tries_ >= most_tries && fine_ms_ > most_ms;
+  const LoadedLight::Ready* const light = is_slow ? light_.fastest() : light_.best();
+  if (light == nullptr && !light_.failure().empty())
+    throw InputError("drag", "needs the light of the shop, which cannot be read", light_.failure());
   if (light == nullptr)
     throw InputError("drag", "needs the light of the shop, which is not computed yet", "wait a moment");
   const Mounted moved = mounted(request, draft);
   const auto begin = Clock::now();
   const Preview column = light->light.column(moved.unit);
   const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-  if (light == light_.best()) is_slow_ = ms > most_ms;
+  if (light->stage == LightStage::fine) {
+    ++fine_tries_;
+    fine_ms_ = std::min(fine_ms_, ms);
+  }
   Json about{{"event", "drag"}, {"id", request.at("id")}, {"generation", generation_}};
   add_place(about, moved);
   about["stage"] = to_text(light->stage);

@@ -41,7 +41,7 @@ class LiveLight {
   /// To be called often. Returns messages for all pages.
   std::vector<http::Message> poll(const Draft& draft, Clock::time_point now);
   /// Messages for all pages since the last call of this function or `poll`.
-  std::vector<http::Message> messages();
+  std::vector<http::Message> messages(const Draft& draft);
 
   /// A gesture of a page begins or ends.
   void hold(http::TabId tab);
@@ -63,7 +63,7 @@ class LiveLight {
   std::vector<std::string> keys() const;
   void preview_new_units(const Draft& draft);
   void start();
-  void take(std::string frame, bool& is_new_state);
+  void take(std::string frame);
   void keep(const std::string& key, http::Message message);
   LoadedLight::Source source(jobs::LightStage stage) const;
   Json state() const;
@@ -87,7 +87,8 @@ class LiveLight {
   Json told_;  // the last state
   std::set<http::TabId> holds_;
   bool is_paused_ = false;
-  bool is_slow_ = false;  // the fine operator, for drags
+  int fine_tries_ = 0;         // of columns by the fine operator for drags, the last ones,
+  double fine_ms_ = HUGE_VAL;  // and the least time that one took
   std::optional<Clock::time_point> start_at_, resume_at_;
   Clock::time_point looked_{};
 };

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <exception>
+#include <new>
 #include <utility>
 
 #include "shelfbeam/base/json.hpp"
@@ -29,35 +30,48 @@ LoadedLight::Result LoadedLight::read(const Source& source, std::shared_ptr<cons
                                       ? coarse_operator
                                       : usual_effort(shop->draft.scene.labels.size());
     auto light = LightOperator::load(source.file, shop->world, jobs::light_seed, effort);
-    if (!light) return nullptr;
-    return std::unique_ptr<const Ready>(new Ready{std::move(shop), std::move(*light), source.stage});
-  } catch (const std::exception&) {
-    return nullptr;  // another process has replaced or removed it; previews follow from that one
+    if (!light) return {};  // another process has replaced or removed it; previews follow from that one
+    return {std::unique_ptr<const Ready>(new Ready{std::move(shop), std::move(*light), source.stage}), {}};
+  } catch (const std::bad_alloc&) {
+    return {nullptr, "the memory does not suffice"};
+  } catch (const std::exception& error) {
+    return {nullptr, error.what()};
   }
 }
 
 void LoadedLight::forget() {
   if (coming_) abandoned_.push_back(std::move(*coming_));
   coming_.reset();
+  waiting_.clear();
   coarse_.reset();
   fine_.reset();
+  failure_.clear();
 }
 
 void LoadedLight::load(Source source) {
-  if (coming_) abandoned_.push_back(std::move(*coming_));
-  std::shared_ptr<const Shop> shop = best() != nullptr ? best()->shop : nullptr;
-  coming_ = std::async(std::launch::async,
-                       [source = std::move(source), shop = std::move(shop)] { return read(source, shop); });
+  if ((source.stage == jobs::LightStage::coarse ? coarse_ : fine_) != nullptr) return;
+  waiting_.push_back(std::move(source));
+  begin_next();
 }
 
-bool LoadedLight::poll() {
+void LoadedLight::begin_next() {
+  if (coming_ || waiting_.empty()) return;
+  std::shared_ptr<const Shop> shop = best() != nullptr ? best()->shop : nullptr;
+  coming_ = std::async(std::launch::async, [source = std::move(waiting_.front()), shop = std::move(shop)] {
+    return read(source, shop);
+  });
+  waiting_.pop_front();
+}
+
+void LoadedLight::poll() {
   std::erase_if(abandoned_, [](const auto& future) { return is_ready(future); });
-  if (!coming_ || !is_ready(*coming_)) return false;
-  Result result = coming_->get();
-  coming_.reset();
-  if (!result) return false;
-  (result->stage == jobs::LightStage::coarse ? coarse_ : fine_) = std::move(result);
-  return true;
+  if (coming_ && is_ready(*coming_)) {
+    auto [ready, failure] = coming_->get();
+    coming_.reset();
+    failure_ = std::move(failure);
+    if (ready) (ready->stage == jobs::LightStage::coarse ? coarse_ : fine_) = std::move(ready);
+  }
+  begin_next();
 }
 
 }  // namespace shelfbeam::serve

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -32,14 +33,16 @@ class LoadedLight {
 
   /// There is no operator from now on.
   void forget();
-  /// Reads one in the background.
+  /// Reads one in the background, after those that are to be read already, unless it is there.
   void load(Source source);
-  /// To be called often. Returns whether an operator has been read.
-  bool poll();
+  /// To be called often.
+  void poll();
 
   /// The best, and the fastest one; null without any.
   const Ready* best() const { return fine_ ? fine_.get() : coarse_.get(); }
   const Ready* fastest() const { return coarse_ ? coarse_.get() : fine_.get(); }
+  /// Why the last one could not be read; empty if it could, or no file was there.
+  const std::string& failure() const { return failure_; }
 
  private:
   struct Shop {
@@ -47,13 +50,20 @@ class LoadedLight {
     const Draft draft;
     const World world;
   };
-  using Result = std::unique_ptr<const Ready>;
+  struct Result {
+    std::unique_ptr<const Ready> ready;
+    std::string failure;
+  };
 
   static Result read(const Source& source, std::shared_ptr<const Shop> shop);
 
-  Result coarse_, fine_;
+  void begin_next();
+
+  std::unique_ptr<const Ready> coarse_, fine_;
+  std::deque<Source> waiting_;
   std::optional<std::future<Result>> coming_;
   std::vector<std::future<Result>> abandoned_;  // their destruction would wait
+  std::string failure_;
 };
 
 struct LoadedLight::Ready {

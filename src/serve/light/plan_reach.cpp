@@ -20,6 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The page adds signals up: it has no comparison with a plan by another rule.
+bool adds_up(const fs::path& placement) {
+  const auto json = nlohmann::json::parse(read_text(placement));
+  return json.at("model") == "cooperative" && !json.at("survives_failure").get<bool>();
+}
+
 std::unordered_map<std::string, bool> reached_in(const fs::path& file) {
   std::unordered_map<std::string, bool> reached;
   const std::string text = read_text(file);
@@ -51,7 +57,7 @@ void PlanReach::look() {
   reached_.clear();
   if (plan.empty() || missing || !is_plain_file(file)) return;
   try {
-    reached_ = reached_in(file);
+    if (adds_up(folder_ / plan / jobs::placement_name)) reached_ = reached_in(file);
   } catch (const std::exception&) {
     reached_.clear();  // a table that somebody has changed is no baseline
   }

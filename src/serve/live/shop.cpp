@@ -20,6 +20,7 @@
 #include "shelfbeam/scene/fixture/fixture.hpp"
 
 #include "serve/live/dissolve.hpp"
+#include "serve/live/named_files.hpp"
 #include "serve/live/place.hpp"
 #include "serve/live/vanished.hpp"
 
@@ -124,6 +125,8 @@ StoreLimits Shop::limits() const {
 
 ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
   JsonCursor document = JsonCursor::parse(text, document_.file());
+  // Before they are read, so that later changes are seen.
+  std::string files = state_of_named_files(document.value(), file_.parent_path());
   auto [draft, parts] = resolve(document, file_.parent_path(), limits(), parts_, json());
   DeviceArrays labels = labels_of(draft), units = units_of(draft);
 
@@ -141,7 +144,9 @@ ShopChanges Shop::update(const std::string& text, std::uint64_t revision) {
   changes.labels = devices_frame("labels", revision, labels_, labels);
   changes.units = devices_frame("units", revision, units_, units);
 
-  changes.changes_light = changes_light(json(), document.value());
+  // Another program may have changed a file that the store names.
+  changes.changes_light = changes_light(json(), document.value()) || files_ != files;
+  files_ = std::move(files);
   document_ = std::move(document);
   draft_ = std::move(draft);
   parts_ = std::move(parts);

@@ -80,6 +80,7 @@ class Shop {
   std::filesystem::path file_;
   const CancelToken* cancel_;
   std::shared_ptr<ReadCache> cache_;
+  std::string files_;  // state_of_named_files
   JsonCursor document_;
   Draft draft_;
   std::vector<Part> parts_;

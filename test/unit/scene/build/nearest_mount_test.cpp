@@ -59,6 +59,31 @@ TEST(NearestMount, IsARailAFaceOrTheCeiling) {
   expect_at(shop.nearest(-5, 3), {0.01, 3, 2.95}, MountKind::ceiling);
 }
 
+// Two columns back to back, and a wall in a zone that is lower than the usual height.
+TEST(NearestMount, IsWhereAUnitHasRoom) {
+  Store store = parse_store(R"({
+    "room": {"size": [10, 6, 3], "floor": "p", "ceiling": "p", "walls": "p",
+             "zones": [{"id": "low", "polygon": [[7, 0], [10, 0], [10, 6], [7, 6]], "height": 2.2}]},
+    "materials": {"p": {"type": "lambertian", "reflectance": 0.5}},
+    "label_types": {"l": {"threshold": 1}},
+    "transceiver_types": {"t": {"emission": {"type": "sin2theta", "peak": 1}}},
+    "fixtures": [{"type": "box", "id": "a", "min": [4, 2, 0], "max": [4.4, 2.4, 2.9], "material": "p"},
+                 {"type": "box", "id": "b", "min": [4.4, 2, 0], "max": [4.8, 2.4, 2.9], "material": "p"}],
+    "labels": [{"id": "L", "position": [1, 1, 1], "normal": [0, 1, 0], "type": "l"}],
+    "transceivers": {"list": [{"id": "U", "type": "t", "position": [1, 5.9, 2.97], "axis": [0, -0.3, -1]}]}})",
+                            "shop", ".");
+  const Scene scene = make_scene(store);
+  const auto nearest = [&](double x, double y) { return nearest_mount(store, scene, {{x, y}, {}}, 0.2); };
+  EXPECT_LE(nearest(9.9, 3).position.z, 2.2);
+  EXPECT_EQ(nearest(9.9, 3).on, MountKind::face);
+  const MountPlace between = nearest(4.4, 2.2);
+  EXPECT_EQ(between.on, MountKind::face);
+  EXPECT_FALSE(contains(scene.fixtures[0].footprint, {between.position.x, between.position.y}));
+  EXPECT_FALSE(contains(scene.fixtures[1].footprint, {between.position.x, between.position.y}));
+  // A tilted unit that is nearer to the ceiling than to the wall stays below the ceiling.
+  expect_at(moved_mount(store, scene, scene.transceivers[0], {{3, 3}, {}}), {3, 3, 2.97}, MountKind::ceiling);
+}
+
 TEST(MovedMount, StaysOnItsSurface) {
   const Shop shop;
   expect_at(shop.moved("U", 5, 4), {5, 4, 2.9}, MountKind::ceiling);

@@ -34,7 +34,7 @@ class LiveLightOfAShop : public testing::Test {
     json["transceivers"]["selected"] = selected;
     const ShopChanges changes = shop_.update(json.dump(), ++revision_);
     light_.change(json.dump(), revision_, shop_.draft(), changes.changes_light, Clock::now());
-    hear(light_.messages());
+    hear(light_.messages(shop_.draft()));
   }
   void hear(const std::vector<http::Message>& messages) {
     for (const http::Message& message : messages)
@@ -95,6 +95,30 @@ TEST_F(LiveLightOfAShop, IsRefinedByItself) {
   for (const http::Message& message : light_.everything())
     columns += !message.is_text && jobs::about_of(*message.bytes)["event"] == "column" ? 1 : 0;
   EXPECT_EQ(columns, 2U);
+}
+
+// The process may end between two looks: it has nothing to do after the operator.
+TEST_F(LiveLightOfAShop, GoesOnWithUnitsThatComeWhileItPrepares) {
+  write({});
+  write({}, 0.5);
+  std::this_thread::sleep_for(400ms);  // so that it starts at the next look
+  hear(light_.poll(shop_.draft(), Clock::now()));
+  write({"T0-0"}, 0.5);
+  std::this_thread::sleep_for(6s);  // the operator is made, and the process has ended
+  ASSERT_TRUE(wait([&] { return is_done() && !stages().empty() && stages().back() == "simulated"; }, 20s))
+      << state();
+}
+
+// Every unit has a preview soon, however many come at once.
+TEST_F(LiveLightOfAShop, PreviewsAllUnitsThatComeAtOnce) {
+  ASSERT_TRUE(wait([&] { return is_done(); }));
+  std::vector<std::string> ids;
+  for (std::size_t k = 0; k < shop_.unit_count() && ids.size() < 10; ++k) ids.push_back(shop_.unit(k)["id"]);
+  ASSERT_GT(ids.size(), 5U);
+  const std::size_t from = heard_.size();
+  write(ids);
+  for (int k = 0; k < 3; ++k) hear(light_.poll(shop_.draft(), Clock::now()));
+  EXPECT_GE(stages(from).size(), ids.size() - 1);
 }
 
 // No value of an older generation follows the state of a newer one.
@@ -164,7 +188,8 @@ TEST_F(LiveLightOfAShop, IsOffOnRequest) {
 TEST_F(LiveLightOfAShop, IsComparedWithTheNewestPlan) {
   EXPECT_TRUE(state()["baseline"].is_null());
   std::filesystem::create_directory(folder_.path() / "plan");
-  write_file(folder_.path() / "plan/placement.json", "{}");
+  write_file(folder_.path() / "plan/placement.json",
+             R"({"model": "cooperative", "survives_failure": false})");
   write_file(folder_.path() / "plan/signal.h5", "");
   const auto& labels = shop_.draft().scene.labels;
   write_file(folder_.path() / "plan/labels.csv",
@@ -172,6 +197,12 @@ TEST_F(LiveLightOfAShop, IsComparedWithTheNewestPlan) {
   ASSERT_TRUE(wait([&] { return !state()["baseline"].is_null(); }));
   EXPECT_EQ(state()["baseline"]["plan"], "plan");
   EXPECT_EQ(state()["baseline"]["reached"].get<std::string>().substr(0, 4), "1-0-");
+  // The page adds signals up, which plans of other models do not.
+  write_file(folder_.path() / "plan/placement.json",
+             R"({"model": "non-cooperative", "survives_failure": false})");
+  std::filesystem::last_write_time(folder_.path() / "plan/labels.csv",
+                                   std::filesystem::file_time_type::clock::now() + 1min);
+  EXPECT_TRUE(wait([&] { return state()["baseline"].is_null(); }, 10s));
 }
 
 }  // namespace

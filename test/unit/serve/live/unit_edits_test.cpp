@@ -138,6 +138,29 @@ TEST_F(UnitEdits, ChangeSeveralInOneStep) {
   EXPECT_EQ(units()["list"][0]["id"], "U2");
 }
 
+TEST_F(UnitEdits, RefuseANumberThatAnotherUnitHasByNow) {
+  const std::size_t k = index("G1-2-1");
+  const auto request = [&](const std::string& id) {
+    return Json{{"action", "pin"}, {"each", Json::array({{{"index", k}, {"id", id}, {"on", true}}})}};
+  };
+  test::expect_input_error([&] { unit_edit(request("G1-1-1"), shop_.json(), shop_.draft()); },
+                           "another number");
+  EXPECT_EQ(act(request("G1-2-1")), "G1-2-1");
+}
+
+TEST_F(UnitEdits, RefuseValuesThatNoStoreHas) {
+  const auto refuses = [&](const Json& values, const std::string& word) {
+    Json request{{"action", "change"}, {"index", index("A")}};
+    request.update(values);
+    test::expect_input_error([&] { unit_edit(request, shop_.json(), shop_.draft()); }, word);
+  };
+  refuses({{"power", 0}}, "power");
+  refuses({{"power", 1e9}}, "power");
+  refuses({{"axis", {0, 0, 0}}}, "axis");
+  refuses({{"axis", {1e308, 1e308, 1e308}}}, "axis");
+  refuses({{"roll_deg", 1e4}}, "roll_deg");
+}
+
 TEST_F(UnitEdits, RefuseWhatAPatternDecides) {
   test::expect_input_error([&] { mark("pin", "G1-5-1", true); }, "G1-5-1", "excluded by the pattern");
   test::expect_input_error([&] { act({{"action", "place"}, {"type", "t"}, {"position", {9.5, 5.5, 2.9}}}); },
