@@ -64,6 +64,53 @@ class Requests(ServeTest):
         self.assertEqual(self.tab.changes(), [])
         self.assertEqual(self.tab.set("/name", "Nave")["revision"], 2)
 
+    def test_for_units_with_wrong_values_are_answered(self):
+        place = {"action": "place", "label": "a", "type": "t", "position": [4, 3, 2.5]}
+        change = {"action": "change", "label": "a"}
+        for do, keys in (
+            ("mount", {}),
+            ("mount", {"at": 1}),
+            ("mount", {"at": [1]}),
+            ("mount", {"at": ["a", 2]}),
+            ("mount", {"at": [1, 1], "unit": 99}),
+            ("mount", {"at": [1, 1], "unit": -1}),
+            ("mount", {"at": [1, 1], "type": "none"}),
+            ("drag", {"at": [1, 1], "unit": 0}),
+            ("unit", {}),
+            ("unit", {"action": "fly", "label": "a", "index": 0, "on": True}),
+            ("unit", {**place, "position": [1, 2]}),
+            ("unit", {**place, "position": [1, 2, None]}),
+            ("unit", {**place, "type": "none"}),
+            ("unit", {**place, "as": "selected"}),
+            ("unit", {**place, "axis": [0, 0, 0]}),
+            ("unit", {**place, "axis": [1e308, 1e308, 1e308]}),
+            ("unit", {**place, "roll_deg": 1e9}),
+            ("unit", {**place, "power": 0}),
+            ("unit", change),
+            ("unit", {**change, "index": 1}),
+            ("unit", {**change, "each": 1}),
+            ("unit", {**change, "each": [{"index": 0, "id": "of another"}]}),
+            ("unit", {"action": "pin", "label": "a", "index": 0}),
+            ("unit", {"action": "pin", "label": "a", "index": 0, "on": 1}),
+        ):
+            with self.subTest(do=do, keys=keys):
+                self.assertIn("error", self.tab.ask(do, **keys))
+        self.assertEqual(self.tab.changes(), [])
+        self.assertEqual(self.tab.ask("unit", **place)["units"], ["U1"])
+
+    def test_for_many_units_at_once_do_not_hold_the_others_up(self):
+        each = [{"type": "t", "position": [4, 3, 2.5]}] * 3000
+        answer = self.tab.ask("unit", action="place", label="Place", each=each)
+        self.assertEqual(answer["units"][-1], "U3000")
+
+    def test_of_a_closed_page_hold_no_light(self):
+        holding = self.open(self.server)
+        self.assertNotIn("error", holding.ask("hold"))
+        self.assertNotIn("error", self.tab.ask("release"))
+        holding.close()
+        self.assertNotIn("error", self.tab.ask("hold"))
+        self.assertNotIn("error", self.tab.ask("release"))
+
     def test_of_many_levels_are_refused(self):
         deep = json.loads("[" * 97 + "]" * 97)
         self.assertNotIn("error", self.tab.edit({"path": "/x", "after": deep}))
