@@ -21,6 +21,7 @@ import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds"
 import { Light } from "./light/light";
 import { Snapping } from "./snap/snapping";
 import { UnitMover } from "./units/mover";
+import { UnitQueue } from "./units/queue";
 import { UnitTool } from "./units/tool";
 import { Fan } from "./view/fan";
 import { Layers } from "./view/layers";
@@ -58,6 +59,7 @@ export class Planner {
   readonly light: Light;
   readonly settings = new ToolSettings(this.changes);
   readonly answers: DeviceAnswers;
+  readonly queue = new UnitQueue(this);
   readonly unitTool: UnitTool;
   readonly mover: UnitMover;
   tool: Tool = "select";
@@ -101,7 +103,7 @@ export class Planner {
     for (const devices of [this.document.labels, this.document.units])
       devices.onReplaced = (...range) => {
         this.selection.replaceDevices(devices, ...range);
-        if (devices.kind === "unit") this.mover.follow(...range);
+        if (devices.kind === "unit") this.mover.follow();
       };
     this.changes.listen(["document", "devices"], () => this.selection.keep((item) => this.exists(item)));
   }

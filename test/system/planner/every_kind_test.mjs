@@ -58,7 +58,7 @@ const tables = {
     ["label", "counter", "position/2", "0.9", { at: [3.3, 9.19] }],
     ["area", "Area 3", "z", "3.4", { at: [15, 1] }],
     ["area that follows", "Area 1", "spacing", "2.5", { moves: stays.follows, turns: stays.follows }],
-    ["rail", "rail", "spacing", "2*0.6", { at: [16, 5] }],
+    ["rail", "rail", "spacing", "2*0.6", { at: [16.65, 5.65] }],
     ["faces", "Faces 2", "z", "2.4", { moves: stays.follows, turns: stays.follows }],
     ["keep_out", "Keep-out 1", "z/1", "4", { at: [9.5, 9] }],
   ],
@@ -77,7 +77,7 @@ const tables = {
     ["freezer", "S1", "height", "1.1"],
     ["box", "S1b", "max/2", "90cm"],
     ["label", "T1-belt-1", "position/2", "0.8"],
-    ["grid", "Grid 1", "z", "5.3", { at: [2, 6] }],
+    ["grid", "Grid 1", "z", "5.3", { at: [2, 7.2] }],
     ["keep_out", "Keep-out 3", "min/0", "26"],
   ],
 };

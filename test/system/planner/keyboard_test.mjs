@@ -1,7 +1,9 @@
 // Tests the whole planner without a pointer: none of these tests calls the mouse or clicks.
 
 import { check, equal, says } from "../viewer/check.mjs";
+import { wait } from "./light.mjs";
 import { testPlanner } from "./opened.mjs";
+import { axisNear, isAt, last, said } from "./units.mjs";
 
 const focusedKey = (tab) =>
   tab.page.evaluate(() => {
@@ -178,4 +180,95 @@ testPlanner("by keys: 3-D and back, the menu, and a measurement", {}, async (tab
   );
   await tab.press("Escape", "Escape");
   equal(await tab.page.$(".overlay .measure"), null);
+});
+
+/** The unit that the next test places is the last of the list. */
+const placedUnit = (tab) => last(tab.json.transceivers.list);
+
+testPlanner("by keys: a unit is placed, moved, directed, exchanged and marked", { store: "chiller" }, async (tab) => {
+  let steps = 0;
+  const step = () => tab.steps(++steps);
+  await toPlan(tab);
+  await tab.press("u", "Shift+ArrowRight", "Shift+ArrowUp");
+  await said(tab, "below the ceiling");
+  await tab.press("Enter");
+  await step();
+  const { position, id } = placedUnit(tab);
+  const state = () => {
+    const { pinned = [], installed = [], excluded = [], selected = [] } = tab.json.transceivers;
+    const lists = { pinned, installed, excluded, selected };
+    return Object.keys(lists).find((name) => lists[name].includes(id)) ?? null;
+  };
+  equal(state(), "pinned");
+  await tab.press("Escape", "Shift+ArrowRight");
+  await step();
+  isAt(placedUnit(tab).position, [position[0] + 0.1, position[1], position[2]], 1e-3);
+  await tab.press("r");
+  await step();
+  equal(placedUnit(tab).roll_deg, 270);
+  await run(tab, "Tilt the unit …");
+  await tab.page.keyboard.type("20");
+  await tab.press("Enter");
+  await step();
+  await reach(tab, "unit/heading");
+  await tab.page.keyboard.type("E");
+  await tab.press("Enter");
+  await step();
+  axisNear(placedUnit(tab).axis, [0.34202, 0, -0.939693]);
+  await run(tab, "Change the type of the unit …");
+  await tab.press("ArrowDown");
+  await step();
+  equal(placedUnit(tab).type, "spot");
+  await toPlan(tab);
+  for (const [key, expected] of [
+    ["x", "excluded"],
+    ["x", null],
+    ["q", "selected"],
+    ["q", null],
+    ["i", "installed"],
+    ["i", null],
+    ["p", "pinned"],
+  ]) {
+    await tab.press(key);
+    await step();
+    equal(state(), expected, key);
+  }
+  for (; steps > 0; ) {
+    await tab.press("Control+z");
+    await tab.steps(--steps);
+  }
+  check(await tab.isUntouched(), "undo brings everything back");
+});
+
+testPlanner("by keys: the light, from the weakest label to 3-D", { store: "chiller", light: true }, async (tab) => {
+  await wait(tab, () => window.shelfbeamPlanner.planner.light.stage === "simulated");
+  await open(tab, "light");
+  await tab.press("Tab");
+  await tab.until(() => document.activeElement.name === "palette");
+  await tab.press("ArrowRight");
+  equal(await tab.page.evaluate(() => window.shelfbeamPlanner.planner.light.palette), "clear");
+  await tab.press("Tab");
+  says(await focusedKey(tab), "weak-");
+  await tab.press("Enter");
+  const [selected] = await tab.page.evaluate(() => window.shelfbeamPlanner.planner.selection.items);
+  equal(selected.device, "label");
+  await tab.press("F6", "F6");
+  await reach(tab, "light");
+  const read = await tab.page.locator("[data-key=light]").ariaSnapshot();
+  says(read, "Light", "term: Signal", "term: Standard error", "term: Requirement", "term: Margin", "mW/m²", "dB");
+  await open(tab, "layers");
+  await reach(tab, "level-0");
+  await tab.press("Space");
+  const isShown = () => window.shelfbeamPlanner.planner.layers.isShown("level-0");
+  equal(await tab.page.evaluate(isShown), false);
+  await run(tab, "Show all layers");
+  equal(await tab.page.evaluate(isShown), true);
+  await toPlan(tab);
+  await tab.press("d");
+  await tab.until(() => document.activeElement.tagName === "CANVAS");
+  const view = () => tab.page.evaluate(() => JSON.stringify(window.shelfbeamPlanner.page.stage.cameraPlace()));
+  await tab.press("Escape");
+  const before = await view();
+  await tab.press("ArrowLeft", "+");
+  check((await view()) !== before, "3-D turns");
 });

@@ -2,24 +2,14 @@
 // older generation is ever shown as current.
 
 import { spawnSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { check, equal } from "../viewer/check.mjs";
+import { four, isDone, wait } from "./light.mjs";
 import { testPlanner } from "./opened.mjs";
 import { unitAt } from "./units.mjs";
 
-const minutes = 60_000; // ms
-
-/** As `Tab.until`, for what takes a simulation. */
-async function wait(tab, condition, ...values) {
-  for (const end = Date.now() + 3 * minutes; ; await new Promise((done) => setTimeout(done, 100))) {
-    if (await tab.page.evaluate(condition, ...values)) return;
-    if (Date.now() > end) throw new Error(`did not happen: ${condition}`);
-  }
-}
-
-const isDone = () => window.shelfbeamPlanner.planner.light.event?.phase === "done";
 const values = (tab) =>
   tab.page.evaluate(() => {
     const { light } = window.shelfbeamPlanner.planner;
@@ -27,17 +17,6 @@ const values = (tab) =>
     const { total, variance, requirement } = light.field;
     return { total: [...total], error: [...variance].map(Math.sqrt), requirement: [...requirement] };
   });
-
-/** Selects candidates of the first grid in the middle of the shop. */
-function select(ids) {
-  return (folder) => {
-    const file = join(folder, "store.json");
-    const text = readFileSync(file, "utf8");
-    const at = text.indexOf("{", text.indexOf('"transceivers"')) + 1;
-    writeFileSync(file, `${text.slice(0, at)} "selected": ${JSON.stringify(ids)}, ${text.slice(at)}`);
-  };
-}
-const four = select(["G1-2-2", "G1-5-2", "G1-2-5", "G1-5-5"]);
 
 const rms = (list) => Math.sqrt(list.reduce((sum, z) => sum + z * z, 0) / list.length);
 
@@ -185,12 +164,14 @@ function delayColumns(forges) {
       });
     }
   };
-  window.generations = { recoloured: 0, old: 0 };
+  window.generations = { recoloured: 0, old: 0, dragged: 0 };
+  const answers = new Set(); // of drags that were drawn
   new PerformanceObserver((list) => {
     for (const { detail } of list.getEntriesByName("recoloured")) {
       const { light } = window.shelfbeamPlanner.planner;
       light.refresh();
       ++window.generations.recoloured;
+      if (detail.id !== null) window.generations.dragged = answers.add(detail.id).size;
       if (detail.isStale || light.isStale || !light.field) continue;
       for (const { signal } of light.field.summed.values())
         if (origins.get(keyOf(signal)) !== newest) ++window.generations.old;
@@ -220,8 +201,8 @@ async function dragAndEdit(tab, drags, count) {
     await page.mouse.move((from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
     await page.mouse.move(...to);
     await page.mouse.up();
-    const { length } = await page.evaluate(() => [...window.shelfbeamPlanner.planner.light.units]);
-    check(length > 0);
+    // Until the drop is written: commands for units run one after the other.
+    await page.evaluate(() => window.shelfbeamPlanner.planner.queue.run([], () => Promise.resolve()));
     const edits = k % Math.ceil(drags / count) === 0;
     // Columns of all stages are on their way when the light changes.
     if (edits) await new Promise((done) => setTimeout(done, 3000 * draw()));
@@ -236,13 +217,8 @@ async function dragAndEdit(tab, drags, count) {
             ops: [{ path: `/materials/${key}/reflectance`, before, after }],
           });
         }
-        for (let tries = 0; planner.document.pendingOps?.length > 0 && tries < 200; ++tries)
-          await new Promise((done) => setTimeout(done, 10));
         const { units } = planner.document;
-        for (let index = 0; index < units.count; ++index)
-          if (planner.document.json.transceivers.list?.length > 0 && units.isListed(index))
-            return units.at(index).slice(0, 2);
-        return units.at(planner.light.units[0].index).slice(0, 2);
+        return units.at(units.withPath("/transceivers/list/0")).slice(0, 2);
       },
       [
         await page.evaluate(
@@ -254,8 +230,11 @@ async function dragAndEdit(tab, drags, count) {
         edits,
       ],
     );
+    // Drags have no light before it.
+    if (edits) await wait(tab, () => window.shelfbeamPlanner.planner.light.canDrag);
   }
-  return page.evaluate(() => window.generations);
+  const moves = (await tab.labels()).filter((label) => label.startsWith("Move unit ")).length;
+  return { moves, ...(await page.evaluate(() => window.generations)) };
 }
 
 for (const forges of [false, true])
@@ -265,8 +244,11 @@ for (const forges of [false, true])
     async (tab) => {
       await wait(tab, () => window.shelfbeamPlanner.planner.light.canDrag);
       const drags = Number(process.env.LIGHT_DRAGS ?? 60);
-      const { recoloured, old } = await dragAndEdit(tab, forges ? Math.min(drags, 60) : drags, Math.ceil(drags / 5));
-      check(recoloured > drags / 2, `labels were recoloured ${recoloured} times`);
+      const count = forges ? Math.min(drags, 60) : drags;
+      const { moves, dragged, recoloured, old } = await dragAndEdit(tab, count, Math.ceil(count / 5));
+      check(moves > 0.95 * count, `${moves} of ${count} drags moved the unit`);
+      check(dragged > 0.95 * count, `${dragged} answers to ${count} drags were drawn`);
+      check(recoloured > dragged, `labels were recoloured ${recoloured} times`);
       if (forges) check(old > 0, "old values were shown");
       else equal(old, 0, "columns of older generations that were shown as current");
     },

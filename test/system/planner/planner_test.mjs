@@ -33,6 +33,7 @@ import "./units_test.mjs";
 import "./unit_drag_test.mjs";
 import "./mounts_test.mjs";
 import "./light_test.mjs";
+import "./light_axe_test.mjs";
 import "./trace_test.mjs";
 import "./tabs_test.mjs";
 import "./random_test.mjs";

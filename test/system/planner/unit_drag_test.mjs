@@ -1,6 +1,7 @@
 // Tests units that are dragged: in the plan and in 3-D, along their surfaces, with their light.
 
 import { check, equal } from "../viewer/check.mjs";
+import { isDone, wait } from "./light.mjs";
 import { placed, testPlanner } from "./opened.mjs";
 import { isAt, last, said, unitAt } from "./units.mjs";
 
@@ -38,16 +39,35 @@ testPlanner("units: a drag moves a candidate along the ceiling, and pins it", { 
   check(tab.server.text === tab.server.first, "undo brings the candidate back");
 });
 
+testPlanner("units: a drag that begins before the last drop is written is not lost", {}, async (tab) => {
+  const { at } = await unitAt(tab, 10, 9);
+  const [x, y] = at;
+  await tab.click(x, y);
+  await tab.until(() => document.querySelector(".properties h2").textContent.startsWith("G1-"));
+  let release;
+  await tab.drag([x, y], [x + 1, y + 0.5], {
+    during: async () => {
+      await said(tab, "below the ceiling");
+      release = tab.server.wire.hold();
+    },
+  });
+  await tab.drag([x + 1, y + 0.5], [x + 2, y + 1.5]); // from where it is shown
+  release();
+  await tab.steps(2);
+  const { list } = tab.json.transceivers;
+  equal(list.length, 1);
+  placed(list[0].position, [x + 2, y + 1.5, 3.58]);
+  equal(await tab.selected(), ["/transceivers/list/0"]);
+});
+
 testPlanner(
   "units: the light follows a drag, and comes back with Esc",
   { store: "chiller", light: true },
   async (tab) => {
     const light = (read) => tab.page.evaluate(read);
-    for (let k = 0; k < 10 && !(await light(() => window.shelfbeamPlanner.planner.light.canDrag)); ++k)
-      await new Promise((done) => setTimeout(done, 1000));
+    await wait(tab, isDone);
     const signals = () => light(() => [...(window.shelfbeamPlanner.planner.light.field?.total ?? [])].join());
     const position = () => light(() => window.shelfbeamPlanner.planner.light.dragged?.about.position ?? null);
-    await tab.until(() => window.shelfbeamPlanner.planner.light.event.phase === "done");
     const before = await signals();
     for (const cancel of ["Escape", "Control+z"]) {
       await tab.drag([10.6, 2.6], [8.6, 4.1], {

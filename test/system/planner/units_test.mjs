@@ -28,7 +28,7 @@ testPlanner("units: a click places one below the ceiling, pinned or installed", 
   await tab.page.keyboard.up("Shift");
   await tab.steps(2);
   equal(tab.json.transceivers.installed, ["U2"]);
-  await tab.choose("tool/Unit is", "mounted already");
+  await tab.choose("tool/Status", "mounted already");
   await tab.click(14, 8.4);
   await tab.steps(3);
   equal(tab.json.transceivers.installed, ["U2", "U3"]);
@@ -42,10 +42,10 @@ testPlanner("units: no two at one place, and none in a keep-out area", {}, async
   await tab.steps(1);
   await notice(tab, "There is a unit on the plan at this place already");
   await tab.click(21.5, 13.6);
-  await notice(tab, "No plan has units in a keep-out area");
+  await notice(tab, "Units cannot be placed in a keep-out area");
   await tab.press("Escape");
   await tab.drag([12, 8.4], [21.5, 13.6]);
-  await notice(tab, "No plan has units in a keep-out area");
+  await notice(tab, "Units cannot be placed in a keep-out area");
   equal(await tab.labels(), ["Place a unit"]);
   equal(tab.json.transceivers.list.length, 1);
 });
@@ -71,7 +71,7 @@ testPlanner(
     await tab.point(17.2, 6.2);
     await said(tab, "below the ceiling");
     await tab.page.keyboard.up("Alt");
-    await tab.choose("tool/Attracted by", "the ceiling only");
+    await tab.choose("tool/Snap to", "the ceiling only");
     await tab.fill("tool/unitTilt", "30");
     await tab.fill("tool/heading", "90");
     await tab.page.focus(".surface");
@@ -130,7 +130,7 @@ testPlanner("units: keys switch, pin, exclude, install and turn", { smoke: true 
     `Allow unit ${id}`,
   ]);
   await tab.press("Delete");
-  await notice(tab, "Press X to exclude it");
+  await notice(tab, "Press X to exclude this one");
   await tab.press("r");
   await tab.steps(++steps);
   equal([tab.json.transceivers.list[0].roll_deg, lists().pinned], [270, ["U1"]]);
@@ -194,6 +194,65 @@ testPlanner("units: several at once, from the menu and the list of commands", {}
   await tab.until(
     () => window.shelfbeamPlanner.planner.document.units.state.filter((state) => state === 2).length === 2,
   );
+});
+
+/** Selects a candidate near a place; its id and place. */
+async function choose(tab, x, y) {
+  const { at } = await unitAt(tab, x, y);
+  await tab.press("Escape");
+  await tab.click(at[0], at[1]);
+  const id = await tab.until(() => {
+    const name = document.querySelector(".properties h2").textContent;
+    return name.startsWith("G1-") && name;
+  });
+  return { at, id };
+}
+
+testPlanner("units: the second of two quick commands waits for the first, and keeps its unit", {}, async (tab) => {
+  const second = await choose(tab, 14, 8);
+  const shifting = await choose(tab, 10, 8);
+  const first = await choose(tab, 12, 8);
+  const release = tab.server.wire.hold();
+  await tab.press("r", "r"); // after the first, the unit is an entry of the list
+  await tab.click(...shifting.at);
+  await tab.press("x"); // shifts all later numbers
+  await tab.click(...second.at);
+  await tab.press("p");
+  release();
+  await tab.steps(4);
+  const { list, pinned, excluded } = tab.json.transceivers;
+  equal([list.length, list[0].roll_deg, pinned, excluded], [1, 180, ["U1", second.id], [shifting.id]]);
+  equal(await tab.text(".properties h2"), second.id, "late answers select nothing else");
+  isAt(list[0].position, first.at, 1e-3);
+  await tab.press("Escape");
+  await tab.click(...first.at);
+  await tab.page.keyboard.down("Shift");
+  await tab.click(...second.at);
+  await tab.page.keyboard.up("Shift");
+  await tab.press("Delete");
+  await tab.steps(5);
+  equal([tab.json.transceivers.list, tab.json.transceivers.pinned], [[], []], "both kinds in one step");
+  equal(last(await tab.labels()), "Delete 2 units");
+});
+
+testPlanner("units: a number that another tab has shifted is refused", {}, async (tab, given) => {
+  const { wire } = tab.server;
+  const other = await given.tab(tab.server);
+  await choose(other, 12, 8);
+  const { id } = await choose(tab, 14, 8);
+  const release = wire.hold();
+  await tab.press("p");
+  await new Promise((done) => setTimeout(done, 200)); // until the wire holds it
+  wire.hold()();
+  await other.press("x"); // shifts all later numbers
+  await other.steps(1);
+  await tab.until(() => window.shelfbeamPlanner.planner.document.history.position === 1);
+  release();
+  await notice(tab, "has another number by now");
+  equal(tab.json.transceivers.pinned, undefined, "no other unit is pinned");
+  await tab.press("p");
+  await tab.steps(2);
+  equal(tab.json.transceivers.pinned, [id]);
 });
 
 testPlanner("units: by keys alone, from the tool to the list", {}, async (tab) => {

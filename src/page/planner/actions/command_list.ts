@@ -3,7 +3,6 @@
 import type { Command } from "../access/commands";
 import { alignments } from "../elements/arrange";
 import { drawTools, isDrawTool, type DrawTool } from "../draw/tools";
-import { layers } from "../view/layers";
 import type { Gestures } from "../gesture/gestures";
 import type { Planner } from "../planner";
 import { text } from "../text";
@@ -207,7 +206,7 @@ function viewCommands({
       }),
     ),
     command("view", "show_layers", [], () => planner.layers.showAll(), {
-      isEnabled: () => layers.some((layer) => !planner.layers.isShown(layer)),
+      isEnabled: () => planner.layers.hidesSome,
     }),
     command("help", "find", ["Ctrl+F"], find, { where: "everywhere" }),
     command("help", "commands", ["Ctrl+K", "/"], openCommands),

@@ -16,6 +16,7 @@ import { stepped } from "../geometry/units";
 import { minus } from "../geometry/vector";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
+import { removeUnits } from "../units/act";
 
 function copiesOf(planner: Planner, elements: readonly StoreElement[]): Copied[] {
   return elements
@@ -137,6 +138,8 @@ export function deleteSelection(planner: Planner): Promise<boolean> {
   const { document } = planner;
   const elements = planner.selected.filter(({ kind }) => kind !== "room");
   if (elements.length === 0) return Promise.resolve(false);
+  const units = elements.flatMap(({ path }) => document.units.withPath(path) ?? []);
+  if (units.length === elements.length) return removeUnits(planner, units);
   const label = say(text.edits.delete, namesOf(elements));
   const builder = new EditBuilder(document.json);
   // From the last to the first, so that places stay right.
@@ -147,7 +150,7 @@ export function deleteSelection(planner: Planner): Promise<boolean> {
   return document.edit({ label, ops: builder.ops }, { ...noPreview, hidden: new Set(keys) });
 }
 
-/** Lists that name units no longer name these. */
+/** Lists that name units no longer name these, which go in one step with other elements. */
 function forgetUnits(builder: EditBuilder, ids: ReadonlySet<Json>): void {
   for (const key of ["installed", "pinned", "excluded", "selected"]) {
     const list = pointerTo("/transceivers", key);

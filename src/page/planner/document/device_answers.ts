@@ -47,6 +47,7 @@ export class DeviceAnswers {
       this.changes.note("selection");
       return device;
     } catch {
+      if (revision === this.revision) this.asked.delete(`${kind}${index}`); // it may answer later
       return null;
     }
   }

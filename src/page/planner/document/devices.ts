@@ -42,6 +42,8 @@ export class Devices {
   direction = new Float32Array();
   /** Of a label: its shelf level, from 0 for the lowest. Of a unit: its state. */
   state = new Uint8Array();
+  /** Changes with the devices. */
+  version = 0;
   private sourceKind = new Uint8Array();
   private source = new Uint32Array();
   private listed = new Map<string, number>();
@@ -58,6 +60,7 @@ export class Devices {
   }
 
   clear(): void {
+    ++this.version;
     this.position = new Float32Array();
     this.direction = new Float32Array();
     this.state = new Uint8Array();
@@ -67,6 +70,7 @@ export class Devices {
 
   receive(frame: PageData<DevicesAbout>): void {
     const { from, remove } = frame.about;
+    ++this.version;
     const [direction, state] = this.kind === "label" ? ["normal", "level"] : ["axis", "state"];
     this.position = spliced(this.position, 3 * from, 3 * remove, frame.get("position", Float32Array));
     this.direction = spliced(this.direction, 3 * from, 3 * remove, frame.get(direction, Float32Array));

@@ -60,6 +60,8 @@ export class StoreDocument {
   file = "";
   version = "";
   json: Json = {};
+  /** Without the edits that wait for an answer: labels and units are those of this store. */
+  confirmed: Json = {};
   unit: LengthUnit = metre;
   readonly parts = new Parts();
   readonly labels = new Devices("label");
@@ -87,7 +89,6 @@ export class StoreDocument {
   onLight: (event: LightEvent) => void = () => {};
   onLightFrame: (frame: PageData<LightAbout>) => void = () => {};
 
-  private confirmed: Json = {};
   private tab: number | undefined;
   private pending: Pending[] = [];
   private gesture: Preview = noPreview;

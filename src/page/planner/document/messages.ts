@@ -152,7 +152,6 @@ export interface ColumnAbout {
   /** Its key. */
   unit: string;
   stage: Stage;
-  batches?: number;
 }
 
 export type LightAbout = RequirementsAbout | ColumnAbout;
@@ -176,12 +175,8 @@ export interface DragAbout {
 
 export interface DragRequest {
   at: number[];
-  /** The index of the unit that is dragged; without it, a new one with `type` is, which rails and faces attract. */
-  unit?: number;
-  reach?: number;
-  type?: string;
-  axis?: number[];
-  roll_deg?: number;
+  /** The index of the unit that is dragged. */
+  unit: number;
 }
 
 export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LightEvent;

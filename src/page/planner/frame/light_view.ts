@@ -41,6 +41,7 @@ export class LightView {
     changes.listen(["viewport"], () => marks.follow());
     changes.listen(["light", "preview", "devices", "selection", "viewport", "tool"], () => rays.update());
     changes.listen(["light", "document", "devices", "selection"], () => isPanelOpen() && this.panel.update());
+    changes.listen(["preview"], () => isPanelOpen() && this.panel.followGesture());
     changes.listen(["preview"], () => this.pointAt());
     changes.listen(["viewport", "tool"], () => this.leave());
     changes.listen(["light", "selection"], () => this.card.update());
@@ -92,6 +93,7 @@ export class LightView {
 
   private lookAt(kind: "label" | "unit", index: number): void {
     const { planner } = this;
+    this.leave();
     if (planner.isPlan) {
       showSelection(planner);
       return;

@@ -36,6 +36,7 @@ import { Properties } from "../side/properties";
 import { TypeLists } from "../side/type_list";
 import { Space } from "../space/space";
 import { text } from "../text";
+import { placesOnPlan } from "../units/chosen";
 import { Banner } from "./banner";
 import { listenToKeys } from "./keyboard";
 import { LightView } from "./light_view";
@@ -170,7 +171,7 @@ export class Page {
     this.stage.setPlan(true);
     this.space = new Space(planner, this.stage, this.marks, address);
     this.stage.onDrawn = () => {
-      if (!planner.isPlan) this.names.update(this.stage, []);
+      if (!planner.isPlan) this.names.update(this.stage, placesOnPlan(planner));
       this.markDrawn();
       this.marks.markDrawn();
     };
@@ -210,7 +211,7 @@ export class Page {
     );
     changes.listen(["viewport", "document", "tool"], () => this.scaleBar.update());
     changes.listen(["tool"], () => this.showTool());
-    changes.listen(["document", "preview", "layers", "viewport", "tool"], () => this.showNames());
+    changes.listen(["document", "preview", "devices", "layers", "viewport", "tool"], () => this.showNames());
     changes.listen(["document", "tool"], () => this.space.update());
     changes.listen(["selection", "document", "tool"], () => this.space.showSelection());
     changes.listen(["document", "selection", "layers", "devices", "warnings"], () => this.rail.update());
@@ -307,7 +308,7 @@ export class Page {
         return bounds ? [{ id, at: [...middleOf(bounds), height] }] : [];
       }),
     );
-    this.names.update(this.stage, []);
+    this.names.update(this.stage, placesOnPlan(planner));
   }
 
   private countProblems(): void {

@@ -45,7 +45,7 @@ export function dragScope(
   world: Point,
   keys: Keys,
 ): Scope {
-  const { selection, document } = planner;
+  const { selection, document, mover } = planner;
   if (scope.isTouch) {
     planner.viewport.pan(...minus(screen, scope.screen));
     return { kind: "panning", screen: scope.screen, button: 0, hasMoved: true, before: idle };
@@ -53,8 +53,8 @@ export function dragScope(
   const unit = draggedUnit(planner, scope.item, keys);
   if (unit !== undefined) {
     planner.selection.set([scope.item as Item]);
-    if (!planner.mover.begin(unit)) return idle;
-    const [x, y] = document.units.at(unit);
+    const [x, y] = mover.placeOf(unit);
+    if (!mover.begin(unit)) return idle;
     return carry(planner, { kind: "carrying", from: scope.world, start: [x, y] }, world, keys);
   }
   const item = draggedItem(planner, scope.item, scope.world);

@@ -24,10 +24,10 @@ const drawn = (): Promise<void> =>
 export class Dragger {
   private readonly requests: Newest<DragRequest, DragAnswer | Refused>;
 
-  /** `onAnswer` comes before the result of `move`. `unit`: its index; null for a new one. */
+  /** `onAnswer` comes before the result of `move`. `unit`: its index. */
   constructor(
     private readonly connection: Pick<Connection, "request">,
-    private readonly onAnswer: (unit: number | null, answer: DragAnswer) => void,
+    private readonly onAnswer: (unit: number, answer: DragAnswer) => void,
   ) {
     this.requests = new Newest((request) => this.ask(request), drawn);
   }
@@ -35,7 +35,7 @@ export class Dragger {
   /** The result is null if a newer request overtakes this one, or the drag ends. */
   async move(request: DragRequest): Promise<DragAnswer | Refused | null> {
     const result = await this.requests.get(request);
-    if (result && !(result instanceof Refused)) this.onAnswer(request.unit ?? null, result);
+    if (result && !(result instanceof Refused)) this.onAnswer(request.unit, result);
     return result;
   }
 

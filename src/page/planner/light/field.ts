@@ -11,16 +11,14 @@ export class Column {
     readonly signal: Float32Array,
     readonly error: Float32Array,
     readonly doubts: Uint8Array,
-    readonly batches = 0,
   ) {}
 
-  static of(frame: PageData<unknown>, { stage, batches }: { stage: Stage; batches?: number }): Column {
+  static of(frame: PageData<unknown>, { stage }: { stage: Stage }): Column {
     return new Column(
       stage,
       frame.get("signal", Float32Array),
       frame.get("error", Float32Array),
       frame.get("doubts", Uint8Array),
-      batches,
     );
   }
 }
@@ -38,6 +36,10 @@ export function reachOf(column: Column, requirement: Float32Array): number {
   return count;
 }
 
+/** Of the columns that are kept: at least those that the server keeps for undo, because it sends none of them again. */
+const mostBytes = 2 ** 25;
+const bytesPerLabel = 9;
+
 /** Replaced columns leave rounding errors, so that sums are made anew now and then. */
 const mostReplaced = 4096;
 
@@ -52,6 +54,21 @@ export class Field {
   private replaced = 0;
 
   constructor(readonly generation: number) {}
+
+  /** Keeps a column. If there are too many, those go that have been off the plan for longest. */
+  keep(key: string, column: Column, onPlan: readonly { key: string }[]): void {
+    const { columns } = this;
+    columns.set(key, column);
+    for (const used of [...onPlan.map((unit) => unit.key), key]) {
+      const own = columns.get(used);
+      if (own && columns.delete(used)) columns.set(used, own); // the newest are last
+    }
+    const most = Math.max(Math.ceil(mostBytes / (bytesPerLabel * column.signal.length)), onPlan.length + 1);
+    for (const oldest of columns.keys()) {
+      if (columns.size <= most) break;
+      columns.delete(oldest);
+    }
+  }
 
   /** The number of labels. */
   get count(): number {

@@ -18,8 +18,7 @@ import { Verdicts } from "./verdicts";
 const dragKey = "drag";
 
 interface Drag {
-  /** Null for a new unit. */
-  unit: number | null;
+  unit: number;
   /** The key of its column before; null if it was not on the plan. */
   key: string | null;
   /** All keys before. */
@@ -33,8 +32,8 @@ interface Drag {
 
 /** What a unit on the plan sends to a label. */
 export interface Contribution {
-  /** Its index; null for a new unit that is dragged. */
-  unit: number | null;
+  /** Its index. */
+  unit: number;
   /** m; null: where the plan shows it. */
   position: readonly number[] | null;
   signal: number;
@@ -103,15 +102,15 @@ export class Light {
     return this.dragged && this.held ? this.held.before : null;
   }
 
-  /** Shows the light of a unit at another place. `unit`: its index; null: a new one. */
-  drag(unit: number | null, answer: DragAnswer): void {
+  /** Shows the light of a unit at another place. `unit`: its index. */
+  drag(unit: number, answer: DragAnswer): void {
     if (!this.isCurrent(answer.about.generation)) return;
     if (this.held?.dropped !== null) this.held = this.begun(unit);
     this.held.answer = answer;
     this.sum();
   }
 
-  private begun(unit: number | null): Drag {
+  private begun(unit: number): Drag {
     this.refresh();
     const { units } = this;
     return {
@@ -165,7 +164,7 @@ export class Light {
   receiveFrame(frame: PageData<LightAbout>): void {
     const { about } = frame;
     if (!this.isCurrent(about.generation)) return;
-    if (about.event === "column") this.current.columns.set(about.unit, Column.of(frame, about));
+    if (about.event === "column") this.current.keep(about.unit, Column.of(frame, about), this.units);
     else this.current.require(frame.get("requirement", Float32Array));
     this.sum();
   }
@@ -227,6 +226,11 @@ export class Light {
     return this.stage !== null && this.stage !== "simulated";
   }
 
+  /** Whether the signals are at least those shown, because reflections or units are missing. */
+  get isLeast(): boolean {
+    return this.stage === "direct" || (this.field === this.current && this.missing > 0);
+  }
+
   /** Brings verdicts and `version` up to date; whatever shows light calls it first. */
   refresh(): void {
     const { document, field } = this;
@@ -240,7 +244,7 @@ export class Light {
     this.isStale = isStale;
     this.isDirty = false;
     ++this.version;
-    this.verdicts.update(field, count, this.stage === "direct" || (field === this.current && this.missing > 0));
+    this.verdicts.update(field, count, this.isLeast);
   }
 
   /** The number of labels that a unit on the plan reaches alone; null before its column has come. */

@@ -23,9 +23,16 @@ function verdictOf(total: number, variance: number, requirement: number, isLeast
   return slack >= 0 ? reached : isLeast ? undecided : missed;
 }
 
-function bandOf(ratio: number, verdict: number): number {
-  let band = ratios.length - 1;
-  while (band > 0 && ratio < ratios[band]) --band;
+/** `edges`: `bands`, or what `value` is compared with instead. */
+export function bandOf(value: number, edges: readonly number[] = bands): number {
+  let band = edges.length - 1;
+  while (band > 0 && value < edges[band]) --band;
+  return band;
+}
+
+/** Of a label, by its signal in terms of its requirement. */
+function bandOfLabel(ratio: number, verdict: number): number {
+  const band = bandOf(ratio, ratios);
   return verdict === missed ? Math.min(band, firstReached - 1) : Math.max(band, firstReached);
 }
 
@@ -57,7 +64,7 @@ export class Verdicts {
     for (let label = 0; label < count; ++label) {
       const ratio = requirement[label] > 0 ? Math.max(total[label], 0) / requirement[label] : Infinity;
       const verdict = verdictOf(total[label], variance[label], requirement[label], isLeast);
-      const band = bandOf(ratio, verdict);
+      const band = bandOfLabel(ratio, verdict);
       this.verdict[label] = verdict;
       this.band[label] = band;
       this.strength[label] = 1000 * verdict + Math.min(ratio, 999);

@@ -1,6 +1,6 @@
 // The marks of labels and units, drawn by three.js above the outlines, in the plan and in 3-D.
 
-import { Marks, shapes } from "../../scene/marks";
+import { Marks, patterns, shapes } from "../../scene/marks";
 import { colourOf } from "../../scene/palette";
 import type { Stage } from "../../scene/stage";
 import { isOn, unitStates, type Devices, type UnitState } from "../document/devices";
@@ -28,7 +28,7 @@ const [unitColour, candidateColour, pinnedColour] = [0, 1, 2];
 /** Units on the plan differ from candidates, and from one another, by their shapes. */
 const unitLooks: Record<UnitState, { colour: number; shape: number }> = {
   candidate: { colour: candidateColour, shape: shapes.cross },
-  excluded: { colour: candidateColour, shape: shapes.cross },
+  excluded: { colour: candidateColour, shape: shapes.disc | patterns.hollow },
   installed: { colour: unitColour, shape: shapes.square },
   pinned: { colour: pinnedColour, shape: shapes.diamond },
   selected: { colour: unitColour, shape: shapes.disc },
@@ -203,8 +203,7 @@ export class DeviceMarks {
       const { colour, shape } = unitLooks[state];
       // A cross is too thin for the border of what is chosen.
       const shown = isChosen && shape === shapes.cross ? shapes.disc : shape;
-      const emphasis = isOn(state) ? 3 : state === "excluded" ? 0 : 1;
-      marks.setLook(mark, colour, shown, isChosen ? 2 : emphasis, 0);
+      marks.setLook(mark, colour, shown, isChosen ? 2 : isOn(state) ? 3 : 1, 0);
     });
   }
 

@@ -34,8 +34,7 @@ export class Rays {
       .contributions(label)
       .slice(0, mostRays)
       .flatMap(({ unit, position }, k) => {
-        const isThere = unit !== null && unit < document.units.count;
-        const to = position ?? (isThere ? document.units.at(unit) : null);
+        const to = position ?? (unit < document.units.count ? document.units.at(unit) : null);
         if (!to) return [];
         const width = k === 0 ? strongest : Math.max(second - 0.2 * k, least);
         return [{ from, to: [to[0], to[1], to[2]] as Link["to"], solid: k === 0 ? 1 : 0, width }];

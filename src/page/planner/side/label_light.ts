@@ -6,8 +6,19 @@ import type { Planner } from "../planner";
 import { text } from "../text";
 
 export class LabelLight {
-  private readonly list = element("dl", {});
-  private readonly root = element("section", { class: "label-light", "aria-label": text.light.facts.title }, this.list);
+  private readonly list = element("dl", { id: "label-light" });
+  /** Tab leads to it, so that screen readers read it aloud. */
+  private readonly root = element(
+    "section",
+    {
+      class: "label-light",
+      tabindex: 0,
+      "aria-label": text.light.facts.title,
+      "aria-describedby": "label-light",
+      "data-key": "light",
+    },
+    this.list,
+  );
 
   constructor(private readonly planner: Planner) {}
 

@@ -28,7 +28,7 @@ export class UnitDrag {
 
   /** The button is pressed on a unit: the view does not turn. */
   press(index: number, at: Point): void {
-    const { x, y } = this.stage.project(this.planner.document.units.at(index));
+    const { x, y } = this.stage.project(this.planner.mover.placeOf(index));
     this.pressed = { index, at, offset: minus([x, y], at), hasMoved: false };
     this.stage.orbit.enabled = false;
   }
@@ -43,20 +43,19 @@ export class UnitDrag {
       planner.mover.begin(pressed.index);
     }
     pressed.at = at;
-    void this.aim(pressed);
+    this.aim(pressed);
   }
 
   /** Moves the unit to where its surface is at the pointer, when that surface is known. */
-  private async aim({ at, offset }: Pressed): Promise<void> {
+  private aim({ at, offset }: Pressed): void {
     const { mover, document } = this.planner;
-    if (!mover.shown) await mover.answered;
-    const { shown } = mover;
-    if (!shown || !mover.isDragging) return;
-    const place = meets(this.stage.rayAt(...plus(at, offset)), shown.mount, document.parts.all);
-    if (!place) return;
-    const [x, y, z] = place;
-    const [height] = wholeSteps(this.planner, [z, 0]);
-    mover.to([...wholeSteps(this.planner, [x, y]), height]);
+    mover.to((mount) => {
+      const place = meets(this.stage.rayAt(...plus(at, offset)), mount, document.parts.all);
+      if (!place) return null;
+      const [x, y, z] = place;
+      const [height] = wholeSteps(this.planner, [z, 0]);
+      return [...wholeSteps(this.planner, [x, y]), height];
+    });
   }
 
   /** The unit stays where it was last; false if it was a click. */
@@ -64,7 +63,8 @@ export class UnitDrag {
     const { pressed } = this;
     this.end();
     if (!pressed?.hasMoved) return false;
-    void this.aim(pressed).then(() => this.planner.mover.drop());
+    this.aim(pressed);
+    void this.planner.mover.drop();
     return true;
   }
 

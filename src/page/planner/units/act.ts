@@ -1,22 +1,12 @@
 // The requests that change units. Each is one step of the history.
 
 import { counted } from "../../data/format";
-import { deleteSelection } from "../actions/copy";
 import { isOn, type UnitState } from "../document/devices";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 import { turned, type Aim } from "./aim";
-import {
-  aimOf,
-  chosenUnits,
-  indexWith,
-  knownName,
-  selectListed,
-  selectUnits,
-  stateOf,
-  traitsOf,
-  whyFixed,
-} from "./chosen";
+import { aimOf, stateOf, whyFixed } from "./chosen";
+import type { MeantUnit, Numbered } from "./queue";
 
 export const marks = ["switch", "pin", "exclude", "install"] as const;
 
@@ -37,9 +27,9 @@ export interface UnitValues extends Partial<Aim> {
 
 type UnitRequest =
   | ({ action: "place"; as: "pinned" | "installed" } & UnitValues)
-  | { action: "change"; join?: boolean; each: readonly ({ index: number } & UnitValues)[] }
-  | { action: "remove"; each: readonly { index: number }[] }
-  | { action: Mark; each: readonly { index: number; on: boolean }[] };
+  | { action: "change"; join: boolean; each: readonly (Numbered & UnitValues)[] }
+  | { action: "remove"; each: readonly Numbered[] }
+  | { action: Mark; each: readonly (Numbered & { on: boolean })[] };
 
 /** The ids of the units afterwards; none if the server refuses. */
 export async function askForUnits(planner: Planner, label: string, request: UnitRequest): Promise<string[]> {
@@ -47,78 +37,84 @@ export async function askForUnits(planner: Planner, label: string, request: Unit
   return answer?.units ?? [];
 }
 
-/** What people call units in the history: "unit U1", "3 units". */
-async function namesOf(planner: Planner, indices: readonly number[]): Promise<string> {
-  if (indices.length !== 1) return counted(text.counted.units, indices.length);
-  return say(text.units.named, await knownName(planner, indices[0]));
+/** What a step with units is called; `label` has a place for their names: "unit U1", "3 units". */
+function stepOf(units: readonly Numbered[], label: string): string {
+  const [{ id }] = units;
+  return say(label, units.length === 1 ? say(text.units.named, id) : counted(text.counted.units, units.length));
 }
 
-/** What a step with several units is called; `label` has a place for their names. */
-const stepOf = async (planner: Planner, indices: readonly number[], label: string): Promise<string> =>
-  say(label, await namesOf(planner, indices));
-
-/** People may have selected something else while they waited. */
-const canSelect = (planner: Planner): boolean =>
-  planner.selection.items.length === 0 || chosenUnits(planner).length > 0;
+const numbersOf = (units: readonly MeantUnit[]) => units.map(({ index }) => index);
 
 /** `label` has a place for the names of the units. Changed units are entries of the list. */
-export async function changeUnits(
+export function changeUnits(
   planner: Planner,
   indices: readonly number[],
   label: string,
   valuesOf: (index: number) => UnitValues,
+): Promise<boolean> {
+  const { queue } = planner;
+  const units = queue.meant(indices);
+  const chosen = planner.selection.version;
+  return queue.run(units, () => changeNow(planner, units, chosen, label, valuesOf));
+}
+
+/** As a part of a command that is running. `chosen`: the version of the selection when it was given. */
+export async function changeNow(
+  planner: Planner,
+  units: readonly MeantUnit[],
+  chosen: number,
+  label: string,
+  valuesOf: (index: number) => UnitValues,
   join = false,
 ): Promise<boolean> {
-  const why = indices.map((index) => whyFixed(planner, index)).find((reason) => reason !== null);
+  const numbered = await planner.queue.numbered(units);
+  if (!numbered) return false;
+  const why = numbered.map(({ index }) => whyFixed(planner, index)).find((reason) => reason !== null);
   if (why) {
     planner.say(why, true);
     return false;
   }
-  const each = indices.map((index) => ({ index, ...valuesOf(index) }));
-  const ids = await askForUnits(planner, await stepOf(planner, indices, label), {
-    action: "change",
-    join,
-    each,
-  });
-  if (ids.length > 0 && canSelect(planner)) selectListed(planner, ids);
-  return ids.length === indices.length;
+  const each = numbered.map((one) => ({ ...one, ...valuesOf(one.index) }));
+  const ids = await askForUnits(planner, stepOf(numbered, label), { action: "change", join, each });
+  if (ids.length < units.length) return false;
+  const { queue } = planner;
+  units.forEach((unit, k) => unit.become(queue.entryWith(ids[k])));
+  queue.select(numbersOf(units), chosen);
+  return true;
 }
 
 /** About the vertical, degrees counter-clockwise. */
 export const turnUnits = (planner: Planner, indices: readonly number[], angle: number): Promise<boolean> =>
   changeUnits(planner, indices, text.units.steps.turn, (index) => turned(aimOf(planner, index), angle));
 
-export async function markUnits(
-  planner: Planner,
-  indices: readonly number[],
-  mark: Mark,
-  on: boolean,
-): Promise<boolean> {
-  const { units } = planner.document;
-  const traits = indices.map((index) => traitsOf(units, index));
-  const wanted = indices.filter((index) => hasMark(mark, stateOf(units, index)) !== on);
-  if (wanted.length === 0) return true;
-  const label = on ? text.units.marking[mark] : text.units.unmarking[mark];
-  const ids = await askForUnits(planner, await stepOf(planner, wanted, label), {
-    action: mark,
-    each: wanted.map((index) => ({ index, on })),
+/** Takes a mark from units that all have it, and gives it to them otherwise. */
+export function toggleMark(planner: Planner, indices: readonly number[], mark: Mark): Promise<boolean> {
+  const { queue, document } = planner;
+  const units = queue.meant(indices);
+  const chosen = planner.selection.version;
+  return queue.run(units, async () => {
+    const numbered = await queue.numbered(units);
+    if (!numbered) return false;
+    const lacking = numbered.filter(({ index }) => !hasMark(mark, stateOf(document.units, index)));
+    const on = lacking.length > 0;
+    const wanted = on ? lacking : numbered;
+    const label = on ? text.units.marking[mark] : text.units.unmarking[mark];
+    const each = wanted.map((one) => ({ ...one, on }));
+    const ids = await askForUnits(planner, stepOf(wanted, label), { action: mark, each });
+    queue.select(numbersOf(units), chosen);
+    return ids.length === wanted.length;
   });
-  if (canSelect(planner))
-    selectUnits(
-      planner,
-      traits.flatMap((one) => indexWith(units, one) ?? []),
-    );
-  return ids.length === wanted.length;
 }
 
 /** Entries of the list go; other candidates are switched off. */
-export async function removeUnits(planner: Planner, indices: readonly number[]): Promise<boolean> {
-  const { units } = planner.document;
-  const others = indices.filter((index) => !units.isListed(index));
-  if (others.length > 0) {
-    const step = await stepOf(planner, others, text.units.unmarking.switch);
-    const each = others.map((index) => ({ index }));
-    if ((await askForUnits(planner, step, { action: "remove", each })).length < others.length) return false;
-  }
-  return others.length === indices.length || deleteSelection(planner);
+export function removeUnits(planner: Planner, indices: readonly number[]): Promise<boolean> {
+  const { queue, document } = planner;
+  const units = queue.meant(indices);
+  return queue.run(units, async () => {
+    const each = await queue.numbered(units);
+    if (!each) return false;
+    const isDeletion = each.some(({ index }) => document.units.isListed(index));
+    const label = stepOf(each, isDeletion ? text.edits.delete : text.units.unmarking.switch);
+    return (await askForUnits(planner, label, { action: "remove", each })).length === each.length;
+  });
 }

@@ -36,6 +36,16 @@ export const stateOf = ({ state }: Devices, index: number): UnitState => unitSta
 
 export const stateWords = (units: Devices, index: number): string => text.units.states[stateOf(units, index)];
 
+/** Where the units on the plan are shown, m. No name covers them. */
+export function placesOnPlan({ document: { units }, mover, layers }: Planner): number[][] {
+  if (!layers.isShown("unit")) return [];
+  const places: number[][] = [];
+  for (let index = 0; index < units.count; ++index)
+    if (isOn(stateOf(units, index)))
+      places.push(mover.shown?.index === index ? [...mover.shown.mount.position] : units.at(index));
+  return places;
+}
+
 /** A candidate is selected before it is dragged, because many lie where frames and turns of the view begin. */
 export const canGrab = ({ document, selection }: Planner, index: number): boolean =>
   document.units.stands(index) || selection.has(deviceItem(document.units, index));
@@ -55,13 +65,20 @@ export const traitsOf = (units: Devices, index: number): Traits => ({
   direction: three(units.direction, index).slice(),
 });
 
+const listOf = (path: string | null) => path?.slice(0, path.lastIndexOf("/"));
+
+/** Numbers in paths shift, too: they tell units of one place apart. */
 export function indexWith(units: Devices, { path, position, direction }: Traits): number | undefined {
   const has = (values: Float32Array, index: number, wanted: Float32Array) =>
     wanted.every((value, axis) => value === values[3 * index + axis]);
-  for (let index = 0; index < units.count; ++index)
-    if (has(units.position, index, position) && has(units.direction, index, direction) && units.pathOf(index) === path)
-      return index;
-  return undefined;
+  const similar: number[] = [];
+  for (let index = 0; index < units.count; ++index) {
+    if (!has(units.position, index, position) || !has(units.direction, index, direction)) continue;
+    const own = units.pathOf(index);
+    if (own === path) return index;
+    if (listOf(own) === listOf(path)) similar.push(index);
+  }
+  return similar.length === 1 ? similar[0] : undefined;
 }
 
 /** The entry of the list, or the element that makes the candidate. */
@@ -83,11 +100,6 @@ export const powerOf = (planner: Planner, index: number): number =>
 export function nameOfUnit(planner: Planner, index: number): string {
   const { id } = planner.document.units.isListed(index) ? elementOf(planner, index) : {};
   return typeof id === "string" ? id : (planner.answers.now("unit", index)?.id ?? text.kinds.unit);
-}
-
-export async function knownName(planner: Planner, index: number): Promise<string> {
-  if (!planner.document.units.isListed(index)) await planner.answers.of("unit", index);
-  return nameOfUnit(planner, index);
 }
 
 /** Why its place, direction, type and power cannot be changed; null if they can. */
@@ -121,15 +133,3 @@ export function whyNotAt({ document }: Planner, [x, y, z]: readonly number[]): s
 
 export const isSamePlace = (a: ArrayLike<number>, b: ArrayLike<number>): boolean =>
   Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < samePlace;
-
-/** Entries of the list, by their ids. */
-export function selectListed({ document, selection }: Planner, ids: readonly string[]): void {
-  const list = valueAt(document.json, listPath);
-  const wanted = new Set<Json | undefined>(ids);
-  if (!Array.isArray(list)) return;
-  selection.setPaths(list.flatMap((entry, k) => (wanted.has(valueAt(entry, "/id")) ? [`${listPath}/${k}`] : [])));
-}
-
-export function selectUnits({ document, selection }: Planner, indices: readonly number[]): void {
-  selection.set(indices.map((index) => deviceItem(document.units, index)));
-}

@@ -4,7 +4,7 @@ import type { Command } from "../access/commands";
 import { isDrawTool } from "../draw/tools";
 import type { Planner } from "../planner";
 import { text } from "../text";
-import { hasMark, marks, markUnits, removeUnits, turnUnits, type Mark } from "./act";
+import { hasMark, marks, removeUnits, toggleMark, turnUnits, type Mark } from "./act";
 import { chosenUnits, stateOf, whyFixed } from "./chosen";
 
 const keys: Record<Mark, string> = { switch: "Q", pin: "P", exclude: "X", install: "I" };
@@ -53,10 +53,7 @@ export function unitCommands(planner: Planner, showField: (pointer: string) => v
     ...command(
       `unit_${name}`,
       [keys[name]],
-      () => {
-        const chosen = chosenUnits(planner);
-        void markUnits(planner, chosen, name, !allHave(planner, chosen, name));
-      },
+      () => void toggleMark(planner, chosenUnits(planner), name),
       () => whyNoMark(planner),
     ),
     isOn: () => allHave(planner, chosenUnits(planner), name),

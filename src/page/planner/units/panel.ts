@@ -12,7 +12,7 @@ import { row } from "../form/row";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 import { changeUnits, marks, type UnitValues } from "./act";
-import { headed, headingOf, tilted, tiltOf } from "./aim";
+import { headed, headingOf, tilted, tiltOf, type Aim } from "./aim";
 import { aimOf, chosenUnits, powerOf, whyFixed } from "./chosen";
 import { allHave } from "./commands";
 
@@ -60,7 +60,7 @@ export class UnitPanel {
       ? []
       : [
           this.type(index),
-          this.number(index, "roll", String(roll_deg), "°", [-360, 360], turn, (roll) => ({ roll_deg: roll })),
+          this.number(index, "roll", String(roll_deg), "°", [-360, 360], turn, (_, roll) => ({ roll_deg: roll })),
           this.number(
             index,
             "power",
@@ -68,15 +68,12 @@ export class UnitPanel {
             "",
             [0.001, 1000],
             text.units.steps.power,
-            (power) => ({ power }),
+            (_, power) => ({ power }),
           ),
         ];
-    const aim = aimOf(planner, index);
     return [
-      this.number(index, "tilt", String(tiltOf(axis)), "°", [0, 180], tilt, (angle) => tilted(aim, angle)),
-      this.number(index, "heading", heading === null ? "" : String(heading), "°", [-360, 360], head, (angle) =>
-        headed(aim, angle),
-      ),
+      this.number(index, "tilt", String(tiltOf(axis)), "°", [0, 180], tilt, tilted),
+      this.number(index, "heading", heading === null ? "" : String(heading), "°", [-360, 360], head, headed),
       ...own,
     ];
   }
@@ -97,7 +94,7 @@ export class UnitPanel {
     unit: string,
     [least, most]: [number, number],
     label: string,
-    valuesOf: (value: number) => UnitValues,
+    valuesOf: (aim: Aim, value: number) => UnitValues,
   ): HTMLElement {
     const name = text.units.fields[key];
     const field = entry(this.place(index, key, name), {
@@ -111,7 +108,8 @@ export class UnitPanel {
         if (wind >= 0) return 45 * wind;
         return within(numberFrom(typed, "degrees", this.planner.document.unit), least, most);
       },
-      commit: (value) => void changeUnits(this.planner, [index], label, () => valuesOf(Number(value))),
+      commit: (value) =>
+        void changeUnits(this.planner, [index], label, (at) => valuesOf(aimOf(this.planner, at), Number(value))),
     });
     return this.field(key, row(name, field));
   }

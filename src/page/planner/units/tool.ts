@@ -9,7 +9,7 @@ import { distance } from "../geometry/vector";
 import { text } from "../text";
 import { askForUnits } from "./act";
 import { axisOf, lowered } from "./aim";
-import { listIsFile, selectListed, whyNotAt } from "./chosen";
+import { listIsFile, whyNotAt } from "./chosen";
 import { mountAt, type Mount, type MountRequest } from "./mount";
 
 const samePlace = 1e-6; // m
@@ -25,7 +25,6 @@ export interface Ghost {
 export class UnitTool {
   ghost: Ghost | null = null;
   private asked: MountRequest | null = null;
-  private last = Promise.resolve(false);
   private readonly mounts: Newest<MountRequest, Mount | string>;
 
   constructor(private readonly planner: Planner) {
@@ -84,11 +83,11 @@ export class UnitTool {
 
   /** One after the other, so that the second click of two finds the unit of the first. */
   place(at: Point, isFree: boolean, isInstalled: boolean): Promise<boolean> {
-    this.last = this.last.then(() => this.placeNow(at, isFree, isInstalled));
-    return this.last;
+    const { version } = this.planner.selection;
+    return this.planner.queue.run([], () => this.placeNow(at, isFree, isInstalled, version));
   }
 
-  private async placeNow(at: Point, isFree: boolean, isInstalled: boolean): Promise<boolean> {
+  private async placeNow(at: Point, isFree: boolean, isInstalled: boolean, chosen: number): Promise<boolean> {
     const { planner } = this;
     const { type } = this;
     const why = listIsFile(planner) ? text.units.list_is_file : type === undefined ? text.draw.no_type : null;
@@ -112,7 +111,12 @@ export class UnitTool {
       axis: this.axisAt(mount),
       roll_deg: mount.roll_deg,
     });
-    if (ids.length > 0) selectListed(planner, ids);
+    const { queue } = planner;
+    if (ids.length > 0)
+      queue.select(
+        ids.map((id) => queue.entryWith(id)),
+        chosen,
+      );
     return ids.length > 0;
   }
 }

@@ -7,6 +7,7 @@ import type { Bounds } from "../geometry/bounds";
 import { isWithin } from "../geometry/bounds";
 import { area, contains, distanceTo, isInside, touches } from "../geometry/polygon";
 import { distance } from "../geometry/vector";
+import type { UnitMover } from "../units/mover";
 import type { Fan } from "./fan";
 import { levelOf, type Layers } from "./layers";
 import type { Item } from "./selection";
@@ -41,16 +42,21 @@ export interface Sight {
   document: StoreDocument;
   layers: Layers;
   fan: Fan;
+  mover: Pick<UnitMover, "shown">;
 }
 
-function nearestDevice(devices: Devices, point: Point, reach: number, { layers, fan }: Sight): [number, number] | null {
+function nearestDevice(devices: Devices, point: Point, reach: number, sight: Sight): [number, number] | null {
+  const { layers, fan } = sight;
+  const moved = devices.kind === "unit" ? sight.mover.shown : null;
   let found: [number, number] | null = null;
   const { position, count } = devices;
   const farthest = reach + fan.reach;
   for (let index = 0; index < count; ++index) {
-    if (Math.abs(position[3 * index] - point[0]) > farthest) continue;
-    if (Math.abs(position[3 * index + 1] - point[1]) > farthest) continue;
-    const away = distance(fan.place(devices, index), point) / (devices.stands(index) ? 1 : derivedShare);
+    const at = index === moved?.index ? moved.mount.position : null;
+    if (!at && Math.abs(position[3 * index] - point[0]) > farthest) continue;
+    if (!at && Math.abs(position[3 * index + 1] - point[1]) > farthest) continue;
+    const place: Point = at ? [at[0], at[1]] : fan.place(devices, index);
+    const away = distance(place, point) / (devices.stands(index) ? 1 : derivedShare);
     if (away > (found?.[1] ?? reach) || (devices.kind === "label" && fan.isCovered(index))) continue;
     if (isDeviceFree(devices, index, layers)) found = [index, away];
   }

@@ -57,6 +57,10 @@ export class Layers {
     return !this.hidden.has(layer);
   }
 
+  get hidesSome(): boolean {
+    return this.hidden.size > 0;
+  }
+
   isLocked(layer: Layer): boolean {
     return this.locked.has(layer);
   }

@@ -42,6 +42,8 @@ export const placeAgain =
   };
 
 export class Selection {
+  /** Changes when something else is selected, not when the selection follows the store. */
+  version = 0;
   private list: Item[] = [];
   private names = new Set<string>();
 
@@ -61,10 +63,16 @@ export class Selection {
   }
 
   set(items: readonly Item[]): void {
+    if (this.replace(items)) ++this.version;
+  }
+
+  /** The same things under other names. False if nothing changes. */
+  replace(items: readonly Item[]): boolean {
     const known = new Map(items.map((item) => [nameOf(item), item]));
-    if (known.size === this.list.length && items.every((item) => this.has(item))) return;
+    if (known.size === this.list.length && items.every((item) => this.has(item))) return false;
     this.put([...known.values()]);
     this.changes.note("selection");
+    return true;
   }
 
   private put(list: Item[]): void {
@@ -110,11 +118,11 @@ export class Selection {
       if (item.index >= from + removed) return [{ ...item, index: item.index + added - removed }];
       return added === removed && devices.pathOf(item.index) === item.path ? [item] : [];
     });
-    this.set(next);
+    this.replace(next);
   }
 
   /** Drops items that no longer exist. */
   keep(exists: (item: Item) => boolean): void {
-    this.set(this.list.filter(exists));
+    this.replace(this.list.filter(exists));
   }
 }

@@ -99,7 +99,7 @@ test("where a unit is mounted, in words", () => {
   assert.equal(words("rail"), "on a rail");
   assert.equal(words("face", "column 2"), "on the face of column 2");
   assert.equal(words("face", "wall 2"), "on wall 2");
-  assert.equal(words("free", ""), "without a ceiling");
+  assert.equal(words("free", ""), "hanging freely");
 });
 
 test("a tool of single points ends with each of them", () => {

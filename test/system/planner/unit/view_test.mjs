@@ -65,6 +65,7 @@ test("the smallest outline at a point is found, and lines only at their lines", 
     document: { parts: { all }, labels: none, units: { ...none, kind: "unit" } },
     layers: { isFree: (kind) => !hidden.includes(kind), isLevelFree: () => true },
     fan: { reach: 0, isCovered: () => false },
+    mover: { shown: null },
   });
   const at = (point, hidden) => itemAt(sight(hidden), point, 0.1)?.path ?? null;
   assert.equal(at([4.5, 4.5]), "/small");

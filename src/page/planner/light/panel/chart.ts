@@ -4,8 +4,8 @@ import { decibelText } from "../../../data/format";
 import { svg } from "../../plan/svg";
 import { say, text } from "../../text";
 import type { Histogram } from "../histogram";
-import { bandColour, type PaletteName } from "../looks";
-import { bands } from "../verdicts";
+import { bandColour, otherColours, type PaletteName } from "../looks";
+import { bandOf } from "../verdicts";
 
 const [width, height] = [224, 84];
 const foot = 14; // for numbers
@@ -13,17 +13,18 @@ const ticks = [-10, 0, 10, 20]; // dB
 
 const marginText = (margin: number): string => (Number.isFinite(margin) ? decibelText(margin) : text.light.no_signal);
 
-/** The band of a bin, by its lower edge. */
-const bandOf = (margin: number): number => bands.reduce((found, from, band) => (margin >= from ? band : found), 0);
-
+/** `isLeast`: margins may be larger, so that those below 0 are undecided. */
 export function chartOf(
   { from, width: step, counts, weakest, median }: Histogram,
   palette: PaletteName,
+  isLeast: boolean,
 ): SVGSVGElement {
   const words = say(text.light.chart, marginText(weakest), marginText(median));
   const size = width / counts.length;
   const most = counts.reduce((high, count) => Math.max(high, count), 1);
   const x = (margin: number) => ((margin - from) / step) * size;
+  const colourAt = (margin: number) =>
+    isLeast && margin < 0 ? otherColours.undecided : bandColour(bandOf(margin), palette);
   const bars = [...counts].flatMap((count, bin) => {
     if (count === 0) return [];
     const tall = Math.max(((height - foot - 2) * count) / most, 1);
@@ -33,7 +34,7 @@ export function chartOf(
         y: height - foot - tall,
         width: size - 0.8,
         height: tall,
-        fill: `var(${bandColour(bandOf(from + bin * step), palette)})`,
+        fill: `var(${colourAt(from + bin * step)})`,
       }),
     ];
   });

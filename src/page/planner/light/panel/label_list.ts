@@ -34,16 +34,15 @@ export class LabelList {
   private row(label: number, isSelected: boolean): HTMLElement {
     const { light } = this.planner;
     const verdict = light.verdicts.of(label);
-    const colour =
-      verdict === "undecided" || verdict === "unknown"
-        ? otherColours[verdict]
-        : bandColour(light.verdicts.band[label], light.palette);
+    const isOpen = verdict === "undecided" || verdict === "unknown";
+    const colour = isOpen ? otherColours[verdict] : bandColour(light.verdicts.band[label], light.palette);
     const name = button(labelName(this.planner, label), () => this.go(label), {
       class: "plain",
       "data-key": `weak-${label}`,
       "aria-current": isSelected ? "true" : undefined,
     });
     const row = key(keyShapes[verdict], colour, name, element("small", { text: marginText(this.planner, label) }));
+    row.classList.toggle("hollow", light.isPreview && !isOpen);
     row.title = text.light.verdicts[verdict];
     return row;
   }

@@ -3,6 +3,7 @@
 import { grouped } from "../../../data/format";
 import { Choice, element, replaceChildren } from "../../../panel/dom";
 import { key, type KeyShape } from "../../../panel/key";
+import { unitStates } from "../../document/devices";
 import type { Planner } from "../../planner";
 import { say, text } from "../../text";
 import { bandColour, keyShapes, otherColours, palettes } from "../looks";
@@ -58,11 +59,15 @@ export class Legend {
 
   private units(): HTMLElement[] {
     const units = text.light.units;
+    const excluded = key("dot", "--cand", units.excluded);
+    excluded.classList.add("hollow");
+    const { state } = this.planner.document.units;
     return [
       key("square", "--unit", units.installed),
       key("diamond", "--accent", units.pinned),
       key("dot", "--unit", units.selected),
       key("cross", "--cand", units.candidate),
+      ...(state.includes(unitStates.indexOf("excluded")) ? [excluded] : []),
     ];
   }
 }

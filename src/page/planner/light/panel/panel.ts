@@ -36,6 +36,8 @@ export class LightPanel {
 
   private timer: ReturnType<typeof setTimeout> | undefined;
   private last = Number.NEGATIVE_INFINITY;
+  /** Of the light that is shown. */
+  private version = -1;
 
   /** `show`: moves the picture to a label or unit. */
   constructor(
@@ -77,10 +79,18 @@ export class LightPanel {
     else this.timer = setTimeout(() => this.show(), wait);
   }
 
+  /** A gesture may make the values old. */
+  followGesture(): void {
+    const { light } = this.planner;
+    light.refresh();
+    if (light.version !== this.version) this.update();
+  }
+
   private show(): void {
     this.last = performance.now();
     const { light } = this.planner;
     light.refresh();
+    this.version = light.version;
     const { field } = light;
     setText(this.phase, this.phaseText());
     this.showProgress();
@@ -89,8 +99,9 @@ export class LightPanel {
     setText(this.notes, notesOf(this.planner).join(" "));
     this.legend.update();
     this.values.hidden = field === null;
+    this.values.classList.toggle("stale", light.isStale);
     const histogram = field && histogramOf(field);
-    this.chart.replaceChildren(...(histogram ? [chartOf(histogram, light.palette)] : []));
+    this.chart.replaceChildren(...(histogram ? [chartOf(histogram, light.palette, light.isLeast)] : []));
     if (field) this.labels.update();
     this.unitSection.hidden = light.units.length === 0;
     this.units.update();
@@ -121,7 +132,9 @@ export class LightPanel {
     const { counts, verdict } = this.planner.light.verdicts;
     const of = (name: (typeof verdicts)[number]) => counts[verdicts.indexOf(name)];
     const all = verdict.length;
-    const words = say(text.light.reached, grouped(of("reached")), grouped(all), percent(of("reached") / all));
+    // Rounded down: 100 % are all labels.
+    const share = Math.floor((1000 * of("reached")) / all) / 1000;
+    const words = say(text.light.reached, grouped(of("reached")), grouped(all), percent(share));
     return [
       words,
       counted(text.light.missed, of("missed")),
