@@ -43,7 +43,7 @@ class Child {
   void resume() const;
   /// Its standard output since the last call; of much output only the next part.
   std::string new_output();
-  /// The same, for the last time: its memory is freed, and it is no part of ChildEnd::out.
+  /// The same, and frees its memory: ChildEnd::out does not repeat it.
   std::string take_output();
   /// Whether it has ended; fills `end` then.
   bool has_ended(ChildEnd& end);

@@ -206,13 +206,12 @@ class LightRun : ProgressSink {
         if (batches < min_batches / 2) continue;
         // Errors of few batches are uncertain.
         const float error = (batches < min_batches ? of_few : 1) * work.standard_error(i, k);
-        const bool is_better = unit.stage != LightStage::simulated ? true
-                               : unit.batches_here[i] > 0          ? batches > unit.batches_here[i]
-                                                                   : error < column.error[i];
+        const bool is_better =
+            unit.stage != LightStage::simulated ||
+            (unit.batches_here[i] > 0 ? batches > unit.batches_here[i] : error < column.error[i]);
         if (!is_better) continue;
-        column.signal[i] = work.signal(i, k);
+        work.fill(i, k, column);
         column.error[i] = error;
-        column.doubts[i] = work.is_skewed(i, k) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
         unit.batches_here[i] = batches;
       }
       unit.stage = LightStage::simulated;

@@ -1,4 +1,4 @@
-// For what follows the pointer: one request at a time, and then the newest.
+// Requests that follow the pointer: one at a time, and then the newest.
 
 interface Waiting<Wanted, Answer> {
   wanted: Wanted;
@@ -8,7 +8,7 @@ interface Waiting<Wanted, Answer> {
 export class Newest<Wanted, Answer> {
   private next: Waiting<Wanted, Answer> | null = null;
   private isBusy = false;
-  /** Answers to what was asked before a stop are late. */
+  /** A stop begins another round, in which answers to earlier requests have no effect. */
   private round = 0;
 
   /** `rest`: passes between an answer and the next request. */

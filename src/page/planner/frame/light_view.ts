@@ -65,7 +65,7 @@ export class LightView {
     return pointer && viewport.toScreen(pointer);
   }
 
-  /** What was under the pointer is elsewhere now. */
+  /** The label under the pointer has moved away from it. */
   private leave(): void {
     this.left = this.pointer;
     this.card.show(null, null);

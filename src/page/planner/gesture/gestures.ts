@@ -120,7 +120,7 @@ export class Gestures {
   useTool(): void {
     this.measured = [];
     if (this.scope.kind === "drawing") leave(this.planner, this.scope);
-    this.hover(null); // tools do not follow what is under the pointer
+    this.hover(null); // tools ignore the element under the pointer
     this.cancel();
   }
 
@@ -318,7 +318,7 @@ export class Gestures {
       this.enter(penUp(planner, scope, screen, world, keysOf(event)));
     }
     if (resting.has(scope.kind)) return;
-    if (scope.kind !== "pressed") this.hover(null); // what was under the pointer may be elsewhere now
+    if (scope.kind !== "pressed") this.hover(null); // the element under the pointer may have moved
     this.enter(scope.kind === "panning" ? scope.before : this.resting);
     if (scope.kind === "pressed") this.click(scope.item, event.shiftKey);
     else if (scope.kind === "panning" && scope.button === buttons.right && !scope.hasMoved) this.rightClick(event);

@@ -1,4 +1,4 @@
-// How labels look by their verdicts: shape, colour, and what is added to the values that are not certain.
+// How labels look by their verdicts: shape, colour, and the patterns of previews and old values.
 
 import type { KeyShape } from "../../panel/key";
 import { patterns, shapes } from "../../scene/marks";

@@ -98,13 +98,15 @@ void UnitRefinement::evaluate(std::size_t item) {
     }
 }
 
-void UnitRefinement::fill(std::size_t unit, Preview& preview, std::uint32_t batches) const {
-  for (std::size_t i = 0; i < item_of_.size(); ++i) {
-    if (!has_value(i) || this->batches(i) < batches) continue;
-    preview.signal[i] = signal(i, unit);
-    preview.error[i] = standard_error(i, unit);
-    preview.doubts[i] = is_skewed(i, unit) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
-  }
+void UnitRefinement::fill(std::size_t label, std::size_t unit, Preview& preview) const {
+  preview.signal[label] = signal(label, unit);
+  preview.error[label] = standard_error(label, unit);
+  preview.doubts[label] = is_skewed(label, unit) ? static_cast<std::uint8_t>(Doubt::skewed) : 0;
+}
+
+void UnitRefinement::fill(std::size_t unit, Preview& preview) const {
+  for (std::size_t i = 0; i < item_of_.size(); ++i)
+    if (has_value(i)) fill(i, unit, preview);
 }
 
 std::uint32_t UnitRefinement::fewest_batches() const {

@@ -41,8 +41,10 @@ class UnitRefinement {
   bool is_skewed(std::size_t label, std::size_t unit = 0) const { return is_skewed_[at(label, unit)] != 0; }
   float signal(std::size_t label, std::size_t unit = 0) const { return signal_[at(label, unit)]; }
   float standard_error(std::size_t label, std::size_t unit = 0) const { return error_[at(label, unit)]; }
-  /// Replaces the preview of a unit where there are values from at least so many batches.
-  void fill(std::size_t unit, Preview& preview, std::uint32_t batches = 2) const;
+  /// Replaces the preview of a unit at a label. Precondition: has_value.
+  void fill(std::size_t label, std::size_t unit, Preview& preview) const;
+  /// The same where there are values.
+  void fill(std::size_t unit, Preview& preview) const;
 
  private:
   bool is_open(std::size_t item, double target, const std::vector<std::uint8_t>& wanted) const;
