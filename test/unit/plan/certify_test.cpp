@@ -112,13 +112,14 @@ TEST(Certify, ProvesASmallStore) {
   }
 }
 
-// The requirement is equal to the signal of the weakest label under the strongest placement: the label cannot
-// be decided, and the certificate reports it as undecided.
+// The requirement is so close to the signal of the weakest label under the strongest placement that the budget
+// cannot decide the label, and the certificate reports it as undecided. It is 0.1 % below, because refined
+// matrices err by about 0.05 %, and one that misses the requirement leaves no selection to verify.
 TEST(CertifySlow, BorderlineLabelIsUndecided) {
   test::PlanStore store;
   store.across = 1;
   const double least = min_received(true_matrix(store.scene(), 0.002));
-  store.threshold = least * 0.9995;
+  store.threshold = least * 0.999;
   PlanOptions options = plan_options(4, 1'500'000);
   const Plan plan = make_plan(store.scene(), options);
   ASSERT_TRUE(plan.certificate);
@@ -205,9 +206,9 @@ TEST(CertifySlow, ResumesAfterAnInterruption) {
   const test::TempFolder folder;
   PlanOptions options = plan_options(100, ample);
   Plan whole;
-  store.threshold = 0.985 * least;
+  store.threshold = 0.995 * least;
   // Some planning matrices need more refinement than others.
-  for (const std::uint64_t seed : {100, 101, 102, 103, 104, 105, 106, 107, 108, 109}) {
+  for (const std::uint64_t seed : {100, 101, 102, 103, 104}) {
     options.simulation.seed = seed;
     CancelAt placed_again(Task::placing, 2);
     whole = make_plan(store.scene(), options, {.progress = &placed_again});

@@ -274,7 +274,7 @@ TEST(SecondThoughtsSlow, AreCertifiedByFreshSamples) {
   }
   EXPECT_EQ(reused, 200);
   EXPECT_GT(pairs, 100);
-  EXPECT_GT(stated, 100);
+  EXPECT_GT(stated, 70);
   EXPECT_LE(wrong, 6);
   EXPECT_GT(wrong_control, 20);
   RecordProperty("wrong", wrong);

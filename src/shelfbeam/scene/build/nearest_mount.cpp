@@ -27,7 +27,7 @@ double ceiling_at(const RoomShape& room, const Vec2& p) {
 }
 
 // A vertical face: a straight piece of an outline, with air on the side of its normal.
-struct Face {
+struct FlatFace {
   Vec2 from, to, outward;
   double bottom, top;  // m
 };
@@ -35,12 +35,12 @@ struct Face {
 // The fixture or wall that has faces, with all of them.
 struct Carrier {
   std::string name;
-  std::vector<Face> faces;
+  std::vector<FlatFace> faces;
 };
 
 struct FacePlace {
   const Carrier* carrier = nullptr;
-  const Face* face = nullptr;
+  const FlatFace* face = nullptr;
   Vec2 at{};
   double distance = HUGE_VAL;  // in plan, m
 };
@@ -69,7 +69,7 @@ class Faces {
   // Without places that another fixture or a wall covers.
   FacePlace nearest_on(const Carrier& carrier, const Vec2& p) const {
     FacePlace best;
-    for (const Face& face : carrier.faces) {
+    for (const FlatFace& face : carrier.faces) {
       const Vec2 at = nearest_point(face.from, face.to, p);
       if (const double away = distance(at, p); away < best.distance && is_free(carrier, face, at))
         best = {&carrier, &face, at, away};
@@ -82,7 +82,7 @@ class Faces {
     constexpr double farthest = 0.3;  // m
     FacePlace best;
     for (const Carrier& carrier : carriers_)
-      for (const Face& face : carrier.faces) {
+      for (const FlatFace& face : carrier.faces) {
         const Vec2 p{unit.position.x, unit.position.y}, at = nearest_point(face.from, face.to, p);
         const double away = distance(at, p);
         const double before = (p[0] - at[0]) * face.outward[0] + (p[1] - at[1]) * face.outward[1];
@@ -95,7 +95,7 @@ class Faces {
   }
 
  private:
-  bool is_free(const Carrier& carrier, const Face& face, const Vec2& at) const {
+  bool is_free(const Carrier& carrier, const FlatFace& face, const Vec2& at) const {
     const Vec2 before{at[0] + usual_offset * face.outward[0], at[1] + usual_offset * face.outward[1]};
     if (scene_.room && !scene_.room->covers(before)) return false;
     return std::none_of(scene_.fixtures.begin(), scene_.fixtures.end(), [&](const FixtureOutline& other) {
