@@ -47,7 +47,12 @@ function instrument() {
         const now = performance.now();
         const size = new DataView(data).getUint32(0, true);
         const { about } = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, size)));
-        if (about.event === "drag") Object.assign(seen.get(about.id) ?? {}, { received: now, column: about.column_ms });
+        if (about.event === "drag")
+          Object.assign(seen.get(about.id) ?? {}, {
+            received: now,
+            column: about.column_ms,
+            stage: about.stage,
+          });
       });
     }
 
@@ -89,6 +94,10 @@ if (!isDrawn)
   await page.addInitScript(() => {
     for (const call of ["drawElements", "drawElementsInstanced", "drawArrays", "drawArraysInstanced"])
       WebGL2RenderingContext.prototype[call] = () => {};
+    WebGL2RenderingContext.prototype.getParameter = new Proxy(WebGL2RenderingContext.prototype.getParameter, {
+      apply: (known, context, [name]) =>
+        [context.RENDERER, 0x9246].includes(name) ? "a graphics card" : known.call(context, name),
+    });
   });
 await page.goto(address);
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -188,6 +197,8 @@ const line = (what, values) => {
 console.log(
   `${example}${isDrawn ? "" : ", marks are not drawn"}: ${drags.length} answers to ${moves} events of the pointer; ms`,
 );
+const coarse = drags.filter(({ stage }) => stage === "coarse").length;
+console.log(`${coarse} answers by the coarse operator`);
 console.log(`first coverage ${((covered - begun) / 1000).toFixed(1)} s after the first unit was switched on`);
 console.log(" ".repeat(52) + quantiles.map((q) => (q === 1 ? "max" : `${100 * q} %`).padStart(8)).join(""));
 const whole = line("from any event of the pointer to recoloured labels", waits);

@@ -1,5 +1,6 @@
 // The state of the planner that its parts share.
 
+import { isSoftware } from "../scene/software";
 import { drawingOf, type Drawing } from "./backdrop/drawing";
 import { Look } from "./backdrop/look";
 import { Picture } from "./backdrop/picture";
@@ -84,7 +85,7 @@ export class Planner {
     this.document = new StoreDocument(this.connection, this.changes, inUnit);
     this.picture = new Picture(address, this.changes, this.look);
     this.presets = new Presets(this.document, this.changes);
-    this.light = new Light(this.document, this.changes, this.connection);
+    this.light = new Light(this.document, this.changes, this.connection, isSoftware());
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.traced = new Traced(this);
     this.snapping = new Snapping(this, this.traced);

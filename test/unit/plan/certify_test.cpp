@@ -112,9 +112,9 @@ TEST(Certify, ProvesASmallStore) {
   }
 }
 
-// The requirement is so close to the signal of the weakest label under the strongest placement that the budget
-// cannot decide the label, and the certificate reports it as undecided. It is 0.1 % below, because refined
-// matrices err by about 0.05 %, and one that misses the requirement leaves no selection to verify.
+// The requirement is so close to the signal of the weakest label under the strongest placement that the
+// budget cannot decide the label, and the certificate reports it as undecided. It is 0.1 % below, because
+// refined matrices err by about 0.05 %, and one that misses the requirement leaves no selection to verify.
 TEST(CertifySlow, BorderlineLabelIsUndecided) {
   test::PlanStore store;
   store.across = 1;

@@ -11,7 +11,7 @@ export class Newest<Wanted, Answer> {
   /** A stop begins another round, in which answers to earlier requests have no effect. */
   private round = 0;
 
-  /** `rest`: passes between an answer and the next request. */
+  /** `rest`: passes between an answer and the next request; without it, the next one is sent before the answer is used. */
   constructor(
     private readonly ask: (wanted: Wanted) => Promise<Answer | null>,
     private readonly rest?: () => Promise<void>,
@@ -39,9 +39,13 @@ export class Newest<Wanted, Answer> {
     this.next = null;
     this.isBusy = true;
     const answer = await this.ask(next.wanted).catch(() => null);
-    next.done(round === this.round ? answer : null);
-    await this.rest?.();
+    const use = () => next.done(round === this.round ? answer : null);
+    if (this.rest) {
+      use();
+      await this.rest();
+    }
     this.isBusy = false;
-    void this.send();
+    void this.send(); // the server works while the page uses the answer
+    if (!this.rest) use();
   }
 }

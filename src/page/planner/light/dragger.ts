@@ -14,7 +14,7 @@ export interface DragAnswer {
 
 const longest = 100; // ms that drawing delays a request
 
-/** Until the page has drawn an answer: on a computer without a graphics card, drawing would slow the next one down. */
+/** Until the page has drawn an answer: where the processor draws, this would slow the next answer down. */
 const drawn = (): Promise<void> =>
   new Promise((done) => {
     requestAnimationFrame(() => setTimeout(done));
@@ -24,12 +24,13 @@ const drawn = (): Promise<void> =>
 export class Dragger {
   private readonly requests: Newest<DragRequest, DragAnswer | Refused>;
 
-  /** `onAnswer` comes before the result of `move`. `unit`: its index. */
+  /** `onAnswer` comes before the result of `move`. `unit`: its index. `isSoftware`: the processor draws the page. */
   constructor(
     private readonly connection: Pick<Connection, "request">,
     private readonly onAnswer: (unit: number, answer: DragAnswer) => void,
+    isSoftware: boolean,
   ) {
-    this.requests = new Newest((request) => this.ask(request), drawn);
+    this.requests = new Newest((request) => this.ask(request), isSoftware ? drawn : undefined);
   }
 
   /** The result is null if a newer request overtakes this one, or the drag ends. */

@@ -73,8 +73,9 @@ export class Light {
     private readonly document: Pick<StoreDocument, "revision" | "labels" | "pendingOps" | "preview">,
     private readonly changes: Pick<Changes, "note">,
     connection: Pick<Connection, "request">,
+    isSoftware = false,
   ) {
-    this.dragger = new Dragger(connection, (unit, answer) => this.drag(unit, answer));
+    this.dragger = new Dragger(connection, (unit, answer) => this.drag(unit, answer), isSoftware);
   }
 
   setPalette(palette: PaletteName): void {

@@ -50,7 +50,10 @@ SurfaceNodes::SurfaceNodes(const std::shared_ptr<const SurfaceCells>& cells, con
                            SurfaceLinks(world, cells, seed, {gather_rays, gather_rays, true}, control)}) {}
 
 SurfaceNodes::SurfaceNodes(std::shared_ptr<const SurfaceCells> cells, std::array<SurfaceLinks, 2> halves)
-    : cells_(std::move(cells)), halves_(std::move(halves)) {
+    : cells_(std::move(cells)),
+      halves_(std::move(halves)),
+      cell_halves_{SurfaceLinks::between_cells({&halves_[0], 1}),
+                   SurfaceLinks::between_cells({&halves_[1], 1})} {
   for (std::size_t node = 0; node < cells_->size() * quadrants; ++node) {
     first_point_.push_back(static_cast<std::uint32_t>(points_.size()));
     for (const SurfacePoint& point : cells_->sample_points(node / quadrants, node % quadrants))
@@ -209,25 +212,47 @@ void SurfaceNodes::fill_unknown(std::size_t cell, std::vector<float>& by_node) c
     sum += by_node[node];
     ++known;
   }
-  if (known == quadrants) return;
+  if (known == quadrants || known == 0) return;
   for (std::size_t node = cell * quadrants; node < (cell + 1) * quadrants; ++node)
     if (!has_points(node)) by_node[node] = sum / known;
 }
 
-// Jacobi iteration, in which the two halves of the links take turns. Further pairs of rounds follow as a
-// geometric series with the ratio of the last two increments, and a last round with all links.
+void SurfaceNodes::mean_of_cells(std::span<const std::uint32_t> cells, std::span<const float> by_node,
+                                 std::vector<float>& mean) const {
+  for (const std::uint32_t cell : cells) {
+    float sum = 0, known = 0;
+    for (std::size_t node = first_node(cell); node < first_node(cell) + quadrants; ++node) {
+      if (!has_points(node)) continue;
+      sum += by_node[node];
+      ++known;
+    }
+    mean[cell] = known > 0 ? sum / known : 0;
+  }
+}
+
+// Jacobi iteration between cells, in which the two halves of the links take turns. Further pairs of rounds
+// follow as a geometric series with the ratio of the last two increments, and a last round between quadrants
+// with all links.
 void SurfaceNodes::bounce(std::span<const float> first_bounce, SurfaceField& field) const {
-  // Total light, and the part of one or more bounces.
-  std::vector<float> light = field.straight, fresh(size()), indirect(size()), before(size());
-  std::vector<double> sums(parts_of(field.nodes));
-  const auto gather = [&](const auto& sum) {
-    for_parts(field.nodes, [&](std::size_t part, std::span<const std::uint32_t> nodes) {
+  std::vector<std::uint32_t> cells;
+  for (const std::uint32_t node : field.nodes)
+    if (cells.empty() || cells.back() != node / quadrants) cells.push_back(node / quadrants);
+  // Straight light, its first bounce, total light, and the part of one or more bounces.
+  const std::size_t n = cells_->size();
+  std::vector<float> straight(n), first(n), light(n), fresh(n), indirect(n), before(n);
+  for_parts(cells, [&](std::size_t, std::span<const std::uint32_t> some) {
+    mean_of_cells(some, field.straight, straight);
+    if (!first_bounce.empty()) mean_of_cells(some, first_bounce, first);
+  });
+  light = straight;
+  std::vector<double> sums(parts_of(cells));
+  const auto gather = [&](const SurfaceLinks& half) {
+    for_parts(cells, [&](std::size_t part, std::span<const std::uint32_t> some) {
       double total = 0;
-      for (const std::uint32_t node : nodes) {
-        const float arriving = (first_bounce.empty() ? 0 : first_bounce[node]) + sum(node);
-        indirect[node] = arriving;
-        fresh[node] = field.straight[node] + arriving;
-        total += static_cast<double>(arriving);
+      for (const std::uint32_t cell : some) {
+        indirect[cell] = first[cell] + half.sum(cell, light);
+        fresh[cell] = straight[cell] + indirect[cell];
+        total += static_cast<double>(indirect[cell]);
       }
       sums[part] = total;
     });
@@ -239,21 +264,26 @@ void SurfaceNodes::bounce(std::span<const float> first_bounce, SurfaceField& fie
        ++pair) {
     before.swap(indirect);
     double total = 0;
-    for (const SurfaceLinks& half : halves_)
-      total = gather([&](std::size_t node) { return half.sum(node, light); });
+    for (const SurfaceLinks& half : cell_halves_) total = gather(half);
     totals = {totals[1], totals[2], total};
   }
   const float further = detail::geometric_tail(totals);
-  for_parts(field.nodes, [&](std::size_t, std::span<const std::uint32_t> nodes) {
-    for (const std::uint32_t node : nodes)
-      light[node] += further * std::max(0.0F, indirect[node] - before[node]);
-  });
-  gather([&](std::size_t node) { return (halves_[0].sum(node, light) + halves_[1].sum(node, light)) / 2; });
-  field.indirect = std::move(indirect);
-  parallel_for_ranges(cells_->size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t cell = first; cell < last; ++cell) {
-      if (field.sight[cell] == CellSight::beyond) continue;
+  std::vector<float> by_node(size());
+  for_parts(cells, [&](std::size_t, std::span<const std::uint32_t> some) {
+    for (const std::uint32_t cell : some) {
       fill_unknown(cell, field.straight);
+      const float bounced = indirect[cell] + further * std::max(0.0F, indirect[cell] - before[cell]);
+      for (std::size_t node = first_node(cell); node < first_node(cell) + quadrants; ++node)
+        by_node[node] = field.straight[node] + bounced;
+    }
+  });
+  field.indirect.assign(size(), 0);
+  for_parts(cells, [&](std::size_t, std::span<const std::uint32_t> some) {
+    for (const std::uint32_t cell : some) {
+      for (std::size_t node = first_node(cell); node < first_node(cell) + quadrants; ++node)
+        if (has_points(node))
+          field.indirect[node] = (first_bounce.empty() ? 0 : first_bounce[node]) +
+                                 (halves_[0].sum(node, by_node) + halves_[1].sum(node, by_node)) / 2;
       fill_unknown(cell, field.indirect);
     }
   });
@@ -261,7 +291,7 @@ void SurfaceNodes::bounce(std::span<const float> first_bounce, SurfaceField& fie
 
 std::size_t SurfaceNodes::bytes() const {
   return points_.bytes() + 4 * first_point_.size() + halves_[0].bytes() + halves_[1].bytes() +
-         cells_->bytes();
+         cell_halves_[0].bytes() + cell_halves_[1].bytes() + cells_->bytes();
 }
 
 }  // namespace shelfbeam

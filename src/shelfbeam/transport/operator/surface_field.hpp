@@ -69,10 +69,13 @@ class SurfaceNodes {
                    float requirement, SurfaceField& field) const;
   void add_images(std::span<const std::uint32_t> cells, const World& world, const UnitBeam& beam,
                   float requirement, SurfaceField& field) const;
+  void mean_of_cells(std::span<const std::uint32_t> cells, std::span<const float> by_node,
+                     std::vector<float>& mean) const;
   void fill_unknown(std::size_t cell, std::vector<float>& by_node) const;
 
   std::shared_ptr<const detail::SurfaceCells> cells_;
-  std::array<SurfaceLinks, 2> halves_;
+  std::array<SurfaceLinks, 2> halves_;       // between quadrants,
+  std::array<SurfaceLinks, 2> cell_halves_;  // and between cells
   BeamPoints points_;
   std::vector<std::uint32_t> first_point_;  // by quadrant
 };
