@@ -9,11 +9,13 @@
 // PACKAGES: the node_modules of the pages in the build folder. EXAMPLE: "supermarket" has 5,000 labels, "hypermarket"
 // 40,000. LIMIT: ms; 100 by default. Nothing else should run on the machine.
 
-import { spawn, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+
+import { serve } from "../test/system/planner/server.mjs";
 
 const options = process.argv.slice(2);
 const isDrawn = !options.includes("--without-drawing");
@@ -74,14 +76,7 @@ function instrument() {
 
 const folder = mkdtempSync(join(tmpdir(), "shelfbeam-drag-"));
 spawnSync(program, ["new", example, join(folder, "shop"), "--quiet"], { stdio: "inherit" });
-const server = spawn(program, ["serve", join(folder, "shop"), "--no-browser", "--json"]);
-const address = await new Promise((resolve) => {
-  let out = "";
-  server.stdout.on("data", (bytes) => {
-    out += bytes;
-    if (out.includes("}")) resolve(JSON.parse(out).address);
-  });
-});
+const server = await serve(program, join(folder, "shop"));
 // Without a graphics card, the browser paints the page several times faster by itself.
 const software = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-rasterization"];
 const browser = await chromium.launch({
@@ -94,12 +89,13 @@ if (!isDrawn)
   await page.addInitScript(() => {
     for (const call of ["drawElements", "drawElementsInstanced", "drawArrays", "drawArraysInstanced"])
       WebGL2RenderingContext.prototype[call] = () => {};
+    const unmaskedRenderer = 0x9246; // of WEBGL_debug_renderer_info
     WebGL2RenderingContext.prototype.getParameter = new Proxy(WebGL2RenderingContext.prototype.getParameter, {
       apply: (known, context, [name]) =>
-        [context.RENDERER, 0x9246].includes(name) ? "a graphics card" : known.call(context, name),
+        [context.RENDERER, unmaskedRenderer].includes(name) ? "a graphics card" : known.call(context, name),
     });
   });
-await page.goto(address);
+await page.goto(server.address);
 const sleep = (ms) => new Promise((done) => setTimeout(done, ms));
 const until = async (condition) => {
   for (const end = Date.now() + patience; ; await sleep(50)) {
@@ -183,8 +179,7 @@ for (let k = 0; k < 60; ++k) {
 }
 await page.mouse.up();
 await browser.close();
-server.kill("SIGINT");
-await new Promise((done) => server.on("exit", done));
+await server.end();
 rmSync(folder, { recursive: true });
 
 const quantiles = [0.5, 0.75, 0.9, 0.95, 0.99, 1];

@@ -7,11 +7,13 @@
 // PACKAGES: the node_modules of the pages in the build folder. UNITS: 20 by default, spread over the candidates.
 // Nothing else should run on the machine.
 
-import { spawn, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+
+import { serve } from "../test/system/planner/server.mjs";
 
 const [program, packages, example = "supermarket", units = "20"] = process.argv.slice(2);
 const WebSocket = createRequire(`${packages}/`)("ws");
@@ -22,15 +24,10 @@ const run = (...given) => spawnSync(program, given, { encoding: "utf8" }).stdout
 run("new", example, join(folder, "shop"), "--quiet");
 const { transceivers: candidates } = JSON.parse(run("inspect", store, "--json"));
 
-const server = spawn(program, ["serve", join(folder, "shop"), "--no-browser", "--json"]);
-const address = await new Promise((resolve) => {
-  let out = "";
-  server.stdout.on("data", (bytes) => {
-    out += bytes;
-    if (out.includes("}")) resolve(JSON.parse(out).address);
-  });
+const server = await serve(program, join(folder, "shop"));
+const socket = new WebSocket(`${server.address.replace("http", "ws")}socket`, {
+  origin: new URL(server.address).origin,
 });
-const socket = new WebSocket(`${address.replace("http", "ws")}socket`, { origin: new URL(address).origin });
 const answers = new Map();
 const found = {}; // when values came first, ms
 const stages = new Map(); // by the key of the unit
@@ -78,8 +75,7 @@ for (let k = 0; k < Number(units); ++k) {
 begun = performance.now();
 await done;
 socket.close();
-server.kill("SIGINT");
-await new Promise((resolve) => server.on("exit", resolve));
+await server.end();
 
 const before = performance.now();
 run("verify", store, "-o", join(folder, "verification.csv"), "--quiet");

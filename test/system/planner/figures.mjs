@@ -3,13 +3,13 @@
 //
 // node figures.mjs SHELFBEAM PACKAGES EXAMPLES
 
-import { spawn } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 import { parse } from "./jsonc.mjs";
+import { serve } from "./server.mjs";
 
 const [program, packages, examples] = process.argv.slice(2);
 const require = createRequire(`${packages}/`);
@@ -27,23 +27,12 @@ function processorTime(pid) {
   return 10 * (Number(fields[11]) + Number(fields[12]));
 }
 
-async function serve(name, prepare = () => {}) {
+async function serveExample(name, prepare = () => {}) {
   const folder = mkdtempSync(join(tmpdir(), "shelfbeam-figures-"));
   cpSync(join(examples, name), folder, { recursive: true });
   prepare(join(folder, "store.json"));
-  const server = spawn(program, ["serve", folder, "--no-browser", "--no-light", "--json"]);
-  const address = await new Promise((resolve) => {
-    let out = "";
-    server.stdout.on("data", (bytes) => {
-      out += bytes;
-      if (out.includes("}")) resolve(JSON.parse(out).address);
-    });
-  });
-  const end = () => {
-    server.kill("SIGINT");
-    return new Promise((resolve) => server.on("exit", resolve)).then(() => rmSync(folder, { recursive: true }));
-  };
-  return { address, pid: server.pid, end };
+  const { address, pid, end } = await serve(program, folder, "--no-light");
+  return { address, pid, end: () => end().then(() => rmSync(folder, { recursive: true })) };
 }
 
 // A page without a browser.
@@ -93,7 +82,7 @@ const changes = {
 
 /** Milliseconds for each kind of edit. */
 async function timesOfEdits(name) {
-  const server = await serve(name);
+  const server = await serveExample(name);
   const tab = new Tab(server.address);
   const { json } = await tab.project;
   const times = [];
@@ -121,7 +110,7 @@ async function timesOfEdits(name) {
 }
 
 async function timeOfFirstFrame(name) {
-  const server = await serve(name);
+  const server = await serveExample(name);
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox"] });
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
   await page.goto(server.address);
@@ -150,7 +139,7 @@ function fill(file) {
 
 /** The script of pointer events in ms, of 95 % of them at most: with a tool that draws, and while a fixture is dragged. */
 async function timesOfPointer() {
-  const server = await serve("grocery", fill);
+  const server = await serveExample("grocery", fill);
   const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox"] });
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
   await page.goto(server.address);
