@@ -1,6 +1,10 @@
 // Whether the browser draws without a graphics card, on the processor.
 
-export function isSoftware(): boolean {
+let known: boolean | undefined;
+
+export const isSoftware = (): boolean => (known ??= look());
+
+function look(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return false;
   const info = gl.getExtension("WEBGL_debug_renderer_info");

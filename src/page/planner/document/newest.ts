@@ -39,13 +39,12 @@ export class Newest<Wanted, Answer> {
     this.next = null;
     this.isBusy = true;
     const answer = await this.ask(next.wanted).catch(() => null);
-    const use = () => next.done(round === this.round ? answer : null);
-    if (this.rest) {
-      use();
-      await this.rest();
-    }
-    this.isBusy = false;
-    void this.send(); // the server works while the page uses the answer
-    if (!this.rest) use();
+    const sendNext = () => {
+      this.isBusy = false;
+      void this.send();
+    };
+    if (this.rest) void this.rest().then(sendNext);
+    else sendNext(); // the server works while the page uses the answer
+    next.done(round === this.round ? answer : null);
   }
 }
