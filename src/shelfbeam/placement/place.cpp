@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -102,7 +103,7 @@ double quick_bound(const SignalTable& table, const PlacementProblem& problem, st
 /// Raises bounds that the search has left low: all of them if it was not ours or had no time, and otherwise
 /// that of the count if a sum is minimised.
 void raise_neglected_bounds(Placement& placement, const SignalTable& table, const PlaceOptions& options,
-                            const RunControl& control) {
+                            double seconds_left, const RunControl& control) {
   const PlacementProblem& problem = placement.problem;
   const bool is_sum = problem.combination == Combination::weighted, is_open = placement.gap() > 0;
   const bool is_count = !is_sum && problem.objective == Objective::count;
@@ -112,8 +113,8 @@ void raise_neglected_bounds(Placement& placement, const SignalTable& table, cons
     bound = found;
     placement.bound_proof = is_count ? BoundProof::dual : std::max(placement.bound_proof, BoundProof::dual);
   };
-  constexpr double seconds = 0.5;
-  const Deadline deadline(seconds);
+  constexpr double least = 0.05, most = 0.5;  // s
+  const Deadline deadline(std::clamp(seconds_left, least, most));
   const std::vector<double> ones(table.columns(), 1.0);
   const auto count = static_cast<double>(placement.count());
   if (is_sum || (is_open && is_low))
@@ -132,17 +133,76 @@ void raise_neglected_bounds(Placement& placement, const SignalTable& table, cons
   if (is_open && is_proven && placement.gap() <= 0) placement.status = Status::optimal;
 }
 
-/// Minimises the sum of prices that puts the new spend first and the count second (SpendOrder).
+/// A step limit replaces the time; the greedy method has no steps to limit.
+detail::Effort greedy_effort(const PlaceOptions& options, double share) {
+  if (options.step_limit) return {};
+  return {detail::any_steps, Deadline(share * options.time_limit_s).end()};
+}
+
+/// Whether nearly all candidates have one price, so that few units and a low spend go together.
+bool have_one_price(const SignalTable& table) {
+  constexpr double nearly_all = 0.9;
+  std::map<double, std::size_t> count;
+  std::size_t all = 0;
+  for (const SignalTable::Transceiver& unit : table.transceivers) {
+    if (unit.installed) continue;
+    ++count[unit.cost];
+    ++all;
+  }
+  return std::any_of(count.begin(), count.end(), [&](const auto& price) {
+    return static_cast<double>(price.second) >= nearly_all * static_cast<double>(all);
+  });
+}
+
+/// Takes the selection of fewest units if it is cheaper, and the cheapest units of its bound as a bound on
+/// the spend.
+void learn_from_count(Placement& placement, const SignalTable& table, const Placement& of_count) {
+  if (of_count.has_selection()) {
+    const Price price = price_of(table, of_count.selected);
+    const auto rank = [](const Price& of, std::size_t units) { return std::pair(of.to_spend, units); };
+    if (!placement.has_selection() ||
+        rank(price, of_count.count()) < rank(*placement.price, placement.count())) {
+      placement.selected = of_count.selected;
+      placement.price = price;
+      placement.objective_value = price.to_spend;
+      placement.solver = of_count.solver;
+    }
+  }
+  placement.count_lower_bound = std::max(placement.count_lower_bound, of_count.count_lower_bound);
+  std::vector<double> prices;
+  for (const SignalTable::Transceiver& unit : table.transceivers) prices.push_back(price_to_spend(unit));
+  const double floor =
+      CostBounds(table, prices).cheapest(static_cast<std::size_t>(of_count.count_lower_bound));
+  if (floor > placement.lower_bound) {
+    placement.lower_bound = std::min(floor, placement.objective_value);
+    placement.bound_proof = of_count.bound_proof;
+  }
+  const auto count = static_cast<double>(placement.count());
+  if (placement.has_selection() && placement.gap() <= 0 && count <= placement.count_lower_bound)
+    placement.status = Status::optimal;
+}
+
+/// Minimises the sum of prices that puts the new spend first and the count second (SpendOrder). If most
+/// prices are equal and a gap remains, the count is minimised, too: its search and bounds are stronger than
+/// those of sums.
 Placement place_by_spend(const SignalTable& table, const PlacementProblem& problem,
                          const PlaceOptions& options, const RunControl& control) {
+  constexpr double share_of_greedy = 0.4, share_of_sum = 0.4;
+  const Deadline deadline(options.time_limit_s);
   PlacementProblem sum = problem;
   sum.combination = Combination::weighted;
+  const detail::Effort effort = greedy_effort(options, share_of_greedy);
   double known = infinite;
-  for (const auto& selected : {greedy_selection(SpendOrder(table, known).priced(table), sum), options.start})
+  for (const auto& selected :
+       {greedy_selection(SpendOrder(table, known).priced(table), sum, effort, control), options.start})
     if (!selected.empty() && check_selection(table, problem, selected).met())
       known = std::min(known, price_of(table, selected).to_spend);
   const SpendOrder order(table, known);
-  Placement placement = place(order.priced(table), sum, options, control);
+  const bool counts = have_one_price(table) && options.proves &&
+                      (options.solver == SolverChoice::automatic || options.solver == SolverChoice::search);
+  PlaceOptions of_sum = options;
+  of_sum.time_limit_s = (counts ? share_of_sum : 1) * deadline.seconds_left();
+  Placement placement = place(order.priced(table), sum, of_sum, control);
   placement.problem = problem;
   placement.price.reset();
   if (placement.status == Status::infeasible) return placement;
@@ -153,6 +213,17 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   placement.lower_bound = placement.status == Status::optimal
                               ? placement.objective_value
                               : std::min(order.spend_bound(placement.lower_bound), placement.objective_value);
+  if (placement.status == Status::optimal || !counts || control.cancelled()) return placement;
+  PlacementProblem count = problem;
+  count.combination = Combination::lexicographic;
+  PlaceOptions of_count = options;
+  of_count.time_limit_s = deadline.seconds_left();
+  of_count.settles_ties = false;
+  of_count.start = placement.selected;
+  const Placement counted = place(table, count, of_count, control);
+  learn_from_count(placement, table, counted);
+  placement.steps.insert(placement.steps.end(), counted.steps.begin(), counted.steps.end());
+  placement.seconds = options.time_limit_s - deadline.seconds_left();
   return placement;
 }
 
@@ -172,6 +243,7 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  const auto left = [&] { return options.step_limit ? infinite : options.time_limit_s - elapsed(); };
   check_problem(table, problem);
   const ThreadLimit allowed(control.threads);
   const auto backends = milp::backends_of(options.backend);
@@ -182,13 +254,18 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   } else {
     const bool without_mip = options.solver == SolverChoice::search;
     const bool searches = without_mip || options.solver == SolverChoice::automatic;
-    const auto left = [&] { return options.step_limit ? infinite : options.time_limit_s - elapsed(); };
-    const std::vector<std::uint32_t> greedy = greedy_selection(table, problem);
+    constexpr double share_of_greedy = 0.6, too_short = 0.3;  // of the time
+    const bool is_all = options.solver == SolverChoice::greedy;
+    const std::vector<std::uint32_t> greedy =
+        greedy_selection(table, problem, greedy_effort(options, is_all ? 1 : share_of_greedy), control);
     MaybeSelection known = better_of(table, problem, greedy, options.start);
     if (!known && searches)
       known = detail::first_selection(table, problem, greedy, 0.2 * left(), options.seed, control);
     if (options.solver == SolverChoice::greedy) {
       placement = greedy_placement(table, problem, known);
+    } else if (known && searches && left() < too_short * options.time_limit_s) {
+      placement = greedy_placement(table, problem, known);
+      placement.status = Status::stopped;
     } else if (known && searches) {
       placement = detail::search_placement(
           table, problem, *known, {backends, without_mip}, left(), options.seed, control,
@@ -210,7 +287,8 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
         placement.bound_proof = BoundProof::solver;
     }
   }
-  if (placement.has_selection() && options.proves) raise_neglected_bounds(placement, table, options, control);
+  if (placement.has_selection() && options.proves)
+    raise_neglected_bounds(placement, table, options, left(), control);
   if (placement.has_selection() && has_prices(table)) placement.price = price_of(table, placement.selected);
   placement.min_spacing = table.min_spacing;
   placement.forbidden_pairs = table.conflicts.size();

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
@@ -110,13 +112,19 @@ constexpr Step second_schedule[] = {
     {"second objective, MIP", fits_mip, 1, no_limit_s, any_steps, solve_mip_for_second},
 };
 
+template <class Run>
+void record(std::string_view name, SearchState& state, const Run& run) {
+  const auto value = [&] { return state.second ? state.second->value : state.incumbent.value(); };
+  const auto bound = [&] { return state.second ? state.second->lower_bound : state.incumbent.bound(); };
+  state.step = name;
+  record_step(state.steps, name, value, bound, run);
+}
+
 /// Runs the steps that apply in order, until the gap is closed or the time limit is reached.
 void run(std::span<const Step> steps, SearchState& state) {
   for (const Step& step : steps) {
     if (state.is_closed() || state.out_of_time()) return;
-    if (!step.applies(state)) continue;
-    state.step = step.name;
-    step.run(state, step.effort(state));
+    if (step.applies(state)) record(step.name, state, [&] { step.run(state, step.effort(state)); });
   }
 }
 
@@ -128,9 +136,8 @@ Effort opening(State state) {
   return {std::min(moves, state.limits.step_limit.value_or(any_steps)), state.deadline.end()};
 }
 
-Placement answer_of(State state) {
+Placement answer_of(State state, const PlacementProblem& problem) {
   const SignalTable& table = state.table;
-  const PlacementProblem& problem = state.problem;
   Placement placement;
   placement.problem = problem;
   placement.unit_costs = label_costs(table, problem.objective).unit;
@@ -149,8 +156,8 @@ Placement answer_of(State state) {
   return placement;
 }
 
-Placement search(SearchState& state) {
-  if (!state.out_of_time()) improve(state, opening(state));
+Placement search(SearchState& state, const PlacementProblem& problem) {
+  if (!state.out_of_time()) record("local search", state, [&] { improve(state, opening(state)); });
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
   if (state.limits.proves) run(schedule, state);
@@ -162,10 +169,11 @@ Placement search(SearchState& state) {
     if (state.incumbent.is_closed()) run(second_schedule, state);
   }
   const bool is_optimal = state.is_closed();
-  const bool settled = is_optimal && state.limits.settles_ties && settle_ties(state, of_opening);
-  Placement placement = answer_of(state);
+  const bool settled = is_optimal && state.limits.settles_ties && settle_ties(state, problem, of_opening);
+  Placement placement = answer_of(state, problem);
   placement.status = is_optimal ? Status::optimal : Status::stopped;
   placement.ties_settled = settled;
+  placement.steps = std::move(state.steps);
   return placement;
 }
 
@@ -189,9 +197,17 @@ Placement search_placement(const SignalTable& table, const PlacementProblem& pro
                            const std::vector<std::uint32_t>& start, const Solvers& solvers,
                            double time_limit_s, std::uint64_t seed, const RunControl& control,
                            const SearchLimits& limits) {
+  const auto search_for = [&](const SignalTable& priced, const PlacementProblem& as) {
+    SearchState state(priced, as, start, solvers, time_limit_s, seed, control, limits);
+    return search(state, problem);
+  };
   const auto answer = [&](const SignalTable& priced) {
-    SearchState state(priced, problem, start, solvers, time_limit_s, seed, control, limits);
-    return search(state);
+    if (!is_cover_of_sums(priced, problem)) return search_for(priced, problem);
+    SignalTable cover = priced;
+    for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
+    PlacementProblem alone = problem;
+    alone.model = CommunicationModel::non_cooperative;
+    return search_for(cover, alone);
   };
   const Check known = check_selection(table, problem, start);
   const double max_cost = 2 * (known.objective + known.transceiver_cost);

@@ -9,6 +9,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/heuristic/searches.hpp"
 
 namespace shelfbeam::detail {
 
@@ -23,7 +24,7 @@ struct Solvers {
 struct SearchLimits {
   std::size_t max_units_of_trees = 40;
   std::size_t max_cells_of_trees = 20'000'000;
-  std::size_t max_cells_of_local_search = 250'000'000;  ///< one float each
+  std::size_t max_cells_of_local_search = max_cells_of_walks;
   std::size_t small_answer = 9;                ///< count up to which a tree search may end within seconds
   std::size_t max_mip_entries = 400'000;       ///< for cooperative problems
   std::size_t max_model_entries = 20'000'000;  ///< of the whole model if no selection is known

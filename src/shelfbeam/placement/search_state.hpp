@@ -21,7 +21,6 @@
 namespace shelfbeam::detail {
 
 inline constexpr double no_limit_s = 1e8;
-inline constexpr std::uint64_t any_steps = std::numeric_limits<std::uint64_t>::max();
 
 /// The incumbent of a search and the best bound on its first objective: the count (lexicographic) or the
 /// whole sum (weighted). Every selection has passed the checker, and no bound exceeds the value.
@@ -112,6 +111,7 @@ struct SearchState final : ProgressSink {
   ProgressSink* watcher;
   RunControl control;     ///< reports through this object
   std::string_view step;  ///< name of the current step
+  std::vector<SearchStep> steps;
 
   bool is_closed() const { return incumbent.is_closed() && (!second || second->is_closed()); }
   bool out_of_time() const { return control.cancelled() || deadline.has_passed(); }
@@ -215,7 +215,8 @@ void solve_mip_for_second(SearchState& state, const Effort& effort);
 ///
 /// then the fewest units, then the ids that come first in order. Starts with `start` if it is one of them, is
 /// limited by work, and uses nothing that depends on timing, so the result is the same for any number of
-/// threads. True if all ties were examined.
-bool settle_ties(SearchState& state, const Selection& start);
+/// threads. True if all ties were examined. Margins are those of `problem`, which has the feasible selections
+/// and costs of the search's problem.
+bool settle_ties(SearchState& state, const PlacementProblem& problem, const Selection& start);
 
 }  // namespace shelfbeam::detail

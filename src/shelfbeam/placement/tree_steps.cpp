@@ -81,11 +81,17 @@ void search_second_by_tree(SearchState& state, const Effort& effort) {
 }
 
 // No more expensive selection may win, except within the rounding of sums of prices such as 0.1 and 0.2.
-bool settle_ties(SearchState& state, const Selection& start) {
-  const SearchInstance& instance = state.instance;
+bool settle_ties(SearchState& state, const PlacementProblem& problem, const Selection& start) {
   const std::size_t max_units = state.is_weighted ? state.bounds.affordable(state.incumbent.value())
                                                   : state.incumbent.selected().size();
   if (!state.has_tree(max_units) || state.out_of_time()) return false;
+  std::optional<SearchInstance> own_instance;
+  std::optional<SearchMatrix> own_matrix;
+  if (problem.model != state.problem.model) {
+    own_instance.emplace(state.table, problem);
+    own_matrix.emplace(state.table, problem.model);
+  }
+  const SearchInstance& instance = own_instance ? *own_instance : state.instance;
   TreeGoal goal;
   goal.kind = TreeGoal::Kind::widest;
   goal.max_units = max_units;
@@ -99,7 +105,7 @@ bool settle_ties(SearchState& state, const Selection& start) {
   constexpr std::uint64_t max_work = 2'000'000'000;  // some tenths of a second
   limits.work = max_work;
   limits.effort.until = Deadline(0.5 * state.deadline.seconds_left()).end();
-  TreeSearch tree(instance, *state.matrix);
+  TreeSearch tree(instance, own_matrix ? *own_matrix : *state.matrix);
   const TreeResult answer = tree.run(goal, limits, state.control);
   if (answer.selected) state.incumbent.accept(*answer.selected);
   return answer.is_complete;

@@ -198,6 +198,9 @@ TEST_F(BadMatrix, OptionsThatDoNotFitTheMatrix) {
   folder.write("plain.csv", "1,2\n3,4\n");
   folder.write("shut.csv", "label,T2,T3\nL1,1,2\n");
   folder.write("pairs.csv", "a,b\nT1,T2\nT1,T9\n");
+  folder.write("one.json", R"({"format": 2, "selected": ["T1"]})");
+  folder.write("two.json", R"({"format": 2, "selected": ["T1", "T2"]})");
+  folder.write("other.json", R"({"format": 2, "selected": ["T9"]})");
   folder.write("weights.csv", "id,weight\nL9,1\n");
   for (const auto& [line, parts] : std::vector<std::pair<std::string, std::vector<std::string>>>{
            {"place @plain.csv -o @new.json", {"--threshold"}},
@@ -223,6 +226,12 @@ TEST_F(BadMatrix, OptionsThatDoNotFitTheMatrix) {
            {"place @m.csv --threshold 1 --at-most 1 --weights @none.csv", {path("none.csv")}},
            {"place @m.csv --threshold 1 --reach 0.5 --weights @weights.csv -o @weights.csv",
             {"error: " + path("weights.csv") + ": "}},
+           {"place @m.csv --threshold 2 --start @one.json",
+            {path("one.json"), "does not reach 1 of 1 labels"}},
+           {"place @m.csv --threshold 2 --at-most 1 --start @two.json",
+            {path("two.json"), "selects 2 units"}},
+           {"place @m.csv --threshold 2 --start @other.json", {path("other.json"), "'T9'"}},
+           {"place @m.csv --threshold 2 --start @one.json -o @one.json", {path("one.json")}},
            {"place @m.csv --threshold 1 --forbid @pairs.csv -o @new.json",
             {path("pairs.csv"), "line 3", "'T9'"}},
            {"place @m.csv --threshold 1 --forbid @pairs.csv -o @old.json",

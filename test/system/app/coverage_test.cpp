@@ -21,10 +21,10 @@ class Coverage : public test::ProgramTest {
     folder.write("ones.csv", "id,weight\nL3,1\nL6,1.0\n");
   }
 
-  /// The result, without the wall time.
+  /// The result, without the steps and the wall time.
   Json answer(const std::string& options, int exit_code = 0) {
     Json json = Json::parse(told("place @m.csv --threshold 1 --json " + options, exit_code));
-    json.erase("seconds");
+    for (const char* key : {"steps", "seconds"}) json.erase(key);
     return json;
   }
 };

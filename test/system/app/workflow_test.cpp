@@ -274,6 +274,12 @@ TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
   expect("@m.csv --solver search", {"optimal", "solver search\n"});
   expect("@m.csv --solver greedy", {"labels (cooperative); at least 2 transceivers are needed.\n",
                                     "\n  feasible: value 3, lower bound 2, gap 33.3 %; ", "solver greedy\n"});
+  told("place @m.csv --threshold 1 -o @best.json");
+  expect("@m.csv --solver greedy --start @best.json",
+         {"2 transceivers reach all 6 labels", "\n  chosen: A, B\n"});
+  const Json found = Json::parse(told("place @m.csv --threshold 1 --json"));
+  EXPECT_EQ(found["steps"][0]["name"], "local search");
+  EXPECT_EQ(found["steps"][0]["value"], 2);
   // The curve contains a better placement than the greedy one, and proves that none is better.
   expect("@m.csv --solver greedy --curve",
          {"2 transceivers reach all 6 labels (cooperative); it is proven that 1 is not enough.\n",

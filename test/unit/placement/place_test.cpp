@@ -230,13 +230,13 @@ TEST(Placement, SeedsDoNotChangeTheValue) {
   EXPECT_EQ(unproven.size(), 4U) << "the same steps, the same selection; others, another";
 }
 
-TEST(Placement, ReturnsTheGreedySelectionWhenCancelled) {
+TEST(Placement, ReturnsASelectionWhenCancelled) {
   CancelToken token;
   token.request();
   const SignalTable table = test::dense_table(200, 100);
   const Placement found = place(table, {coop}, {}, {.cancel = &token});
   EXPECT_EQ(found.status, Status::stopped);
-  EXPECT_EQ(found.selected, place(table, {coop}, {.solver = SolverChoice::greedy}).selected);
+  EXPECT_TRUE(check_selection(table, {coop}, found.selected).met());
 }
 
 }  // namespace

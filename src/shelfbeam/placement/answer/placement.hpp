@@ -5,11 +5,13 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/answer/method.hpp"
 #include "shelfbeam/placement/answer/partial_reach.hpp"
+#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
@@ -68,7 +70,8 @@ struct Placement {
   /// selection from reaching all labels.
   std::vector<Unreachable> unreachable;
   SolvedBy solver = {};
-  double seconds = 0;  ///< wall time
+  std::vector<SearchStep> steps = {};  ///< of the search; not part of the placement file
+  double seconds = 0;                  ///< wall time
 
   std::size_t count() const { return selected.size(); }
   /// A selection exists; it is empty if there are no labels and no installed units.
@@ -93,8 +96,8 @@ struct PlaceOptions {
   std::optional<std::uint64_t> step_limit = {};
   /// Seed of the local search, the only user of random numbers. Proven values do not depend on it.
   std::uint64_t seed = 1;
-  /// Ascending, with every installed unit. The search starts from it if it is feasible and cheaper than the
-  /// greedy selection.
+  /// Ascending, with every installed unit. Every search begins with it if it answers the question better than
+  /// the greedy selection.
   std::vector<std::uint32_t> start = {};
   bool proves = true;        ///< false: a short local search, without proof
   bool settles_ties = true;  ///< false: any selection of the best value is accepted

@@ -2,18 +2,24 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/coverage_model.hpp"
 #include "shelfbeam/placement/coverage/coverage_search.hpp"
+#include "shelfbeam/placement/coverage/reach_annealing.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
+#include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -45,6 +51,7 @@ class Minimisation {
     result_.count_lower_bound = search_.count();
     if (target_ > 0 && !result_.has_selection)
       result_.count_lower_bound = std::max(search_.count() + 1, problem.redundant ? std::size_t{2} : 1);
+    if (!options.start.empty()) offer(options.start);
   }
 
   FewestUnits run() {
@@ -54,18 +61,24 @@ class Minimisation {
     const bool fits = CoverageModel::fits(table_, problem_);
     result_.too_large = may_ask && !fits;
     const bool may_solve = may_ask && fits;
-    const Deadline search_end((may_solve ? 0.3 : 0.5) * limit_s),
-        bound_end((may_solve ? 0.5 : 0.8) * limit_s), enumeration_end((may_solve ? 0.6 : 1) * limit_s),
-        end(limit_s);
+    const Deadline search_end(0.3 * limit_s), bound_end(0.5 * limit_s), enumeration_end(0.6 * limit_s),
+        anneal_end(0.75 * limit_s), end(limit_s);
 
-    upper_bound_ = CoverageBound(table_, problem_, weights_, max_units_).weight(max_units_);
+    upper_bound_ = detail::reachable_weight(table_, problem_, weights_);
     is_infeasible_ =
         !result_.has_selection && (upper_bound_ < target_ || result_.count_lower_bound > max_units_);
-    if (!is_settled()) search(search_end.end());
-    if (!is_settled()) raise_by_multipliers(bound_end.end());
-    if (!is_settled() && uses(options_, SolverChoice::search)) raise_by_enumeration(enumeration_end.end());
+    const auto step = [&](std::string_view name, const Deadline& until, const auto& run) {
+      if (!is_settled() && !until.has_passed()) record(name, run);
+    };
+    step("local search", search_end, [&] { search(search_end.end()); });
+    if (!result_.has_selection && !is_settled())
+      record("greedy", [&] { offer(greedy_selection(table_, problem_, {.steps = 0}, control_)); });
+    step("multipliers", bound_end, [&] { raise_by_multipliers(bound_end.end()); });
+    if (uses(options_, SolverChoice::search))
+      step("tree search", enumeration_end, [&] { raise_by_enumeration(enumeration_end.end()); });
+    step("annealing", end, [&] { anneal(may_solve ? anneal_end.end() : end.end()); });
     const bool solves = !is_settled() && may_solve;
-    if (solves) solve(end);
+    if (solves) record("MIP", [&] { solve(end); });
     finish(solves || control_.cancelled() || end.has_passed());
     return std::move(result_);
   }
@@ -73,6 +86,16 @@ class Minimisation {
  private:
   bool is_settled() const {
     return is_infeasible_ || (result_.has_selection && result_.count_lower_bound >= result_.selected.size());
+  }
+
+  template <class Run>
+  void record(std::string_view name, const Run& run) {
+    const auto value = [&] {
+      return result_.has_selection ? static_cast<double>(result_.selected.size())
+                                   : std::numeric_limits<double>::infinity();
+    };
+    const auto bound = [&] { return static_cast<double>(result_.count_lower_bound); };
+    detail::record_step(result_.steps, name, value, bound, run);
   }
 
   /// Accepts a selection that reaches the target with fewer units than the incumbent.
@@ -105,6 +128,25 @@ class Minimisation {
       search_.improve_repeatedly(fewer, left, control_, until);
       offer(search_.selected());
       if (result_.selected.size() > fewer) return;
+    }
+  }
+
+  /// Annealing for fewer units, again and again until the time is up.
+  void anneal(Clock::time_point until) {
+    constexpr std::uint64_t moves = 20'000'000;
+    if (!result_.has_selection || !detail::can_anneal(result_.problem) ||
+        table_.rows() * table_.columns() > detail::max_cells_of_walks)
+      return;
+    const detail::SearchInstance instance(table_, result_.problem);
+    const detail::SearchMatrix matrix(table_, problem_.model);
+    auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, 0));
+    const detail::Effort effort{std::min(moves, options_.step_limit.value_or(moves)), until};
+    while (!is_settled() && !effort.is_over(control_)) {
+      const auto found =
+          detail::anneal_reach(instance, matrix, weights_, target_, result_.selected, effort, seed, control_);
+      if (found) offer(*found);
+      seed += detail::walks_at_once;
+      if (options_.step_limit) break;
     }
   }
 

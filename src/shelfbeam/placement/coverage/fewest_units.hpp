@@ -28,9 +28,10 @@ struct FewestUnits {
   /// proven, but all methods have finished. stopped: the time limit, an interruption or a solver failure came
   /// first.
   Status status = Status::stopped;
-  bool too_large = false;  ///< the problem is too large for the MIP, which did not run
-  SolvedBy solver = {};    ///< as in MaxCoverage
-  double seconds = 0;      ///< wall time
+  bool too_large = false;              ///< the problem is too large for the MIP, which did not run
+  SolvedBy solver = {};                ///< as in MaxCoverage
+  std::vector<SearchStep> steps = {};  ///< not part of the placement file
+  double seconds = 0;                  ///< wall time
 };
 
 /// Minimises the number of transceivers, installed ones included, that reach at least `share` (0 to 1) of the

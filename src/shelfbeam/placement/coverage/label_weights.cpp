@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shelfbeam/placement/problem/mounts.hpp"
+
 namespace shelfbeam {
 
 bool has_weights(const SignalTable& table) {
@@ -57,6 +59,24 @@ double LabelWeights::rounded_up(double bound) const {
   constexpr double error = 1e-9;
   const double forgiving = bound * (1 - error);
   return whole_ ? std::ceil(forgiving) : forgiving;
+}
+
+std::vector<bool> reachable_labels(const SignalTable& table, const PlacementProblem& problem) {
+  const Mounts mounts(table);
+  std::vector<bool> result(table.rows());
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    result[i] = is_met(mounts.max_signal(table.row(i), problem) * (1 + 1e-12),
+                       requirement_of(table.labels[i], problem.model));
+  return result;
+}
+
+double reachable_weight(const SignalTable& table, const PlacementProblem& problem,
+                        const LabelWeights& weights) {
+  const std::vector<bool> can = reachable_labels(table, problem);
+  double sum = 0;
+  for (std::size_t i = 0; i < can.size(); ++i)
+    if (can[i]) sum += std::max(0.0, weights[i]);
+  return weights.rounded_down(sum);
 }
 
 }  // namespace detail

@@ -42,6 +42,12 @@ class LabelWeights {
   bool whole_ = false;
 };
 
+/// The labels that some selection reaches, regardless of the other labels.
+std::vector<bool> reachable_labels(const SignalTable& table, const PlacementProblem& problem);
+/// Their weight, which no selection exceeds.
+double reachable_weight(const SignalTable& table, const PlacementProblem& problem,
+                        const LabelWeights& weights);
+
 }  // namespace detail
 
 }  // namespace shelfbeam

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -46,6 +47,8 @@ class Maximisation {
     reach_.selected = detail::installed_units(table);
     reach_.missed = check_selection(table, problem, reach_.selected).unmet;
     value_ = weights_.without(reach_.missed);
+    if (!options.start.empty()) offer(options.start);
+    bound_ = weights_.total();
   }
 
   MaxCoverage run() {
@@ -58,12 +61,19 @@ class Maximisation {
     const Deadline search_end((may_solve ? 0.3 : 0.5) * limit_s), bound_end((may_solve ? 0.5 : 1) * limit_s),
         enumeration_end((may_solve ? 0.6 : 1) * limit_s), end(limit_s);
 
-    search_.improve_repeatedly(units_, detail::allowed_work(detail::coverage_search_work, options_, table_),
-                               control_, search_end.end());
-    offer(search_.selected());
-    lower_bound(bound_end.end());
-    const bool is_settled = uses(options_, SolverChoice::search) && enumerate(enumeration_end.end());
-    if (may_solve && !is_settled) solve(end);
+    record("local search", [&] {
+      search_.improve_repeatedly(units_, detail::allowed_work(detail::coverage_search_work, options_, table_),
+                                 control_, search_end.end());
+      offer(search_.selected());
+    });
+    if (bound_end.has_passed())
+      lower_to(detail::reachable_weight(table_, problem_, weights_), BoundProof::trivial);
+    else
+      record("multipliers", [&] { lower_bound(bound_end.end()); });
+    bool is_settled = false;
+    if (uses(options_, SolverChoice::search) && !enumeration_end.has_passed())
+      record("tree search", [&] { is_settled = enumerate(enumeration_end.end()); });
+    if (may_solve && !is_settled) record("MIP", [&] { solve(end); });
 
     const bool was_cut_short = control_.cancelled() || end.has_passed();
     reach_.status = is_proven()                                   ? Status::optimal
@@ -74,7 +84,8 @@ class Maximisation {
       reach_.upper_bound = static_cast<std::size_t>(bound_);
       return std::move(reach_);
     }
-    reach_.upper_bound = reachable_labels();
+    const std::vector<bool> can = detail::reachable_labels(table_, problem_);
+    reach_.upper_bound = static_cast<std::size_t>(std::count(can.begin(), can.end(), true));
     reach_.weight = CoverageWeight{weights_.in_table(value_), weights_.in_table(weights_.total()),
                                    weights_.in_table(std::max(bound_, value_))};
     return std::move(reach_);
@@ -83,6 +94,13 @@ class Maximisation {
  private:
   bool is_proven() const {
     return bound_ <= value_ + (weights_.are_whole() ? 0 : weights_.step()) || is_closed_by_solver_;
+  }
+
+  template <class Run>
+  void record(std::string_view name, const Run& run) {
+    const auto value = [&] { return weights_.in_table(value_); };
+    const auto bound = [&] { return weights_.in_table(bound_); };
+    detail::record_step(reach_.steps, name, value, bound, run);
   }
 
   /// Accepts a selection that is better than the incumbent.
@@ -154,15 +172,6 @@ class Maximisation {
       }
       if (!outcome.failed && !contradicts) break;
     }
-  }
-
-  std::size_t reachable_labels() const {
-    const Mounts mounts(table_);
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < table_.rows(); ++i)
-      count += is_met(mounts.max_signal(table_.row(i), problem_) * (1 + 1e-12),
-                      requirement_of(table_.labels[i], problem_.model));
-    return count;
   }
 
   const SignalTable& table_;

@@ -36,9 +36,10 @@ struct MaxCoverage {
   /// optimal: the selection reaches its upper bound. feasible: not proven, but all methods have finished.
   /// stopped: the time limit, an interruption or a solver failure came first.
   Status status = Status::stopped;
-  bool too_large = false;  ///< the problem is too large for the MIP, which did not run
-  SolvedBy solver = {};    ///< search if the enumeration finished; the last MIP back end that ran
-  double seconds = 0;      ///< wall time
+  bool too_large = false;              ///< the problem is too large for the MIP, which did not run
+  SolvedBy solver = {};                ///< search if the enumeration finished; the last MIP back end that ran
+  std::vector<SearchStep> steps = {};  ///< not part of the placement file
+  double seconds = 0;                  ///< wall time
 
   /// (upper_bound - reached) / upper_bound, of weights if there are any; 0 when proven.
   double gap() const {

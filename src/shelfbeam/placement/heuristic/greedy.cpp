@@ -25,8 +25,12 @@ class Greedy {
     look_at_every_label();
   }
 
-  std::vector<std::uint32_t> run() {
-    while (true) {
+  std::vector<std::uint32_t> run(const detail::Effort& effort, const RunControl& control) {
+    for (std::uint64_t step = 0;; ++step) {
+      if (step >= effort.steps || effort.is_over(control)) {
+        reach_each_label();
+        break;
+      }
       const std::vector<double> gain = gains();
       if (unmet_.empty()) break;
       auto best = static_cast<std::uint32_t>(table_.columns());
@@ -117,6 +121,25 @@ class Greedy {
     return true;
   }
 
+  // Adds the strongest units of each missed label until it is reached.
+  void reach_each_label() {
+    std::vector<SignalEntry> strongest;
+    for (const std::size_t i : unmet_) {
+      const double requirement = requirement_of(table_.labels[i], problem_.model);
+      if (is_met(received_signal(table_, i, chosen_, problem_), requirement)) continue;
+      strongest.clear();
+      for (const SignalEntry& entry : table_.row(i))
+        if (!chosen_[entry.transceiver]) strongest.push_back(entry);
+      std::stable_sort(strongest.begin(), strongest.end(),
+                       [](const SignalEntry& a, const SignalEntry& b) { return a.signal > b.signal; });
+      for (const SignalEntry& entry : strongest) {
+        if (blocked_by_[entry.transceiver] > 0) continue;
+        choose(entry.transceiver);
+        if (is_met(received_signal(table_, i, chosen_, problem_), requirement)) break;
+      }
+    }
+  }
+
   // The gain of every column (greedy.hpp); removes labels that are reached by now.
   std::vector<double> gains() {
     std::vector<double> gain(table_.columns(), 0.0);
@@ -160,8 +183,9 @@ std::vector<double> greedy_costs(const SignalTable& table, const PlacementProble
   return cost;
 }
 
-std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem) {
-  return Greedy(table, problem).run();
+std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem,
+                                            const detail::Effort& effort, const RunControl& control) {
+  return Greedy(table, problem).run(effort, control);
 }
 
 }  // namespace shelfbeam

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
@@ -28,7 +30,12 @@ namespace shelfbeam {
 /// If conflicts block all candidates, a unit is exchanged for a candidate that only this unit blocks, as long
 /// as that reduces the total lack. Conflicts void the guarantees, and labels may stay missed: the caller
 /// checks.
-std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem);
+///
+/// When `effort` is over, the remaining labels are reached in one pass over the table, each by the units that
+/// it receives best, without regard to costs.
+std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem,
+                                            const detail::Effort& effort = {},
+                                            const RunControl& control = {});
 
 /// c(S_j) of every column.
 std::vector<double> greedy_costs(const SignalTable& table, const PlacementProblem& problem);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -10,6 +11,9 @@
 // Heuristic searches for a better selection; nullopt if none is found. Walks use `seed` and the following
 // seeds.
 namespace shelfbeam::detail {
+
+/// Walks keep the whole matrix if labels x candidates are at most this number; one float each.
+inline constexpr std::size_t max_cells_of_walks = 250'000'000;
 
 /// A selection better than `start` (fewer units, or less cost if weighted), or any feasible selection if
 /// `start` is infeasible. Weighted exchanges as for set covering (Gao and others 2015), on a growing set of

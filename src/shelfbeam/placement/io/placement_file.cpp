@@ -224,8 +224,26 @@ std::string placement_json(const Placement& placement, const SignalTable& table,
   return detail::file_text(Record::write(placement, {table}, with_curve));
 }
 
+std::string steps_json(std::span<const SearchStep> steps) {
+  std::string text;
+  for (const SearchStep& step : steps)
+    text += (text.empty() ? "\n    " : ",\n    ") + Json({{"name", step.name},
+                                                          {"seconds", step.seconds},
+                                                          {"value_before", number(step.value_before)},
+                                                          {"value", number(step.value)},
+                                                          {"bound_before", number(step.bound_before)},
+                                                          {"bound", number(step.bound)}})
+                                                        .dump();
+  return text.empty() ? "[]" : fmt::format("[{}\n  ]", text);
+}
+
 Placement read_placement(const std::filesystem::path& path, const SignalTable& table) {
   return Record::read<Placement>(detail::parse_placement(path), {table});
+}
+
+std::vector<std::uint32_t> read_selection(const std::filesystem::path& path, const SignalTable& table) {
+  const TableIds ids{table};
+  return read_selected(detail::parse_placement(path)["selected"], ids.transceivers, table, false);
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/kernels/active_rows.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace shelfbeam::detail {
@@ -52,6 +53,14 @@ bool ActiveRows::add_missed(std::span<const float> received, std::uint32_t label
   if (short_of.empty() && !is_known_[label]) short_of.emplace_back(received[label], label);
   take_weakest(short_of, at_once);
   return !short_of.empty();
+}
+
+bool ActiveRows::add(std::span<const std::uint32_t> rows) {
+  std::vector<std::uint32_t> fresh;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(fresh),
+               [&](std::uint32_t row) { return !is_known_[row]; });
+  take(fresh);
+  return !fresh.empty();
 }
 
 void ActiveRows::tighten(std::uint32_t label) {

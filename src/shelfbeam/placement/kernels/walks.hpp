@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,25 +9,12 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 
 namespace shelfbeam::detail {
 
 /// Columns of a table, ascending unless stated otherwise.
 using Selection = std::vector<std::uint32_t>;
-
-/// Limits of a search. Results are reproducible if the steps end it, not the time.
-struct Effort {
-  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();  ///< moves of a walk, nodes of a tree
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
-
-  double seconds_left() const {
-    return std::chrono::duration<double>(until - std::chrono::steady_clock::now()).count();
-  }
-  /// The time is up or the run is cancelled.
-  bool is_over(const RunControl& control) const {
-    return control.cancelled() || std::chrono::steady_clock::now() >= until;
-  }
-};
 
 /// Walks of one local search that run side by side, each with its own seed.
 inline constexpr std::uint32_t walks_at_once = 2;

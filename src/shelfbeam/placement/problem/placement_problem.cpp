@@ -45,6 +45,15 @@ LabelCosts label_costs(const SignalTable& table, Objective objective) {
   return result;
 }
 
+bool is_cover_of_sums(const SignalTable& table, const PlacementProblem& problem) {
+  // Only the cost of links depends on the model.
+  if (problem.model != CommunicationModel::cooperative || problem.objective == Objective::links) return false;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    for (const SignalEntry& entry : table.row(i))
+      if (entry.signal > 0 && !is_met(entry.signal, table.labels[i].requirement)) return false;
+  return true;
+}
+
 std::vector<double> objective_coefficients(const SignalTable& table, const PlacementProblem& problem) {
   std::vector<double> result(table.columns(), 0.0);
   if (problem.objective == Objective::count) return result;

@@ -137,6 +137,10 @@ struct LabelCosts {
 };
 LabelCosts label_costs(const SignalTable& table, Objective objective);
 
+/// Whether signals add up, but each of them that is not zero reaches its label alone, so that both models
+/// have the same feasible selections and costs; for example, if signals are 0 or 1.
+bool is_cover_of_sums(const SignalTable& table, const PlacementProblem& problem);
+
 /// The coefficient of every T_j in the second objective, from the unclipped matrix; zeros for count. The
 /// variables t_ij = T_j of (3.11) are eliminated, so a cooperative link objective costs sum_i c_i^E per
 /// transceiver.

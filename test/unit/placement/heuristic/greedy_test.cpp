@@ -210,6 +210,23 @@ TEST(PlacementGreedy, ContinuesUntilAnyUnitMayFail) {
       (Columns{0, 1, 2}));
 }
 
+// When its effort is over, the method reaches the other labels one by one.
+TEST(PlacementGreedy, EndsWithASelectionWhenItsEffortIsOver) {
+  test::RandomTables tables(26);
+  int more = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const SignalTable table = tables.next();
+    const PlacementProblem problem = tables.next_problem();
+    const bool is_feasible = check_selection(table, problem, greedy_selection(table, problem)).met();
+    for (const std::uint64_t steps : {0, 1, 2}) {
+      const Columns selected = greedy_selection(table, problem, {.steps = steps});
+      ASSERT_EQ(check_selection(table, problem, selected).met(), is_feasible) << k;
+      more += selected.size() > greedy_selection(table, problem).size();
+    }
+  }
+  EXPECT_GT(more, 500) << "the effort is what makes the difference";
+}
+
 TEST(PlacementGreedy, HandlesTablesWithoutLabelsOrUnits) {
   EXPECT_TRUE(greedy_selection(test::make_table({}, 3), {}).empty());
   EXPECT_TRUE(greedy_selection(test::make_table({}, 0), {}).empty());

@@ -76,5 +76,15 @@ TEST(PlacementInstance, RejectsInvalidShares) {
   }
 }
 
+TEST(PlacementProblem, IsACoverIfEachSignalReachesItsLabel) {
+  SignalTable table = test::make_table({{1, 0, 2}, {0, 1, 1 - 1e-10}}, 3);
+  EXPECT_TRUE(is_cover_of_sums(table, {}));
+  EXPECT_TRUE(is_cover_of_sums(table, {.redundant = true}));
+  EXPECT_FALSE(is_cover_of_sums(table, {.model = test::alone})) << "it is one already";
+  EXPECT_FALSE(is_cover_of_sums(table, {.objective = Objective::links})) << "the costs of links differ";
+  table.labels[1].requirement = 1.5;
+  EXPECT_FALSE(is_cover_of_sums(table, {}));
+}
+
 }  // namespace
 }  // namespace shelfbeam

@@ -140,6 +140,23 @@ TEST(Spend, OfTwoSelectionsOfOnePriceTheSmallerIsChosen) {
   EXPECT_EQ(place(table, by_default, {}).selected, (std::vector<std::uint32_t>{1}));
 }
 
+// With one odd price, the bound of the count is one of the spend.
+TEST(Spend, OfOneOddPriceIsBoundedByTheCount) {
+  test::RandomTables random(8);
+  SignalTable table = test::scattered_table(random, 60, 40);
+  for (auto& unit : table.transceivers) unit.cost = 1;
+  const PlaceOptions search{.solver = SolverChoice::search, .step_limit = 300};
+  const Placement counted = place(table, {.combination = Combination::lexicographic}, search, {.threads = 1});
+  table.transceivers[17].cost = 1.01;
+  const Placement best = place(table, by_default, {.step_limit = 1 << 20}, {.threads = 1});
+  const Placement placement = place(table, by_default, search, {.threads = 1});
+  ASSERT_EQ(best.status, Status::optimal);
+  EXPECT_GE(placement.lower_bound, counted.lower_bound);
+  EXPECT_LE(placement.lower_bound, best.objective_value);
+  EXPECT_LE(placement.count(), counted.count());
+  EXPECT_GE(placement.objective_value, best.objective_value);
+}
+
 TEST(Spend, BoundOfAnInterruptedSearchIsBelowTheOptimum) {
   test::RandomTables random(7);
   SignalTable table = test::scattered_table(random, 60, 40);
