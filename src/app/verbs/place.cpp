@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -91,9 +92,12 @@ void check(const PlaceArguments& options) {
                      "add --at-most, --reach or --curve");
 }
 
-// The selection of a placement.json, with which the search begins.
+// The selection of a placement.json with the installed units, with which the search begins.
 std::vector<std::uint32_t> read_start(const PlaceArguments& options, const SignalTable& table) {
   std::vector<std::uint32_t> selected = read_selection(options.start, table);
+  for (std::uint32_t j = 0; j < table.columns(); ++j)
+    if (table.transceivers[j].installed && !std::binary_search(selected.begin(), selected.end(), j))
+      selected.insert(std::lower_bound(selected.begin(), selected.end(), j), j);
   const Check check = check_selection(table, resolved(options.problem, table), selected);
   const auto fail = [&](const std::string& problem) {
     throw InputError(options.start.string(), problem,

@@ -133,10 +133,10 @@ void raise_neglected_bounds(Placement& placement, const SignalTable& table, cons
   if (is_open && is_proven && placement.gap() <= 0) placement.status = Status::optimal;
 }
 
-/// A step limit replaces the time; the greedy method has no steps to limit.
-detail::Effort greedy_effort(const PlaceOptions& options, double share) {
+/// With a step limit, which replaces the time, greedy runs to its end.
+detail::Effort greedy_effort(const PlaceOptions& options, double seconds) {
   if (options.step_limit) return {};
-  return {detail::any_steps, Deadline(share * options.time_limit_s).end()};
+  return {detail::any_steps, Deadline(seconds).end()};
 }
 
 /// Whether nearly all candidates have one price, so that few units and a low spend go together.
@@ -155,8 +155,15 @@ bool have_one_price(const SignalTable& table) {
 }
 
 /// Takes the selection of fewest units if it is cheaper, and the cheapest units of its bound as a bound on
-/// the spend.
+/// the spend; or its proof that no selection is feasible.
 void learn_from_count(Placement& placement, const SignalTable& table, const Placement& of_count) {
+  if (of_count.status == Status::infeasible) {
+    placement.status = Status::infeasible;
+    placement.lower_bound = placement.count_lower_bound = infinite;
+    placement.bound_proof = of_count.bound_proof;
+    placement.solver = of_count.solver;
+    return;
+  }
   if (of_count.has_selection()) {
     const Price price = price_of(table, of_count.selected);
     const auto rank = [](const Price& of, std::size_t units) { return std::pair(of.to_spend, units); };
@@ -168,14 +175,22 @@ void learn_from_count(Placement& placement, const SignalTable& table, const Plac
       placement.solver = of_count.solver;
     }
   }
-  placement.count_lower_bound = std::max(placement.count_lower_bound, of_count.count_lower_bound);
+  placement.lower_bound = std::min(placement.lower_bound, placement.objective_value);
+  // The file states one proof for both bounds, the weaker one.
+  const auto rests_on_count = [&] {
+    placement.bound_proof = std::max(placement.bound_proof, of_count.bound_proof);
+  };
+  if (of_count.count_lower_bound > placement.count_lower_bound) {
+    placement.count_lower_bound = of_count.count_lower_bound;
+    rests_on_count();
+  }
   std::vector<double> prices;
   for (const SignalTable::Transceiver& unit : table.transceivers) prices.push_back(price_to_spend(unit));
   const double floor =
       CostBounds(table, prices).cheapest(static_cast<std::size_t>(of_count.count_lower_bound));
   if (floor > placement.lower_bound) {
     placement.lower_bound = std::min(floor, placement.objective_value);
-    placement.bound_proof = of_count.bound_proof;
+    rests_on_count();
   }
   const auto count = static_cast<double>(placement.count());
   if (placement.has_selection() && placement.gap() <= 0 && count <= placement.count_lower_bound)
@@ -191,20 +206,31 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   const Deadline deadline(options.time_limit_s);
   PlacementProblem sum = problem;
   sum.combination = Combination::weighted;
-  const detail::Effort effort = greedy_effort(options, share_of_greedy);
+  const detail::Effort effort = greedy_effort(options, share_of_greedy * options.time_limit_s);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
   double known = infinite;
+  std::vector<std::uint32_t> start;
   for (const auto& selected :
        {greedy_selection(SpendOrder(table, known).priced(table), sum, effort, control), options.start})
-    if (!selected.empty() && check_selection(table, problem, selected).met())
-      known = std::min(known, price_of(table, selected).to_spend);
+    if (!selected.empty() && check_selection(table, problem, selected).met()) {
+      const double price = price_of(table, selected).to_spend;
+      if (price >= known) continue;
+      known = price;
+      start = selected;
+    }
   const SpendOrder order(table, known);
   const bool counts = have_one_price(table) && options.proves &&
                       (options.solver == SolverChoice::automatic || options.solver == SolverChoice::search);
   PlaceOptions of_sum = options;
+  of_sum.start = start;
   of_sum.time_limit_s = (counts ? share_of_sum : 1) * deadline.seconds_left();
   Placement placement = place(order.priced(table), sum, of_sum, control);
   placement.problem = problem;
   placement.price.reset();
+  placement.seconds = elapsed();
   if (placement.status == Status::infeasible) return placement;
   if (placement.has_selection()) {
     placement.price = price_of(table, placement.selected);
@@ -213,7 +239,8 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   placement.lower_bound = placement.status == Status::optimal
                               ? placement.objective_value
                               : std::min(order.spend_bound(placement.lower_bound), placement.objective_value);
-  if (placement.status == Status::optimal || !counts || control.cancelled()) return placement;
+  const bool is_over = !options.step_limit && deadline.has_passed();
+  if (placement.status == Status::optimal || !counts || is_over || control.cancelled()) return placement;
   PlacementProblem count = problem;
   count.combination = Combination::lexicographic;
   PlaceOptions of_count = options;
@@ -223,7 +250,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   const Placement counted = place(table, count, of_count, control);
   learn_from_count(placement, table, counted);
   placement.steps.insert(placement.steps.end(), counted.steps.begin(), counted.steps.end());
-  placement.seconds = options.time_limit_s - deadline.seconds_left();
+  placement.seconds = elapsed();
   return placement;
 }
 
@@ -249,21 +276,34 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   const auto backends = milp::backends_of(options.backend);
 
   Placement placement;
+  std::vector<SearchStep> steps;
   if (auto unreachable = unreachable_labels(table, problem); !unreachable.empty()) {
     placement = infeasible(table, problem, std::move(unreachable));
   } else {
     const bool without_mip = options.solver == SolverChoice::search;
     const bool searches = without_mip || options.solver == SolverChoice::automatic;
-    constexpr double share_of_greedy = 0.6, too_short = 0.3;  // of the time
+    // A search of a large table takes about a second to begin.
+    constexpr double share_of_greedy = 0.6, share_to_begin = 0.3, seconds_to_begin = 1;
     const bool is_all = options.solver == SolverChoice::greedy;
-    const std::vector<std::uint32_t> greedy =
-        greedy_selection(table, problem, greedy_effort(options, is_all ? 1 : share_of_greedy), control);
-    MaybeSelection known = better_of(table, problem, greedy, options.start);
+    const double until = (is_all ? 1 : share_of_greedy) * options.time_limit_s;
+    std::vector<std::uint32_t> greedy;
+    MaybeSelection known;
+    const auto value = [&] {
+      return known ? value_of(check_selection(table, problem, *known), problem, known->size()) : infinite;
+    };
+    detail::record_step(
+        steps, "greedy", value, [] { return 0.0; },
+        [&] {
+          greedy = greedy_selection(table, problem, greedy_effort(options, until - elapsed()), control);
+          known = better_of(table, problem, greedy, options.start);
+        });
     if (!known && searches)
       known = detail::first_selection(table, problem, greedy, 0.2 * left(), options.seed, control);
     if (options.solver == SolverChoice::greedy) {
       placement = greedy_placement(table, problem, known);
-    } else if (known && searches && left() < too_short * options.time_limit_s) {
+      if (left() <= 0 || control.cancelled()) placement.status = Status::stopped;
+    } else if (known && searches &&
+               left() < std::min(share_to_begin * options.time_limit_s, seconds_to_begin)) {
       placement = greedy_placement(table, problem, known);
       placement.status = Status::stopped;
     } else if (known && searches) {
@@ -290,6 +330,7 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   if (placement.has_selection() && options.proves)
     raise_neglected_bounds(placement, table, options, left(), control);
   if (placement.has_selection() && has_prices(table)) placement.price = price_of(table, placement.selected);
+  placement.steps.insert(placement.steps.begin(), steps.begin(), steps.end());
   placement.min_spacing = table.min_spacing;
   placement.forbidden_pairs = table.conflicts.size();
   placement.seconds = elapsed();

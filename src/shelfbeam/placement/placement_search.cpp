@@ -203,10 +203,15 @@ Placement search_placement(const SignalTable& table, const PlacementProblem& pro
   };
   const auto answer = [&](const SignalTable& priced) {
     if (!is_cover_of_sums(priced, problem)) return search_for(priced, problem);
-    SignalTable cover = priced;
-    for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
+    const auto needs_rule = [](const SignalTable::Label& label) {
+      return label.single_requirement != label.requirement;
+    };
     PlacementProblem alone = problem;
     alone.model = CommunicationModel::non_cooperative;
+    if (std::none_of(priced.labels.begin(), priced.labels.end(), needs_rule))
+      return search_for(priced, alone);
+    SignalTable cover = priced;
+    for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
     return search_for(cover, alone);
   };
   const Check known = check_selection(table, problem, start);

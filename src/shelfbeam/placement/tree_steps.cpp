@@ -46,16 +46,16 @@ struct Cheapest {
 Cheapest cheapest(const SearchState& state, std::size_t max_units, double between, const Effort& effort,
                   TreeSearch& tree) {
   // Every column is rounded by up to a half of cost_unit.
-  const double rounding = static_cast<double>(max_units + 1) / 2;
+  const double rounding_errors = static_cast<double>(max_units + 1) / 2;
   const std::int64_t known = state.instance.cost_of(state.incumbent.selected());
   TreeGoal goal;
   goal.kind = TreeGoal::Kind::cheapest;
   goal.max_units = max_units;
-  const double limit = std::ceil(between / state.instance.cost_unit + rounding);
+  const double limit = std::ceil(between / state.instance.cost_unit + rounding_errors);
   goal.max_cost = std::min<std::int64_t>(known - 1, std::llround(limit));
   const TreeResult answer = tree.run(goal, {effort, true}, state.control);
   if (!answer.is_complete) return {answer.selected};
-  const double bound = static_cast<double>(answer.proof.max_cost) + 1 - rounding;
+  const double bound = static_cast<double>(answer.proof.max_cost) + 1 - rounding_errors;
   return {answer.selected, std::max(0.0, bound * state.instance.cost_unit), strength_of(answer.proof, state)};
 }
 

@@ -130,12 +130,12 @@ TEST_F(ExitCode, ThreeAtTheTimeLimit) {
   }
 }
 
-TEST_F(ExitCode, ThreeIfOnlyTheCurveReachedTheTimeLimit) {
+TEST_F(ExitCode, ThreeIfGreedyAndCurveReachedTheTimeLimit) {
   folder.write("hard.csv", hard_matrix());
   const std::string out =
       told("place @hard.csv --threshold 6 --solver greedy --curve -o @p.json --time-limit 1e-6", 3);
   EXPECT_NE(out.find("the curve was stopped early"), std::string::npos) << out;
-  EXPECT_EQ(json("p.json")["status"], "feasible");
+  EXPECT_EQ(json("p.json")["status"], "stopped");
   EXPECT_EQ(json("p.json")["curve_complete"], false);
 }
 

@@ -278,8 +278,13 @@ TEST_F(Workflow, PlacePrintsTheDocumentedSentences) {
   expect("@m.csv --solver greedy --start @best.json",
          {"2 transceivers reach all 6 labels", "\n  chosen: A, B\n"});
   const Json found = Json::parse(told("place @m.csv --threshold 1 --json"));
-  EXPECT_EQ(found["steps"][0]["name"], "local search");
-  EXPECT_EQ(found["steps"][0]["value"], 2);
+  EXPECT_EQ(found["steps"][0]["name"], "greedy");
+  EXPECT_TRUE(found["steps"][0]["value_before"].is_null());
+  EXPECT_EQ(found["steps"][0]["value"], 3);
+  EXPECT_EQ(found["steps"].back()["value"], 2);
+  // The printed object is a placement file, too; units that it lacks are added if they are pinned.
+  folder.write("printed.json", told("place @m.csv --threshold 1 --json"));
+  expect("@m.csv --solver greedy --start @printed.json --pin C", {"3 transceivers reach all 6 labels"});
   // The curve contains a better placement than the greedy one, and proves that none is better.
   expect("@m.csv --solver greedy --curve",
          {"2 transceivers reach all 6 labels (cooperative); it is proven that 1 is not enough.\n",

@@ -6,7 +6,7 @@
 
 namespace shelfbeam {
 
-/// A step of a search, with the value of the incumbent and its lower bound before and after. If several
+/// A step of a search, with the value of the incumbent and its bound before and after. If several
 /// searches answer a question, the units of measure of their values differ.
 struct SearchStep {
   std::string_view name;  ///< of a method, static

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
@@ -61,14 +62,18 @@ class Minimisation {
     const bool fits = CoverageModel::fits(table_, problem_);
     result_.too_large = may_ask && !fits;
     const bool may_solve = may_ask && fits;
-    const Deadline search_end(0.3 * limit_s), bound_end(0.5 * limit_s), enumeration_end(0.6 * limit_s),
-        anneal_end(0.75 * limit_s), end(limit_s);
+    const bool has_rest = may_solve || may_anneal();  // a step that can use the rest of the time
+    const Deadline search_end((has_rest ? 0.3 : 0.5) * limit_s), bound_end((has_rest ? 0.5 : 0.8) * limit_s),
+        enumeration_end((has_rest ? 0.6 : 1) * limit_s), anneal_end((may_solve ? 0.75 : 1) * limit_s),
+        end(limit_s);
+    bool was_cut_short = false;
 
     upper_bound_ = detail::reachable_weight(table_, problem_, weights_);
     is_infeasible_ =
         !result_.has_selection && (upper_bound_ < target_ || result_.count_lower_bound > max_units_);
     const auto step = [&](std::string_view name, const Deadline& until, const auto& run) {
       if (!is_settled() && !until.has_passed()) record(name, run);
+      was_cut_short = was_cut_short || until.has_passed();
     };
     step("local search", search_end, [&] { search(search_end.end()); });
     if (!result_.has_selection && !is_settled())
@@ -76,10 +81,10 @@ class Minimisation {
     step("multipliers", bound_end, [&] { raise_by_multipliers(bound_end.end()); });
     if (uses(options_, SolverChoice::search))
       step("tree search", enumeration_end, [&] { raise_by_enumeration(enumeration_end.end()); });
-    step("annealing", end, [&] { anneal(may_solve ? anneal_end.end() : end.end()); });
+    if (may_anneal()) step("annealing", anneal_end, [&] { anneal(anneal_end.end()); });
     const bool solves = !is_settled() && may_solve;
     if (solves) record("MIP", [&] { solve(end); });
-    finish(solves || control_.cancelled() || end.has_passed());
+    finish(was_cut_short || solves || control_.cancelled() || end.has_passed());
     return std::move(result_);
   }
 
@@ -131,12 +136,15 @@ class Minimisation {
     }
   }
 
+  bool may_anneal() const {
+    return detail::can_anneal(result_.problem) &&
+           table_.rows() * table_.columns() <= detail::max_cells_of_walks;
+  }
+
   /// Annealing for fewer units, again and again until the time is up.
   void anneal(Clock::time_point until) {
     constexpr std::uint64_t moves = 20'000'000;
-    if (!result_.has_selection || !detail::can_anneal(result_.problem) ||
-        table_.rows() * table_.columns() > detail::max_cells_of_walks)
-      return;
+    if (!result_.has_selection) return;
     const detail::SearchInstance instance(table_, result_.problem);
     const detail::SearchMatrix matrix(table_, problem_.model);
     auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, 0));
@@ -245,6 +253,7 @@ class Minimisation {
 FewestUnits fewest_units(const SignalTable& table, const PlacementProblem& problem, double share,
                          const PlaceOptions& options, const RunControl& control) {
   const auto start = Clock::now();
+  const ThreadLimit allowed(control.threads);
   check_problem(table, problem);
   milp::backends_of(options.backend);  // throws for an unknown name
   FewestUnits result = Minimisation(table, problem, share, options, control).run();

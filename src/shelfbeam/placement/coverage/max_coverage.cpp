@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
@@ -61,6 +62,7 @@ class Maximisation {
     const Deadline search_end((may_solve ? 0.3 : 0.5) * limit_s), bound_end((may_solve ? 0.5 : 1) * limit_s),
         enumeration_end((may_solve ? 0.6 : 1) * limit_s), end(limit_s);
 
+    if (!options_.start.empty()) search_.start(reach_.selected);
     record("local search", [&] {
       search_.improve_repeatedly(units_, detail::allowed_work(detail::coverage_search_work, options_, table_),
                                  control_, search_end.end());
@@ -191,6 +193,7 @@ class Maximisation {
 MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
                               const PlaceOptions& options, const RunControl& control) {
   const auto start = Clock::now();
+  const ThreadLimit allowed(control.threads);
   check_problem(table, problem);
   milp::backends_of(options.backend);  // throws for an unknown name
   if (const std::size_t installed = detail::installed_units(table).size(); installed > units)

@@ -20,11 +20,7 @@ class ReachRows {
 
   ReachRows(const SearchInstance& instance, const SearchMatrix& all, const LabelWeights& weights,
             double target, const Selection& start)
-      : instance_(instance),
-        all_(all),
-        weights_(weights),
-        allowed_(weights.total() - target),
-        rows_(all, receiving(instance.problem)) {
+      : instance_(instance), weights_(weights), target_(target), rows_(all, receiving(instance.problem)) {
     rows_.add_hardest(start, ActiveRows::at_first);
   }
 
@@ -37,34 +33,32 @@ class ReachRows {
     constexpr float excused = 64;
     short_of_.clear();
     for (std::uint32_t r = 0; r < rows_.size(); ++r)
-      if (held[r] < 1) short_of_.emplace_back(static_cast<double>(1 - held[r]) / weight(r), r);
+      if (held[r] < 1)
+        short_of_.emplace_back(
+            static_cast<double>(1 - held[r]) / std::max(weights_[rows_.row(r)], least_weight), r);
     std::sort(short_of_.begin(), short_of_.end(), std::greater<>());
-    double left = allowed_;
+    double left = weights_.total() - target_;
     for (const auto& [lack, r] : short_of_) {
-      if (weight(r) > left) continue;
-      left -= weight(r);
+      const double weight = weights_[rows_.row(r)];
+      if (weight > left) continue;
+      left -= weight;
       held[r] += excused;
     }
   }
 
   bool reaches_all(const Selection& selected) {
     missed_ = check_selection(instance_.table, instance_.problem, selected).unmet;
-    double weight = 0;
-    for (const std::uint32_t i : missed_) weight += weights_[i];
-    return weight <= allowed_;
+    return weights_.without(missed_) >= target_;
   }
 
   bool add_missed() { return rows_.add(missed_); }
 
  private:
-  double weight(std::uint32_t r) const { return std::max(weights_[rows_.row(r)], least_weight); }
-
-  static constexpr double least_weight = 1e-12;  // of labels that count for nothing
+  static constexpr double least_weight = 1e-12;  // labels that count for nothing come first
 
   const SearchInstance& instance_;
-  const SearchMatrix& all_;
   const LabelWeights& weights_;
-  double allowed_;
+  double target_;
   ActiveRows rows_;
   std::vector<std::pair<double, std::uint32_t>> short_of_;
   std::vector<std::uint32_t> missed_;

@@ -121,22 +121,30 @@ class Greedy {
     return true;
   }
 
-  // Adds the strongest units of each missed label until it is reached.
+  // Adds the strongest units of each missed label until it is reached, or none if they do not suffice.
   void reach_each_label() {
     std::vector<SignalEntry> strongest;
+    std::vector<std::uint32_t> added;
     for (const std::size_t i : unmet_) {
       const double requirement = requirement_of(table_.labels[i], problem_.model);
       if (is_met(received_signal(table_, i, chosen_, problem_), requirement)) continue;
+      if (!is_met(mounts_.max_signal(table_.row(i), problem_) * (1 + 1e-12), requirement)) continue;
       strongest.clear();
+      added.clear();
       for (const SignalEntry& entry : table_.row(i))
-        if (!chosen_[entry.transceiver]) strongest.push_back(entry);
+        if (!chosen_[entry.transceiver] && share(entry, requirement) > 0) strongest.push_back(entry);
       std::stable_sort(strongest.begin(), strongest.end(),
                        [](const SignalEntry& a, const SignalEntry& b) { return a.signal > b.signal; });
+      bool is_reached = false;
       for (const SignalEntry& entry : strongest) {
         if (blocked_by_[entry.transceiver] > 0) continue;
         choose(entry.transceiver);
-        if (is_met(received_signal(table_, i, chosen_, problem_), requirement)) break;
+        added.push_back(entry.transceiver);
+        is_reached = is_met(received_signal(table_, i, chosen_, problem_), requirement);
+        if (is_reached) break;
       }
+      if (!is_reached)
+        for (const std::uint32_t j : added) drop(j);
     }
   }
 

@@ -12,7 +12,7 @@ inline constexpr std::uint64_t any_steps = std::numeric_limits<std::uint64_t>::m
 
 /// Limits of a search. Results are reproducible if the steps end it, not the time.
 struct Effort {
-  std::uint64_t steps = any_steps;  ///< moves of a walk, nodes of a tree
+  std::uint64_t steps = any_steps;  ///< moves of a walk, nodes of a tree, units of greedy
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 
   double seconds_left() const {

@@ -224,7 +224,7 @@ TEST(PlacementGreedy, EndsWithASelectionWhenItsEffortIsOver) {
       more += selected.size() > greedy_selection(table, problem).size();
     }
   }
-  EXPECT_GT(more, 500) << "the effort is what makes the difference";
+  EXPECT_GT(more, 300) << "the limited effort has no effect";
 }
 
 TEST(PlacementGreedy, HandlesTablesWithoutLabelsOrUnits) {
