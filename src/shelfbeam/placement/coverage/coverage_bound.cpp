@@ -3,11 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/kernels/search_instance.hpp"
 
 namespace shelfbeam {
 
 namespace {
+
+using detail::CoverageKernels;
+
+// Of the signals of all k units together, k d, in requirements.
+constexpr std::array<double, CoverageKernels::lifted_rows> omitted{0.0, 0.3, 0.6, 0.95};
+constexpr std::size_t max_parts = 16, min_entries_of_part = 20'000;
 
 float rounded_up(double value) {
   return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
@@ -17,10 +25,19 @@ float rounded_up(double value) {
 
 CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& problem,
                              const detail::LabelWeights& weights, std::size_t max_units)
-    : weights_(weights), mounts_(table), installed_(table.columns(), false), redundant_(problem.redundant) {
-  for (std::size_t j = 0; j < table.columns(); ++j)
+    : weights_(weights),
+      mounts_(table),
+      installed_(table.columns(), false),
+      redundant_(problem.redundant),
+      point_(table.columns()),
+      chosen_(table.columns(), 0.0F) {
+  for (std::uint32_t j = 0; j < table.columns(); ++j) {
     if (table.transceivers[j].installed) installed_[j] = true, ++installed_count_;
+    point_[j] = mounts_.options(j).empty() ? j : mounts_.options(j).front();
+    if (mounts_.available(j)) chosen_[j] = 1;
+  }
   const bool cooperative = problem.model == CommunicationModel::cooperative;
+  if (!cooperative) lifted_rows_ = 1;
   double all = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (weights[i] <= 0) continue;
@@ -38,23 +55,47 @@ CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& p
       if (!mounts_.available(entry.transceiver)) continue;
       if (!cooperative && !is_met(entry.signal, requirement)) continue;
       const double share = cooperative ? std::min(1.0, entry.signal / enough) : 1;
-      entries_.push_back({entry.transceiver, rounded_up(share)});
+      column_.push_back(entry.transceiver);
+      share_.push_back(rounded_up(share));
     }
-    row_begin_.push_back(entries_.size());
+    max_row_ = std::max(max_row_, column_.size() - row_begin_.back());
+    row_begin_.push_back(column_.size());
     min_share_sum_.push_back(together);
     weight_.push_back(weights[i]);
     all += weights[i];
   }
-  const std::vector<double> ones(min_share_sum_.size(), 1.0);
-  for (const double omitted : {0.0, 0.3, 0.6, 0.95})
-    if (omitted == 0 || cooperative) kinds_.push_back({omitted, ones});
   best_.assign(max_units + 1, all);
+  share_.resize(share_.size() + detail::SearchMatrix::block, 0.0F);
+  const std::size_t size = std::max(min_entries_of_part, column_.size() / max_parts + 1);
+  for (std::size_t i = 0; i < rows(); ++i) {
+    if (parts_.empty() || row_begin_[i] - row_begin_[parts_.back().first] >= size) parts_.push_back({i, i});
+    parts_.back().last = i + 1;
+  }
 }
 
 double CoverageBound::weight(std::size_t units) const {
   if (units < (redundant_ ? 2U : 1U)) return 0;
   // The relative error of sums of m terms is below 1e-16 m.
   return weights_.rounded_down(best_[units]);
+}
+
+/// The sum of body(row, sums of its part) over all rows, in the order of the parts; so are the sums by
+/// column.
+template <class Body>
+double CoverageBound::sum_over_parts(std::vector<double>& by_column, const Body& body) const {
+  std::vector<PartSums> sums(parts_.size());
+  for_each_task(parts_.size(), [&](std::size_t p) {
+    const std::size_t padded = max_row_ + detail::SearchMatrix::block;
+    sums[p] = {0, std::vector(installed_.size(), 0.0), std::vector(padded, 0.0F), std::vector(padded, 0.0F)};
+    for (std::size_t i = parts_[p].first; i < parts_[p].last; ++i) sums[p].total += body(i, sums[p]);
+  });
+  by_column.assign(installed_.size(), 0.0);
+  double total = 0;
+  for (const PartSums& part : sums) {
+    total += part.total;
+    for (std::size_t j = 0; j < by_column.size(); ++j) by_column[j] += part.by_column[j];
+  }
+  return total;
 }
 
 // The best candidate of every mounting point, without installed units, in descending order.
@@ -73,102 +114,130 @@ std::vector<CoverageBound::Candidate> CoverageBound::best_candidates(const std::
   return candidates;
 }
 
-// b_ij of the coverage bound, with R_i in `min_share_sum_` and k d in `omitted`:
+// b_ijd with R_i in `min_share_sum_` and k d in `omitted`:
 //
-//   b_ij = min(1, max(0, a_ij - d) / (R_i - k d)).
+//   b_ijd = min(1, max(0, a_ij - d) / (R_i - k d)).
 //
-// At most k units of a reached label satisfy sum_j (a_ij - d) T_j >= R_i - k d > 0, so the b_ij add up to at
-// least 1.
-inline double CoverageBound::lifted(const Kind& kind, std::size_t units, std::size_t label,
-                                    const Entry& entry) const {
-  const double less = kind.omitted / static_cast<double>(units);
-  return std::clamp((static_cast<double>(entry.share) - less) / (min_share_sum_[label] - kind.omitted), 0.0,
-                    1.0);
-}
-
-// Updates the bounds of all numbers of units for which the multipliers are valid: all if d = 0, otherwise up
-// to `units`. Returns the bound for `units` and the units counted in it.
-double CoverageBound::evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted) {
-  std::vector<double> value(installed_.size(), 0.0);
-  double sum = 0;
-  for (std::size_t i = 0; i < min_share_sum_.size(); ++i) {
-    const double y = kind.multiplier[i];
-    sum += weight_[i] * (1 - y);
-    if (y == 0) continue;
-    for (std::size_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
-      value[entries_[k].column] += weight_[i] * y * lifted(kind, units, i, entries_[k]);
-  }
-  counted = installed_;
+// At most k units of a reached label satisfy sum_j (a_ij - d) T_j >= R_i - k d > 0, so the b_ijd add up to at
+// least 1. Updates the bounds of all numbers of units for which the multipliers are valid: all if only d = 0
+// is used, otherwise up to `units`. Returns the bound for `units`.
+double CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y) {
+  const auto at_most = static_cast<double>(units);
+  std::vector<double> value;
+  double sum = sum_over_parts(value, [&](std::size_t i, PartSums& part) {
+    double together = 0;
+    for (std::size_t d = 0; d < lifted_rows_; ++d) {
+      const auto multiplier = static_cast<double>(y[i][d]);
+      if (!(multiplier > 0)) continue;
+      together += multiplier;
+      const double less = omitted[d] / at_most, lack = min_share_sum_[i] - omitted[d];
+      for (std::size_t e = row_begin_[i]; e < row_begin_[i + 1]; ++e)
+        part.by_column[column_[e]] +=
+            weight_[i] * multiplier * std::clamp((static_cast<double>(share_[e]) - less) / lack, 0.0, 1.0);
+    }
+    return weight_[i] * std::max(0.0, 1 - together);
+  });
+  const bool is_plain = std::all_of(y.begin(), y.end(), [](const Multipliers& of) {
+    return std::all_of(of.begin() + 1, of.end(), [](float one) { return one == 0; });
+  });
   for (std::size_t j = 0; j < value.size(); ++j)
     if (installed_[j]) sum += value[j];
   const std::vector<Candidate> candidates = best_candidates(value);
-  const std::size_t last = kind.omitted == 0 ? best_.size() - 1 : units;
-  double at_most_units = sum;
+  const std::size_t last = is_plain ? best_.size() - 1 : units;
+  double at_units = sum;
   for (std::size_t k = installed_count_; k <= last; ++k) {
     const std::size_t next = k - installed_count_;
-    if (next > 0 && next <= candidates.size()) {
-      sum += candidates[next - 1].value;
-      if (k <= units) counted[candidates[next - 1].column] = true;
-    }
+    if (next > 0 && next <= candidates.size()) sum += candidates[next - 1].value;
     best_[k] = std::min(best_[k], sum);
-    if (k == units) at_most_units = sum;
+    if (k == units) at_units = sum;
   }
-  return at_most_units;
+  return at_units;
 }
 
-void CoverageBound::improve(std::size_t units, double reached, std::size_t steps, const RunControl& control,
-                            Clock::time_point until) {
-  if (units == 0) return;
-  const std::size_t each = (steps + kinds_.size() - 1) / kinds_.size();
-  for (Kind& kind : kinds_)
-    if (weight(units) > reached) improve(kind, units, reached, each, control, until);
+// The value of the relaxation at T and its slope. The minimal row of each label enters the mean y with
+// `share_of_step`.
+double CoverageBound::relax(std::size_t units, float share_of_step, std::vector<Multipliers>& y,
+                            std::vector<double>& slope) const {
+  return sum_over_parts(slope, [&](std::size_t i, PartSums& part) {
+    CoverageKernels::Lifted rows{};
+    for (std::size_t d = 0; d < y[i].size(); ++d) {
+      rows.shift[d] = static_cast<float>(omitted[d] / static_cast<double>(units));
+      rows.scale[d] = static_cast<float>(1 / (min_share_sum_[i] - omitted[d]));
+    }
+    const std::size_t begin = row_begin_[i], entries = row_begin_[i + 1] - begin;
+    const float* const share = share_.data() + begin;
+    for (std::size_t e = 0; e < entries; ++e) part.chosen[e] = chosen_[column_[begin + e]];
+    std::fill_n(part.chosen.begin() + static_cast<std::ptrdiff_t>(entries), detail::SearchMatrix::block,
+                0.0F);
+    Multipliers sum{};
+    CoverageKernels::sums(share, part.chosen.data(), entries, rows, sum.data());
+    const auto least = static_cast<std::size_t>(
+        std::min_element(sum.begin(), sum.begin() + static_cast<std::ptrdiff_t>(lifted_rows_)) - sum.begin());
+    for (float& one : y[i]) one *= 1 - share_of_step;
+    if (sum[least] >= 1) return weight_[i];
+    y[i][least] += share_of_step;
+    CoverageKernels::lift(share, entries, rows, least, part.lifted.data());
+    for (std::size_t e = 0; e < entries; ++e)
+      part.by_column[column_[begin + e]] += weight_[i] * static_cast<double>(part.lifted[e]);
+    return weight_[i] * static_cast<double>(sum[least]);
+  });
 }
 
-void CoverageBound::improve(Kind& kind, std::size_t units, double reached, std::size_t steps,
-                            const RunControl& control, Clock::time_point until) {
-  std::vector<double>& multiplier = kind.multiplier;
-  double length = 1;
-  double smallest = std::numeric_limits<double>::infinity();
-  std::size_t since_better = 0;
-  std::vector<double> best_multiplier = multiplier;
-  std::vector<bool> counted;
-  std::vector<double> excess(multiplier.size());
-  for (std::size_t step = 0; step < steps && !control.cancelled() && Clock::now() < until; ++step) {
-    const double value = evaluate(kind, units, counted);
-    if (weight(units) <= reached) break;
-    if (value < smallest * (1 - 1e-6)) {
-      since_better = 0;
-    } else if (++since_better >= 10) {
-      length *= 0.5;
-      since_better = 0;
-      multiplier = best_multiplier;
-      if (length < 1e-4) return;
-      continue;
-    }
-    if (value < smallest) {
-      smallest = value;
-      best_multiplier = multiplier;
-    }
-    // Subgradient step with Polyak's length towards the best known selection:
-    //
-    //   e_i = (sum of b_ij over the counted units) - 1,
-    //   y_i <- y_i - length max(1/2, bound - reached) e_i / sum_i w_i e_i^2, kept in [0, 1].
-    //
-    // The derivative by y_i is w_i e_i; measured in y_i sqrt(w_i), heavy and light labels move alike.
-    double norm = 0;
-    for (std::size_t i = 0; i < excess.size(); ++i) {
-      excess[i] = -1;
-      for (std::size_t k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
-        if (counted[entries_[k].column]) excess[i] += lifted(kind, units, i, entries_[k]);
-      const bool stays = (multiplier[i] >= 1 && excess[i] < 0) || (multiplier[i] <= 0 && excess[i] > 0);
-      if (!stays) norm += weight_[i] * excess[i] * excess[i];
-    }
-    if (norm == 0) return;  // optimal multipliers for this number of units
-    const double move = length * std::max(0.5 * weights_.step(), value - reached) / norm;
-    for (std::size_t i = 0; i < excess.size(); ++i)
-      multiplier[i] = std::clamp(multiplier[i] - move * excess[i], 0.0, 1.0);
+// Scales T so that it adds up to `units`, apart from mounting points at which it would exceed 1.
+void CoverageBound::keep_to(std::size_t units) {
+  std::vector<double> at_point(chosen_.size(), 0.0);
+  for (std::size_t j = 0; j < chosen_.size(); ++j)
+    if (!installed_[j]) at_point[point_[j]] += static_cast<double>(chosen_[j]);
+  double factor = 0;
+  for (bool grows = true; grows;) {
+    double full = 0, rest = 0;
+    for (const double sum : at_point) (factor * sum >= 1 ? full : rest) += factor * sum >= 1 ? 1 : sum;
+    const double next = rest > 0 ? (static_cast<double>(units - installed_count_) - full) / rest : factor;
+    grows = next > factor * (1 + 1e-9);
+    factor = std::max(factor, next);
   }
-  multiplier = best_multiplier;
+  for (std::size_t j = 0; j < chosen_.size(); ++j)
+    if (const double sum = at_point[point_[j]]; !installed_[j] && sum > 0)
+      chosen_[j] *= static_cast<float>(std::min(factor, 1 / sum));
+}
+
+std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAim aim, std::size_t steps,
+                                   const RunControl& control, Clock::time_point until) {
+  constexpr std::size_t between_bounds = 25, max_steps = 2000;
+  constexpr double first_length = 1, shorter_after = 50, precision = 1e-6, worthwhile = 0.005;
+  constexpr float least = 1e-12F;
+  if (units == 0 || steps == 0 || weight(units) <= reached) return 0;
+  std::vector<Multipliers> y(rows(), Multipliers{1});
+  evaluate(units, y);
+  keep_to(units);
+  std::vector<double> slope;
+  double lowest = 0, sum_of_shares = 0;  // the relaxation has no bound below `lowest`
+  steps = std::min(steps, max_steps);
+  std::size_t step = 1;
+  for (bool goes_on = true; goes_on && step < steps; ++step) {
+    // Later steps count more.
+    sum_of_shares += static_cast<double>(step);
+    const auto share = static_cast<float>(static_cast<double>(step) / sum_of_shares);
+    lowest = std::max(lowest, relax(units, share, y, slope));
+    const double steepest = *std::max_element(slope.begin(), slope.end());
+    goes_on = steepest > 0 && step + 1 < steps && !control.cancelled() && Clock::now() < until;
+    if (step % between_bounds == 0 || !goes_on) {
+      evaluate(units, y);
+      const double floor = lowest * (1 - precision), above = weight(units) - floor;
+      const bool is_lowest =
+          above <= worthwhile * (weight(units) - reached) || weights_.rounded_down(floor) >= weight(units);
+      const bool is_useless = aim == CoverageAim::reached && weights_.rounded_down(floor) > reached;
+      goes_on = goes_on && weight(units) > reached && !is_lowest && !is_useless;
+    }
+    if (!goes_on) continue;
+    const double length = first_length / std::sqrt(1 + static_cast<double>(step) / shorter_after) / steepest;
+    for (std::size_t j = 0; j < chosen_.size(); ++j)
+      if (!installed_[j] && chosen_[j] > 0)
+        chosen_[j] =
+            std::max(least, chosen_[j] * static_cast<float>(std::exp(length * (slope[j] - steepest))));
+    keep_to(units);
+  }
+  return step;
 }
 
 }  // namespace shelfbeam

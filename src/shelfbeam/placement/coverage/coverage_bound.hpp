@@ -1,25 +1,36 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
+#include "shelfbeam/placement/kernels/coverage_kernels.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
+/// The use of a bound: it is the better, the lower it is, or it serves only if it falls to a known weight.
+enum class CoverageAim { lowest, reached };
+
 /// Proven upper bounds on the weight of the labels that at most k units, installed units included, can reach.
-/// For any multipliers y_i in [0, 1]
+/// Every reached label satisfies sum_j b_ijd T_j >= 1 for several lifted rows d (docs/methods/placement.md,
+/// "Max coverage"), so for any multipliers y_id >= 0 with y_i = sum_d y_id <= 1
 ///
-///   reached <= sum_i w_i (1 - y_i) + sum of the k largest c_j,   c_j = sum_i w_i y_i b_ij,
+///   reached <= sum_i w_i (1 - y_i) + sum of the k largest c_j,   c_j = sum_id w_i y_id b_ijd.
 ///
-/// where every reached label satisfies sum_j b_ij T_j >= 1 (docs/methods/placement.md, "Max coverage"). Every
-/// y gives a bound; subgradient steps search for good ones. Bounds are sums in double precision over entries
-/// that are rounded up, so they hold for any steps.
+/// Good multipliers come from the relaxation
+///
+///   max_T sum_i w_i min(1, min_d sum_j b_ijd T_j),   0 <= T_j <= 1,   sum_j T_j <= k:
+///
+/// mirror ascent with entropy (Beck and Teboulle, Oper. Res. Lett. 31, 2003) takes steps in T, and y is the
+/// weighted mean of the rows that are the minima on the way. Bounds are sums in double precision over entries
+/// that are rounded up, so they hold for any steps. Results do not depend on the number of threads.
 class CoverageBound {
  public:
   using Clock = std::chrono::steady_clock;
@@ -31,47 +42,59 @@ class CoverageBound {
   /// Upper bound on the weight that `units` <= max_units can reach; does not decrease with `units`.
   double weight(std::size_t units) const;
 
-  /// Takes about `steps` subgradient steps for `units`, starting from the multipliers of the last ones. Ends
-  /// early if the bound falls to `reached`, which is known to be possible, or at `until`.
-  void improve(std::size_t units, double reached, std::size_t steps, const RunControl& control,
-               Clock::time_point until = Clock::time_point::max());
+  /// Takes at most `steps` steps for `units`, starting from the T of the last ones. Ends early if the bound
+  /// falls to `reached`, if the relaxation has no bound that serves the aim better, or at `until`. Returns
+  /// the number of steps.
+  std::size_t improve(std::size_t units, double reached, CoverageAim aim, std::size_t steps,
+                      const RunControl& control, Clock::time_point until = Clock::time_point::max());
 
   /// Matrix entries that one step examines.
-  std::size_t entries() const { return entries_.size(); }
+  std::size_t entries() const { return column_.size(); }
 
  private:
-  struct Entry {
-    std::uint32_t column = 0;
-    float share = 0;  ///< a_ij, rounded up
-  };
+  /// Of the lifted rows of a label.
+  using Multipliers = std::array<float, detail::CoverageKernels::lifted_rows>;
+
   struct Candidate {
     std::uint32_t column = 0;
     double value = 0;
   };
-
-  /// Bounds of several kinds, by the part d of every share that is omitted.
-  struct Kind {
-    double omitted = 0;  ///< k d
-    std::vector<double> multiplier;
+  /// The rows that one task sums.
+  struct Part {
+    std::size_t first = 0, last = 0;
+  };
+  /// Its sums, and buffers for the entries of a row, padded.
+  struct PartSums {
+    double total = 0;
+    std::vector<double> by_column;
+    std::vector<float> chosen, lifted;
   };
 
-  void improve(Kind& kind, std::size_t units, double reached, std::size_t steps, const RunControl& control,
-               Clock::time_point until);
-  double lifted(const Kind& kind, std::size_t units, std::size_t label, const Entry& entry) const;
+  std::size_t rows() const { return min_share_sum_.size(); }
+  template <class Body>
+  double sum_over_parts(std::vector<double>& by_column, const Body& body) const;
   std::vector<Candidate> best_candidates(const std::vector<double>& value) const;
-  double evaluate(const Kind& kind, std::size_t units, std::vector<bool>& counted);
+  double evaluate(std::size_t units, std::span<const Multipliers> y);
+  double relax(std::size_t units, float share_of_step, std::vector<Multipliers>& y,
+               std::vector<double>& slope) const;
+  void keep_to(std::size_t units);
 
   const detail::LabelWeights& weights_;
   Mounts mounts_;
   std::vector<bool> installed_;
   std::size_t installed_count_ = 0;
   bool redundant_;
+  std::size_t lifted_rows_ = detail::CoverageKernels::lifted_rows;  ///< only the first without sums
   std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be reached and weigh anything
-  std::vector<Entry> entries_;
+  std::size_t max_row_ = 0;
+  std::vector<std::uint32_t> column_;  ///< of an entry
+  std::vector<float> share_;           ///< a_ij, rounded up; padded
   std::vector<double> weight_;         ///< w_i
   std::vector<double> min_share_sum_;  ///< R_i, lower bound on the shares of a reached label
-  std::vector<Kind> kinds_;
-  std::vector<double> best_;  ///< per number of units
+  std::vector<Part> parts_;
+  std::vector<std::uint32_t> point_;  ///< of every column, its first option
+  std::vector<float> chosen_;         ///< T_j
+  std::vector<double> best_;          ///< per number of units
 };
 
 }  // namespace shelfbeam

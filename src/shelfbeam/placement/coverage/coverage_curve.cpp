@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
@@ -32,7 +33,7 @@ class Curve {
     curve_.selected = selected;
     const std::size_t first = std::max<std::size_t>(1, search_.count());
     for (std::size_t k = first; k <= selected.size(); ++k)
-      points_.push_back({.units = k, .at_most = weights_.total()});
+      points_.push_back({.units = k, .at_most = weights_.total(), .best = {}});
   }
 
   CoverageCurve run(const std::vector<std::uint32_t>& selected) {
@@ -40,6 +41,7 @@ class Curve {
     offer(selected);
     look_forwards();
     look_backwards(selected);
+    anneal();
     rise();
     bound();
     enumerate();
@@ -55,10 +57,16 @@ class Curve {
     std::size_t units = 0;
     std::size_t labels = 0;
     double at_least = 0, at_most = 0;
+    std::vector<std::uint32_t> best;
     BoundProof miss_proof = BoundProof::dual;
   };
 
   bool is_over() const { return control_.cancelled() || Clock::now() >= until_; }
+
+  Clock::time_point part_of_rest(std::size_t parts) const {
+    const Clock::time_point now = Clock::now();
+    return now + (until_ - now) / static_cast<Clock::rep>(parts);
+  }
 
   // The checker counts the labels that a selection reaches.
   void offer(const std::vector<std::uint32_t>& selected) {
@@ -66,7 +74,10 @@ class Curve {
     if (!check.allowed() || selected.size() > points_.back().units) return;
     Point& point = points_[std::max(selected.size(), points_.front().units) - points_.front().units];
     point.labels = std::max(point.labels, table_.rows() - check.unmet.size());
-    point.at_least = std::max(point.at_least, weights_.without(check.unmet));
+    if (const double reached = weights_.without(check.unmet); reached > point.at_least) {
+      point.at_least = reached;
+      point.best = selected;
+    }
     if (check.unmet.empty() && selected.size() < curve_.selected.size()) curve_.selected = selected;
   }
 
@@ -81,12 +92,31 @@ class Curve {
   // Counts in ascending order, each search starting from the previous selection with an equal share of the
   // work.
   void look_forwards() {
+    const Clock::time_point end = part_of_rest(4);
     const std::size_t work = search_work / points_.size();
     for (const Point& point : points_) {
-      if (is_over()) return;
+      if (control_.cancelled() || Clock::now() >= end) return;
       report(0, point);
-      search_.improve(point.units, work, control_, until_);
+      search_.improve(point.units, work, control_, end);
       offer(search_.selected());
+    }
+  }
+
+  // Better selections for the counts between.
+  void anneal() {
+    constexpr std::uint64_t moves = 30'000;
+    if (!detail::can_anneal_coverage(table_, problem_)) return;
+    const detail::SearchInstance instance(table_, problem_);
+    const detail::SearchMatrix matrix(table_, problem_.model);
+    const Clock::time_point end = part_of_rest(3);
+    std::uint32_t seed = 1;
+    for (const Point& point : points_) {
+      if (control_.cancelled() || Clock::now() >= end) return;
+      if (point.best.size() != point.units || point.at_least >= weights_.total()) continue;
+      const auto found = detail::anneal_coverage(instance, matrix, weights_, point.at_least, point.best,
+                                                 {moves, end}, seed, control_);
+      if (found) offer(*found);
+      seed += detail::walks_at_once;
     }
   }
 
@@ -97,11 +127,12 @@ class Curve {
 
   void bound() {
     CoverageBound bound(table_, problem_, weights_, points_.back().units);
-    const std::size_t all_steps = bound_work / (2 * bound.entries() + 1);
-    const std::size_t steps = std::min<std::size_t>(300, 1 + all_steps / points_.size());
+    std::size_t steps = bound_work / (2 * bound.entries() + 1), points = points_.size();
     for (const Point& point : points_) {
       report(0.5, point);
-      bound.improve(point.units, point.at_least, steps, control_, until_);
+      steps -= bound.improve(point.units, point.at_least, CoverageAim::lowest, steps / points, control_,
+                             part_of_rest(points));
+      --points;
     }
     for (Point& point : points_) point.at_most = bound.weight(point.units);
   }

@@ -11,7 +11,7 @@ namespace shelfbeam::detail {
 // Work of the methods of max coverage, in matrix entries examined, so that results do not depend on the
 // machine. Search and bound: about ten seconds each.
 inline constexpr std::size_t coverage_search_work = 2'000'000'000;
-inline constexpr std::size_t coverage_bound_work = 4'000'000'000;
+inline constexpr std::size_t coverage_bound_work = 12'000'000'000;
 inline constexpr std::size_t enumeration_work = 50'000'000'000;
 
 /// The part of `work` that PlaceOptions::step_limit allows: a step looks at all entries once.

@@ -286,7 +286,7 @@ class Search {
     return best;
   }
 
-  // Subgradient steps as those of CoverageBound, towards the weight that is needed.
+  // Subgradient steps of Polyak's length, towards the weight that is needed.
   void improve(Bound& best, const std::vector<std::uint32_t>& list, std::size_t free, const LabelState& state,
                std::size_t steps) {
     double length = 1;

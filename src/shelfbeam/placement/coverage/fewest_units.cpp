@@ -13,14 +13,13 @@
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/coverage_model.hpp"
 #include "shelfbeam/placement/coverage/coverage_search.hpp"
-#include "shelfbeam/placement/coverage/reach_annealing.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
-#include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -137,8 +136,7 @@ class Minimisation {
   }
 
   bool may_anneal() const {
-    return detail::can_anneal(result_.problem) &&
-           table_.rows() * table_.columns() <= detail::max_cells_of_walks;
+    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_, problem_);
   }
 
   /// Annealing for fewer units, again and again until the time is up.
@@ -152,7 +150,10 @@ class Minimisation {
     while (!is_settled() && !effort.is_over(control_)) {
       const auto found =
           detail::anneal_reach(instance, matrix, weights_, target_, result_.selected, effort, seed, control_);
-      if (found) offer(*found);
+      if (found) {
+        offer(*found);
+        result_.solver = {Method::search};
+      }
       seed += detail::walks_at_once;
       if (options_.step_limit) break;
     }
@@ -169,16 +170,18 @@ class Minimisation {
     // With unit failure, the bound is better for fewer units.
     const std::size_t max_count = result_.has_selection ? result_.selected.size() - 1 : max_units_;
     CoverageBound bound(table_, problem_, weights_, max_count);
-    // All counts together take about ten seconds, as the search does.
-    const std::size_t all_steps = detail::coverage_bound_work / (2 * bound.entries() + 1);
-    const std::size_t counts = max_count + 1 - result_.count_lower_bound;
-    const std::size_t steps = std::min<std::size_t>(1000, 1 + all_steps / counts);
+    std::size_t steps = bound_steps(bound);
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;
-      bound.improve(count, target_ - weights_.step(), steps, control_, until);
+      steps -= bound.improve(count, target_ - weights_.step(), CoverageAim::reached, steps, control_, until);
       if (bound.weight(count) >= target_) return;
       raise_to(count + 1, BoundProof::dual);
     }
+  }
+
+  std::size_t bound_steps(const CoverageBound& bound) const {
+    return 1 +
+           detail::allowed_work(detail::coverage_bound_work, options_, table_) / (2 * bound.entries() + 1);
   }
 
   void raise_by_enumeration(Clock::time_point until) {

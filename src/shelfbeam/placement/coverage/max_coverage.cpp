@@ -10,7 +10,9 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
@@ -60,7 +62,7 @@ class Maximisation {
     const bool may_solve = may_ask && fits;
     reach_.too_large = may_ask && !fits;
     const Deadline search_end((may_solve ? 0.3 : 0.5) * limit_s), bound_end((may_solve ? 0.5 : 1) * limit_s),
-        enumeration_end((may_solve ? 0.6 : 1) * limit_s), end(limit_s);
+        enumeration_end((may_solve ? 0.6 : 1) * limit_s), anneal_end(0.75 * limit_s), end(limit_s);
 
     if (!options_.start.empty()) search_.start(reach_.selected);
     record("local search", [&] {
@@ -75,6 +77,8 @@ class Maximisation {
     bool is_settled = false;
     if (uses(options_, SolverChoice::search) && !enumeration_end.has_passed())
       record("tree search", [&] { is_settled = enumerate(enumeration_end.end()); });
+    if (!is_settled && !is_proven() && may_anneal() && !end.has_passed())
+      record("annealing", [&] { anneal((may_solve ? anneal_end : end).end()); });
     if (may_solve && !is_settled) record("MIP", [&] { solve(end); });
 
     const bool was_cut_short = control_.cancelled() || end.has_passed();
@@ -126,7 +130,7 @@ class Maximisation {
     CoverageBound bound(table_, problem_, weights_, units_);
     bound_ = bound.weight(units_);
     const std::size_t steps = 1 + detail::coverage_bound_work / (2 * bound.entries() + 1);
-    bound.improve(units_, value_, std::min<std::size_t>(1000, steps), control_, until);
+    bound.improve(units_, value_, CoverageAim::lowest, steps, control_, until);
     lower_to(bound.weight(units_), BoundProof::dual);
   }
 
@@ -155,6 +159,30 @@ class Maximisation {
     }
     reach_.solver = {Method::search};
     return true;
+  }
+
+  bool may_anneal() const {
+    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_, problem_) &&
+           reach_.selected.size() == units_;
+  }
+
+  /// Annealing for more weight, again and again until the time is up.
+  void anneal(Clock::time_point until) {
+    constexpr std::uint64_t moves = 4'000'000;
+    const detail::SearchInstance instance(table_, reach_.problem);
+    const detail::SearchMatrix matrix(table_, problem_.model);
+    auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, 0));
+    const detail::Effort effort{std::min(moves, options_.step_limit.value_or(moves)), until};
+    while (!is_proven() && !effort.is_over(control_)) {
+      const auto found = detail::anneal_coverage(instance, matrix, weights_, value_, reach_.selected, effort,
+                                                 seed, control_);
+      if (found) {
+        offer(*found);
+        reach_.solver = {Method::search};
+      }
+      seed += detail::walks_at_once;
+      if (options_.step_limit) break;
+    }
   }
 
   void solve(const Deadline& end) {

@@ -10,7 +10,7 @@ namespace shelfbeam::detail {
 namespace {
 
 // The rows of a table that walks work on.
-class TableRows {
+class TableRows : public TotalLack<TableRows> {
  public:
   static constexpr std::uint64_t max_moves = 4096;
 

@@ -20,11 +20,24 @@
 
 namespace shelfbeam::detail {
 
+/// The lack L(T) = sum_i max(0, demand - sum_j a_ij T_j) of rows that all have to be met. About 6 % of the
+/// moves are accepted at the hot end, 3 % at the cold end.
+template <class Rows>
+struct TotalLack {
+  static double hot() { return 0.03; }  ///< in requirements
+  static double cold() { return 0.015; }
+  float lack_after(const float* held, const float* out, const float* in, float demand) const {
+    return SearchKernels::lack_after(held, out, in, demand, static_cast<const Rows&>(*this).padded());
+  }
+};
+
 /// Simulated annealing of the total lack L(T) at a fixed count (searches.hpp), on rows that grow. Rows has
 ///
 ///   size(), padded(), column(j)     rows as in ActiveRows
 ///   max_moves                       between two counts of the signals
 ///   excuse(held)                    raises the counted signals of rows that do not have to be met now
+///   lack_after(held, out, in, demand)  L after an exchange; 0 or less if all rows seem to be met
+///   hot(), cold()                   temperatures
 ///   reaches_all(selected)           tests a selection by the whole problem, in double precision
 ///   add_missed()                    adds rows that the selection last tested misses; false if none is new
 template <class Rows>
@@ -60,10 +73,11 @@ class AnnealingWalk {
       }
       if (free_.empty() || free_.size() == candidates_.size()) return;
       const double part = static_cast<double>(move % cooling) / static_cast<double>(cooling);
-      exchange(hot * std::pow(cold / hot, part));
+      exchange(rows_.hot() * std::pow(rows_.cold() / rows_.hot(), part));
     }
   }
 
+  const Rows& rows() const { return rows_; }
   Found best() const { return {best_, static_cast<double>(fewest_)}; }
 
  private:
@@ -74,11 +88,9 @@ class AnnealingWalk {
     return result;
   }
 
-  // Temperatures, as shares of a requirement. About 6 % of the moves are accepted at the hot end, 3 % at the
-  // cold end. Within a cooling of the given number of moves, u rises from 0 to 1 and
+  // Within a cooling of the given number of moves, u rises from 0 to 1 and
   //
   //   temperature = hot (cold / hot)^u.
-  static constexpr double hot = 0.03, cold = 0.015;
   static constexpr std::uint64_t longest_cooling = 2'000'000, shortest_cooling = 2'500, coolings = 4;
   static constexpr float demand = 1 - static_cast<float>(search_tolerance);
 
@@ -95,7 +107,7 @@ class AnnealingWalk {
   }
 
   float lack_after(const float* out, const float* in) const {
-    return SearchKernels::lack_after(held_.data(), out, in, demand, held_.size());
+    return rows_.lack_after(held_.data(), out, in, demand);
   }
 
   void drop_weakest() {

@@ -45,4 +45,38 @@ void CoverageKernels::add(const float* column, const Shares& shares, float* sum)
   for (std::size_t i = 0; i < s.rows; ++i) sum[i] += share_of(column[i], s.shift[i], s.scale[i]);
 }
 
+SHELFBEAM_FOR_EACH_CPU
+float CoverageKernels::missed_after(const float* held, const float* out, const float* in, float demand,
+                                    const float* weight, std::size_t rows) {
+  alignas(64) float total[width] = {};
+  for (std::size_t i = 0; i < rows; i += width) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < width; ++k)
+      total[k] += held[i + k] - out[i + k] + in[i + k] < demand ? weight[i + k] : 0.0F;
+  }
+  return sum_of(total);
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void CoverageKernels::sums(const float* signal, const float* chosen, std::size_t entries, const Lifted& rows,
+                           float* sum) {
+  const Lifted lifted = rows;
+  alignas(64) float total[lifted_rows][width] = {};
+  for (std::size_t j = 0; j < entries; j += width)
+    for (std::size_t d = 0; d < lifted_rows; ++d) {
+      SHELFBEAM_VECTORIZE
+      for (std::size_t k = 0; k < width; ++k)
+        total[d][k] += chosen[j + k] * share_of(signal[j + k], lifted.shift[d], lifted.scale[d]);
+    }
+  for (std::size_t d = 0; d < lifted_rows; ++d) sum[d] = sum_of(total[d]);
+}
+
+SHELFBEAM_FOR_EACH_CPU
+void CoverageKernels::lift(const float* signal, std::size_t entries, const Lifted& rows, std::size_t row,
+                           float* value) {
+  const float shift = rows.shift[row], scale = rows.scale[row];
+  SHELFBEAM_VECTORIZE
+  for (std::size_t j = 0; j < entries; ++j) value[j] = share_of(signal[j], shift, scale);
+}
+
 }  // namespace shelfbeam::detail

@@ -4,8 +4,8 @@
 
 namespace shelfbeam::detail {
 
-/// The inner loops of the enumeration of max coverage, compiled for several processor types. Row counts are
-/// multiples of SearchMatrix::block.
+/// The inner loops of the bounds on max coverage, compiled for several processor types. Row counts and
+/// numbers of entries are multiples of SearchMatrix::block.
 struct CoverageKernels {
   /// The weight of the labels that lack no more than the column gives: sum_i weight_i [a_i >= lack_i].
   static float reached(const float* column, const float* lack, const float* weight, std::size_t rows);
@@ -20,6 +20,23 @@ struct CoverageKernels {
   static float value(const float* column, const Shares& shares, const float* weight);
   /// sum_i += b_i.
   static void add(const float* column, const Shares& shares, float* sum);
+
+  /// The weight of the labels missed after one column replaces another: sum_i weight_i [held_i - out_i + in_i
+  /// < demand].
+  static float missed_after(const float* held, const float* out, const float* in, float demand,
+                            const float* weight, std::size_t rows);
+
+  /// Rows d of one label, each with b_jd = min(1, max(0, a_j - shift_d) scale_d).
+  static constexpr std::size_t lifted_rows = 4;
+  struct Lifted {
+    float shift[lifted_rows], scale[lifted_rows];
+  };
+  /// sum_d = sum_j b_jd T_j over `entries` signals a_j.
+  static void sums(const float* signal, const float* chosen, std::size_t entries, const Lifted& rows,
+                   float* sum);
+  /// value_j = b_jd for one row.
+  static void lift(const float* signal, std::size_t entries, const Lifted& rows, std::size_t row,
+                   float* value);
 };
 
 }  // namespace shelfbeam::detail

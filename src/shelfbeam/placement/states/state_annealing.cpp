@@ -30,7 +30,7 @@ SignalTable table_of(const StateTable& states, std::size_t state) {
 
 // The cases that walks work on, in the groups to which an allowance applies: of one label, of one state, or
 // all.
-class CaseRows {
+class CaseRows : public detail::TotalLack<CaseRows> {
  public:
   static constexpr std::uint64_t max_moves = 128;
 

@@ -33,7 +33,7 @@ TEST(CoverageBound, ByHand) {
   const detail::LabelWeights weights(table);
   CoverageBound bound(table, problem, weights, 2);
   EXPECT_EQ(bound.weight(1), 6) << "nothing is known yet";
-  bound.improve(1, 4, 1, {});
+  bound.improve(1, 4, CoverageAim::lowest, 1, {});
   EXPECT_EQ(bound.weight(1), 4) << "one step with all multipliers 1";
   EXPECT_EQ(bound.weight(2), 6);
 }
@@ -55,6 +55,7 @@ TEST(CoverageBound, HoldsForAnySteps) {
       const auto units = static_cast<std::size_t>(tables.whole(0, static_cast<int>(table.columns())));
       if (!best[units]) continue;
       bound.improve(units, tables.chance(0.5) ? best[units]->reached : 0,
+                    tables.chance(0.5) ? CoverageAim::lowest : CoverageAim::reached,
                     static_cast<std::size_t>(tables.whole(0, 60)), {});
     }
     for (std::size_t units = 0; units < best.size(); ++units) {

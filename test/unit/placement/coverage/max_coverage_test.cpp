@@ -181,7 +181,7 @@ TEST(MaxCoverage, ByHand) {
 // No step was interrupted, so the result is not marked as stopped.
 TEST(MaxCoverage, ReportsATableThatIsTooLarge) {
   const SignalTable table = dense_table(900, 450);  // 405,000 entries
-  const MaxCoverage reach = maximise_coverage(table, {}, 8, {});
+  const MaxCoverage reach = maximise_coverage(table, {}, 8, {.step_limit = 1000});
   EXPECT_TRUE(reach.too_large);
   EXPECT_EQ(reach.status, Status::feasible);
   EXPECT_EQ(reach.solver.method, Method::greedy);
