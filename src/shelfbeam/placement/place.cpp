@@ -13,6 +13,7 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/multiplier_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"

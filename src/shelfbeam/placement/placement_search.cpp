@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/search_state.hpp"

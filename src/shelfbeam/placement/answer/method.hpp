@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "shelfbeam/base/names.hpp"
 
@@ -30,6 +31,15 @@ struct SolvedBy {
   std::optional<std::string> backend = {};  ///< name and version: "highs 1.10.0"
 
   bool operator==(const SolvedBy&) const = default;
+};
+
+/// A step of a search, with the value of the incumbent and its bound before and after; infinite: none yet. If
+/// several searches answer a question, the units of measure of their values differ.
+struct SearchStep {
+  std::string_view name;  ///< of a method, static
+  double seconds = 0;     ///< wall time
+  double value_before = 0, value = 0;
+  double bound_before = 0, bound = 0;
 };
 
 }  // namespace shelfbeam

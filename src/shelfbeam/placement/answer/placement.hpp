@@ -10,7 +10,6 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/answer/method.hpp"
 #include "shelfbeam/placement/answer/partial_reach.hpp"
-#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 

@@ -4,20 +4,11 @@
 #include <string_view>
 #include <vector>
 
-namespace shelfbeam {
+#include "shelfbeam/placement/answer/method.hpp"
 
-/// A step of a search, with the value of the incumbent and its bound before and after. If several
-/// searches answer a question, the units of measure of their values differ.
-struct SearchStep {
-  std::string_view name;  ///< of a method, static
-  double seconds = 0;     ///< wall time
-  double value_before = 0, value = 0;
-  double bound_before = 0, bound = 0;
-};
+namespace shelfbeam::detail {
 
-namespace detail {
-
-/// Runs a step and adds it to the record. `value` and `bound` return the present ones; infinite: none yet.
+/// Runs a step and adds it to the record. `value` and `bound` return the present ones.
 template <class Value, class Bound, class Run>
 void record_step(std::vector<SearchStep>& steps, std::string_view name, const Value& value,
                  const Bound& bound, const Run& run) {
@@ -30,6 +21,4 @@ void record_step(std::vector<SearchStep>& steps, std::string_view name, const Va
   steps.push_back(step);
 }
 
-}  // namespace detail
-
-}  // namespace shelfbeam
+}  // namespace shelfbeam::detail

@@ -13,6 +13,7 @@
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
