@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -26,10 +27,10 @@ class WeighedRows {
       : instance_(instance),
         rows_(rows),
         weights_(weights),
-        target_(target),
+        target_(aim == Aim::fewest_units ? target : target_above(target)),
         aim_(aim),
         weight_(rows.padded(), 0.0F),
-        heat_(target / static_cast<double>(std::max<std::size_t>(1, units)) * scale()) {
+        heat_(target_ / static_cast<double>(std::max<std::size_t>(1, units)) * scale()) {
     for (std::size_t r = 0; r < rows.size(); ++r)
       weight_[r] = static_cast<float>(weights[rows.row(r)] * scale());
   }
@@ -44,7 +45,6 @@ class WeighedRows {
   double cold() const { return 0.007 * heat_; }
 
   float lack_after(const float* held, const float* out, const float* in, float demand) const {
-    constexpr double rounding = 1e-4;
     const auto allowed = static_cast<float>((weights_.total() - target_) * scale() + rounding);
     return CoverageKernels::missed_after(held, out, in, demand, weight_.data(), rows_.padded()) - allowed;
   }
@@ -56,7 +56,7 @@ class WeighedRows {
     if (reached < target_) return false;
     if (aim_ == Aim::fewest_units) return true;
     best_ = {selected, -reached};
-    target_ = reached + weights_.step();
+    target_ = target_above(reached);
     is_raised_ = true;
     return false;
   }
@@ -65,6 +65,13 @@ class WeighedRows {
   const Found& best() const { return best_; }
 
  private:
+  static constexpr double rounding = 1e-4;  // of single precision, in mean weights
+
+  // Less than the rounding cannot be told apart.
+  double target_above(double reached) const {
+    return reached + std::max(weights_.step(), 2 * rounding / scale());
+  }
+
   // The mean weight becomes 1, which keeps counts exact in single precision.
   double scale() const { return static_cast<double>(rows_.size()) / weights_.total(); }
 
@@ -81,7 +88,9 @@ class WeighedRows {
 
 ActiveRows all_rows(const SearchInstance& instance, const SearchMatrix& all) {
   ActiveRows rows(all, receiving(instance.problem));
-  rows.add_hardest({}, all.rows());
+  std::vector<std::uint32_t> every(all.rows());
+  std::iota(every.begin(), every.end(), 0U);
+  rows.add(every);
   return rows;
 }
 
@@ -95,7 +104,7 @@ bool can_anneal_coverage(const SignalTable& table, const PlacementProblem& probl
 std::optional<Selection> anneal_reach(const SearchInstance& instance, const SearchMatrix& all,
                                       const LabelWeights& weights, double target, const Selection& start,
                                       const Effort& effort, std::uint32_t seed, const RunControl& control) {
-  if (!(weights.total() > 0)) return {};
+  if (!(target > 0)) return {};
   const ActiveRows rows = all_rows(instance, all);
   return best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
     WeighedRows weighed(instance, rows, weights, target, start.size(), Aim::fewest_units);
@@ -115,7 +124,7 @@ std::optional<Selection> anneal_coverage(const SearchInstance& instance, const S
   if (!(weights.total() > 0)) return {};
   const ActiveRows rows = all_rows(instance, all);
   return best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
-    WeighedRows weighed(instance, rows, weights, reached + weights.step(), start.size(), Aim::most_weight);
+    WeighedRows weighed(instance, rows, weights, reached, start.size(), Aim::most_weight);
     return Walk{AnnealingWalk(instance, all, std::move(weighed), start, own_seed)};
   });
 }

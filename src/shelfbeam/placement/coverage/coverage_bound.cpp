@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/kernels/search_instance.hpp"
@@ -79,8 +80,7 @@ double CoverageBound::weight(std::size_t units) const {
   return weights_.rounded_down(best_[units]);
 }
 
-/// The sum of body(row, sums of its part) over all rows, in the order of the parts; so are the sums by
-/// column.
+// Adds up body(row, sums of its part) and the sums by column, in the order of the parts.
 template <class Body>
 double CoverageBound::sum_over_parts(std::vector<double>& by_column, const Body& body) const {
   std::vector<PartSums> sums(parts_.size());
@@ -120,8 +120,8 @@ std::vector<CoverageBound::Candidate> CoverageBound::best_candidates(const std::
 //
 // At most k units of a reached label satisfy sum_j (a_ij - d) T_j >= R_i - k d > 0, so the b_ijd add up to at
 // least 1. Updates the bounds of all numbers of units for which the multipliers are valid: all if only d = 0
-// is used, otherwise up to `units`. Returns the bound for `units`.
-double CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y) {
+// is used, otherwise up to `units`.
+void CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y) {
   const auto at_most = static_cast<double>(units);
   std::vector<double> value;
   double sum = sum_over_parts(value, [&](std::size_t i, PartSums& part) {
@@ -144,14 +144,11 @@ double CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y
     if (installed_[j]) sum += value[j];
   const std::vector<Candidate> candidates = best_candidates(value);
   const std::size_t last = is_plain ? best_.size() - 1 : units;
-  double at_units = sum;
   for (std::size_t k = installed_count_; k <= last; ++k) {
     const std::size_t next = k - installed_count_;
     if (next > 0 && next <= candidates.size()) sum += candidates[next - 1].value;
     best_[k] = std::min(best_[k], sum);
-    if (k == units) at_units = sum;
   }
-  return at_units;
 }
 
 // The value of the relaxation at T and its slope. The minimal row of each label enters the mean y with
@@ -206,9 +203,10 @@ std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAi
   constexpr std::size_t between_bounds = 25, max_steps = 2000;
   constexpr double first_length = 1, shorter_after = 50, precision = 1e-6, worthwhile = 0.005;
   constexpr float least = 1e-12F;
-  if (units == 0 || steps == 0 || weight(units) <= reached) return 0;
+  if (units == 0 || steps == 0 || weight(units) <= reached || control.cancelled()) return 0;
   std::vector<Multipliers> y(rows(), Multipliers{1});
-  evaluate(units, y);
+  if (!std::exchange(has_plain_bounds_, true)) evaluate(units, y);
+  if (units <= installed_count_) return 1;
   keep_to(units);
   std::vector<double> slope;
   double lowest = 0, sum_of_shares = 0;  // the relaxation has no bound below `lowest`
@@ -219,7 +217,9 @@ std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAi
     sum_of_shares += static_cast<double>(step);
     const auto share = static_cast<float>(static_cast<double>(step) / sum_of_shares);
     lowest = std::max(lowest, relax(units, share, y, slope));
-    const double steepest = *std::max_element(slope.begin(), slope.end());
+    double steepest = 0;
+    for (std::size_t j = 0; j < slope.size(); ++j)
+      if (!installed_[j] && chosen_[j] > 0) steepest = std::max(steepest, slope[j]);
     goes_on = steepest > 0 && step + 1 < steps && !control.cancelled() && Clock::now() < until;
     if (step % between_bounds == 0 || !goes_on) {
       evaluate(units, y);

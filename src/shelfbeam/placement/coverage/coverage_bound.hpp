@@ -15,8 +15,10 @@
 
 namespace shelfbeam {
 
-/// The use of a bound: it is the better, the lower it is, or it serves only if it falls to a known weight.
-enum class CoverageAim { lowest, reached };
+enum class CoverageAim {
+  lowest,  ///< every decrease of the bound helps
+  reached  ///< only a bound at or below a given weight does
+};
 
 /// Proven upper bounds on the weight of the labels that at most k units, installed units included, can reach.
 /// Every reached label satisfies sum_j b_ijd T_j >= 1 for several lifted rows d (docs/methods/placement.md,
@@ -74,7 +76,7 @@ class CoverageBound {
   template <class Body>
   double sum_over_parts(std::vector<double>& by_column, const Body& body) const;
   std::vector<Candidate> best_candidates(const std::vector<double>& value) const;
-  double evaluate(std::size_t units, std::span<const Multipliers> y);
+  void evaluate(std::size_t units, std::span<const Multipliers> y);
   double relax(std::size_t units, float share_of_step, std::vector<Multipliers>& y,
                std::vector<double>& slope) const;
   void keep_to(std::size_t units);
@@ -95,6 +97,7 @@ class CoverageBound {
   std::vector<std::uint32_t> point_;  ///< of every column, its first option
   std::vector<float> chosen_;         ///< T_j
   std::vector<double> best_;          ///< per number of units
+  bool has_plain_bounds_ = false;     ///< with all multipliers 1
 };
 
 }  // namespace shelfbeam

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
@@ -47,7 +48,7 @@ class Curve {
     enumerate();
     rise();
     for (const Point& point : points_) curve_.points.push_back(in_table(point));
-    curve_.is_complete = !is_over();
+    curve_.is_complete = !was_cut_short_ && !is_over();
     return curve_;
   }
 
@@ -62,6 +63,13 @@ class Curve {
   };
 
   bool is_over() const { return control_.cancelled() || Clock::now() >= until_; }
+
+  // The time of a part has passed.
+  bool is_cut_short(Clock::time_point end) {
+    const bool is_late = control_.cancelled() || Clock::now() >= end;
+    was_cut_short_ = was_cut_short_ || is_late;
+    return is_late;
+  }
 
   Clock::time_point part_of_rest(std::size_t parts) const {
     const Clock::time_point now = Clock::now();
@@ -95,7 +103,7 @@ class Curve {
     const Clock::time_point end = part_of_rest(4);
     const std::size_t work = search_work / points_.size();
     for (const Point& point : points_) {
-      if (control_.cancelled() || Clock::now() >= end) return;
+      if (is_cut_short(end)) return;
       report(0, point);
       search_.improve(point.units, work, control_, end);
       offer(search_.selected());
@@ -111,7 +119,7 @@ class Curve {
     const Clock::time_point end = part_of_rest(3);
     std::uint32_t seed = 1;
     for (const Point& point : points_) {
-      if (control_.cancelled() || Clock::now() >= end) return;
+      if (is_cut_short(end)) return;
       if (point.best.size() != point.units || point.at_least >= weights_.total()) continue;
       const auto found = detail::anneal_coverage(instance, matrix, weights_, point.at_least, point.best,
                                                  {moves, end}, seed, control_);
@@ -129,9 +137,11 @@ class Curve {
     CoverageBound bound(table_, problem_, weights_, points_.back().units);
     std::size_t steps = bound_work / (2 * bound.entries() + 1), points = points_.size();
     for (const Point& point : points_) {
+      if (is_over()) break;
       report(0.5, point);
-      steps -= bound.improve(point.units, point.at_least, CoverageAim::lowest, steps / points, control_,
-                             part_of_rest(points));
+      const Clock::time_point end = part_of_rest(points);
+      steps -= bound.improve(point.units, point.at_least, CoverageAim::lowest, steps / points, control_, end);
+      is_cut_short(end);
       --points;
     }
     for (Point& point : points_) point.at_most = bound.weight(point.units);
@@ -179,6 +189,7 @@ class Curve {
   detail::CoverageSearch search_;
   CoverageCurve curve_;
   std::vector<Point> points_;
+  bool was_cut_short_ = false;
 };
 
 }  // namespace
@@ -186,6 +197,7 @@ class Curve {
 CoverageCurve coverage_curve(const SignalTable& table, const PlacementProblem& problem,
                              const std::vector<std::uint32_t>& selected, const RunControl& control,
                              Clock::time_point until) {
+  const ThreadLimit allowed(control.threads);
   return Curve(table, problem, selected, control, until).run(selected);
 }
 

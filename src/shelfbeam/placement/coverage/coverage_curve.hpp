@@ -11,9 +11,9 @@
 namespace shelfbeam {
 
 /// A point for every number of units from the installed ones (at least 1) to the size of `selected`, which
-/// reaches every label. Lower bounds come from the greedy method forwards and from the selection backwards,
-/// upper bounds from CoverageBound. Large tables get fewer steps: 20 million entries take about a minute. At
-/// `until` it ends early, with wider bounds.
+/// reaches every label. Lower bounds come from the greedy method forwards, from the selection backwards and
+/// from annealing, upper bounds from CoverageBound and enumeration. Large tables get fewer steps: 20 million
+/// entries take about a minute. At `until` it ends early, with wider bounds.
 CoverageCurve coverage_curve(
     const SignalTable& table, const PlacementProblem& problem, const std::vector<std::uint32_t>& selected,
     const RunControl& control = {},

@@ -9,7 +9,7 @@
 namespace shelfbeam::detail {
 
 // Work of the methods of max coverage, in matrix entries examined, so that results do not depend on the
-// machine. Search and bound: about ten seconds each.
+// machine. Search and bound: about ten seconds each on one core.
 inline constexpr std::size_t coverage_search_work = 2'000'000'000;
 inline constexpr std::size_t coverage_bound_work = 12'000'000'000;
 inline constexpr std::size_t enumeration_work = 50'000'000'000;

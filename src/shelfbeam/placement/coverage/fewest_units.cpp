@@ -72,7 +72,7 @@ class Minimisation {
     is_infeasible_ =
         !result_.has_selection && (upper_bound_ < target_ || result_.count_lower_bound > max_units_);
     const auto step = [&](std::string_view name, const Deadline& until, const auto& run) {
-      if (!is_settled() && !until.has_passed()) record(name, run);
+      if (!is_settled() && !until.has_passed() && !control_.cancelled()) record(name, run);
       was_cut_short = was_cut_short || until.has_passed();
     };
     step("local search", search_end, [&] { search(search_end.end()); });

@@ -62,8 +62,10 @@ class Maximisation {
     const bool fits = CoverageModel::fits(table_, problem_);
     const bool may_solve = may_ask && fits;
     reach_.too_large = may_ask && !fits;
-    const Deadline search_end((may_solve ? 0.3 : 0.5) * limit_s), bound_end((may_solve ? 0.5 : 1) * limit_s),
-        enumeration_end((may_solve ? 0.6 : 1) * limit_s), anneal_end(0.75 * limit_s), end(limit_s);
+    const bool has_rest = may_solve || may_anneal();  // a step that can use the rest of the time
+    const Deadline search_end((has_rest ? 0.3 : 0.5) * limit_s), bound_end((has_rest ? 0.5 : 1) * limit_s),
+        enumeration_end((has_rest ? 0.6 : 1) * limit_s), anneal_end((may_solve ? 0.75 : 1) * limit_s),
+        end(limit_s);
 
     if (!options_.start.empty()) search_.start(reach_.selected);
     record("local search", [&] {
@@ -71,15 +73,16 @@ class Maximisation {
                                  control_, search_end.end());
       offer(search_.selected());
     });
-    if (bound_end.has_passed())
+    if (bound_end.has_passed() || control_.cancelled())
       lower_to(detail::reachable_weight(table_, problem_, weights_), BoundProof::trivial);
     else
       record("multipliers", [&] { lower_bound(bound_end.end()); });
     bool is_settled = false;
-    if (uses(options_, SolverChoice::search) && !enumeration_end.has_passed())
+    if (uses(options_, SolverChoice::search) && !enumeration_end.has_passed() && !control_.cancelled())
       record("tree search", [&] { is_settled = enumerate(enumeration_end.end()); });
-    if (!is_settled && !is_proven() && may_anneal() && !end.has_passed())
-      record("annealing", [&] { anneal((may_solve ? anneal_end : end).end()); });
+    if (!is_settled && !is_proven() && may_anneal() && reach_.selected.size() == units_ &&
+        !anneal_end.has_passed() && !control_.cancelled())
+      record("annealing", [&] { anneal(anneal_end.end()); });
     if (may_solve && !is_settled) record("MIP", [&] { solve(end); });
 
     const bool was_cut_short = control_.cancelled() || end.has_passed();
@@ -130,7 +133,8 @@ class Maximisation {
   void lower_bound(Clock::time_point until) {
     CoverageBound bound(table_, problem_, weights_, units_);
     bound_ = bound.weight(units_);
-    const std::size_t steps = 1 + detail::coverage_bound_work / (2 * bound.entries() + 1);
+    const std::size_t work = detail::allowed_work(detail::coverage_bound_work, options_, table_);
+    const std::size_t steps = 1 + work / (2 * bound.entries() + 1);
     bound.improve(units_, value_, CoverageAim::lowest, steps, control_, until);
     lower_to(bound.weight(units_), BoundProof::dual);
   }
@@ -163,8 +167,7 @@ class Maximisation {
   }
 
   bool may_anneal() const {
-    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_, problem_) &&
-           reach_.selected.size() == units_;
+    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_, problem_);
   }
 
   /// Annealing for more weight, again and again until the time is up.

@@ -36,8 +36,8 @@ struct MaxCoverage {
   /// optimal: the selection reaches its upper bound. feasible: not proven, but all methods have finished.
   /// stopped: the time limit, an interruption or a solver failure came first.
   Status status = Status::stopped;
-  bool too_large = false;              ///< the problem is too large for the MIP, which did not run
-  SolvedBy solver = {};                ///< search if the enumeration finished; the last MIP back end that ran
+  bool too_large = false;  ///< the problem is too large for the MIP, which did not run
+  SolvedBy solver = {};    ///< search if enumeration or annealing gave it; the last MIP back end that ran
   std::vector<SearchStep> steps = {};  ///< not part of the placement file
   double seconds = 0;                  ///< wall time
 
@@ -52,7 +52,8 @@ struct MaxCoverage {
 /// Maximises the weight of the labels that at most `units` transceivers reach, then minimises their number
 /// (not part of the proof). A label counts if the problem's rule is met; objective and prices play no part.
 /// Methods: greedy with exchanges; enumeration for few units (SolverChoice automatic and search); and, unless
-/// that finished, a MIP back end if the table is small enough (automatic and mip). The bound is the best one
+/// that finished, annealing until the time is up (the same) and a MIP back end if the table is small enough
+/// (automatic and mip). The bound is the best one
 /// of CoverageBound, enumeration and MIP. `units` may exceed the number of candidates. Throws InputError as
 /// `place` does, and if more than `units` are installed.
 MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& problem, std::size_t units,

@@ -59,7 +59,8 @@ class AnnealingWalk {
   }
 
   void run(const Effort& effort, const RunControl& control) {
-    constexpr std::uint64_t between_looks = 4096;
+    // About a millisecond.
+    const std::uint64_t between_looks = std::clamp<std::uint64_t>(4'000'000 / (rows_.padded() + 1), 16, 4096);
     const std::uint64_t cooling = std::clamp(effort.steps / coolings, shortest_cooling, longest_cooling);
     for (std::uint64_t move = 0; move < effort.steps; ++move) {
       if (move % between_looks == 0) {
@@ -185,7 +186,7 @@ class AnnealingWalk {
   std::vector<std::uint32_t> fixed_, free_, candidates_;
   std::optional<SimilarColumns> similar_;
   std::vector<float> held_, zeros_;
-  float lack_ = 0;           ///< L(T), total lack of the active rows
+  float lack_ = 0;           ///< L(T)
   bool has_failed_ = false;  ///< misses a label on all rows, although none of them is new
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   std::optional<std::vector<std::uint32_t>> best_;

@@ -4,8 +4,8 @@
 
 namespace shelfbeam::detail {
 
-/// The inner loops of the bounds on max coverage, compiled for several processor types. Row counts and
-/// numbers of entries are multiples of SearchMatrix::block.
+/// The inner loops of the bounds on max coverage, compiled for several processor types. Row counts are
+/// multiples of SearchMatrix::block.
 struct CoverageKernels {
   /// The weight of the labels that lack no more than the column gives: sum_i weight_i [a_i >= lack_i].
   static float reached(const float* column, const float* lack, const float* weight, std::size_t rows);
@@ -31,7 +31,8 @@ struct CoverageKernels {
   struct Lifted {
     float shift[lifted_rows], scale[lifted_rows];
   };
-  /// sum_d = sum_j b_jd T_j over `entries` signals a_j.
+  /// sum_d = sum_j b_jd T_j over `entries` signals a_j. Reads up to the next multiple of SearchMatrix::block,
+  /// where T_j must be 0.
   static void sums(const float* signal, const float* chosen, std::size_t entries, const Lifted& rows,
                    float* sum);
   /// value_j = b_jd for one row.

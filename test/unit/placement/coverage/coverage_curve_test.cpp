@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/answer/weak_spots.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
@@ -70,6 +71,38 @@ TEST(CoverageBound, HoldsForAnySteps) {
   }
   EXPECT_GT(tight, all / 2);
   EXPECT_GT(loose, all / 100);
+}
+
+// A table of many rows, so that several tasks sum them.
+TEST(CoverageBound, DependsNeitherOnThreadsNorOnEarlierCounts) {
+  test::RandomTables tables(83, {.labels = 3000, .transceivers = 30, .borderline = false});
+  const auto installed_in = [](const SignalTable& table) {
+    return static_cast<std::size_t>(
+        std::count_if(table.transceivers.begin(), table.transceivers.end(),
+                      [](const SignalTable::Transceiver& unit) { return unit.installed; }));
+  };
+  int compared = 0, lowered = 0;
+  for (int k = 0; k < 60; ++k) {
+    const SignalTable table = tables.next();
+    const std::size_t installed = installed_in(table), units = installed + 2;
+    if (table.entries.size() < 40'000 || installed == 0 || units > table.columns()) continue;
+    const PlacementProblem problem;
+    const detail::LabelWeights weights(table);
+    const auto bound_after = [&](unsigned threads, bool looks_at_installed) {
+      const ThreadLimit allowed(threads);
+      CoverageBound bound(table, problem, weights, table.columns());
+      if (looks_at_installed) bound.improve(installed, 0, CoverageAim::lowest, 100, {});
+      bound.improve(units, 0, CoverageAim::lowest, 100, {});
+      return bound.weight(units);
+    };
+    const double alone = with_threads(1, [&] { return bound_after(1, false); });
+    EXPECT_EQ(with_threads(4, [&] { return bound_after(4, false); }), alone);
+    EXPECT_EQ(with_threads(4, [&] { return bound_after(4, true); }), alone);
+    ++compared;
+    lowered += alone < weights.total();
+  }
+  EXPECT_GT(compared, 3);
+  EXPECT_GT(lowered, 0);
 }
 
 TEST(PlacementCurve, EnclosesTheOptimumForEveryCount) {
