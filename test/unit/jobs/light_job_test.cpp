@@ -41,8 +41,9 @@ struct Frames {
   std::vector<std::string> stages() const {
     std::vector<std::string> list;
     for (const Json& about : abouts)
-      if (about["event"] == "column" && (list.empty() || list.back() != about["stage"]))
-        list.push_back(about["stage"]);
+      if (const auto stage = about.value("stage", std::string());
+          about["event"] == "column" && (list.empty() || list.back() != stage))
+        list.push_back(stage);
     return list;
   }
 };
