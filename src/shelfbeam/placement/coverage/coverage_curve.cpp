@@ -42,10 +42,10 @@ class Curve {
     offer(selected);
     look_forwards();
     look_backwards(selected);
-    anneal();
     rise();
     bound();
     enumerate();
+    anneal();
     rise();
     for (const Point& point : points_) curve_.points.push_back(in_table(point));
     curve_.is_complete = !was_cut_short_ && !is_over();
@@ -71,9 +71,9 @@ class Curve {
     return is_late;
   }
 
-  Clock::time_point part_of_rest(std::size_t parts) const {
+  static Clock::time_point part_of_rest(Clock::time_point until, std::size_t parts) {
     const Clock::time_point now = Clock::now();
-    return now + (until_ - now) / static_cast<Clock::rep>(parts);
+    return now + (until - now) / static_cast<Clock::rep>(parts);
   }
 
   // The checker counts the labels that a selection reaches.
@@ -100,7 +100,7 @@ class Curve {
   // Counts in ascending order, each search starting from the previous selection with an equal share of the
   // work.
   void look_forwards() {
-    const Clock::time_point end = part_of_rest(4);
+    const Clock::time_point end = part_of_rest(until_, 4);
     const std::size_t work = search_work / points_.size();
     for (const Point& point : points_) {
       if (is_cut_short(end)) return;
@@ -113,16 +113,17 @@ class Curve {
   // Better selections for the counts between.
   void anneal() {
     constexpr std::uint64_t moves = 30'000;
-    if (!detail::can_anneal_coverage(table_, problem_)) return;
+    const bool is_open = std::any_of(points_.begin(), points_.end(),
+                                     [](const Point& point) { return point.at_least < point.at_most; });
+    if (!is_open || !detail::can_anneal_coverage(table_, problem_)) return;
     const detail::SearchInstance instance(table_, problem_);
     const detail::SearchMatrix matrix(table_, problem_.model);
-    const Clock::time_point end = part_of_rest(3);
     std::uint32_t seed = 1;
     for (const Point& point : points_) {
-      if (is_cut_short(end)) return;
-      if (point.best.size() != point.units || point.at_least >= weights_.total()) continue;
+      if (is_cut_short(until_)) return;
+      if (point.best.size() != point.units || point.at_least >= point.at_most) continue;
       const auto found = detail::anneal_coverage(instance, matrix, weights_, point.at_least, point.best,
-                                                 {moves, end}, seed, control_);
+                                                 {moves, until_}, seed, control_);
       if (found) offer(*found);
       seed += detail::walks_at_once;
     }
@@ -136,10 +137,11 @@ class Curve {
   void bound() {
     CoverageBound bound(table_, problem_, weights_, points_.back().units);
     std::size_t steps = bound_work / (2 * bound.entries() + 1), points = points_.size();
+    const Clock::time_point last = part_of_rest(until_, 2);
     for (const Point& point : points_) {
       if (is_over()) break;
       report(0.5, point);
-      const Clock::time_point end = part_of_rest(points);
+      const Clock::time_point end = part_of_rest(last, points);
       steps -= bound.improve(point.units, point.at_least, CoverageAim::lowest, steps / points, control_, end);
       is_cut_short(end);
       --points;
