@@ -73,19 +73,22 @@ class Maximisation {
                                  control_, search_end.end());
       offer(search_.selected());
     });
+    bool was_cut_short = search_end.has_passed();
     if (bound_end.has_passed() || control_.cancelled())
       lower_to(detail::reachable_weight(table_, problem_, weights_), BoundProof::trivial);
     else
       record("multipliers", [&] { lower_bound(bound_end.end()); });
+    was_cut_short = was_cut_short || bound_end.has_passed();
     bool is_settled = false;
     if (uses(options_, SolverChoice::search) && !enumeration_end.has_passed() && !control_.cancelled())
       record("tree search", [&] { is_settled = enumerate(enumeration_end.end()); });
+    was_cut_short = was_cut_short || enumeration_end.has_passed();
     if (!is_settled && !is_proven() && may_anneal() && reach_.selected.size() == units_ &&
         !anneal_end.has_passed() && !control_.cancelled())
       record("annealing", [&] { anneal(anneal_end.end()); });
     if (may_solve && !is_settled) record("MIP", [&] { solve(end); });
 
-    const bool was_cut_short = control_.cancelled() || end.has_passed();
+    was_cut_short = was_cut_short || control_.cancelled() || end.has_passed();
     reach_.status = is_proven()                                   ? Status::optimal
                     : (may_solve && !is_settled) || was_cut_short ? Status::stopped
                                                                   : Status::feasible;
