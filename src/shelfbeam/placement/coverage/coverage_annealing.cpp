@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,9 +87,7 @@ class WeighedRows {
 
 ActiveRows all_rows(const SearchInstance& instance, const SearchMatrix& all) {
   ActiveRows rows(all, receiving(instance.problem));
-  std::vector<std::uint32_t> every(all.rows());
-  std::iota(every.begin(), every.end(), 0U);
-  rows.add(every);
+  rows.add_all();
   return rows;
 }
 

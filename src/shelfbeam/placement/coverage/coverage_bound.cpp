@@ -44,7 +44,7 @@ CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& p
     if (weights[i] <= 0) continue;
     const auto row = table.row(i);
     const double requirement = requirement_of(table.labels[i], problem.model);
-    if (!is_met(mounts_.max_signal(row, problem) * (1 + 1e-12), requirement)) continue;
+    if (!mounts_.may_meet(row, requirement, problem)) continue;
     // R_i: the shares of a reached label add up to at least this.
     double together = 1;
     if (redundant_) {

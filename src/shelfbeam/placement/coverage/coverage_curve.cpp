@@ -110,7 +110,7 @@ class Curve {
     }
   }
 
-  // Better selections for the counts between.
+  // Better selections for the counts whose bounds differ.
   void anneal() {
     constexpr std::uint64_t moves = 30'000;
     const bool is_open = std::any_of(points_.begin(), points_.end(),

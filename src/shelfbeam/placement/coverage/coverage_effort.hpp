@@ -21,6 +21,11 @@ inline std::size_t allowed_work(std::size_t work, const PlaceOptions& options, c
   return *options.step_limit * step;
 }
 
+/// Steps of CoverageBound, each of which examines its entries twice.
+inline std::size_t bound_steps(std::size_t entries, const PlaceOptions& options, const SignalTable& table) {
+  return 1 + allowed_work(coverage_bound_work, options, table) / (2 * entries + 1);
+}
+
 inline bool uses(const PlaceOptions& options, SolverChoice solver) {
   return options.solver == SolverChoice::automatic || options.solver == solver;
 }

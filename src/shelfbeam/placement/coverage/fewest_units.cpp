@@ -11,7 +11,6 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
@@ -144,20 +143,15 @@ class Minimisation {
   void anneal(Clock::time_point until) {
     constexpr std::uint64_t moves = 20'000'000;
     if (!result_.has_selection) return;
-    const detail::SearchInstance instance(table_, result_.problem);
-    const detail::SearchMatrix matrix(table_, problem_.model);
-    auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, 0));
-    const detail::Effort effort{std::min(moves, options_.step_limit.value_or(moves)), until};
-    while (!is_settled() && !effort.is_over(control_)) {
-      const auto found =
-          detail::anneal_reach(instance, matrix, weights_, target_, result_.selected, effort, seed, control_);
-      if (found) {
-        offer(*found);
-        result_.solver = {Method::search};
-      }
-      seed += detail::walks_at_once;
-      if (options_.step_limit) break;
-    }
+    detail::anneal_repeatedly(
+        table_, result_.problem, options_, moves, until, control_, [&] { return is_settled(); },
+        [&](const auto& instance, const auto& matrix, const detail::Effort& effort, std::uint32_t seed) {
+          const auto found = detail::anneal_reach(instance, matrix, weights_, target_, result_.selected,
+                                                  effort, seed, control_);
+          if (!found) return;
+          offer(*found);
+          result_.solver = {Method::search};
+        });
   }
 
   void raise_to(std::size_t count, BoundProof proof) {
@@ -171,18 +165,13 @@ class Minimisation {
     // With unit failure, the bound is better for fewer units.
     const std::size_t max_count = result_.has_selection ? result_.selected.size() - 1 : max_units_;
     CoverageBound bound(table_, problem_, weights_, max_count);
-    std::size_t steps = bound_steps(bound);
+    std::size_t steps = detail::bound_steps(bound.entries(), options_, table_);
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;
       steps -= bound.improve(count, target_ - weights_.step(), CoverageAim::reached, steps, control_, until);
       if (bound.weight(count) >= target_) return;
       raise_to(count + 1, BoundProof::dual);
     }
-  }
-
-  std::size_t bound_steps(const CoverageBound& bound) const {
-    return 1 +
-           detail::allowed_work(detail::coverage_bound_work, options_, table_) / (2 * bound.entries() + 1);
   }
 
   void raise_by_enumeration(Clock::time_point until) {

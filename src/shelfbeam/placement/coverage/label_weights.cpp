@@ -65,8 +65,7 @@ std::vector<bool> reachable_labels(const SignalTable& table, const PlacementProb
   const Mounts mounts(table);
   std::vector<bool> result(table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i)
-    result[i] = is_met(mounts.max_signal(table.row(i), problem) * (1 + 1e-12),
-                       requirement_of(table.labels[i], problem.model));
+    result[i] = mounts.may_meet(table.row(i), requirement_of(table.labels[i], problem.model), problem);
   return result;
 }
 
@@ -75,7 +74,7 @@ double reachable_weight(const SignalTable& table, const PlacementProblem& proble
   const std::vector<bool> can = reachable_labels(table, problem);
   double sum = 0;
   for (std::size_t i = 0; i < can.size(); ++i)
-    if (can[i]) sum += std::max(0.0, weights[i]);
+    if (can[i]) sum += weights[i];
   return weights.rounded_down(sum);
 }
 

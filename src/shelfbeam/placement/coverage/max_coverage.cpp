@@ -10,7 +10,6 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/math/random.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
@@ -74,20 +73,19 @@ class Maximisation {
       offer(search_.selected());
     });
     bool was_cut_short = search_end.has_passed();
-    if (bound_end.has_passed() || control_.cancelled())
+    const auto step = [&](std::string_view name, const Deadline& until, const auto& run) {
+      if (!until.has_passed() && !control_.cancelled()) record(name, run);
+      was_cut_short = was_cut_short || until.has_passed();
+    };
+    step("multipliers", bound_end, [&] { lower_bound(bound_end.end()); });
+    if (bound_ >= weights_.total())  // no time for more
       lower_to(detail::reachable_weight(table_, problem_, weights_), BoundProof::trivial);
-    else
-      record("multipliers", [&] { lower_bound(bound_end.end()); });
-    was_cut_short = was_cut_short || bound_end.has_passed();
     bool is_settled = false;
-    if (uses(options_, SolverChoice::search) && !enumeration_end.has_passed() && !control_.cancelled())
-      record("tree search", [&] { is_settled = enumerate(enumeration_end.end()); });
-    was_cut_short = was_cut_short || enumeration_end.has_passed();
-    if (!is_settled && !is_proven() && may_anneal() && reach_.selected.size() == units_ &&
-        !anneal_end.has_passed() && !control_.cancelled())
-      record("annealing", [&] { anneal(anneal_end.end()); });
+    if (uses(options_, SolverChoice::search))
+      step("tree search", enumeration_end, [&] { is_settled = enumerate(enumeration_end.end()); });
+    if (!is_settled && !is_proven() && may_anneal() && reach_.selected.size() == units_)
+      step("annealing", anneal_end, [&] { anneal(anneal_end.end()); });
     if (may_solve && !is_settled) record("MIP", [&] { solve(end); });
-
     was_cut_short = was_cut_short || control_.cancelled() || end.has_passed();
     reach_.status = is_proven()                                   ? Status::optimal
                     : (may_solve && !is_settled) || was_cut_short ? Status::stopped
@@ -136,9 +134,8 @@ class Maximisation {
   void lower_bound(Clock::time_point until) {
     CoverageBound bound(table_, problem_, weights_, units_);
     bound_ = bound.weight(units_);
-    const std::size_t work = detail::allowed_work(detail::coverage_bound_work, options_, table_);
-    const std::size_t steps = 1 + work / (2 * bound.entries() + 1);
-    bound.improve(units_, value_, CoverageAim::lowest, steps, control_, until);
+    bound.improve(units_, value_, CoverageAim::lowest, detail::bound_steps(bound.entries(), options_, table_),
+                  control_, until);
     lower_to(bound.weight(units_), BoundProof::dual);
   }
 
@@ -176,20 +173,15 @@ class Maximisation {
   /// Annealing for more weight, again and again until the time is up.
   void anneal(Clock::time_point until) {
     constexpr std::uint64_t moves = 4'000'000;
-    const detail::SearchInstance instance(table_, reach_.problem);
-    const detail::SearchMatrix matrix(table_, problem_.model);
-    auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, 0));
-    const detail::Effort effort{std::min(moves, options_.step_limit.value_or(moves)), until};
-    while (!is_proven() && !effort.is_over(control_)) {
-      const auto found = detail::anneal_coverage(instance, matrix, weights_, value_, reach_.selected, effort,
-                                                 seed, control_);
-      if (found) {
-        offer(*found);
-        reach_.solver = {Method::search};
-      }
-      seed += detail::walks_at_once;
-      if (options_.step_limit) break;
-    }
+    detail::anneal_repeatedly(
+        table_, reach_.problem, options_, moves, until, control_, [&] { return is_proven(); },
+        [&](const auto& instance, const auto& matrix, const detail::Effort& effort, std::uint32_t seed) {
+          const auto found = detail::anneal_coverage(instance, matrix, weights_, value_, reach_.selected,
+                                                     effort, seed, control_);
+          if (!found) return;
+          offer(*found);
+          reach_.solver = {Method::search};
+        });
   }
 
   void solve(const Deadline& end) {

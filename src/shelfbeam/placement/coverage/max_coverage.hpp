@@ -53,9 +53,8 @@ struct MaxCoverage {
 /// (not part of the proof). A label counts if the problem's rule is met; objective and prices play no part.
 /// Methods: greedy with exchanges; enumeration for few units (SolverChoice automatic and search); and, unless
 /// that finished, annealing until the time is up (the same) and a MIP back end if the table is small enough
-/// (automatic and mip). The bound is the best one
-/// of CoverageBound, enumeration and MIP. `units` may exceed the number of candidates. Throws InputError as
-/// `place` does, and if more than `units` are installed.
+/// (automatic and mip). The bound is the best one of CoverageBound, enumeration and MIP. `units` may exceed
+/// the number of candidates. Throws InputError as `place` does, and if more than `units` are installed.
 MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
                               const PlaceOptions& options, const RunControl& control = {});
 

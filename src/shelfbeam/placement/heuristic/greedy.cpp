@@ -128,7 +128,7 @@ class Greedy {
     for (const std::size_t i : unmet_) {
       const double requirement = requirement_of(table_.labels[i], problem_.model);
       if (is_met(received_signal(table_, i, chosen_, problem_), requirement)) continue;
-      if (!is_met(mounts_.max_signal(table_.row(i), problem_) * (1 + 1e-12), requirement)) continue;
+      if (!mounts_.may_meet(table_.row(i), requirement, problem_)) continue;
       strongest.clear();
       added.clear();
       for (const SignalEntry& entry : table_.row(i))

@@ -1,7 +1,7 @@
 #include "shelfbeam/placement/kernels/active_rows.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace shelfbeam::detail {
@@ -55,12 +55,10 @@ bool ActiveRows::add_missed(std::span<const float> received, std::uint32_t label
   return !short_of.empty();
 }
 
-bool ActiveRows::add(std::span<const std::uint32_t> rows) {
-  std::vector<std::uint32_t> fresh;
-  std::copy_if(rows.begin(), rows.end(), std::back_inserter(fresh),
-               [&](std::uint32_t row) { return !is_known_[row]; });
-  take(fresh);
-  return !fresh.empty();
+void ActiveRows::add_all() {
+  std::vector<std::uint32_t> every(all_.rows());
+  std::iota(every.begin(), every.end(), 0U);
+  take(every);
 }
 
 void ActiveRows::tighten(std::uint32_t label) {

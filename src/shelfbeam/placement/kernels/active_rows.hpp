@@ -33,8 +33,8 @@ class ActiveRows {
   /// by `received` (the signal of every row of `all`), or else `label`, which is missed in double precision.
   /// Returns false if that row is active already, so only single precision accepts it.
   bool add_missed(std::span<const float> received, std::uint32_t label);
-  /// Adds these rows; false if all of them are active already.
-  bool add(std::span<const std::uint32_t> rows);
+  /// Adds all rows. Precondition: none is active.
+  void add_all();
   /// Lowers the entries of a row that single precision wrongly accepts.
   void tighten(std::uint32_t label);
 

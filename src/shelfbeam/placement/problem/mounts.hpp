@@ -62,6 +62,11 @@ class Mounts {
   /// available units, but only the best option of every mounting point. Forbidden pairs without an installed
   /// unit are ignored.
   double max_signal(std::span<const SignalEntry> row, const PlacementProblem& problem) const;
+  /// Whether max_signal meets a requirement, with room for the rounding of sums in another order.
+  bool may_meet(std::span<const SignalEntry> row, double requirement, const PlacementProblem& problem) const {
+    constexpr double rounding = 1 + 1e-12;
+    return is_met(max_signal(row, problem) * rounding, requirement);
+  }
 
  private:
   // Columns of tables that are pinned are also installed; those of matrices are not.
