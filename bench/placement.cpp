@@ -19,6 +19,7 @@
 #include "placement_bounds.hpp"
 #include "placement_classes.hpp"
 #include "placement_instances.hpp"
+#include "placement_steps.hpp"
 #include "support.hpp"
 
 namespace {
@@ -29,6 +30,7 @@ using namespace shelfbeam::bench;
 constexpr const char* usage =
     R"(bench_placement [SIGNAL...] [--limit S] [--scale X,Y...] [--noise S] [--only-count] [--json]
 bench_placement --bounds [SIGNAL...] [--limit S] [--scale X,Y...] [--noise S]
+bench_placement --steps [SIGNAL...] [--limit S] [--scale X,Y...] [--noise S]
 bench_placement --classes [--seeds N] [--limit S]
 bench_placement --wide [--limit S]
 
@@ -43,6 +45,7 @@ SIGNAL        any matrix that 'shelfbeam place' reads; by default the thesis env
 --only-count  omit second objectives
 --json        print rows as JSON
 --bounds      print instead the sizes after reductions, and linear programming bounds with and without shares
+--steps       print instead the steps of our search for several questions, as a Markdown table
 --classes     compare on random weighted covers of eight classes, N seeds each (5), in CPU time on one thread
 --wide        compare on random weighted covers of 500 rows by 60,000 columns
 )";
@@ -52,7 +55,7 @@ struct Settings {
   double limit = 60;
   bool only_count = false;
   bool json = false;
-  bool bounds = false, classes = false, wide = false;
+  bool bounds = false, steps = false, classes = false, wide = false;
   std::size_t seeds = 5;
   bool help = false;
 };
@@ -185,6 +188,8 @@ Settings parse(int argc, char** argv) {
       settings.json = true;
     } else if (word == "--bounds") {
       settings.bounds = true;
+    } else if (word == "--steps") {
+      settings.steps = true;
     } else if (word == "--classes") {
       settings.classes = true;
     } else if (word == "--wide") {
@@ -199,8 +204,9 @@ Settings parse(int argc, char** argv) {
       settings.instances.files.push_back(word);
     }
   }
-  if (settings.bounds && (settings.json || settings.only_count))
-    throw std::invalid_argument("--bounds can be combined only with --limit and --scale");
+  if ((settings.bounds || settings.steps) && (settings.json || settings.only_count))
+    throw std::invalid_argument(
+        "--bounds and --steps can be combined only with --limit, --scale and --noise");
   return settings;
 }
 
@@ -217,6 +223,8 @@ int main(int argc, char** argv) {
       compare_wide(settings.limit);
     else if (settings.bounds)
       print_bounds(settings.instances, settings.limit);
+    else if (settings.steps)
+      print_steps(settings.instances, settings.limit);
     else
       compare(settings);
   } catch (const std::exception& error) {

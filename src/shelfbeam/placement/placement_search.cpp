@@ -24,7 +24,8 @@ constexpr auto is_sparse = [](State state) {
   return state.is_cover() && (state.is_weighted || !state.is_small());
 };
 
-// `steps` are moves of the weighted local search; moves of the other walks take less time.
+// `steps` are moves of the weighted local search; moves of the other walks take less time. Weighted exchanges
+// suit signals of 0 and 1 better than annealing, because most exchanges of units leave their lack as it is.
 void improve(SearchState& state, const Effort& effort) {
   const auto with_moves = [&](std::uint64_t of_one) {
     return Effort{std::min(effort.steps, any_steps / of_one) * of_one, effort.until};
@@ -33,7 +34,8 @@ void improve(SearchState& state, const Effort& effort) {
   if (is_sparse(state))
     state.offer(
         cover_search(state.instance, state.reduction(), best, with_moves(10), state.seed, state.control));
-  else if (state.matrix && can_anneal(state.problem))
+  else if (state.matrix && can_anneal(state.problem) &&
+           state.problem.model == CommunicationModel::cooperative)
     state.offer(anneal(state.instance, *state.matrix, best, with_moves(state.is_small() ? 10 : 40),
                        state.seed, state.control));
   else if (state.matrix)
@@ -101,7 +103,7 @@ constexpr Step schedule[] = {
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
     {"tree search", is_large_whole, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
     {"MIP", is_large_or_cover, 0.9, no_limit_s, any_steps, solve_mip},
-    {"final tree search", always, 1, no_limit_s, any_steps, raise_bound_by_tree},
+    {"final tree search", is_small, 1, no_limit_s, any_steps, raise_bound_by_tree},
     {"final local search", always, 1, no_limit_s, any_steps, improve},
 };
 

@@ -7,7 +7,6 @@
 
 #include "shelfbeam/placement/heuristic/annealing_walk.hpp"
 #include "shelfbeam/placement/kernels/active_rows.hpp"
-#include "shelfbeam/placement/kernels/coverage_kernels.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam::detail {
@@ -37,15 +36,15 @@ class WeighedRows {
   std::size_t size() const { return rows_.size(); }
   std::size_t padded() const { return rows_.padded(); }
   const float* column(std::uint32_t j) const { return rows_.column(j); }
-  void excuse(std::vector<float>&) const {}
+  void excuse(std::vector<float>&, const std::vector<float>&) const {}
 
   // About 5 % of the moves are accepted at the hot end, few at the cold end.
   double hot() const { return 0.07 * heat_; }
   double cold() const { return 0.007 * heat_; }
 
-  float lack_after(const float* held, const float* out, const float* in, float demand) const {
+  float lack_after(const SearchKernels::Held& held, const float* out, const float* in, float demand) const {
     const auto allowed = static_cast<float>((weights_.total() - target_) * scale() + rounding);
-    return CoverageKernels::missed_after(held, out, in, demand, weight_.data(), rows_.padded()) - allowed;
+    return SearchKernels::missed_after(held, out, in, demand, weight_.data(), rows_.padded()) - allowed;
   }
 
   bool reaches_all(const Selection& selected) {
@@ -93,9 +92,9 @@ ActiveRows all_rows(const SearchInstance& instance, const SearchMatrix& all) {
 
 }  // namespace
 
-bool can_anneal_coverage(const SignalTable& table, const PlacementProblem& problem) {
+bool can_anneal_coverage(const SignalTable& table) {
   constexpr std::size_t max_cells = 100'000'000;
-  return !problem.redundant && table.rows() * table.columns() <= max_cells;
+  return table.rows() * table.columns() <= max_cells;
 }
 
 std::optional<Selection> anneal_reach(const SearchInstance& instance, const SearchMatrix& all,

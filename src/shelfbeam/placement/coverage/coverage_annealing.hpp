@@ -14,8 +14,8 @@
 
 namespace shelfbeam::detail {
 
-/// Whether annealing applies: no unit failure, and a table whose labels x candidates it can hold.
-bool can_anneal_coverage(const SignalTable& table, const PlacementProblem& problem);
+/// Whether annealing can hold all labels x candidates of the table.
+bool can_anneal_coverage(const SignalTable& table);
 
 /// A selection with fewer units than `start` that reaches labels of the weight `target`, or with at most as
 /// many if `start` does not; nullopt if none is found. The annealing of `anneal`, but of the missed weight

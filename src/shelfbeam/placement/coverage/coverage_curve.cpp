@@ -115,7 +115,7 @@ class Curve {
     constexpr std::uint64_t moves = 30'000;
     const bool is_open = std::any_of(points_.begin(), points_.end(),
                                      [](const Point& point) { return point.at_least < point.at_most; });
-    if (!is_open || !detail::can_anneal_coverage(table_, problem_)) return;
+    if (!is_open || !detail::can_anneal_coverage(table_)) return;
     const detail::SearchInstance instance(table_, problem_);
     const detail::SearchMatrix matrix(table_, problem_.model);
     std::uint32_t seed = 1;

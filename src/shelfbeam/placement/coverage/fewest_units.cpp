@@ -136,7 +136,7 @@ class Minimisation {
   }
 
   bool may_anneal() const {
-    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_, problem_);
+    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_);
   }
 
   /// Annealing for fewer units, again and again until the time is up.

@@ -167,7 +167,7 @@ class Maximisation {
   }
 
   bool may_anneal() const {
-    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_, problem_);
+    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_);
   }
 
   /// Annealing for more weight, again and again until the time is up.

@@ -23,7 +23,7 @@ class TableRows : public TotalLack<TableRows> {
   std::size_t padded() const { return rows_.padded(); }
   const float* column(std::uint32_t j) const { return rows_.column(j); }
 
-  void excuse(std::vector<float>&) const {}
+  void excuse(std::vector<float>&, const std::vector<float>&) const {}
 
   bool reaches_all(const Selection& selected) {
     margin_ = margin_of(instance_.table, instance_.problem, all_, selected, received_);
@@ -42,7 +42,7 @@ class TableRows : public TotalLack<TableRows> {
 }  // namespace
 
 bool can_anneal(const PlacementProblem& problem) {
-  return problem.combination == Combination::lexicographic && receiving(problem) == Receiving::sum;
+  return problem.combination == Combination::lexicographic;
 }
 
 std::optional<Selection> anneal(const SearchInstance& instance, const SearchMatrix& all,

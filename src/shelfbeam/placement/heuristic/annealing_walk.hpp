@@ -20,13 +20,14 @@
 
 namespace shelfbeam::detail {
 
-/// The lack L(T) = sum_i max(0, demand - sum_j a_ij T_j) of rows that all have to be met. About 6 % of the
-/// moves are accepted at the hot end, 3 % at the cold end.
+/// The lack L(T) = sum_i max(0, demand - S_i) of rows that all have to be met, S_i = sum_j a_ij T_j, less the
+/// largest of these if a unit may fail. Entries are clipped at 1, or 0 and 1 (non-cooperative). About 6 % of
+/// the moves are accepted at the hot end, 3 % at the cold end.
 template <class Rows>
 struct TotalLack {
   static double hot() { return 0.03; }  ///< in requirements
   static double cold() { return 0.015; }
-  float lack_after(const float* held, const float* out, const float* in, float demand) const {
+  float lack_after(const SearchKernels::Held& held, const float* out, const float* in, float demand) const {
     return SearchKernels::lack_after(held, out, in, demand, static_cast<const Rows&>(*this).padded());
   }
 };
@@ -35,7 +36,8 @@ struct TotalLack {
 ///
 ///   size(), padded(), column(j)     rows as in ActiveRows
 ///   max_moves                       between two counts of the signals
-///   excuse(held)                    raises the counted signals of rows that do not have to be met now
+///   excuse(held, best)              raises the sums of rows that do not have to be met now; `best`: their
+///                                   largest signals, which then do not count, or empty
 ///   lack_after(held, out, in, demand)  L after an exchange; 0 or less if all rows seem to be met
 ///   hot(), cold()                   temperatures
 ///   reaches_all(selected)           tests a selection by the whole problem, in double precision
@@ -95,20 +97,32 @@ class AnnealingWalk {
   static constexpr std::uint64_t longest_cooling = 2'000'000, shortest_cooling = 2'500, coolings = 4;
   static constexpr float demand = 1 - static_cast<float>(search_tolerance);
 
-  // L(T) = sum_i max(0, demand - sum_j a_ij T_j) over the rows.
   void recount() {
     held_.assign(rows_.padded(), 0.0F);
     // Padding lacks nothing.
     std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held_.end(), 1.0F);
     for (const std::uint32_t j : selection())
       SearchKernels::receive(Receiving::sum, rows_.column(j), held_.size(), held_.data(), nullptr);
-    rows_.excuse(held_);
+    rank();
+    rows_.excuse(held_, best_signal_);
     zeros_.assign(held_.size(), 0.0F);
     lack_ = lack_after(zeros_.data(), zeros_.data());
   }
 
   float lack_after(const float* out, const float* in) const {
-    return rows_.lack_after(held_.data(), out, in, demand);
+    const bool fails = instance_.problem.redundant;
+    return rows_.lack_after({held_.data(), fails ? best_signal_.data() : nullptr, second_signal_.data()}, out,
+                            in, demand);
+  }
+
+  // The two largest signals of every row, if a unit may fail.
+  void rank() {
+    if (!instance_.problem.redundant) return;
+    best_signal_.assign(held_.size(), 0.0F);
+    second_signal_.assign(held_.size(), 0.0F);
+    for (const auto* const part : {&fixed_, &free_})
+      for (const std::uint32_t j : *part)
+        SearchKernels::rank(rows_.column(j), held_.size(), best_signal_.data(), second_signal_.data());
   }
 
   void drop_weakest() {
@@ -177,7 +191,10 @@ class AnnealingWalk {
     has_failed_ = false;
     SearchKernels::exchange(rows_.column(out), rows_.column(in), held_.size(), held_.data());
     lack_ = lack;
-    if (lack_ <= 0) recount();
+    if (lack_ <= 0)
+      recount();
+    else
+      rank();
   }
 
   const SearchInstance& instance_;
@@ -185,7 +202,7 @@ class AnnealingWalk {
   std::vector<bool> in_;
   std::vector<std::uint32_t> fixed_, free_, candidates_;
   std::optional<SimilarColumns> similar_;
-  std::vector<float> held_, zeros_;
+  std::vector<float> held_, zeros_, best_signal_, second_signal_;
   float lack_ = 0;           ///< L(T)
   bool has_failed_ = false;  ///< misses a label on all rows, although none of them is new
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();

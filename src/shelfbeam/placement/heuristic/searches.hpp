@@ -22,7 +22,7 @@ std::optional<Selection> local_search(const SearchInstance& instance, const Sear
                                       const Selection& start, const Effort& effort, std::uint32_t seed,
                                       const RunControl& control);
 
-/// Whether `anneal` applies: lexicographic, signals add up, no unit failure.
+/// Whether `anneal` applies: lexicographic.
 bool can_anneal(const PlacementProblem& problem);
 
 /// A feasible selection with fewer units than `start`, or with at most as many if `start` is infeasible:

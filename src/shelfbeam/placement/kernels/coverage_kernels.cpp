@@ -46,18 +46,6 @@ void CoverageKernels::add(const float* column, const Shares& shares, float* sum)
 }
 
 SHELFBEAM_FOR_EACH_CPU
-float CoverageKernels::missed_after(const float* held, const float* out, const float* in, float demand,
-                                    const float* weight, std::size_t rows) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k)
-      total[k] += held[i + k] - out[i + k] + in[i + k] < demand ? weight[i + k] : 0.0F;
-  }
-  return sum_of(total);
-}
-
-SHELFBEAM_FOR_EACH_CPU
 void CoverageKernels::sums(const float* signal, const float* chosen, std::size_t entries, const Lifted& rows,
                            float* sum) {
   const Lifted lifted = rows;

@@ -21,11 +21,6 @@ struct CoverageKernels {
   /// sum_i += b_i.
   static void add(const float* column, const Shares& shares, float* sum);
 
-  /// The weight of the labels missed after one column replaces another: sum_i weight_i [held_i - out_i + in_i
-  /// < demand].
-  static float missed_after(const float* held, const float* out, const float* in, float demand,
-                            const float* weight, std::size_t rows);
-
   /// Rows d of one label, each with b_jd = min(1, max(0, a_j - shift_d) scale_d).
   static constexpr std::size_t lifted_rows = 4;
   struct Lifted {

@@ -25,6 +25,16 @@ SHELFBEAM_INLINE inline float sum_over(std::size_t rows, const Term& term) {
   return sum_of(total);
 }
 
+SHELFBEAM_INLINE inline float sum_after(const SearchKernels::Held& held, const float* out, const float* in,
+                                        std::size_t i) {
+  return held.sum[i] - out[i] + in[i];
+}
+SHELFBEAM_INLINE inline float sum_after_failure(const SearchKernels::Held& held, const float* out,
+                                                const float* in, std::size_t i) {
+  const float rest = out[i] >= held.best[i] ? held.second[i] : held.best[i];
+  return sum_after(held, out, in, i) - larger(rest, in[i]);
+}
+
 template <bool sums>
 SHELFBEAM_INLINE inline float given(float signal, float target) {
   if constexpr (sums)
@@ -162,9 +172,33 @@ float SearchKernels::loss(const float* column, const float* weight, const float*
 }
 
 SHELFBEAM_FOR_EACH_CPU
-float SearchKernels::lack_after(const float* held, const float* out, const float* in, float demand,
+void SearchKernels::rank(const float* column, std::size_t rows, float* best, float* second) {
+  SHELFBEAM_VECTORIZE
+  for (std::size_t i = 0; i < rows; ++i) {
+    second[i] = larger(second[i], smaller(best[i], column[i]));
+    best[i] = larger(best[i], column[i]);
+  }
+}
+
+SHELFBEAM_FOR_EACH_CPU
+float SearchKernels::lack_after(const Held& all, const float* out, const float* in, float demand,
                                 std::size_t rows) {
-  return sum_over(rows, [=](std::size_t i) { return larger(0.0F, demand - (held[i] - out[i] + in[i])); });
+  const Held held = all;
+  if (held.best == nullptr)
+    return sum_over(rows, [=](std::size_t i) { return larger(0.0F, demand - sum_after(held, out, in, i)); });
+  return sum_over(rows,
+                  [=](std::size_t i) { return larger(0.0F, demand - sum_after_failure(held, out, in, i)); });
+}
+
+SHELFBEAM_FOR_EACH_CPU
+float SearchKernels::missed_after(const Held& all, const float* out, const float* in, float demand,
+                                  const float* weight, std::size_t rows) {
+  const Held held = all;
+  if (held.best == nullptr)
+    return sum_over(rows,
+                    [=](std::size_t i) { return sum_after(held, out, in, i) < demand ? weight[i] : 0.0F; });
+  return sum_over(
+      rows, [=](std::size_t i) { return sum_after_failure(held, out, in, i) < demand ? weight[i] : 0.0F; });
 }
 
 SHELFBEAM_FOR_EACH_CPU

@@ -54,9 +54,22 @@ struct SearchKernels {
   static float loss(const float* column, const float* weight, const float* held, float demand,
                     std::size_t rows);
 
-  /// Total lack after one column replaces another: sum_i max(0, demand - (held_i - out_i + in_i)).
-  static float lack_after(const float* held, const float* out, const float* in, float demand,
+  /// The sums of the chosen columns and, if a unit may fail, the two largest signals of every row; null
+  /// otherwise.
+  struct Held {
+    const float* sum;
+    const float* best;
+    const float* second;
+  };
+  /// Raises the two largest signals of the rows to those of a column.
+  static void rank(const float* column, std::size_t rows, float* best, float* second);
+  /// Total lack after one column replaces another: sum_i max(0, demand - S_i), S_i = sum_i - out_i + in_i,
+  /// less the largest of these signals if a unit may fail.
+  static float lack_after(const Held& held, const float* out, const float* in, float demand,
                           std::size_t rows);
+  /// The weight of the rows missed after the same exchange: sum_i weight_i [S_i < demand].
+  static float missed_after(const Held& held, const float* out, const float* in, float demand,
+                            const float* weight, std::size_t rows);
   /// held_i += in_i - out_i.
   static void exchange(const float* out, const float* in, std::size_t rows, float* held);
 

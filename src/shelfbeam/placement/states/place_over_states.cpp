@@ -162,13 +162,9 @@ class Solver {
   }
 
   void search_for_fewer() {
-    if (problem_.combination == Combination::spend) return;
+    if (!annealing_.applies()) return;
     while (has_gap() && !is_over()) {
-      const bool anneals = annealing_.applies();
-      if (!anneals && has_tried_fewer_) return;
-      const auto fewer = anneals ? annealing_.next(best_.selected, 1, {moves_, deadline_.end()}, control_)
-                                 : search_.with_fewer(best_.selected);
-      has_tried_fewer_ = !fewer;
+      const auto fewer = annealing_.next(best_.selected, 1, {moves_, deadline_.end()}, control_);
       if (!fewer) return;
       take(*fewer);
     }
@@ -178,7 +174,6 @@ class Solver {
     StateMisses misses = misses_of(states_, problem_, selected);
     const double value = state_value(states_, problem_, selected);
     if (!search_.fits(misses) || value > best_.value) return;
-    if (value < best_.value) has_tried_fewer_ = false;
     best_.selected = selected;
     best_.value = value;
     best_.misses = std::move(misses);
@@ -229,7 +224,6 @@ class Solver {
   // Shares of a label add up in both models; in the non-cooperative one they are 0 or 1.
   PlacementProblem master_ = problem_;
   StatePlacement best_;
-  bool has_tried_fewer_ = false;
   std::uint64_t moves_ = first_moves;
 };
 

@@ -55,13 +55,14 @@ class CaseRows : public detail::TotalLack<CaseRows> {
   std::size_t padded() const { return values_.padded(); }
   const float* column(std::uint32_t j) const { return values_.column(j); }
 
-  void excuse(std::vector<float>& held) {
+  void excuse(std::vector<float>& held, const std::vector<float>& best) {
     if (!allowance_.of_label.empty())
-      for (std::size_t i = 0; i < groups_.size(); ++i) excuse_rows(groups_[i], allowance_.of_label[i], held);
+      for (std::size_t i = 0; i < groups_.size(); ++i)
+        excuse_rows(groups_[i], allowance_.of_label[i], held, best);
     else if (allowance_.of_shop)
-      excuse_groups(*allowance_.of_shop, held);
+      excuse_groups(*allowance_.of_shop, held, best);
     else if (allowance_.total)
-      excuse_rows(groups_.front(), *allowance_.total, held);
+      excuse_rows(groups_.front(), *allowance_.total, held, best);
   }
 
   bool reaches_all(const Selection& selected) { return find_missed(selected, 1); }
@@ -93,22 +94,28 @@ class CaseRows : public detail::TotalLack<CaseRows> {
     return reserve_ * requirement_of(states_.table.labels[label], problem_.model);
   }
 
+  static float counted(const std::vector<float>& held, const std::vector<float>& best, std::uint32_t row) {
+    return best.empty() ? held[row] : held[row] - best[row];
+  }
+
   // Excuses the rows of a group that receive least.
-  void excuse_rows(std::vector<std::uint32_t>& rows, std::uint64_t allowed, std::vector<float>& held) const {
+  void excuse_rows(std::vector<std::uint32_t>& rows, std::uint64_t allowed, std::vector<float>& held,
+                   const std::vector<float>& best) const {
     const auto end =
         rows.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(allowed, rows.size()));
     if (end != rows.end())
-      std::nth_element(rows.begin(), end, rows.end(),
-                       [&](std::uint32_t a, std::uint32_t b) { return held[a] < held[b]; });
+      std::nth_element(rows.begin(), end, rows.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return counted(held, best, a) < counted(held, best, b);
+      });
     std::for_each(rows.begin(), end, [&](std::uint32_t r) { held[r] += excused; });
   }
 
   // Excuses the groups that lack most.
-  void excuse_groups(std::uint64_t allowed, std::vector<float>& held) const {
+  void excuse_groups(std::uint64_t allowed, std::vector<float>& held, const std::vector<float>& best) const {
     std::vector<std::pair<float, std::size_t>> lack(groups_.size());
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       lack[g].second = g;
-      for (const std::uint32_t r : groups_[g]) lack[g].first += std::max(0.0F, 1 - held[r]);
+      for (const std::uint32_t r : groups_[g]) lack[g].first += std::max(0.0F, 1 - counted(held, best, r));
     }
     std::sort(lack.begin(), lack.end(), std::greater<>());
     for (std::size_t k = 0; k < std::min<std::uint64_t>(allowed, lack.size()); ++k)
@@ -151,7 +158,10 @@ class CaseRows : public detail::TotalLack<CaseRows> {
     values_.add_rows(cases.size(), [&](std::size_t k, std::size_t j) {
       const double signal =
           static_cast<double>(states_.of(static_cast<std::uint32_t>(j), cases[k].label)[cases[k].state]);
-      return static_cast<float>(std::min(1.0, signal / requirement(cases[k].label)));
+      const double needed = requirement(cases[k].label);
+      if (problem_.model == CommunicationModel::cooperative)
+        return static_cast<float>(std::min(1.0, signal / needed));
+      return is_met(signal, needed) ? 1.0F : 0.0F;
     });
   }
 

@@ -11,8 +11,6 @@ namespace {
 using Selection = StateSearch::Selection;
 
 constexpr std::array depths{1.0, 1.1, 1.2};  ///< in requirements
-constexpr int max_exchanges = 200;
-constexpr int tenure = 6;  ///< exchanges for which a unit stays out, or in
 
 Selection with(Selection selected, std::uint32_t j) {
   selected.insert(std::lower_bound(selected.begin(), selected.end(), j), j);
@@ -143,40 +141,6 @@ std::optional<Selection> StateSearch::repaired(Selection selected, double below)
   }
   if (value(selected) >= below) return {};
   return selected;
-}
-
-std::optional<Selection> StateSearch::with_fewer(Selection selected) const {
-  std::optional<std::pair<Rank, std::uint32_t>> least;
-  for (const std::uint32_t j : selected) {
-    if (is_installed(j)) continue;
-    const Rank then = rank_of(without(selected, j));
-    if (!least || then < least->first) least = {then, j};
-  }
-  if (!least) return {};
-  selected = without(std::move(selected), least->second);
-  std::vector<int> free_from(states_.table.columns(), 0);
-  for (int step = 1; step <= max_exchanges && !is_over_(); ++step) {
-    if (fits(misses_of(states_, problem_, selected))) return selected;
-    struct Exchange {
-      Rank rank;
-      std::uint32_t out = 0, in = 0;
-    };
-    std::optional<Exchange> best;
-    for (const std::uint32_t out : selected) {
-      if (is_installed(out) || free_from[out] > step) continue;
-      const Selection rest = without(selected, out);
-      const std::vector<Weak> weak = weak_labels(rest);
-      for (std::uint32_t in = 0; in < states_.table.columns() && !is_over_(); ++in) {
-        if (in == out || free_from[in] > step || !can_join(in, rest)) continue;
-        const Rank then = rank(weak, in);
-        if (!best || then < best->rank) best = {then, out, in};
-      }
-    }
-    if (!best) return {};
-    selected = with(without(std::move(selected), best->out), best->in);
-    free_from[best->out] = free_from[best->in] = step + tenure;
-  }
-  return {};
 }
 
 Selection StateSearch::spread(Selection selected) const {

@@ -35,8 +35,6 @@ class StateSearch {
   /// Adds units until the allowance holds, then drops units that are not required. nullopt if that takes a
   /// value of `below` or more.
   std::optional<Selection> repaired(Selection selected, double below) const;
-  /// A selection with one unit less that keeps to the allowance, by exchanges.
-  std::optional<Selection> with_fewer(Selection selected) const;
   /// Exchanges units at the same value or less as long as labels are missed less often or less nearly:
   /// stopping at the first selection that fits the states would overfit them.
   Selection spread(Selection selected) const;

@@ -18,8 +18,9 @@ double max_weight(const SignalTable& table, const PlacementProblem& problem, std
   return best[units] ? best[units]->reached : 0;
 }
 
-PlacementProblem any_model(test::RandomTables& tables) {
-  return {tables.chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative};
+PlacementProblem any_rule(test::RandomTables& tables) {
+  return {.model = tables.chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative,
+          .redundant = tables.chance(0.3)};
 }
 
 // From all units, the annealing finds the fewest that reach a share of the weight, nearly always.
@@ -28,7 +29,7 @@ TEST(CoverageAnnealing, FindsTheFewestUnits) {
   int asked = 0, optimal = 0, smaller_than_whole = 0;
   for (int k = 0; k < 600; ++k) {
     const SignalTable table = tables.next();
-    const PlacementProblem problem = any_model(tables);
+    const PlacementProblem problem = any_rule(tables);
     const detail::LabelWeights weights(table);
     const double target = weights.rounded_up(0.8 * weights.total());
     detail::Selection all(table.columns());
@@ -60,7 +61,7 @@ TEST(CoverageAnnealing, FindsTheLargestWeight) {
   int asked = 0, optimal = 0, better = 0;
   for (int k = 0; k < 600; ++k) {
     const SignalTable table = tables.next();
-    const PlacementProblem problem = any_model(tables);
+    const PlacementProblem problem = any_rule(tables);
     const detail::LabelWeights weights(table);
     detail::Selection start(std::min<std::size_t>(4, table.columns()));
     std::iota(start.begin(), start.end(), 0U);
