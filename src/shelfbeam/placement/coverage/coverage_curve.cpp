@@ -8,7 +8,8 @@
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
-#include "shelfbeam/placement/coverage/coverage_search.hpp"
+#include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -16,7 +17,6 @@ namespace shelfbeam {
 namespace {
 
 // Work in entries examined, so that results do not depend on the machine.
-constexpr std::size_t search_work = 8'000'000'000;
 constexpr std::size_t bound_work = 10'000'000'000;
 
 using Clock = std::chrono::steady_clock;
@@ -25,14 +25,9 @@ class Curve {
  public:
   Curve(const SignalTable& table, const PlacementProblem& problem, const std::vector<std::uint32_t>& selected,
         const RunControl& control, Clock::time_point until)
-      : table_(table),
-        problem_(problem),
-        control_(control),
-        until_(until),
-        weights_(table),
-        search_(table, problem, weights_) {
+      : table_(table), problem_(problem), control_(control), until_(until), weights_(table) {
     curve_.selected = selected;
-    const std::size_t first = std::max<std::size_t>(1, search_.count());
+    const std::size_t first = std::max<std::size_t>(1, detail::installed_units(table).size());
     for (std::size_t k = first; k <= selected.size(); ++k)
       points_.push_back({.units = k, .at_most = weights_.total(), .best = {}});
   }
@@ -42,10 +37,11 @@ class Curve {
     offer(selected);
     look_forwards();
     look_backwards(selected);
+    anneal(detail::brief_annealing(table_) / 10, part_of_rest(until_, 4));
     rise();
     bound();
     enumerate();
-    anneal();
+    anneal(long_walk, until_);
     rise();
     for (const Point& point : points_) curve_.points.push_back(in_table(point));
     curve_.is_complete = !was_cut_short_ && !is_over();
@@ -53,6 +49,8 @@ class Curve {
   }
 
  private:
+  static constexpr std::uint64_t long_walk = 30'000;  ///< moves of annealing per count
+
   /// Weights in the unit of LabelWeights.
   struct Point {
     std::size_t units = 0;
@@ -97,41 +95,47 @@ class Curve {
     }
   }
 
-  // Counts in ascending order, each search starting from the previous selection with an equal share of the
-  // work.
+  // The units that a greedy selection adds first.
   void look_forwards() {
     const Clock::time_point end = part_of_rest(until_, 4);
-    const std::size_t work = search_work / points_.size();
+    std::vector<std::uint32_t> order =
+        greedy_order(table_, {.model = problem_.model, .redundant = problem_.redundant}, weights_.of_labels(),
+                     {.until = end}, control_);
     for (const Point& point : points_) {
       if (is_cut_short(end)) return;
       report(0, point);
-      search_.improve(point.units, work, control_, end);
-      offer(search_.selected());
+      std::vector<std::uint32_t> first(
+          order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), point.units)));
+      std::sort(first.begin(), first.end());
+      offer(first);
+    }
+  }
+
+  // The given selection without its least useful units.
+  void look_backwards(std::vector<std::uint32_t> selected) {
+    while (!is_over() && selected.size() > points_.front().units) {
+      const auto least = detail::least_useful(table_, problem_, weights_, selected);
+      if (!least) return;
+      std::erase(selected, least->column);
+      offer(selected);
     }
   }
 
   // Better selections for the counts whose bounds differ.
-  void anneal() {
-    constexpr std::uint64_t moves = 30'000;
+  void anneal(std::uint64_t moves, Clock::time_point end) {
     const bool is_open = std::any_of(points_.begin(), points_.end(),
                                      [](const Point& point) { return point.at_least < point.at_most; });
     if (!is_open || !detail::can_anneal_coverage(table_)) return;
     const detail::SearchInstance instance(table_, problem_);
     const detail::SearchMatrix matrix(table_, problem_.model);
-    std::uint32_t seed = 1;
     for (const Point& point : points_) {
-      if (is_cut_short(until_)) return;
+      if (is_cut_short(end)) return;
       if (point.best.size() != point.units || point.at_least >= point.at_most) continue;
       const auto found = detail::anneal_coverage(instance, matrix, weights_, point.at_least, point.best,
-                                                 {moves, until_}, seed, control_);
+                                                 {moves, end}, seed_, control_);
       if (found) offer(*found);
-      seed += detail::walks_at_once;
+      seed_ += detail::walks_at_once;
     }
-  }
-
-  void look_backwards(const std::vector<std::uint32_t>& selected) {
-    search_.start(selected);
-    while (!is_over() && search_.count() > points_.front().units && search_.drop()) offer(search_.selected());
   }
 
   void bound() {
@@ -188,8 +192,8 @@ class Curve {
   const RunControl& control_;
   Clock::time_point until_;
   detail::LabelWeights weights_;
-  detail::CoverageSearch search_;
   CoverageCurve curve_;
+  std::uint32_t seed_ = 1;
   std::vector<Point> points_;
   bool was_cut_short_ = false;
 };

@@ -9,8 +9,7 @@
 namespace shelfbeam::detail {
 
 // Work of the methods of max coverage, in matrix entries examined, so that results do not depend on the
-// machine. Search and bound: about ten seconds each on one core.
-inline constexpr std::size_t coverage_search_work = 2'000'000'000;
+// machine. The bound takes about ten seconds on one core.
 inline constexpr std::size_t coverage_bound_work = 12'000'000'000;
 inline constexpr std::size_t enumeration_work = 50'000'000'000;
 
@@ -24,6 +23,12 @@ inline std::size_t allowed_work(std::size_t work, const PlaceOptions& options, c
 /// Steps of CoverageBound, each of which examines its entries twice.
 inline std::size_t bound_steps(std::size_t entries, const PlaceOptions& options, const SignalTable& table) {
   return 1 + allowed_work(coverage_bound_work, options, table) / (2 * entries + 1);
+}
+
+/// Moves of an annealing before the bounds.
+inline std::uint64_t brief_annealing(const SignalTable& table) {
+  constexpr std::uint64_t moves_per_candidate = 200;
+  return moves_per_candidate * table.columns();
 }
 
 inline bool uses(const PlaceOptions& options, SolverChoice solver) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "shelfbeam/placement/problem/placement_problem.hpp"
@@ -19,6 +20,7 @@ class LabelWeights {
   explicit LabelWeights(const SignalTable& table);
 
   double operator[](std::size_t label) const { return weight_[label]; }
+  std::span<const double> of_labels() const { return weight_; }
   double total() const { return total_; }
   bool are_whole() const { return whole_; }
   /// Less than this between two sums counts as equal: 1, or 1e-9 of the total if the weights are not whole.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,13 +10,14 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/coverage_model.hpp"
-#include "shelfbeam/placement/coverage/coverage_search.hpp"
+#include "shelfbeam/placement/coverage/coverage_run.hpp"
+#include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -26,7 +26,6 @@ namespace {
 
 using detail::CoverageModel;
 using detail::EnumerationAim;
-using detail::uses;
 using Clock = std::chrono::steady_clock;
 
 // MIP solvers prove optima within a part in 1e6.
@@ -41,8 +40,7 @@ class Maximisation {
         options_(options),
         control_(control),
         units_(std::min(units, table.columns())),
-        weights_(table),
-        search_(table, problem, weights_) {
+        weights_(table) {
     reach_.problem = problem;
     reach_.problem.combination = Combination::lexicographic;
     reach_.at_most = units;
@@ -55,41 +53,13 @@ class Maximisation {
   }
 
   MaxCoverage run() {
-    constexpr double endless_s = 1e8;
-    const double limit_s = options_.step_limit ? endless_s : options_.time_limit_s;
-    const bool may_ask = uses(options_, SolverChoice::mip);
-    const bool fits = CoverageModel::fits(table_, problem_);
-    const bool may_solve = may_ask && fits;
-    reach_.too_large = may_ask && !fits;
-    const bool has_rest = may_solve || may_anneal();  // a step that can use the rest of the time
-    const Deadline search_end((has_rest ? 0.3 : 0.5) * limit_s), bound_end((has_rest ? 0.5 : 1) * limit_s),
-        enumeration_end((has_rest ? 0.6 : 1) * limit_s), anneal_end((may_solve ? 0.75 : 1) * limit_s),
-        end(limit_s);
-
-    if (!options_.start.empty()) search_.start(reach_.selected);
-    record("local search", [&] {
-      search_.improve_repeatedly(units_, detail::allowed_work(detail::coverage_search_work, options_, table_),
-                                 control_, search_end.end());
-      offer(search_.selected());
-    });
-    bool was_cut_short = search_end.has_passed();
-    const auto step = [&](std::string_view name, const Deadline& until, const auto& run) {
-      if (!until.has_passed() && !control_.cancelled()) record(name, run);
-      was_cut_short = was_cut_short || until.has_passed();
-    };
-    step("multipliers", bound_end, [&] { lower_bound(bound_end.end()); });
+    detail::CoverageRun run =
+        detail::CoverageSchedule(*this, table_, reach_.problem, options_, control_).run();
+    reach_.steps = std::move(run.steps);
+    reach_.too_large = run.too_large;
     if (bound_ >= weights_.total())  // no time for more
       lower_to(detail::reachable_weight(table_, problem_, weights_), BoundProof::trivial);
-    bool is_settled = false;
-    if (uses(options_, SolverChoice::search))
-      step("tree search", enumeration_end, [&] { is_settled = enumerate(enumeration_end.end()); });
-    if (!is_settled && !is_proven() && may_anneal() && reach_.selected.size() == units_)
-      step("annealing", anneal_end, [&] { anneal(anneal_end.end()); });
-    if (may_solve && !is_settled) record("MIP", [&] { solve(end); });
-    was_cut_short = was_cut_short || control_.cancelled() || end.has_passed();
-    reach_.status = is_proven()                                   ? Status::optimal
-                    : (may_solve && !is_settled) || was_cut_short ? Status::stopped
-                                                                  : Status::feasible;
+    reach_.status = is_proven() ? Status::optimal : run.is_cut_short ? Status::stopped : Status::feasible;
     reach_.reached = table_.rows() - reach_.missed.size();
     if (!has_weights(table_)) {
       reach_.upper_bound = static_cast<std::size_t>(bound_);
@@ -102,36 +72,37 @@ class Maximisation {
     return std::move(reach_);
   }
 
- private:
+  static constexpr std::uint64_t long_walk = 4'000'000;
+
+  double value() const { return weights_.in_table(value_); }
+  double bound() const { return weights_.in_table(bound_); }
   bool is_proven() const {
     return bound_ <= value_ + (weights_.are_whole() ? 0 : weights_.step()) || is_closed_by_solver_;
   }
+  bool may_improve() const { return !is_proven(); }
+  bool is_settled() const { return is_settled_; }
 
-  template <class Run>
-  void record(std::string_view name, const Run& run) {
-    const auto value = [&] { return weights_.in_table(value_); };
-    const auto bound = [&] { return weights_.in_table(bound_); };
-    detail::record_step(reach_.steps, name, value, bound, run);
+  /// The units that a greedy selection of all labels adds first.
+  void begin(Clock::time_point until) {
+    first_ = greedy_order(table_, {.model = problem_.model, .redundant = problem_.redundant},
+                          weights_.of_labels(), {.until = until}, control_);
+    first_.resize(std::min(first_.size(), units_));
+    std::sort(first_.begin(), first_.end());
+    offer(detail::without_useless(table_, problem_, weights_, first_));
   }
 
-  /// Accepts a selection that is better than the incumbent.
-  void offer(const std::vector<std::uint32_t>& selected) {
-    Check check = check_selection(table_, problem_, selected);
-    const double value = weights_.without(check.unmet);
-    const bool better = value > value_ || (value == value_ && selected.size() < reach_.selected.size());
-    if (!check.allowed() || selected.size() > reach_.at_most || !better) return;
-    reach_.selected = selected;
-    reach_.missed = std::move(check.unmet);
-    value_ = value;
+  /// For more weight.
+  void anneal(const detail::SearchInstance& instance, const detail::SearchMatrix& matrix,
+              const detail::Effort& effort, std::uint32_t seed) {
+    const auto& start = reach_.selected.size() == units_ ? reach_.selected : first_;
+    const auto found =
+        detail::anneal_coverage(instance, matrix, weights_, value_, start, effort, seed, control_);
+    if (!found) return;
+    offer(detail::without_useless(table_, problem_, weights_, *found));
+    reach_.solver = {Method::search};
   }
 
-  void lower_to(double bound, BoundProof proof) {
-    if (bound >= bound_) return;
-    bound_ = bound;
-    reach_.bound_proof = proof;
-  }
-
-  void lower_bound(Clock::time_point until) {
+  void raise_by_multipliers(Clock::time_point until) {
     CoverageBound bound(table_, problem_, weights_, units_);
     bound_ = bound.weight(units_);
     bound.improve(units_, value_, CoverageAim::lowest, detail::bound_steps(bound.entries(), options_, table_),
@@ -139,50 +110,8 @@ class Maximisation {
     lower_to(bound.weight(units_), BoundProof::dual);
   }
 
-  /// Proves the value, then looks for fewer units of the same value; false if the work was not enough.
-  bool enumerate(Clock::time_point until) {
-    detail::CoverageTable table(table_, problem_, weights_);
-    detail::EnumerationLimits limits{detail::allowed_work(detail::enumeration_work, options_, table_), until};
-    const auto examine = [&](std::size_t units, double weight, EnumerationAim aim) {
-      auto found = enumerate_coverage(table, weights_, units, weight, aim, limits, control_);
-      if (found.selected) offer(*found.selected);
-      return found;
-    };
-    if (!is_proven()) {
-      if (!examine(units_, value_ + weights_.step(), EnumerationAim::best).is_complete) return false;
-      lower_to(value_, BoundProof::search);
-      reach_.solver = {Method::search};
-      search_.start(reach_.selected);
-      search_.improve(units_, 0, control_, until);
-      offer(search_.selected());
-    }
-    while (reach_.selected.size() > table.installed().size()) {
-      const std::size_t size = reach_.selected.size();
-      const auto fewer = examine(size - 1, value_, EnumerationAim::first);
-      if (!fewer.is_complete) return reach_.bound_proof == BoundProof::search;
-      if (reach_.selected.size() == size) break;
-    }
-    reach_.solver = {Method::search};
-    return true;
-  }
-
-  bool may_anneal() const {
-    return uses(options_, SolverChoice::search) && detail::can_anneal_coverage(table_);
-  }
-
-  /// Annealing for more weight, again and again until the time is up.
-  void anneal(Clock::time_point until) {
-    constexpr std::uint64_t moves = 4'000'000;
-    detail::anneal_repeatedly(
-        table_, reach_.problem, options_, moves, until, control_, [&] { return is_proven(); },
-        [&](const auto& instance, const auto& matrix, const detail::Effort& effort, std::uint32_t seed) {
-          const auto found = detail::anneal_coverage(instance, matrix, weights_, value_, reach_.selected,
-                                                     effort, seed, control_);
-          if (!found) return;
-          offer(*found);
-          reach_.solver = {Method::search};
-        });
-  }
+  /// Proves the value, then looks for fewer units of the same value.
+  void raise_by_enumeration(Clock::time_point until) { is_settled_ = enumerate(until); }
 
   void solve(const Deadline& end) {
     for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
@@ -203,16 +132,60 @@ class Maximisation {
     }
   }
 
+ private:
+  /// Accepts a selection that is better than the incumbent.
+  void offer(const std::vector<std::uint32_t>& selected) {
+    Check check = check_selection(table_, problem_, selected);
+    const double value = weights_.without(check.unmet);
+    const bool better = value > value_ || (value == value_ && selected.size() < reach_.selected.size());
+    if (!check.allowed() || selected.size() > reach_.at_most || !better) return;
+    reach_.selected = selected;
+    reach_.missed = std::move(check.unmet);
+    value_ = value;
+  }
+
+  void lower_to(double bound, BoundProof proof) {
+    if (bound >= bound_) return;
+    bound_ = bound;
+    reach_.bound_proof = proof;
+  }
+
+  /// Proves the value, then looks for fewer units of the same value; false if the work was not enough.
+  bool enumerate(Clock::time_point until) {
+    detail::CoverageTable table(table_, problem_, weights_);
+    detail::EnumerationLimits limits{detail::allowed_work(detail::enumeration_work, options_, table_), until};
+    const auto examine = [&](std::size_t units, double weight, EnumerationAim aim) {
+      auto found = enumerate_coverage(table, weights_, units, weight, aim, limits, control_);
+      if (found.selected) offer(*found.selected);
+      return found;
+    };
+    if (!is_proven()) {
+      if (!examine(units_, value_ + weights_.step(), EnumerationAim::best).is_complete) return false;
+      lower_to(value_, BoundProof::search);
+      reach_.solver = {Method::search};
+      offer(detail::without_useless(table_, problem_, weights_, reach_.selected));
+    }
+    while (reach_.selected.size() > table.installed().size()) {
+      const std::size_t size = reach_.selected.size();
+      const auto fewer = examine(size - 1, value_, EnumerationAim::first);
+      if (!fewer.is_complete) return reach_.bound_proof == BoundProof::search;
+      if (reach_.selected.size() == size) break;
+    }
+    reach_.solver = {Method::search};
+    return true;
+  }
+
   const SignalTable& table_;
   const PlacementProblem& problem_;
   const PlaceOptions& options_;
   const RunControl& control_;
   std::size_t units_;
   detail::LabelWeights weights_;
-  detail::CoverageSearch search_;
+  std::vector<std::uint32_t> first_;  ///< of the greedy method; `units_` if there are so many
   MaxCoverage reach_;
   double value_ = 0, bound_ = 0;      ///< weights of the selection and of its upper bound
   bool is_closed_by_solver_ = false;  ///< within its gap, for weights that are not whole
+  bool is_settled_ = false;           ///< no selection reaches more, or as much with fewer units
 };
 
 }  // namespace

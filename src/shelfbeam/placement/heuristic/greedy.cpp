@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "shelfbeam/placement/problem/label_shares.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
@@ -13,9 +14,10 @@ namespace {
 
 class Greedy {
  public:
-  Greedy(const SignalTable& table, const PlacementProblem& problem)
+  Greedy(const SignalTable& table, const PlacementProblem& problem, std::span<const double> weight)
       : table_(table),
         problem_(problem),
+        weight_(weight),
         cost_(greedy_costs(table, problem)),
         mounts_(table),
         chosen_(table.columns(), false),
@@ -48,10 +50,7 @@ class Greedy {
       else if (!exchange())
         break;
     }
-    std::vector<std::uint32_t> result;
-    for (std::uint32_t j = 0; j < table_.columns(); ++j)
-      if (chosen_[j]) result.push_back(j);
-    return result;
+    return std::move(order_);
   }
 
  private:
@@ -62,18 +61,23 @@ class Greedy {
   };
 
   void choose(std::uint32_t column) {
+    order_.push_back(column);
     chosen_[column] = true;
     mounts_.for_each_conflict(column, [&](std::uint32_t other) { ++blocked_by_[other]; });
   }
 
   void drop(std::uint32_t column) {
+    order_.erase(std::find(order_.begin(), order_.end(), column));
     chosen_[column] = false;
     mounts_.for_each_conflict(column, [&](std::uint32_t other) { --blocked_by_[other]; });
   }
 
+  double weight(std::size_t label) const { return weight_.empty() ? 1 : weight_[label]; }
+
   void look_at_every_label() {
     unmet_.resize(table_.rows());
     std::iota(unmet_.begin(), unmet_.end(), std::size_t{0});
+    std::erase_if(unmet_, [&](std::size_t i) { return weight(i) <= 0; });
   }
 
   double share(const SignalEntry& entry, double requirement) const {
@@ -108,7 +112,9 @@ class Greedy {
       const double before = lacking(now.sum, now.largest);
       for (Exchange& one : all) {
         const double left = now.largest_without(one.out);
-        one.lacking += lacking(now.sum - part[one.out] + part[one.in], std::max(left, part[one.in])) - before;
+        one.lacking +=
+            weight(i) *
+            (lacking(now.sum - part[one.out] + part[one.in], std::max(left, part[one.in])) - before);
       }
       for (const SignalEntry& entry : table_.row(i)) part[entry.transceiver] = 0;
     }
@@ -166,7 +172,7 @@ class Greedy {
       }
       for (const SignalEntry& entry : table_.row(i)) {
         const double part = share(entry, requirement);
-        gain[entry.transceiver] += std::min(part, lacking + std::max(0.0, part - largest));
+        gain[entry.transceiver] += weight(i) * std::min(part, lacking + std::max(0.0, part - largest));
       }
       return false;
     });
@@ -175,8 +181,10 @@ class Greedy {
 
   const SignalTable& table_;
   const PlacementProblem& problem_;
+  std::span<const double> weight_;  ///< per label; empty: 1
   std::vector<double> cost_;
   Mounts mounts_;
+  std::vector<std::uint32_t> order_;  ///< the chosen units, in the order of their addition
   std::vector<bool> chosen_;
   std::vector<std::uint32_t> blocked_by_;  ///< per column: chosen units in conflict with it
   std::vector<std::size_t> unmet_;
@@ -193,7 +201,15 @@ std::vector<double> greedy_costs(const SignalTable& table, const PlacementProble
 
 std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem,
                                             const detail::Effort& effort, const RunControl& control) {
-  return Greedy(table, problem).run(effort, control);
+  std::vector<std::uint32_t> selected = greedy_order(table, problem, {}, effort, control);
+  std::sort(selected.begin(), selected.end());
+  return selected;
+}
+
+std::vector<std::uint32_t> greedy_order(const SignalTable& table, const PlacementProblem& problem,
+                                        std::span<const double> weight, const detail::Effort& effort,
+                                        const RunControl& control) {
+  return Greedy(table, problem, weight).run(effort, control);
 }
 
 }  // namespace shelfbeam

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
@@ -36,6 +37,13 @@ namespace shelfbeam {
 std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem,
                                             const detail::Effort& effort = {},
                                             const RunControl& control = {});
+
+/// The same units in the order of their addition, the installed ones first. Each gain and lack counts by the
+/// weight of its label (empty: 1); labels of weight 0 play no part. A unit never conflicts with an earlier
+/// one.
+std::vector<std::uint32_t> greedy_order(const SignalTable& table, const PlacementProblem& problem,
+                                        std::span<const double> weight, const detail::Effort& effort,
+                                        const RunControl& control);
 
 /// c(S_j) of every column.
 std::vector<double> greedy_costs(const SignalTable& table, const PlacementProblem& problem);

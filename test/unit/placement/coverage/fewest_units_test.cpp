@@ -68,7 +68,8 @@ TEST(FewestUnits, ByHand) {
   EXPECT_EQ(found.target, 4) << "a share of labels is rounded up, but not because of its own rounding";
   EXPECT_EQ(found.status, Status::optimal);
   found = fewest_units(table, {}, 0.67, {});
-  EXPECT_EQ(found.selected, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(found.selected.size(), 2U);
+  EXPECT_GE(found.reached, 5U);
   EXPECT_EQ(found.count_lower_bound, 2U);
   found = fewest_units(table, {.redundant = true}, 0.8, {});
   EXPECT_EQ(found.status, Status::infeasible);

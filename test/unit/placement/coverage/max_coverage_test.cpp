@@ -184,7 +184,7 @@ TEST(MaxCoverage, ReportsATableThatIsTooLarge) {
   const MaxCoverage reach = maximise_coverage(table, {}, 8, {.step_limit = 1000});
   EXPECT_TRUE(reach.too_large);
   EXPECT_EQ(reach.status, Status::feasible);
-  EXPECT_EQ(reach.solver.method, Method::greedy);
+  EXPECT_EQ(reach.solver.method, Method::search);
   EXPECT_EQ(reach.bound_proof, BoundProof::dual);
   EXPECT_GT(reach.gap(), 0);
   EXPECT_LT(reach.gap(), 1);

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/math/random.hpp"
+#include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/answer/search_step.hpp"
+#include "shelfbeam/placement/coverage/coverage_annealing.hpp"
+#include "shelfbeam/placement/coverage/coverage_effort.hpp"
+#include "shelfbeam/placement/coverage/coverage_model.hpp"
+
+namespace shelfbeam::detail {
+
+struct CoverageRun {
+  std::vector<SearchStep> steps;
+  bool is_cut_short = false;  ///< by a limit or an interruption, or by a MIP solver that settled nothing
+  bool too_large = false;     ///< for a MIP solver that the options allow
+};
+
+/// The search of every goal that may leave labels missed, a step at a time. Goal has
+///
+///   value(), bound()                        of the incumbent, for the record of steps
+///   may_improve(), is_settled()             annealing may improve the incumbent; nothing is left to do
+///   begin(until)                            greedy selection
+///   anneal(instance, matrix, effort, seed)  one annealing, of long_walk moves at most
+///   raise_by_multipliers(until)             CoverageBound
+///   raise_by_enumeration(until)             enumerate_coverage
+///   solve(end)                              the MIP
+///
+/// With a step limit the times do not apply.
+template <class Goal>
+class CoverageSchedule {
+ public:
+  CoverageSchedule(Goal& goal, const SignalTable& table, const PlacementProblem& problem,
+                   const PlaceOptions& options, const RunControl& control)
+      : goal_(goal), table_(table), problem_(problem), options_(options), control_(control) {}
+
+  CoverageRun run() {
+    using Until = std::chrono::steady_clock::time_point;
+    const bool fits = CoverageModel::fits(table_, problem_), may_ask = uses(options_, SolverChoice::mip);
+    const bool solves = may_ask && fits, searches = uses(options_, SolverChoice::search);
+    const bool anneals = searches && can_anneal_coverage(table_);
+    const bool has_rest = solves || anneals;  // a step that can use the rest of the time
+    run_.too_large = may_ask && !fits;
+    step("greedy", has_rest ? 0.3 : 0.5, [&](Until until) { goal_.begin(until); });
+    // Bounds profit from a good selection.
+    if (anneals)
+      step("short annealing", 0.3, [&](Until until) { anneal({brief_annealing(table_), until}, false); });
+    step("multipliers", has_rest ? 0.5 : 0.8, [&](Until until) { goal_.raise_by_multipliers(until); });
+    if (searches)
+      step("tree search", has_rest ? 0.6 : 1, [&](Until until) { goal_.raise_by_enumeration(until); });
+    if (anneals && goal_.may_improve())
+      step("annealing", solves ? 0.75 : 1, [&](Until until) { anneal({Goal::long_walk, until}, true); });
+    if (solves && !goal_.is_settled()) {
+      record_step(run_.steps, "MIP", value(), bound(), [&] { goal_.solve(at(1)); });
+      run_.is_cut_short = true;
+    }
+    run_.is_cut_short = run_.is_cut_short || control_.cancelled() || at(1).has_passed();
+    return std::move(run_);
+  }
+
+ private:
+  auto value() const {
+    return [this] { return goal_.value(); };
+  }
+  auto bound() const {
+    return [this] { return goal_.bound(); };
+  }
+
+  Deadline at(double share) const {
+    constexpr double endless_s = 1e8;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
+    return Deadline(options_.step_limit ? endless_s : share * options_.time_limit_s - spent.count());
+  }
+
+  template <class Run>
+  void step(std::string_view name, double share, const Run& run) {
+    const Deadline until = at(share);
+    if (!goal_.is_settled() && !until.has_passed() && !control_.cancelled())
+      record_step(run_.steps, name, value(), bound(), [&] { run(until.end()); });
+    run_.is_cut_short = run_.is_cut_short || until.has_passed();
+  }
+
+  // Once, or with other seeds until the time is up; once if the options limit the steps.
+  void anneal(Effort effort, bool repeats) {
+    const SearchInstance instance(table_, problem_);
+    const SearchMatrix matrix(table_, problem_.model);
+    effort.steps = std::min(effort.steps, options_.step_limit.value_or(effort.steps));
+    auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, repeats ? 1 : 0));
+    while (goal_.may_improve() && !effort.is_over(control_)) {
+      goal_.anneal(instance, matrix, effort, seed);
+      seed += walks_at_once;
+      if (!repeats || options_.step_limit) return;
+    }
+  }
+
+  Goal& goal_;
+  const SignalTable& table_;
+  const PlacementProblem& problem_;
+  const PlaceOptions& options_;
+  const RunControl& control_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  CoverageRun run_;
+};
+
+}  // namespace shelfbeam::detail

@@ -1,0 +1,61 @@
+#include "shelfbeam/placement/coverage/least_useful.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/label_shares.hpp"
+
+namespace shelfbeam::detail {
+
+std::optional<LeastUseful> least_useful(const SignalTable& table, const PlacementProblem& problem,
+                                        const LabelWeights& weights,
+                                        const std::vector<std::uint32_t>& selected) {
+  std::vector<bool> chosen(table.columns(), false);
+  for (const std::uint32_t j : selected) chosen[j] = true;
+  std::vector<double> missed(table.columns(), 0.0), lost(table.columns(), 0.0);
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const double requirement = requirement_of(table.labels[i], problem.model);
+    LabelShares shares;
+    for (const SignalEntry& entry : table.row(i))
+      if (chosen[entry.transceiver])
+        shares.add(entry.transceiver, share_of(entry.signal, requirement, problem));
+    const double before = lacking(shares.sum, shares.largest, problem);
+    for (const SignalEntry& entry : table.row(i)) {
+      const std::uint32_t j = entry.transceiver;
+      if (!chosen[j]) continue;
+      const double rest = std::max(0.0, shares.sum - share_of(entry.signal, requirement, problem));
+      const double after = lacking(rest, shares.largest_without(j), problem);
+      lost[j] += weights[i] * (after - before);
+      if (before == 0 && after > 0) missed[j] += weights[i];
+    }
+  }
+  std::optional<std::uint32_t> least;
+  for (const std::uint32_t j : selected)
+    if (!table.transceivers[j].installed &&
+        (!least || std::pair(missed[j], lost[j]) < std::pair(missed[*least], lost[*least])))
+      least = j;
+  if (!least) return {};
+  return LeastUseful{*least, missed[*least]};
+}
+
+std::vector<std::uint32_t> without_useless(const SignalTable& table, const PlacementProblem& problem,
+                                           const LabelWeights& weights, std::vector<std::uint32_t> selected) {
+  while (const auto least = least_useful(table, problem, weights, selected)) {
+    if (least->weight > 0) break;
+    std::vector<std::uint32_t> fewer = selected;
+    std::erase(fewer, least->column);
+    // Shares decide almost as the checker does.
+    if (weight_of(table, problem, weights, fewer) < weight_of(table, problem, weights, selected)) break;
+    selected = std::move(fewer);
+  }
+  return selected;
+}
+
+double weight_of(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights,
+                 const std::vector<std::uint32_t>& selected) {
+  return weights.without(check_selection(table, problem, selected).unmet);
+}
+
+}  // namespace shelfbeam::detail
