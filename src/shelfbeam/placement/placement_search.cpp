@@ -80,6 +80,12 @@ constexpr auto may_have_windows = [](State state) {
 };
 constexpr auto has_few_left = [](State state) { return !has_many_left(state); };
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
+// Sums of many units: tree searches rarely end, and the whole is too large for a MIP.
+constexpr auto may_have_window_mips = [](State state) {
+  constexpr std::size_t enough_units = 14;
+  return has_tree(state) && !state.is_cover() && !state.is_weighted && !state.problem.redundant &&
+         !state.solvers.only_linear && !state.fits_mip() && state.incumbent.selected().size() >= enough_units;
+};
 constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
 constexpr auto has_more_than_bounds = [](State state) { return !has_bounds_alone(state); };
@@ -102,6 +108,7 @@ constexpr Step schedule[] = {
     // MIP solvers suit reduced covers of many units; tree searches do not.
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
     {"tree search", is_large_whole, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
+    {"windows by MIPs", may_have_window_mips, 0.9, no_limit_s, any_steps, raise_bound_by_window_mips},
     {"MIP", is_large_or_cover, 0.9, no_limit_s, any_steps, solve_mip},
     {"final tree search", is_small, 1, no_limit_s, any_steps, raise_bound_by_tree},
     {"final local search", always, 1, no_limit_s, any_steps, improve},

@@ -198,6 +198,9 @@ void branch_on_remainder(SearchState& state, const Effort& effort);
 /// Offers the selections that the windows make together.
 void raise_bound_by_windows(SearchState& state, const Effort& effort);
 
+/// The same for sums of signals that are counted, each window a MIP.
+void raise_bound_by_window_mips(SearchState& state, const Effort& effort);
+
 /// MIP on the remainder of the reductions, or on the whole model if they do not apply, for a selection better
 /// than the incumbent, without useless columns.
 void solve_mip(SearchState& state, const Effort& effort);

@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "shelfbeam/placement/search_state.hpp"
 #include "shelfbeam/placement/windows/window_bound.hpp"
+#include "shelfbeam/placement/windows/window_mips.hpp"
 
 namespace shelfbeam::detail {
 
@@ -24,6 +27,26 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
                                          clp_first(state).front(), heuristic, state.control);
   state.exclude(found.useless);
   state.raise_open(found.bound, BoundProof::branches);
+}
+
+void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
+  constexpr std::size_t units_per_window = 6;
+  constexpr double above = 1e-3;                 // of a step, more than rounding takes back
+  constexpr std::uint64_t steps_per_node = 200;  // a node of a MIP takes much longer than a move of a walk
+  const milp::Backend& backend = state.solvers.preferred.front();
+  state.last_backend = backend.full_name();
+  while (!state.is_closed() && !effort.is_over(state.control)) {
+    WindowMipOptions options;
+    options.goal = state.incumbent.bound() + above * state.bounds.step();
+    options.until = effort.until;
+    if (state.limits.step_limit) options.max_nodes = 1 + *state.limits.step_limit / steps_per_node;
+    options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
+    options.without = state.useless;
+    const double bound =
+        window_mip_bound(state.table, state.problem, state.first_cost, options, backend, state.control);
+    state.raise_open(bound, BoundProof::solver);
+    if (bound < options.goal) return;
+  }
 }
 
 }  // namespace shelfbeam::detail

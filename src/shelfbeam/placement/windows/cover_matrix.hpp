@@ -21,8 +21,7 @@ struct CoverMatrix {
               const Reduction& reduction);
 };
 
-/// Divides the rows into connected parts of similar size, which share few columns: halves by the second
-/// eigenvector of the rows' overlap (Fiedler 1973), and so on. Deterministic. Each part is ascending.
+/// Parts of similar cost, where the cost of a row is the smallest share of its columns.
 std::vector<std::vector<std::uint32_t>> divided_rows(const CoverMatrix& cover, std::size_t parts);
 
 }  // namespace shelfbeam::detail

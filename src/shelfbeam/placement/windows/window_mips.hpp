@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
+
+namespace shelfbeam::detail {
+
+struct WindowMipOptions {
+  double goal = 0;  ///< a bound of this size ends the search, and no larger one is proven
+  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  std::optional<std::uint64_t> max_nodes = {};  ///< of every MIP
+  std::size_t windows = 4;
+  std::vector<std::uint32_t> without = {};  ///< the bound holds for selections without these columns
+};
+
+/// A lower bound on c T by the decomposition of `window_bound`, for sums of signals or covers without unit
+/// failure, c >= 0. Window W_k is a part of the rows of the LP, with multipliers y. It pays for column j the
+/// share that its rows have in the column's multipliers,
+///
+///   w_kj = c_j sum_{i in W_k} y_i a_ij / sum_i y_i a_ij,      v_k = min {w_k T: T reaches N_k},
+///
+/// and a selection must reach the labels N_k near W_k, those with sum_j a_ij^2 w_kj / c_j of at least a part
+/// of sum_j a_ij^2. The LP bound is the sum of the windows' LP bounds, and integrality raises each of them.
+///
+/// Each v_k is a MIP, asked only whether it exceeds a target, which needs much smaller trees than its value.
+/// Rows that a window's solution violates are added, and it is asked again. At first the targets are in
+/// proportion to the LP bounds and add up to the goal; those that are met rise for the others.
+///
+/// Windows are asked in parallel, each on one thread. The result does not depend on the number of threads
+/// unless `until` comes first. The bound is lowered by the tolerance of solvers (milp::objective_slack).
+double window_mip_bound(const SignalTable& table, const PlacementProblem& problem,
+                        std::span<const double> cost, const WindowMipOptions& options,
+                        const milp::Backend& backend, const RunControl& control);
+
+}  // namespace shelfbeam::detail
