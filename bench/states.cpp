@@ -31,6 +31,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/placement/states/place_over_states.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -169,6 +170,7 @@ void place_file(const Settings& settings, const std::string& file) {
   const double seconds = wall_seconds([&] { found = place_over_states(table, {}, allowance, options); });
   fmt::print("{}: {} units, at least {}, after {:.0f} s, {} placements on cuts, {} cuts\n", file, found.value,
              found.lower_bound, seconds, found.calls, found.cuts);
+  fmt::print("  steps: {}\n", steps_json(found.steps));
 }
 
 void run(const std::string& what, const Settings& settings) {

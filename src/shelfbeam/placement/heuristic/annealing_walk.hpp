@@ -173,7 +173,11 @@ class AnnealingWalk {
     return near[index(kind < any + nearest ? std::min(nearest_count, near.size()) : near.size())];
   }
 
+  // A walk that minimises a spend raises no price.
   bool is_excluded(std::uint32_t in, std::uint32_t out) const {
+    if (instance_.problem.combination == Combination::spend &&
+        instance_.table.transceivers[in].cost > instance_.table.transceivers[out].cost)
+      return true;
     return std::any_of(instance_.excludes[in].begin(), instance_.excludes[in].end(),
                        [&](std::uint32_t other) { return other != out && in_[other]; });
   }

@@ -16,6 +16,24 @@ struct StateMisses {
   bool operator==(const StateMisses&) const = default;
 };
 
+/// Counts misses, one at a time.
+class MissCounter {
+ public:
+  MissCounter(std::size_t labels, std::size_t states) : has_miss_(states, false) {
+    misses_.of_label.assign(labels, 0);
+  }
+  void add(std::size_t label, std::size_t state) {
+    ++misses_.of_label[label];
+    if (!has_miss_[state]) ++misses_.of_shop;
+    has_miss_[state] = true;
+  }
+  const StateMisses& misses() const { return misses_; }
+
+ private:
+  StateMisses misses_;
+  std::vector<bool> has_miss_;  ///< per state
+};
+
 /// The allowed misses. A part without a value limits nothing.
 struct MissAllowance {
   std::vector<std::uint32_t> of_label = {};   ///< per label; empty: no limit

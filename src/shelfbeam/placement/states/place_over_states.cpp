@@ -1,10 +1,10 @@
 #include "shelfbeam/placement/states/place_over_states.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,9 +12,9 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
-#include "shelfbeam/placement/states/margin_search.hpp"
 #include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_cuts.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
@@ -27,13 +27,9 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double least_step = 1e-6;  ///< of a bound on the count
 // Parts of the time that is left.
 constexpr double share_of_master = 0.2;  ///< one placement on cuts
-constexpr double share_of_margin = 0.1;  ///< one placement with margins
 constexpr double share_of_lps = 0.4;
-constexpr double share_of_spread = 0.2;  ///< of the whole time limit
-constexpr int max_margin_searches = 5;
+constexpr double share_of_spread = 0.2;                                ///< of the whole time limit
 constexpr std::uint64_t first_moves = 50'000, max_moves = 20'000'000;  ///< of one annealing
-constexpr std::uint64_t spread_moves = 1'000'000;
-constexpr std::array reserves{1.01, 1.02, 1.03, 1.05, 1.07, 1.1, 1.15, 1.2};  ///< in requirements
 
 class Solver {
  public:
@@ -48,48 +44,63 @@ class Solver {
         deadline_((enough ? 1 : 1 - share_of_spread) * options.time_limit_s),
         end_(options.time_limit_s),
         cuts_(states, problem, allowance),
-        search_(states, problem, allowance, [this] { return is_over(); }),
+        search_(
+            states, problem, allowance, [this] { return is_over(); }, control.threads),
         annealing_(states, problem, allowance) {
     master_.model = CommunicationModel::cooperative;
+    master_.redundant = false;
   }
 
   StatePlacement run() {
-    if (is_possible()) {
-      if (!enough_) start();
-      relax();
-      search_for_fewer();
+    if (!is_possible()) {
+      best_.lower_bound = unbounded;
+      return std::move(best_);
+    }
+    if (!enough_) {
+      step("greedy", [&] { start(); });
+      step("annealing", [&] { search_for_fewer(); });
+    }
+    step("linear programs", [&] { relax(); });
+    step("placements on cuts", [&] {
       while (!is_over() && !is_settled() && raise()) {
       }
-      for (; !is_over() && annealing_.applies() && has_gap(); moves_ = std::min(max_moves, 2 * moves_))
-        search_for_fewer();
-    } else {
-      best_.lower_bound = unbounded;
-    }
+    });
+    if (!enough_)
+      step("annealing", [&] {
+        for (; !is_over() && !is_settled(); moves_ = std::min(max_moves, 2 * moves_)) search_for_fewer();
+      });
     best_.cuts = cuts_.size();
-    if (best_.has_selection()) spread();
+    deadline_ = end_;
+    // The first selection that fits the sampled states overfits them.
+    if (best_.has_selection())
+      step("spread", [&] { take(annealing_.spread(best_.selected, deadline_, control_)); });
     return std::move(best_);
   }
 
  private:
   bool is_over() const { return control_.cancelled() || deadline_.has_passed(); }
 
+  template <class Run>
+  void step(std::string_view name, const Run& run) {
+    if (is_over()) return;
+    detail::record_step(
+        best_.steps, name, [&] { return best_.value; }, [&] { return best_.lower_bound; }, run);
+  }
+
   void start() {
-    if (!options_.start.empty())
-      if (const auto repaired = search_.repaired(options_.start, unbounded)) take(*repaired);
-    MarginSearch margins(states_, problem_, allowance_);
-    for (int k = 0; k < max_margin_searches && !is_over(); ++k) {
-      control_.report(Task::placing_over_states, -1, "with margins");
-      const auto selected = margins.next(share_of_margin * deadline_.seconds_left(), options_, control_);
-      if (selected.empty()) break;
-      if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
-    }
+    first_ = options_.start;
+    if (first_.empty())
+      for (std::uint32_t j = 0; j < states_.table.columns(); ++j)
+        if (states_.table.transceivers[j].installed) first_.push_back(j);
+    if (auto repaired = search_.repaired(first_, unbounded)) first_ = std::move(*repaired);
+    take(first_);
   }
 
   // Raises the bound by linear programs. A selection of at most K units does not exist if the bound for these
   // exceeds K.
   void relax() {
-    if (problem_.redundant) return;
-    const Deadline deadline(share_of_lps * deadline_.seconds_left());
+    if (is_settled()) return;
+    const Deadline deadline((enough_ ? 1 : share_of_lps) * deadline_.seconds_left());
     raise_to(lp_bound(cuts_, states_.table.columns(), unbounded, deadline));
     if (problem_.combination == Combination::spend) return;
     while (best_.lower_bound > 0 && !is_settled() && !deadline.has_passed()) {
@@ -144,8 +155,7 @@ class Solver {
     control_.report(Task::placing_over_states, -1,
                     best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
                                           : fmt::format("at least {:g}", best_.lower_bound));
-    const bool anneals_instead = !enough_ && annealing_.applies();
-    return added > 0 && (placement.status == Status::optimal || !anneals_instead);
+    return added > 0 && (placement.status == Status::optimal || enough_);
   }
 
   void raise_to(double bound) {
@@ -153,7 +163,6 @@ class Solver {
     best_.lower_bound = std::max(best_.lower_bound, bound);
   }
 
-  bool has_gap() const { return best_.has_selection() && !best_.is_proven(); }
   bool is_settled() const { return best_.is_proven() || (enough_ && best_.lower_bound >= *enough_); }
 
   void improve(const std::vector<std::uint32_t>& selected) {
@@ -162,9 +171,9 @@ class Solver {
   }
 
   void search_for_fewer() {
-    if (!annealing_.applies()) return;
-    while (has_gap() && !is_over()) {
-      const auto fewer = annealing_.next(best_.selected, 1, {moves_, deadline_.end()}, control_);
+    while (!is_settled() && !is_over()) {
+      const auto fewer = annealing_.next(best_.has_selection() ? best_.selected : first_, 1,
+                                         {moves_, deadline_.end()}, control_);
       if (!fewer) return;
       take(*fewer);
     }
@@ -173,24 +182,10 @@ class Solver {
   void take(const std::vector<std::uint32_t>& selected) {
     StateMisses misses = misses_of(states_, problem_, selected);
     const double value = state_value(states_, problem_, selected);
-    if (!search_.fits(misses) || value > best_.value) return;
+    if (allowance_.excess(misses) > 0 || value > best_.value) return;
     best_.selected = selected;
     best_.value = value;
     best_.misses = std::move(misses);
-  }
-
-  // The first selection that fits the sampled states overfits them.
-  void spread() {
-    deadline_ = end_;
-    if (annealing_.applies())
-      for (const double reserve : reserves) {
-        if (annealing_.keeps(best_.selected, reserve)) continue;
-        const auto selected =
-            annealing_.next(best_.selected, reserve, {spread_moves, deadline_.end()}, control_);
-        if (!selected) break;
-        take(*selected);
-      }
-    take(search_.spread(best_.selected));
   }
 
   // Names the labels that are missed too often by all units together; if no label alone is, all that are
@@ -204,7 +199,7 @@ class Solver {
     const StateMisses misses = misses_of(states_, problem_, all);
     for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
       if (misses.of_label[i] > allowance_.limit(i)) best_.unreachable.push_back(i);
-    const bool fits = search_.fits(misses);
+    const bool fits = allowance_.excess(misses) == 0;
     if (!fits && best_.unreachable.empty())
       for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
         if (misses.of_label[i] > 0) best_.unreachable.push_back(i);
@@ -221,9 +216,10 @@ class Solver {
   StateCuts cuts_;
   StateSearch search_;
   StateAnnealing annealing_;
-  // Shares of a label add up in both models; in the non-cooperative one they are 0 or 1.
+  // Shares add up in both models, and cuts contain unit failure.
   PlacementProblem master_ = problem_;
   StatePlacement best_;
+  std::vector<std::uint32_t> first_;  ///< annealing begins with it as long as no selection is known
   std::uint64_t moves_ = first_moves;
 };
 

@@ -22,6 +22,7 @@ struct StatePlacement {
   /// none alone is, the labels that are then missed.
   std::vector<std::uint32_t> unreachable;
   std::size_t calls = 0, cuts = 0;  ///< placements on cuts, and cuts
+  std::vector<SearchStep> steps;
 
   bool has_selection() const { return value < std::numeric_limits<double>::infinity(); }
   bool is_proven() const { return value <= lower_bound * (1 + 1e-9); }
@@ -36,13 +37,11 @@ struct StatePlacement {
 /// sum_j a_j x_j >= 1, a_j the mean of the t - k largest shares of unit j. If a rule is broken even with all
 /// units of a set W, another unit is required: sum over j not in W of x_j >= 1. Linear programs over the cuts
 /// bound the count first, then `place` solves the cuts exactly; solutions that break a rule violate new cuts.
-/// With unit failure, the strongest unit is omitted from the sums, and there are no sets W and no linear
-/// programs.
+/// With unit failure, every case has its strongest unit left out, and the same holds for the others.
 ///
-/// The search starts from selections with margins (margin_search.hpp), and from `options.start`, to which
-/// units are added where it misses labels; annealing (state_annealing.hpp) then seeks fewer units. Throws
-/// InputError for an objective other than the count or the spend, and as `place`. Precondition: there is a
-/// state.
+/// The search starts from `options.start`, or from the installed units, and adds units; annealing
+/// (state_annealing.hpp) then seeks fewer. Throws InputError for an objective other than the count or the
+/// spend, and as `place`. Precondition: there is a state.
 StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
                                  const MissAllowance& allowance, const PlaceOptions& options,
                                  const RunControl& control = {});

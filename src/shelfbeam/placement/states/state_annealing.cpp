@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/states/state_annealing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <numeric>
@@ -15,6 +16,9 @@ namespace shelfbeam {
 namespace {
 
 using detail::Selection;
+
+constexpr std::uint64_t spread_moves = 1'000'000;                                  ///< of one reserve
+constexpr std::array reserves{1.0, 1.01, 1.02, 1.03, 1.05, 1.07, 1.1, 1.15, 1.2};  ///< in requirements
 
 SignalTable table_of(const StateTable& states, std::size_t state) {
   SignalTable table = states.table;
@@ -85,6 +89,7 @@ class CaseRows : public detail::TotalLack<CaseRows> {
  private:
   struct Case {
     std::uint32_t label = 0, state = 0;
+    double received = 0;
   };
   static constexpr float excused = 64;           ///< is added to the signals of excused rows
   static constexpr std::size_t max_labels = 64;  ///< whose cases are added at once
@@ -126,24 +131,18 @@ class CaseRows : public detail::TotalLack<CaseRows> {
   // are divided by `near`. Returns whether there are none.
   bool find_missed(const Selection& selected, double near) {
     missed_.clear();
-    StateMisses misses;
-    misses.of_label.assign(states_.table.rows(), 0);
-    std::vector<bool> any(states_.states, false);
-    for (std::uint32_t i = 0; i < states_.table.rows(); ++i) {
-      const std::vector<double> received = received_signals(states_, problem_, i, selected);
-      const std::size_t before = missed_.size();
-      for (std::uint32_t s = 0; s < received.size(); ++s)
-        if (!is_met(received[s], near * requirement(i))) {
-          missed_.push_back({i, s});
-          any[s] = true;
-        }
-      misses.of_label[i] = static_cast<std::uint32_t>(missed_.size() - before);
-      if (!allowance_.of_label.empty() && misses.of_label[i] <= allowance_.of_label[i])
-        missed_.resize(before);
-      std::sort(missed_.begin() + static_cast<std::ptrdiff_t>(before), missed_.end(),
-                [&](const Case& a, const Case& b) { return received[a.state] < received[b.state]; });
-    }
-    misses.of_shop = static_cast<std::uint32_t>(std::count(any.begin(), any.end(), true));
+    MissCounter counter(states_.table.rows(), states_.states);
+    for_each_weak(states_, problem_, selected, near * reserve_,
+                  [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal& received) {
+                    missed_.push_back({i, s, received.value()});
+                    counter.add(i, s);
+                  });
+    const StateMisses& misses = counter.misses();
+    if (!allowance_.of_label.empty())
+      std::erase_if(missed_, [&](const Case& one) {
+        return misses.of_label[one.label] <= allowance_.of_label[one.label];
+      });
+    std::ranges::sort(missed_, {}, [](const Case& one) { return std::pair(one.label, one.received); });
     return allowance_.excess(misses) == 0;
   }
 
@@ -186,14 +185,6 @@ StateAnnealing::StateAnnealing(const StateTable& states, const PlacementProblem&
       instance_(first_, problem_),
       matrix_(first_, problem.model) {}
 
-bool StateAnnealing::applies() const {
-  return detail::can_anneal(problem_);
-}
-
-bool StateAnnealing::keeps(const Selection& selected, double reserve) const {
-  return CaseRows(states_, problem_, allowance_, reserve, selected).reaches_all(selected);
-}
-
 std::optional<Selection> StateAnnealing::next(const Selection& start, double reserve,
                                               const detail::Effort& effort, const RunControl& control) {
   const std::uint32_t seed = seed_;
@@ -202,6 +193,16 @@ std::optional<Selection> StateAnnealing::next(const Selection& start, double res
     return detail::AnnealingWalk(instance_, matrix_, CaseRows(states_, problem_, allowance_, reserve, start),
                                  start, own_seed);
   });
+}
+
+Selection StateAnnealing::spread(Selection selected, const Deadline& deadline, const RunControl& control) {
+  for (const double reserve : reserves) {
+    if (allowance_.excess(misses_of(states_, problem_, selected, reserve)) == 0) continue;
+    std::optional<Selection> found = next(selected, reserve, {spread_moves, deadline.end()}, control);
+    if (!found) break;
+    selected = std::move(*found);
+  }
+  return selected;
 }
 
 }  // namespace shelfbeam

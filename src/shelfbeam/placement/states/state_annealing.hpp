@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/kernels/search_instance.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
@@ -21,15 +22,14 @@ class StateAnnealing {
   /// All references must outlive the object. Precondition: there is a state.
   StateAnnealing(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance);
 
-  /// detail::can_anneal.
-  bool applies() const;
-  /// Whether a selection keeps to the allowance with `reserve` times all requirements.
-  bool keeps(const Selection& selected, double reserve) const;
   /// A selection of fewer units than `start` that keeps to the allowance with `reserve` times all
-  /// requirements, or of at most as many if the start does not. nullopt if none was found within the effort.
-  /// Every call has other random numbers.
+  /// requirements, or of at most as many if the start does not, at no higher price. nullopt if none was found
+  /// within the effort. Every call has other random numbers.
   std::optional<Selection> next(const Selection& start, double reserve, const detail::Effort& effort,
                                 const RunControl& control);
+  /// A selection of as many units, at no higher price, that keeps to the allowance with the largest reserve
+  /// that is found before the deadline, up to 1.2 times all requirements.
+  Selection spread(Selection selected, const Deadline& deadline, const RunControl& control);
 
  private:
   const StateTable& states_;

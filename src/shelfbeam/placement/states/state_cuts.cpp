@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <optional>
+#include <set>
 #include <string>
 
 #include "shelfbeam/base/parallel.hpp"
@@ -14,10 +14,11 @@ namespace shelfbeam {
 namespace {
 
 constexpr double violated = 1 - 1e-6, violated_by_lp = 1 - 1e-3;
-constexpr std::size_t share_steps = 20;  ///< parts s that are tried for one cut
-constexpr std::size_t max_labels = 256;  ///< that give cuts at once
-constexpr std::size_t max_cases = 4000;  ///< of one cut
-constexpr std::size_t max_sizes = 64;    ///< that are tried for one cut
+constexpr double missed = 1 - 2 * met_tolerance;  ///< below this, in any order of summation
+constexpr std::size_t share_steps = 20;           ///< parts s that are tried for one cut
+constexpr std::size_t max_labels = 256;           ///< that give cuts at once
+constexpr std::size_t max_cases = 4000;           ///< of one cut
+constexpr std::size_t max_sizes = 64;             ///< that are tried for one cut
 
 }  // namespace
 
@@ -29,14 +30,22 @@ StateCuts::StateCuts(const StateTable& states, const PlacementProblem& problem,
   table_.scenarios.clear();
   table_.entries.clear();
   table_.row_begin = {0};
-  for (std::size_t i = 0; i < states.table.rows(); ++i)
+  for (std::uint32_t i = 0; i < states.table.rows(); ++i)
     if (const std::uint64_t limit = allowance.limit(i); limit < states.states)
-      append(mean_of_largest(cases_of(i, {}), states.states - limit, Counted{}));
+      append(mean_of_largest(cases_of(i, {}, {}), states.states - limit, {}));
+}
+
+void StateCuts::Case::add(std::uint32_t column, double share, bool fails) {
+  received += fails ? std::min(largest, share) : share;
+  if (!fails || share <= largest) return;
+  largest = share;
+  failed = column;
 }
 
 double StateCuts::share(const Case& at, std::uint32_t column) const {
-  return detail::share_of(static_cast<double>(states_.of(column, at.label)[at.state]), requirement(at.label),
-                          problem_);
+  if (column == at.failed) return 0;
+  return detail::share_of(static_cast<double>(states_.of(column, at.label)[at.state]),
+                          requirement_of(states_.table.labels[at.label], problem_.model), problem_);
 }
 
 double StateCuts::Counted::of(double share) const {
@@ -62,38 +71,40 @@ std::vector<double> StateCuts::mean_of_largest(std::span<const Case> cases, std:
   return result;
 }
 
-double StateCuts::left_side(const std::vector<double>& shares,
-                            std::span<const std::uint32_t> selected) const {
-  PlacementProblem of_shares = problem_;
-  of_shares.model = CommunicationModel::cooperative;
-  ReceivedSignal received(of_shares);
-  for (const std::uint32_t j : selected) received.add(shares[j]);
-  return received.value();
-}
-
-std::vector<StateCuts::Case> StateCuts::cases_of(std::size_t label,
-                                                 std::span<const std::uint32_t> selected) const {
-  const std::vector<double> received = received_signals(states_, problem_, label, selected);
+// The states of a label, those that receive least first.
+std::vector<StateCuts::Case> StateCuts::cases_of(std::uint32_t label, std::span<const Part> parts,
+                                                 const Counted& counted) const {
   std::vector<Case> cases;
-  for (std::uint32_t s = 0; s < received.size(); ++s)
-    cases.push_back({static_cast<std::uint32_t>(label), s, received[s] / requirement(label)});
+  for (std::uint32_t s = 0; s < states_.states; ++s) {
+    Case at{label, s};
+    const Case whole = at;
+    for (const Part& part : parts)
+      at.add(part.column, part.x * counted.of(share(whole, part.column)), problem_.redundant);
+    cases.push_back(at);
+  }
+  std::ranges::sort(cases, {}, &Case::received);
   return cases;
 }
 
-// Over the cases that receive least, as many as make the left side smallest.
-std::vector<double> StateCuts::violated_cut(std::span<const Case> cases, std::size_t allowed,
-                                            std::span<const std::uint32_t> selected) const {
-  std::vector<double> best;
-  double least = violated;
+// Takes the cut over those cases that receive least, as many as make the left side smallest.
+void StateCuts::lower(Cut& best, std::span<const Case> cases, std::size_t allowed,
+                      std::span<const Part> parts, const Counted& counted) const {
+  // The left side for t cases is at least the mean of the t - k largest signals of these.
+  if (cases.size() <= allowed || cases[allowed].received >= best.left_side) return;
+  std::size_t size = 0;
+  std::vector<double> shares;
   const std::size_t step = std::max<std::size_t>(1, (cases.size() - allowed) / max_sizes);
   for (std::size_t t = allowed + 1; t <= cases.size(); t += step) {
-    std::vector<double> shares = mean_of_largest(cases.first(t), t - allowed, Counted{});
-    const double left = left_side(shares, selected);
-    if (left >= least) continue;
-    least = left;
-    best = std::move(shares);
+    double left = 0;
+    for (const Part& part : parts) {
+      left += part.x * mean_of_largest(cases.first(t), t - allowed, part.column, counted, shares);
+      if (left >= best.left_side) break;
+    }
+    if (left >= best.left_side) continue;
+    best.left_side = left;
+    size = t;
   }
-  return best;
+  if (size > 0) best.shares = mean_of_largest(cases.first(size), size - allowed, counted);
 }
 
 // The most violated cut of a label; without shares if none is violated.
@@ -103,36 +114,11 @@ StateCuts::Cut StateCuts::most_violated(std::uint32_t label, std::span<const Par
   Cut best{violated_by_lp, {}};
   if (allowed >= states_.states) return best;
   const bool is_limited = max_units < states_.table.columns();
-  std::vector<double> shares;
   for (std::size_t k = 0; k < (is_limited ? share_steps : 1); ++k) {
     // s K grows evenly up to nearly the whole requirement.
     const double below = static_cast<double>(k) / share_steps;
-    const Counted counted{is_limited ? below / static_cast<double>(max_units) : 0,
-                          1 - 2 * met_tolerance - below};
-    std::vector<Case> cases;
-    for (std::uint32_t s = 0; s < states_.states; ++s) {
-      Case at{label, s, 0};
-      for (const Part& part : parts) at.received += part.x * counted.of(share(at, part.column));
-      cases.push_back(at);
-    }
-    std::sort(cases.begin(), cases.end(),
-              [](const Case& a, const Case& b) { return a.received < b.received; });
-    // The left side for t cases is at least the mean of the t - k largest signals of these.
-    if (cases[allowed].received >= best.left_side) continue;
-    std::optional<std::size_t> size;
-    const std::size_t step = std::max<std::size_t>(1, (cases.size() - allowed) / max_sizes);
-    for (std::size_t t = allowed + 1; t <= cases.size(); t += step) {
-      const std::span<const Case> least = std::span(cases).first(t);
-      double left = 0;
-      for (const Part& part : parts) {
-        left += part.x * mean_of_largest(least, t - allowed, part.column, counted, shares);
-        if (left >= best.left_side) break;
-      }
-      if (left >= best.left_side) continue;
-      best.left_side = left;
-      size = t;
-    }
-    if (size) best.shares = mean_of_largest(std::span(cases).first(*size), *size - allowed, counted);
+    const Counted counted{is_limited ? below / static_cast<double>(max_units) : 0, missed - below};
+    lower(best, cases_of(label, parts, counted), allowed, parts, counted);
   }
   return best;
 }
@@ -150,8 +136,7 @@ std::size_t StateCuts::add_violated(std::span<const double> x, std::size_t max_u
     });
   });
   std::erase_if(cuts, [](const Cut& cut) { return cut.shares.empty(); });
-  std::stable_sort(cuts.begin(), cuts.end(),
-                   [](const Cut& a, const Cut& b) { return a.left_side < b.left_side; });
+  std::ranges::stable_sort(cuts, {}, &Cut::left_side);
   cuts.resize(std::min(cuts.size(), max_labels));
   for (const Cut& cut : cuts) append(cut.shares);
   return cuts.size();
@@ -159,54 +144,39 @@ std::size_t StateCuts::add_violated(std::span<const double> x, std::size_t max_u
 
 // Extends the selection to a large set of units with which more cases, or states, than allowed are missed.
 std::vector<double> StateCuts::cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_state,
-                                         std::span<const std::uint32_t> selected) const {
-  if (problem_.redundant) return {};
-  std::erase_if(cases, [](const Case& at) { return is_met(at.received, 1); });
+                                         std::span<const Part> parts) const {
+  const auto is_met = [](const Case& at) { return at.received >= missed; };
+  const auto misses = [&](const std::vector<Case>& some) {
+    std::set<std::uint32_t> states;
+    for (const Case& at : some) states.insert(at.state);
+    return by_state ? states.size() : some.size();
+  };
+  std::erase_if(cases, is_met);
+  if (misses(cases) <= allowed) return {};
   const std::size_t n = states_.table.columns();
-  std::vector<double> total(n, 0);
+  std::vector<double> total(n, 0), outside(n, 1);
   for (std::uint32_t j = 0; j < n; ++j)
     for (const Case& at : cases) total[j] += share(at, j);
-  const auto with = [&](const Case& at, std::uint32_t j) {
-    const double signal = static_cast<double>(states_.of(j, at.label)[at.state]) / requirement(at.label);
-    return problem_.model == CommunicationModel::cooperative ? at.received + signal
-                                                             : std::max(at.received, signal);
-  };
-  const auto misses = [&](const std::vector<Case>& some) {
-    if (!by_state) return some.size();
-    std::vector<std::uint32_t> missed;
-    missed.reserve(some.size());
-    for (const Case& at : some) missed.push_back(at.state);
-    std::sort(missed.begin(), missed.end());
-    return static_cast<std::size_t>(std::unique(missed.begin(), missed.end()) - missed.begin());
-  };
-  std::vector<bool> within(n, false);
-  for (const std::uint32_t j : selected) within[j] = true;
+  for (const Part& part : parts) outside[part.column] = 0;
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return total[a] < total[b]; });
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t j) { return total[j]; });
   for (const std::uint32_t j : order) {
-    if (within[j]) continue;
-    std::vector<Case> still;
-    for (Case at : cases) {
-      at.received = with(at, j);
-      if (!is_met(at.received, 1)) still.push_back(at);
-    }
+    if (outside[j] == 0) continue;
+    std::vector<Case> still = cases;
+    for (Case& at : still) at.add(j, share(at, j), problem_.redundant);
+    std::erase_if(still, is_met);
     if (misses(still) <= allowed) continue;
     cases = std::move(still);
-    within[j] = true;
+    outside[j] = 0;
   }
-  std::vector<double> shares(n, 0);
-  for (std::uint32_t j = 0; j < n; ++j)
-    if (!within[j]) shares[j] = 1;
-  return shares;
+  return outside;
 }
 
 void StateCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_state,
-                         std::span<const std::uint32_t> selected) {
-  std::stable_sort(cases.begin(), cases.end(),
-                   [](const Case& a, const Case& b) { return a.received < b.received; });
-  if (const auto cut = cover_cut(cases, allowed, by_state, selected); !cut.empty()) append(cut);
+                         std::span<const Part> parts) {
+  if (const auto cut = cover_cut(cases, allowed, by_state, parts); !cut.empty()) append(cut);
+  std::ranges::stable_sort(cases, {}, &Case::received);
   // Each state keeps the case that receives least.
   std::vector<bool> has(states_.states, false);
   if (by_state)
@@ -215,12 +185,15 @@ void StateCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_s
       has[at.state] = true;
       return had;
     });
-  const std::span<const Case> part = std::span(cases).first(std::min(cases.size(), allowed + max_cases));
-  if (const auto cut = violated_cut(part, allowed, selected); !cut.empty()) append(cut);
+  Cut best{violated, {}};
+  lower(best, std::span(cases).first(std::min(cases.size(), allowed + max_cases)), allowed, parts, {});
+  if (!best.shares.empty()) append(best.shares);
 }
 
 std::size_t StateCuts::add(std::span<const std::uint32_t> selected, const StateMisses& misses) {
   const std::size_t before = size();
+  std::vector<Part> parts;
+  for (const std::uint32_t j : selected) parts.push_back({j});
   std::vector<std::uint32_t> worst;
   for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
     if (misses.of_label[i] > allowance_.limit(i)) worst.push_back(i);
@@ -228,17 +201,17 @@ std::size_t StateCuts::add(std::span<const std::uint32_t> selected, const StateM
     return misses.of_label[a] - allowance_.limit(a) > misses.of_label[b] - allowance_.limit(b);
   });
   if (worst.size() > max_labels) worst.resize(max_labels);
-  for (const std::uint32_t i : worst) add_cuts(cases_of(i, selected), allowance_.limit(i), false, selected);
+  for (const std::uint32_t i : worst) add_cuts(cases_of(i, parts, {}), allowance_.limit(i), false, parts);
   const bool too_many_states = allowance_.of_shop && misses.of_shop > *allowance_.of_shop;
   const bool too_many_cases = allowance_.total && misses.total() > *allowance_.total;
   if (!too_many_states && !too_many_cases) return size() - before;
   std::vector<Case> all;
   constexpr double near = 1.5;
-  for (std::size_t i = 0; i < states_.table.rows(); ++i)
-    for (const Case& at : cases_of(i, selected))
+  for (std::uint32_t i = 0; i < states_.table.rows(); ++i)
+    for (const Case& at : cases_of(i, parts, {}))
       if (at.received < near) all.push_back(at);
-  if (too_many_states) add_cuts(all, *allowance_.of_shop, true, selected);
-  if (too_many_cases) add_cuts(std::move(all), *allowance_.total, false, selected);
+  if (too_many_states) add_cuts(all, *allowance_.of_shop, true, parts);
+  if (too_many_cases) add_cuts(std::move(all), *allowance_.total, false, parts);
   return size() - before;
 }
 

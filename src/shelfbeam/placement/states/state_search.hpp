@@ -1,10 +1,11 @@
 #pragma once
 
-#include <cstddef>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/placement/problem/mounts.hpp"
@@ -16,56 +17,46 @@ namespace shelfbeam {
 double state_value(const StateTable& states, const PlacementProblem& problem,
                    std::span<const std::uint32_t> selected);
 
-/// Local search for selections that miss labels in few states.
+/// Adds units to selections, one at a time.
 class StateSearch {
  public:
   using Selection = std::vector<std::uint32_t>;  ///< ascending
 
   /// All references must outlive the object. `is_over` ends a search early.
   StateSearch(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
-              std::function<bool()> is_over)
+              std::function<bool()> is_over, unsigned threads = 1)
       : states_(states),
         problem_(problem),
         allowance_(allowance),
         is_over_(std::move(is_over)),
+        threads_(threads),
         mounts_(states.table) {}
 
-  bool fits(const StateMisses& misses) const { return allowance_.excess(misses) == 0; }
-
-  /// Adds units until the allowance holds, then drops units that are not required. nullopt if that takes a
-  /// value of `below` or more.
+  /// Adds units until the allowance holds or no unit helps, then drops units that are not required. nullopt
+  /// if that takes a value of `below` or more.
   std::optional<Selection> repaired(Selection selected, double below) const;
-  /// Exchanges units at the same value or less as long as labels are missed less often or less nearly:
-  /// stopping at the first selection that fits the states would overfit them.
-  Selection spread(Selection selected) const;
-  /// The selection and the unit that helps most; unchanged if no unit helps.
-  Selection with_another(Selection selected) const;
-  /// The selection and the unit with the largest signals at some labels, as shares of at most 1 of their
-  /// requirements; unchanged if no unit that can join has any.
-  Selection with_strongest(Selection selected, std::span<const std::uint32_t> labels) const;
+  /// The selection and the unit that helps most; unchanged if no unit helps. If misses do not decide, that is
+  /// the unit with the largest signals at `labels`, as shares of at most 1 of their requirements.
+  Selection with_another(Selection selected, std::span<const std::uint32_t> labels = {}) const;
 
  private:
-  // Misses beyond the allowed ones, then the squares of the depths of all labels: in how many states they
-  // fall short of their requirement, and of some more.
-  struct Rank {
-    std::uint64_t excess = 0;
-    double depth = 0;
-    bool operator<(const Rank& other) const {
-      return excess < other.excess || (excess == other.excess && depth < other.depth);
-    }
-  };
-  // A label with the states in which it receives little.
+  // A label in a state that receives little.
   struct Weak {
-    std::uint32_t label = 0;
-    std::vector<std::uint32_t> states;
-    std::vector<ReceivedSignal> received;
+    std::uint32_t label = 0, state = 0;
+    ReceivedSignal received;
   };
+  // The first that differs counts: misses beyond the allowed ones; squares of the depths of all labels, in
+  // how many states they fall short of their requirement, and of some more; the signals at some labels, less
+  // their sum.
+  using Rank = std::array<double, 3>;
 
-  std::vector<Weak> weak_labels(std::span<const std::uint32_t> selected) const;
-  Rank rank(const std::vector<Weak>& weak, std::optional<std::uint32_t> added) const;
-  Rank rank_of(std::span<const std::uint32_t> selected) const { return rank(weak_labels(selected), {}); }
+  std::vector<Weak> weak_cases(std::span<const std::uint32_t> selected) const;
+  Rank rank(const std::vector<Weak>& weak, std::optional<std::uint32_t> added,
+            std::span<const std::uint32_t> labels) const;
   bool can_join(std::uint32_t column, const Selection& selected) const;
-  bool is_installed(std::uint32_t column) const { return states_.table.transceivers[column].installed; }
+  bool fits(const Selection& selected) const {
+    return allowance_.excess(misses_of(states_, problem_, selected)) == 0;
+  }
   double value(const Selection& selected) const { return state_value(states_, problem_, selected); }
   double price(std::uint32_t column) const;
 
@@ -73,6 +64,7 @@ class StateSearch {
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   std::function<bool()> is_over_;
+  unsigned threads_;
   Mounts mounts_;
 };
 

@@ -42,35 +42,22 @@ StateTable raised(const StateTable& states, double errors) {
   return result;
 }
 
-std::vector<double> received_signals(const StateTable& states, const PlacementProblem& problem,
-                                     std::size_t label, std::span<const std::uint32_t> selected) {
+std::vector<ReceivedSignal> received_signals(const StateTable& states, const PlacementProblem& problem,
+                                             std::size_t label, std::span<const std::uint32_t> selected) {
   std::vector<ReceivedSignal> received(states.states, ReceivedSignal(problem));
   for (const std::uint32_t j : selected) {
     const std::span<const float> signal = states.of(j, label);
     for (std::size_t s = 0; s < signal.size(); ++s) received[s].add(static_cast<double>(signal[s]));
   }
-  std::vector<double> values(states.states);
-  std::transform(received.begin(), received.end(), values.begin(),
-                 [](const ReceivedSignal& one) { return one.value(); });
-  return values;
+  return received;
 }
 
 StateMisses misses_of(const StateTable& states, const PlacementProblem& problem,
-                      std::span<const std::uint32_t> selected) {
-  StateMisses misses;
-  misses.of_label.assign(states.table.rows(), 0);
-  std::vector<bool> any(states.states, false);
-  for (std::size_t i = 0; i < states.table.rows(); ++i) {
-    const double requirement = requirement_of(states.table.labels[i], problem.model);
-    const std::vector<double> received = received_signals(states, problem, i, selected);
-    for (std::size_t s = 0; s < received.size(); ++s)
-      if (!is_met(received[s], requirement)) {
-        ++misses.of_label[i];
-        any[s] = true;
-      }
-  }
-  misses.of_shop = static_cast<std::uint32_t>(std::count(any.begin(), any.end(), true));
-  return misses;
+                      std::span<const std::uint32_t> selected, double reserve) {
+  MissCounter misses(states.table.rows(), states.states);
+  for_each_weak(states, problem, selected, reserve,
+                [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal&) { misses.add(i, s); });
+  return misses.misses();
 }
 
 }  // namespace shelfbeam

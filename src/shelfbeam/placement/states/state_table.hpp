@@ -39,12 +39,26 @@ void set_state(StateTable& states, std::size_t state, std::size_t first, const S
 /// All signals raised by a number of standard errors, then taken as exact.
 StateTable raised(const StateTable& states, double errors);
 
-/// received_signal (placement_problem.hpp) of a label in every state, from the chosen columns, ascending.
-std::vector<double> received_signals(const StateTable& states, const PlacementProblem& problem,
-                                     std::size_t label, std::span<const std::uint32_t> selected);
+/// What a label receives in every state from the chosen columns, ascending.
+std::vector<ReceivedSignal> received_signals(const StateTable& states, const PlacementProblem& problem,
+                                             std::size_t label, std::span<const std::uint32_t> selected);
 
-/// The misses of a selection, from the signals alone, without solver or cuts.
+/// Calls visit(label, state, received) for those labels in states that receive less than `enough` times their
+/// requirement from the chosen columns, label by label.
+template <class Visit>
+void for_each_weak(const StateTable& states, const PlacementProblem& problem,
+                   std::span<const std::uint32_t> selected, double enough, const Visit& visit) {
+  for (std::uint32_t i = 0; i < states.table.rows(); ++i) {
+    const double requirement = enough * requirement_of(states.table.labels[i], problem.model);
+    const std::vector<ReceivedSignal> received = received_signals(states, problem, i, selected);
+    for (std::uint32_t s = 0; s < received.size(); ++s)
+      if (!is_met(received[s].value(), requirement)) visit(i, s, received[s]);
+  }
+}
+
+/// The misses of a selection with `reserve` times all requirements, from the signals alone, without solver or
+/// cuts.
 StateMisses misses_of(const StateTable& states, const PlacementProblem& problem,
-                      std::span<const std::uint32_t> selected);
+                      std::span<const std::uint32_t> selected, double reserve = 1);
 
 }  // namespace shelfbeam

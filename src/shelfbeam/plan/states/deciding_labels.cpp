@@ -55,22 +55,16 @@ StateMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
                                         std::span<const double> received,
                                         std::span<const std::uint32_t> selected) const {
   const std::size_t states = sample_.count();
-  StateMisses misses;
-  misses.of_label.assign(row_of_.size(), 0);
-  std::vector<bool> any(states, false);
-  const auto count = [&](std::uint32_t label, std::span<const double> signals) {
-    const double requirement = requirement_of(all_.labels[label], problem_.model);
+  MissCounter misses(row_of_.size(), states);
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const double requirement = requirement_of(all_.labels[others[k]], problem_.model);
     for (std::size_t s = 0; s < states; ++s)
-      if (!is_met(signals[s], requirement)) {
-        ++misses.of_label[label];
-        any[s] = true;
-      }
-  };
-  for (std::size_t k = 0; k < others.size(); ++k) count(others[k], received.subspan(k * states, states));
-  for (std::size_t row = 0; row < labels_.size(); ++row)
-    count(labels_[row], received_signals(table_, problem_, row, selected));
-  misses.of_shop = static_cast<std::uint32_t>(std::count(any.begin(), any.end(), true));
-  return misses;
+      if (!is_met(received[k * states + s], requirement)) misses.add(others[k], s);
+  }
+  for_each_weak(
+      table_, problem_, selected, 1,
+      [&](std::uint32_t row, std::uint32_t s, const ReceivedSignal&) { misses.add(labels_[row], s); });
+  return misses.misses();
 }
 
 StateMisses DecidingLabels::misses(std::span<const std::uint32_t> selected) const {

@@ -10,6 +10,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/states/place_over_states.hpp"
+#include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
 #include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/rounds.hpp"
@@ -32,6 +33,7 @@ constexpr std::uint32_t max_state_rounds = 12;
 // Share of the time limit for the bound beyond the sample, share of the rest that each placement over a
 // growing table may use, and the minimum of such a placement in s.
 constexpr double share_of_bound = 1.0 / 3, share_of_pass = 0.6, min_part_s = 1;
+constexpr double share_of_spread = 0.2;  ///< of the time limit, in every round
 // A signal exceeds its upper limit with this probability.
 constexpr double raise_error = 0.05;
 
@@ -188,14 +190,13 @@ class Planner {
     allowance_ = allowance(deciding_->labels());
     const StateSearch search(deciding_->table(), problem(), allowance_,
                              [&] { return control_.cancelled() || rounds.left() <= 0; });
-    Selection more = search.with_another(selected_);
-    if (more == selected_) {
-      // The sampled states do not show the risk of the fresh ones.
-      std::vector<std::uint32_t> rows;
-      for (const std::uint32_t i : undecided) rows.push_back(deciding_->row_of(i));
-      more = search.with_strongest(selected_, rows);
-    }
-    return search.spread(std::move(more));
+    // The sampled states may not show the risk of the fresh ones.
+    std::vector<std::uint32_t> rows;
+    for (const std::uint32_t i : undecided) rows.push_back(deciding_->row_of(i));
+    Selection more = search.with_another(selected_, rows);
+    StateAnnealing annealing(deciding_->table(), problem(), allowance_);
+    const Deadline deadline(std::min(rounds.left(), share_of_spread * options_.place.time_limit_s));
+    return annealing.spread(std::move(more), deadline, control_);
   }
 
   void explain() {

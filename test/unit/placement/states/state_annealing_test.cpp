@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/placement/states/state_search.hpp"
+
 #include "unit/placement/states/random_states.hpp"
 
 namespace shelfbeam {
@@ -32,7 +34,6 @@ TEST_P(StateAnnealingOf, FindsTheFewestUnits) {
     if (allowance.excess(misses_of(states, problem, start)) > 0) continue;
     const double best = test::best_by_enumeration(states, problem, allowance);
     StateAnnealing annealing(states, problem, allowance);
-    ASSERT_TRUE(annealing.applies());
     const auto selected = annealing.next(start, 1, {.steps = 50000}, {}).value_or(start);
     std::uint32_t set = 0;
     for (const std::uint32_t j : selected) set |= 1U << j;
@@ -52,11 +53,27 @@ INSTANTIATE_TEST_SUITE_P(Every, StateAnnealingOf, testing::Values(Rule::label, R
                                                              : "Total";
                          });
 
-TEST(StateAnnealing, AppliesToCounts) {
+// Spreading keeps the count, the price and the allowance, and reaches a reserve in some cases.
+TEST(StateAnnealing, SpreadsAtNoHigherPrice) {
   RandomStates random(6);
-  const StateTable states = random.next(false);
-  const MissAllowance allowance{.of_label = std::vector<std::uint32_t>(5, 1)};
-  EXPECT_FALSE(StateAnnealing(states, {.combination = Combination::spend}, allowance).applies());
+  int spread = 0;
+  for (int k = 0; k < 20; ++k) {
+    const PlacementProblem problem{.combination =
+                                       k % 2 == 0 ? Combination::spend : Combination::lexicographic};
+    const StateTable states = random.next(false);
+    const MissAllowance allowance = random.allowance(Rule::label);
+    const std::vector<std::uint32_t> start{0, 1, 2, 3, 4, 5};
+    const auto excess = [&](const auto& selected, double reserve) {
+      return allowance.excess(misses_of(states, problem, selected, reserve));
+    };
+    if (excess(start, 1) > 0 || excess(start, 1.2) == 0) continue;
+    StateAnnealing annealing(states, problem, allowance);
+    const auto selected = annealing.spread(start, Deadline(1), {});
+    EXPECT_LE(state_value(states, problem, selected), state_value(states, problem, start));
+    EXPECT_EQ(excess(selected, 1), 0U);
+    spread += excess(selected, 1.2) == 0 ? 1 : 0;
+  }
+  EXPECT_GT(spread, 0);
 }
 
 }  // namespace
