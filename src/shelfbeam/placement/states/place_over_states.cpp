@@ -14,6 +14,7 @@
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_cuts.hpp"
@@ -26,9 +27,10 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double least_step = 1e-6;  ///< of a bound on the count
 // Parts of the time that is left.
-constexpr double share_of_master = 0.2;  ///< one placement on cuts
+constexpr double share_of_master = 0.1;  ///< one placement on cuts
 constexpr double share_of_lps = 0.4;
-constexpr double share_of_spread = 0.2;                                ///< of the whole time limit
+constexpr double share_of_spread = 0.2;  ///< of the whole time limit
+constexpr double max_rounds = 20;  ///< that linear programs may take to the next count, as they progress
 constexpr std::uint64_t first_moves = 50'000, max_moves = 20'000'000;  ///< of one annealing
 
 class Solver {
@@ -89,9 +91,7 @@ class Solver {
 
   void start() {
     first_ = options_.start;
-    if (first_.empty())
-      for (std::uint32_t j = 0; j < states_.table.columns(); ++j)
-        if (states_.table.transceivers[j].installed) first_.push_back(j);
+    if (first_.empty()) first_ = greedy_selection(cuts_.table(), master_, {}, control_);
     if (auto repaired = search_.repaired(first_, unbounded)) first_ = std::move(*repaired);
     take(first_);
   }
@@ -119,14 +119,18 @@ class Solver {
       for (std::size_t j = 0; j < cost.size(); ++j) cost[j] = price_to_spend(states_.table.transceivers[j]);
     detail::LpBoundOptions options{.enough = enough};
     options.selections.max_count = max_units;
-    double bound = 0;
+    const bool counts = problem_.combination != Combination::spend;
+    double bound = 0, before = 0;
     while (!deadline.has_passed() && !is_over() && bound < enough) {
+      before = bound;
       options.time_limit_s = deadline.seconds_left();
       const detail::LpBound found = detail::lp_bound(
           cuts.table(), master_, cost, milp::backends_of(options_.backend).front(), options, control_);
       bound = std::max(bound, found.dual.bound);
       control_.report(Task::placing_over_states, -1, fmt::format("at least {:.3g}", bound));
       options.rows = detail::rows_of(found);
+      const double next = std::min(enough, std::ceil(bound - least_step) + least_step);
+      if (counts && next - bound > max_rounds * (bound - before)) break;
       if (!found.complete || bound >= enough ||
           cuts.add_violated(found.x, max_units, deadline, control_) == 0)
         break;

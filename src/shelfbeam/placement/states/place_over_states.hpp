@@ -37,11 +37,12 @@ struct StatePlacement {
 /// sum_j a_j x_j >= 1, a_j the mean of the t - k largest shares of unit j. If a rule is broken even with all
 /// units of a set W, another unit is required: sum over j not in W of x_j >= 1. Linear programs over the cuts
 /// bound the count first, then `place` solves the cuts exactly; solutions that break a rule violate new cuts.
-/// With unit failure, every case has its strongest unit left out, and the same holds for the others.
+/// With unit failure, the inequality of a case holds without any one unit, so each case of a cut leaves out
+/// the unit that is strongest there.
 ///
-/// The search starts from `options.start`, or from the installed units, and adds units; annealing
-/// (state_annealing.hpp) then seeks fewer. Throws InputError for an objective other than the count or the
-/// spend, and as `place`. Precondition: there is a state.
+/// The search starts from `options.start`, or from a greedy selection for the first cuts, and adds units;
+/// annealing (state_annealing.hpp) then seeks fewer. Throws InputError for an objective other than the count
+/// or the spend, and as `place`. Precondition: there is a state.
 StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
                                  const MissAllowance& allowance, const PlaceOptions& options,
                                  const RunControl& control = {});

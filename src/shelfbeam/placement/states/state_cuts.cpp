@@ -15,7 +15,7 @@ namespace {
 
 constexpr double violated = 1 - 1e-6, violated_by_lp = 1 - 1e-3;
 constexpr double missed = 1 - 2 * met_tolerance;  ///< below this, in any order of summation
-constexpr std::size_t share_steps = 20;           ///< parts s that are tried for one cut
+constexpr std::size_t share_steps = 8;            ///< parts s that are tried for one cut
 constexpr std::size_t max_labels = 256;           ///< that give cuts at once
 constexpr std::size_t max_cases = 4000;           ///< of one cut
 constexpr std::size_t max_sizes = 64;             ///< that are tried for one cut
@@ -74,13 +74,18 @@ std::vector<double> StateCuts::mean_of_largest(std::span<const Case> cases, std:
 // The states of a label, those that receive least first.
 std::vector<StateCuts::Case> StateCuts::cases_of(std::uint32_t label, std::span<const Part> parts,
                                                  const Counted& counted) const {
-  std::vector<Case> cases;
-  for (std::uint32_t s = 0; s < states_.states; ++s) {
-    Case at{label, s};
-    const Case whole = at;
-    for (const Part& part : parts)
-      at.add(part.column, part.x * counted.of(share(whole, part.column)), problem_.redundant);
-    cases.push_back(at);
+  std::vector<Case> cases(states_.states);
+  for (std::uint32_t s = 0; s < cases.size(); ++s) {
+    cases[s].label = label;
+    cases[s].state = s;
+  }
+  const double requirement = requirement_of(states_.table.labels[label], problem_.model);
+  for (const Part& part : parts) {
+    const std::span<const float> signal = states_.of(part.column, label);
+    for (std::size_t s = 0; s < cases.size(); ++s) {
+      const double share = detail::share_of(static_cast<double>(signal[s]), requirement, problem_);
+      cases[s].add(part.column, part.x * counted.of(share), problem_.redundant);
+    }
   }
   std::ranges::sort(cases, {}, &Case::received);
   return cases;
