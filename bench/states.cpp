@@ -3,7 +3,7 @@
 //   build/release/bench_states known [--repetitions N] [--jobs J]
 //   build/release/bench_states shops [NAME]... [--states N] [--folder FOLDER] [--time-limit S] [--budget S]
 //   build/release/bench_states cost [NAME]...
-//   build/release/bench_states placement FILE [--states N] [--time-limit S]
+//   build/release/bench_states placement FILE [--sampled PART]... [--states N] [--time-limit S]
 //
 // known      many plans for a small shop whose availabilities are known: counts false statements. At 99 %
 //            confidence, more than 6 of 200 plans with one have a probability below 0.5 %. The control takes
@@ -12,7 +12,10 @@
 //            compares the plan for the shop as the file gives it with the plan over states
 // cost       processor time of 100 states against a simulation with 2000 samples, all candidates of
 //            examples/NAME (default: supermarket)
-// placement  a placement over the first states (default: all) of a signal file of `simulate --states`
+// placement  a placement over the first states (default: all) of a signal file of `simulate --states`, with
+// its
+//            steps; --sampled: over those of `simulate --states --for-plan`, with the labels and candidates
+//            of the signal file
 
 #include <algorithm>
 #include <atomic>
@@ -22,6 +25,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -31,9 +35,11 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/placement/states/place_over_states.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
+#include "shelfbeam/signal/parts/sampled_states.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "programs.hpp"
@@ -48,7 +54,7 @@ using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
 struct Settings {
-  std::vector<std::string> names;
+  std::vector<std::string> names, sampled;
   std::size_t repetitions = 200;
   unsigned jobs = 2;
   fs::path folder = "states";
@@ -152,18 +158,25 @@ void compare_cost(const Settings& settings, const std::string& name) {
 
 void place_file(const Settings& settings, const std::string& file) {
   const StoredSignals matrix = read_signal_file(file);
-  if (!matrix.states) throw std::invalid_argument(file + " has no states");
-  const StateTensor& tensor = *matrix.states;
-  const std::size_t size = tensor.hard.size() * matrix.columns();
-  const std::uint32_t states = std::min(tensor.states, settings.states);
-  StateTable table = make_state_table(make_signal_table(matrix), tensor.hard, states);
-  for (std::size_t s = 0; s < states; ++s) {
-    const auto begin = tensor.signal.begin() + static_cast<std::ptrdiff_t>(s * size);
+  const std::vector<fs::path> parts(settings.sampled.begin(), settings.sampled.end());
+  const std::optional<SampledStates> sampled =
+      parts.empty() ? std::nullopt : std::optional(SampledStates(parts));
+  if (!sampled && !matrix.states) throw std::invalid_argument(file + " has no states");
+  const std::vector<std::uint32_t> labels = sampled ? all_numbers(matrix.rows()) : matrix.states->hard;
+  const std::uint32_t states = std::min(sampled ? sampled->count() : matrix.states->states, settings.states);
+  const std::size_t size = labels.size() * matrix.columns();
+  StateTable table = make_state_table(make_signal_table(matrix), labels, states);
+  for (std::uint32_t s = 0; s < states; ++s) {
+    if (sampled) {
+      set_state(table, s, 0, sampled->state(s));
+      continue;
+    }
+    const auto begin = matrix.states->signal.begin() + static_cast<std::ptrdiff_t>(s * size);
     set_state(table, s, 0,
               {{begin, begin + static_cast<std::ptrdiff_t>(size)}, std::vector<float>(size, 0.0F)});
   }
   MissAllowance allowance;
-  allowance.of_label.assign(tensor.hard.size(), allowed_misses(0.95, states));
+  allowance.of_label.assign(labels.size(), allowed_misses(0.95, states));
   PlaceOptions options;
   options.time_limit_s = settings.time_limit_s;
   StatePlacement found;
@@ -208,6 +221,8 @@ int main(int argc, char** argv) {
         settings.states = static_cast<std::uint32_t>(std::stoul(words.value()));
       else if (word == "--time-limit")
         settings.time_limit_s = std::stod(words.value());
+      else if (word == "--sampled")
+        settings.sampled.push_back(words.value());
       else if (word == "--budget")
         settings.budget_s = std::stod(words.value());
       else
