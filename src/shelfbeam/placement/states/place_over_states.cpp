@@ -30,7 +30,8 @@ constexpr double least_step = 1e-6;  ///< of a bound on the count
 constexpr double share_of_master = 0.1;  ///< one placement on cuts
 constexpr double share_of_lps = 0.4;
 constexpr double share_of_spread = 0.2;  ///< of the whole time limit
-constexpr double max_rounds = 20;  ///< that linear programs may take to the next count, as they progress
+// Linear programs that may be solved until the next count, as they progress, without and with a limit K.
+constexpr double max_rounds = 10, max_rounds_limited = 40;
 constexpr std::uint64_t first_moves = 50'000, max_moves = 20'000'000;  ///< of one annealing
 
 class Solver {
@@ -130,7 +131,8 @@ class Solver {
       control_.report(Task::placing_over_states, -1, fmt::format("at least {:.3g}", bound));
       options.rows = detail::rows_of(found);
       const double next = std::min(enough, std::ceil(bound - least_step) + least_step);
-      if (counts && next - bound > max_rounds * (bound - before)) break;
+      const double rounds = max_units < cost.size() ? max_rounds_limited : max_rounds;
+      if (counts && next - bound > rounds * (bound - before)) break;
       if (!found.complete || bound >= enough ||
           cuts.add_violated(found.x, max_units, deadline, control_) == 0)
         break;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double violated = 1 - 1e-6, violated_by_lp = 1 - 1e-3;
 constexpr double missed = 1 - 2 * met_tolerance;  ///< below this, in any order of summation
-constexpr std::size_t share_steps = 8;            ///< parts s that are tried for one cut
+constexpr std::size_t share_steps = 12;           ///< parts s that are tried for one cut
 constexpr std::size_t max_labels = 256;           ///< that give cuts at once
 constexpr std::size_t max_cases = 4000;           ///< of one cut
 constexpr std::size_t max_sizes = 64;             ///< that are tried for one cut
