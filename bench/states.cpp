@@ -12,10 +12,9 @@
 //            compares the plan for the shop as the file gives it with the plan over states
 // cost       processor time of 100 states against a simulation with 2000 samples, all candidates of
 //            examples/NAME (default: supermarket)
-// placement  a placement over the first states (default: all) of a signal file of `simulate --states`, with
-// its
-//            steps; --sampled: over those of `simulate --states --for-plan`, with the labels and candidates
-//            of the signal file
+// placement  a placement over the first states (default: all) of a signal file of `simulate --states`, and
+//            its steps; --sampled: over those of `simulate --states --for-plan`, with the labels and
+//            candidates of the signal file
 
 #include <algorithm>
 #include <atomic>

@@ -64,7 +64,6 @@ constexpr auto always = [](State) { return true; };
 constexpr auto is_small = [](State state) { return state.is_small(); };
 constexpr auto is_large = [](State state) { return !state.is_small(); };
 constexpr auto is_small_whole = [](State state) { return state.is_small() && !state.is_cover(); };
-constexpr auto is_large_whole = [](State state) { return !state.is_small() && !state.is_cover(); };
 constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.is_cover(); };
 constexpr auto is_covering = [](State state) { return state.is_cover(); };
 // Better selections exclude more columns, which pays if many are left.
@@ -80,11 +79,18 @@ constexpr auto may_have_windows = [](State state) {
 };
 constexpr auto has_few_left = [](State state) { return !has_many_left(state); };
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
-// Sums of many units: tree searches rarely end, and the whole is too large for a MIP.
+// Tree searches of more units hardly ever end.
+constexpr auto has_few_units = [](State state) {
+  constexpr std::size_t few = 14;
+  return state.is_small() || (has_tree(state) && state.incumbent.selected().size() < few);
+};
+constexpr auto is_large_whole_of_few = [](State state) {
+  return !state.is_small() && !state.is_cover() && has_few_units(state);
+};
+// Sums of many units: tree searches do not end, and the whole is too large for a MIP.
 constexpr auto may_have_window_mips = [](State state) {
-  constexpr std::size_t enough_units = 14;
-  return has_tree(state) && !state.is_cover() && !state.is_weighted && !state.problem.redundant &&
-         !state.solvers.only_linear && !state.fits_mip() && state.incumbent.selected().size() >= enough_units;
+  return has_tree(state) && !has_few_units(state) && !state.is_cover() && !state.is_weighted &&
+         !state.problem.redundant && !state.solvers.only_linear && !state.fits_mip();
 };
 constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
@@ -107,10 +113,10 @@ constexpr Step schedule[] = {
     {"more local search", has_few_left, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
-    {"tree search", is_large_whole, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
+    {"tree search", is_large_whole_of_few, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
     {"windows by MIPs", may_have_window_mips, 0.9, no_limit_s, any_steps, raise_bound_by_window_mips},
     {"MIP", is_large_or_cover, 0.9, no_limit_s, any_steps, solve_mip},
-    {"final tree search", is_small, 1, no_limit_s, any_steps, raise_bound_by_tree},
+    {"final tree search", has_few_units, 1, no_limit_s, any_steps, raise_bound_by_tree},
     {"final local search", always, 1, no_limit_s, any_steps, improve},
 };
 

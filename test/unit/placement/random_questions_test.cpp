@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -127,7 +128,7 @@ class Questions {
       PlacementProblem asked = problem;
       if (omission_ == Omission::failure) asked.redundant = false;
       const StatePlacement answer =
-          place_over_states(states, problem, allowance, {.time_limit_s = 0.1}, {.threads = 1});
+          place_over_states(states, problem, allowance, {.time_limit_s = 1}, {.threads = 1});
       tally.add(
           {answer.has_selection() ? answer.value : test::infinite, answer.lower_bound, answer.is_proven()},
           test::best_by_enumeration(states, asked, allowance));

@@ -9,7 +9,6 @@
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
-#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -98,16 +97,12 @@ class Curve {
   // The units that a greedy selection adds first.
   void look_forwards() {
     const Clock::time_point end = part_of_rest(until_, 4);
-    std::vector<std::uint32_t> order =
-        greedy_order(table_, {.model = problem_.model, .redundant = problem_.redundant}, weights_.of_labels(),
-                     {.until = end}, control_);
+    const auto order = detail::greedy_by_weight(table_, problem_, weights_, {.until = end}, control_);
+    is_cut_short(end);
     for (const Point& point : points_) {
-      if (is_cut_short(end)) return;
+      if (is_over()) return;
       report(0, point);
-      std::vector<std::uint32_t> first(
-          order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(order.size(), point.units)));
-      std::sort(first.begin(), first.end());
-      offer(first);
+      offer(detail::first_units(order, point.units));
     }
   }
 

@@ -28,7 +28,9 @@ struct CoverageRun {
 ///   value(), bound()                        of the incumbent, for the record of steps
 ///   may_improve(), is_settled()             annealing may improve the incumbent; nothing is left to do
 ///   begin(until)                            greedy selection
-///   anneal(instance, matrix, effort, seed)  one annealing, of long_walk moves at most
+///   anneal(instance, matrix, effort, seed)  one annealing, of long_walk moves at most; false if no unit can
+///   be
+///                                           exchanged
 ///   raise_by_multipliers(until)             CoverageBound
 ///   raise_by_enumeration(until)             enumerate_coverage
 ///   solve(end)                              the MIP
@@ -57,7 +59,7 @@ class CoverageSchedule {
       step("tree search", has_rest ? 0.6 : 1, [&](Until until) { goal_.raise_by_enumeration(until); });
     if (anneals && goal_.may_improve())
       step("annealing", solves ? 0.75 : 1, [&](Until until) { anneal({Goal::long_walk, until}, true); });
-    if (solves && !goal_.is_settled()) {
+    if (solves && !goal_.is_settled() && !at(1).has_passed() && !control_.cancelled()) {
       record_step(run_.steps, "MIP", value(), bound(), [&] { goal_.solve(at(1)); });
       run_.is_cut_short = true;
     }
@@ -94,9 +96,8 @@ class CoverageSchedule {
     effort.steps = std::min(effort.steps, options_.step_limit.value_or(effort.steps));
     auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, repeats ? 1 : 0));
     while (goal_.may_improve() && !effort.is_over(control_)) {
-      goal_.anneal(instance, matrix, effort, seed);
+      if (!goal_.anneal(instance, matrix, effort, seed) || !repeats || options_.step_limit) return;
       seed += walks_at_once;
-      if (!repeats || options_.step_limit) return;
     }
   }
 

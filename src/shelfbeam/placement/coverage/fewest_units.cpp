@@ -18,7 +18,6 @@
 #include "shelfbeam/placement/coverage/coverage_model.hpp"
 #include "shelfbeam/placement/coverage/coverage_run.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
-#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -71,37 +70,37 @@ class Minimisation {
                                  : std::numeric_limits<double>::infinity();
   }
   double bound() const { return static_cast<double>(result_.count_lower_bound); }
+  bool may_improve() const { return !is_settled(); }
   bool is_settled() const {
     return is_infeasible_ || (result_.has_selection && result_.count_lower_bound >= result_.selected.size());
   }
-  bool may_improve() const { return result_.has_selection && !is_settled(); }
 
   /// The fewest units with which a greedy selection of all labels begins and that reach the target.
   void begin(Clock::time_point until) {
-    const auto order = greedy_order(table_, {.model = problem_.model, .redundant = problem_.redundant},
-                                    weights_.of_labels(), {.until = until}, control_);
-    const auto first = [&](std::size_t units) {
-      std::vector<std::uint32_t> selected(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(units));
-      std::sort(selected.begin(), selected.end());
-      return selected;
-    };
+    const auto order = detail::greedy_by_weight(table_, problem_, weights_, {.until = until}, control_);
     std::size_t too_few = 0, enough = order.size();
     while (too_few + 1 < enough) {
       const std::size_t middle = too_few + (enough - too_few) / 2;
-      const bool is_enough = detail::weight_of(table_, problem_, weights_, first(middle)) >= target_;
-      (is_enough ? enough : too_few) = middle;
+      const double reached =
+          detail::weight_of(table_, problem_, weights_, detail::first_units(order, middle));
+      (reached >= target_ ? enough : too_few) = middle;
     }
-    offer(detail::without_useless(table_, problem_, weights_, first(enough)));
+    first_ = detail::without_useless(table_, problem_, weights_, detail::first_units(order, enough),
+                                     {.until = until}, control_);
+    offer(first_);
   }
 
-  /// For fewer units.
-  void anneal(const detail::SearchInstance& instance, const detail::SearchMatrix& matrix,
+  /// For fewer units, or for any selection if none is known.
+  bool anneal(const detail::SearchInstance& instance, const detail::SearchMatrix& matrix,
               const detail::Effort& effort, std::uint32_t seed) {
+    const std::vector<std::uint32_t>& start = result_.has_selection ? result_.selected : first_;
+    if (!instance.can_exchange(start)) return false;
     const auto found =
-        detail::anneal_reach(instance, matrix, weights_, target_, result_.selected, effort, seed, control_);
-    if (!found) return;
+        detail::anneal_reach(instance, matrix, weights_, target_, start, effort, seed, control_);
+    if (!found) return true;
     offer(*found);
     result_.solver = {Method::search};
+    return true;
   }
 
   void raise_by_multipliers(Clock::time_point until) {
@@ -200,6 +199,7 @@ class Minimisation {
   detail::LabelWeights weights_;
   double target_;
   FewestUnits result_;
+  std::vector<std::uint32_t> first_;  ///< of the greedy method
   double reached_ = 0, upper_bound_ = 0;
   bool is_infeasible_ = false;
 };

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 
@@ -41,15 +42,32 @@ std::optional<LeastUseful> least_useful(const SignalTable& table, const Placemen
 }
 
 std::vector<std::uint32_t> without_useless(const SignalTable& table, const PlacementProblem& problem,
-                                           const LabelWeights& weights, std::vector<std::uint32_t> selected) {
-  while (const auto least = least_useful(table, problem, weights, selected)) {
-    if (least->weight > 0) break;
+                                           const LabelWeights& weights, std::vector<std::uint32_t> selected,
+                                           const Effort& effort, const RunControl& control) {
+  const double reached = weight_of(table, problem, weights, selected);
+  while (!effort.is_over(control)) {
+    const auto least = least_useful(table, problem, weights, selected);
+    if (!least || least->weight > 0) break;
     std::vector<std::uint32_t> fewer = selected;
     std::erase(fewer, least->column);
     // Shares decide almost as the checker does.
-    if (weight_of(table, problem, weights, fewer) < weight_of(table, problem, weights, selected)) break;
+    if (weight_of(table, problem, weights, fewer) < reached) break;
     selected = std::move(fewer);
   }
+  return selected;
+}
+
+std::vector<std::uint32_t> greedy_by_weight(const SignalTable& table, const PlacementProblem& problem,
+                                            const LabelWeights& weights, const Effort& effort,
+                                            const RunControl& control) {
+  const PlacementProblem counting{.model = problem.model, .redundant = problem.redundant};
+  return greedy_order(table, counting, weights.of_labels(), effort, control);
+}
+
+std::vector<std::uint32_t> first_units(std::span<const std::uint32_t> order, std::size_t units) {
+  const std::span<const std::uint32_t> first = order.first(std::min(order.size(), units));
+  std::vector<std::uint32_t> selected(first.begin(), first.end());
+  std::sort(selected.begin(), selected.end());
   return selected;
 }
 

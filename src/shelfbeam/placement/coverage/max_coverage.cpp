@@ -17,7 +17,6 @@
 #include "shelfbeam/placement/coverage/coverage_model.hpp"
 #include "shelfbeam/placement/coverage/coverage_run.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
-#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -84,22 +83,21 @@ class Maximisation {
 
   /// The units that a greedy selection of all labels adds first.
   void begin(Clock::time_point until) {
-    first_ = greedy_order(table_, {.model = problem_.model, .redundant = problem_.redundant},
-                          weights_.of_labels(), {.until = until}, control_);
-    first_.resize(std::min(first_.size(), units_));
-    std::sort(first_.begin(), first_.end());
-    offer(detail::without_useless(table_, problem_, weights_, first_));
+    order_ = detail::greedy_by_weight(table_, problem_, weights_, {.until = until}, control_);
+    offer_compact(detail::first_units(order_, units_), until);
   }
 
   /// For more weight.
-  void anneal(const detail::SearchInstance& instance, const detail::SearchMatrix& matrix,
+  bool anneal(const detail::SearchInstance& instance, const detail::SearchMatrix& matrix,
               const detail::Effort& effort, std::uint32_t seed) {
-    const auto& start = reach_.selected.size() == units_ ? reach_.selected : first_;
+    const std::vector<std::uint32_t> start = filled(instance);
+    if (!instance.can_exchange(start)) return false;
     const auto found =
         detail::anneal_coverage(instance, matrix, weights_, value_, start, effort, seed, control_);
-    if (!found) return;
-    offer(detail::without_useless(table_, problem_, weights_, *found));
+    if (!found) return true;
+    offer_compact(*found, effort.until);
     reach_.solver = {Method::search};
+    return true;
   }
 
   void raise_by_multipliers(Clock::time_point until) {
@@ -144,6 +142,28 @@ class Maximisation {
     value_ = value;
   }
 
+  void offer_compact(const std::vector<std::uint32_t>& selected, Clock::time_point until) {
+    offer(detail::without_useless(table_, problem_, weights_, selected, {.until = until}, control_));
+  }
+
+  /// The incumbent, with further units of the greedy selection up to the allowed number.
+  std::vector<std::uint32_t> filled(const detail::SearchInstance& instance) const {
+    std::vector<std::uint32_t> result = reach_.selected;
+    std::vector<bool> is_out(table_.columns(), false);
+    for (const std::uint32_t j : result) {
+      is_out[j] = true;
+      for (const std::uint32_t other : instance.excludes[j]) is_out[other] = true;
+    }
+    for (const std::uint32_t j : order_) {
+      if (result.size() >= units_) break;
+      if (is_out[j]) continue;
+      result.push_back(j);
+      for (const std::uint32_t other : instance.excludes[j]) is_out[other] = true;
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   void lower_to(double bound, BoundProof proof) {
     if (bound >= bound_) return;
     bound_ = bound;
@@ -163,7 +183,7 @@ class Maximisation {
       if (!examine(units_, value_ + weights_.step(), EnumerationAim::best).is_complete) return false;
       lower_to(value_, BoundProof::search);
       reach_.solver = {Method::search};
-      offer(detail::without_useless(table_, problem_, weights_, reach_.selected));
+      offer_compact(reach_.selected, until);
     }
     while (reach_.selected.size() > table.installed().size()) {
       const std::size_t size = reach_.selected.size();
@@ -181,7 +201,7 @@ class Maximisation {
   const RunControl& control_;
   std::size_t units_;
   detail::LabelWeights weights_;
-  std::vector<std::uint32_t> first_;  ///< of the greedy method; `units_` if there are so many
+  std::vector<std::uint32_t> order_;  ///< of the greedy method
   MaxCoverage reach_;
   double value_ = 0, bound_ = 0;      ///< weights of the selection and of its upper bound
   bool is_closed_by_solver_ = false;  ///< within its gap, for weights that are not whole

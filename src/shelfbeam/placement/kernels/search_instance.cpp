@@ -113,6 +113,13 @@ SearchInstance::SearchInstance(const SignalTable& t, const PlacementProblem& q)
   }
 }
 
+bool SearchInstance::can_exchange(std::span<const std::uint32_t> selected) const {
+  const auto candidates = std::count(available.begin(), available.end(), true);
+  const auto chosen =
+      std::count_if(selected.begin(), selected.end(), [&](std::uint32_t j) { return available[j]; });
+  return 0 < chosen && chosen < candidates;
+}
+
 bool SearchInstance::is_first_by_id(std::span<const std::uint32_t> a,
                                     std::span<const std::uint32_t> b) const {
   const auto mounting_points = [&](std::span<const std::uint32_t> selected) {

@@ -70,6 +70,9 @@ struct SearchInstance {
   /// Compares two ascending selections of equal size: whether the ids of the first come first in order.
   bool is_first_by_id(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const;
 
+  /// Some unit may be exchanged for another candidate.
+  bool can_exchange(std::span<const std::uint32_t> selected) const;
+
   std::int64_t cost_of(std::span<const std::uint32_t> selected) const {
     std::int64_t sum = 0;
     for (const std::uint32_t j : selected) sum += cost[j];

@@ -1,7 +1,9 @@
 #include "shelfbeam/placement/states/place_over_states.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -30,7 +32,8 @@ constexpr double least_step = 1e-6;  ///< of a bound on the count
 constexpr double share_of_master = 0.1;  ///< one placement on cuts
 constexpr double share_of_lps = 0.4;
 constexpr double share_of_spread = 0.2;  ///< of the whole time limit
-// Linear programs that may be solved until the next count, as they progress, without and with a limit K.
+// Linear programs end if, at the progress of the last three, the next count would take more than this number
+// of them; without and with a limit K.
 constexpr double max_rounds = 10, max_rounds_limited = 40;
 constexpr std::uint64_t first_moves = 50'000, max_moves = 20'000'000;  ///< of one annealing
 
@@ -70,7 +73,9 @@ class Solver {
     });
     if (!enough_)
       step("annealing", [&] {
-        for (; !is_over() && !is_settled(); moves_ = std::min(max_moves, 2 * moves_)) search_for_fewer();
+        for (; !is_over() && !is_settled() && annealing_.can_exchange(known());
+             moves_ = std::min(max_moves, 2 * moves_))
+          search_for_fewer();
       });
     best_.cuts = cuts_.size();
     deadline_ = end_;
@@ -92,7 +97,8 @@ class Solver {
 
   void start() {
     first_ = options_.start;
-    if (first_.empty()) first_ = greedy_selection(cuts_.table(), master_, {}, control_);
+    if (first_.empty())
+      first_ = greedy_selection(cuts_.table(), master_, {.until = deadline_.end()}, control_);
     if (auto repaired = search_.repaired(first_, unbounded)) first_ = std::move(*repaired);
     take(first_);
   }
@@ -121,9 +127,11 @@ class Solver {
     detail::LpBoundOptions options{.enough = enough};
     options.selections.max_count = max_units;
     const bool counts = problem_.combination != Combination::spend;
-    double bound = 0, before = 0;
+    double bound = 0;
+    std::array<double, 3> before{};  // the last bounds, the oldest first
     while (!deadline.has_passed() && !is_over() && bound < enough) {
-      before = bound;
+      std::shift_left(before.begin(), before.end(), 1);
+      before.back() = bound;
       options.time_limit_s = deadline.seconds_left();
       const detail::LpBound found = detail::lp_bound(
           cuts.table(), master_, cost, milp::backends_of(options_.backend).front(), options, control_);
@@ -132,7 +140,8 @@ class Solver {
       options.rows = detail::rows_of(found);
       const double next = std::min(enough, std::ceil(bound - least_step) + least_step);
       const double rounds = max_units < cost.size() ? max_rounds_limited : max_rounds;
-      if (counts && next - bound > rounds * (bound - before)) break;
+      const double progress = (bound - before.front()) / static_cast<double>(before.size());
+      if (counts && !enough_ && next - bound > rounds * progress) break;
       if (!found.complete || bound >= enough ||
           cuts.add_violated(found.x, max_units, deadline, control_) == 0)
         break;
@@ -144,17 +153,18 @@ class Solver {
   // annealing uses the rest of it better.
   bool raise() {
     PlaceOptions own = options_;
-    own.time_limit_s = std::max(1.0, share_of_master * deadline_.seconds_left());
+    own.time_limit_s =
+        std::min(std::max(1.0, share_of_master * deadline_.seconds_left()), end_.seconds_left());
     own.settles_ties = false;
     own.start.clear();
     const Placement placement = place(cuts_.table(), master_, own, control_);
     ++best_.calls;
-    if (placement.status == Status::infeasible) {
-      best_.lower_bound = unbounded;
-      return false;
-    }
-    raise_to(problem_.combination == Combination::spend ? placement.lower_bound
-                                                        : placement.count_lower_bound);
+    const double bound = placement.status == Status::infeasible       ? unbounded
+                         : problem_.combination == Combination::spend ? placement.lower_bound
+                                                                      : placement.count_lower_bound;
+    // A solver that contradicts a checked selection is wrong.
+    if (best_.has_selection() && bound > best_.value + least_step) return false;
+    raise_to(bound);
     if (!placement.has_selection()) return false;
     const std::size_t added = cuts_.add(placement.selected, misses_of(states_, problem_, placement.selected));
     if (!enough_) improve(placement.selected);
@@ -171,6 +181,8 @@ class Solver {
 
   bool is_settled() const { return best_.is_proven() || (enough_ && best_.lower_bound >= *enough_); }
 
+  const std::vector<std::uint32_t>& known() const { return best_.has_selection() ? best_.selected : first_; }
+
   void improve(const std::vector<std::uint32_t>& selected) {
     if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
     search_for_fewer();
@@ -178,8 +190,7 @@ class Solver {
 
   void search_for_fewer() {
     while (!is_settled() && !is_over()) {
-      const auto fewer = annealing_.next(best_.has_selection() ? best_.selected : first_, 1,
-                                         {moves_, deadline_.end()}, control_);
+      const auto fewer = annealing_.next(known(), 1, {moves_, deadline_.end()}, control_);
       if (!fewer) return;
       take(*fewer);
     }

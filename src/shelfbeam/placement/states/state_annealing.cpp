@@ -197,6 +197,7 @@ std::optional<Selection> StateAnnealing::next(const Selection& start, double res
 
 Selection StateAnnealing::spread(Selection selected, const Deadline& deadline, const RunControl& control) {
   for (const double reserve : reserves) {
+    if (deadline.has_passed() || control.cancelled()) break;
     if (allowance_.excess(misses_of(states_, problem_, selected, reserve)) == 0) continue;
     std::optional<Selection> found = next(selected, reserve, {spread_moves, deadline.end()}, control);
     if (!found) break;

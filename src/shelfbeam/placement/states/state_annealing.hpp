@@ -27,6 +27,8 @@ class StateAnnealing {
   /// within the effort. Every call has other random numbers.
   std::optional<Selection> next(const Selection& start, double reserve, const detail::Effort& effort,
                                 const RunControl& control);
+  /// Some unit may be exchanged for another candidate.
+  bool can_exchange(const Selection& selected) const { return instance_.can_exchange(selected); }
   /// A selection of as many units, at no higher price, that keeps to the allowance with the largest reserve
   /// that is found before the deadline, up to 1.2 times all requirements.
   Selection spread(Selection selected, const Deadline& deadline, const RunControl& control);

@@ -96,7 +96,7 @@ std::optional<Selection> StateSearch::repaired(Selection selected, double below)
     before = selected.size();
     selected = with_another(std::move(selected));
   }
-  for (std::size_t k = selected.size(); k-- > 0;) {
+  for (std::size_t k = selected.size(); k-- > 0 && !is_over_();) {
     if (states_.table.transceivers[selected[k]].installed) continue;
     Selection fewer = selected;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));

@@ -24,7 +24,7 @@ class StateSearch {
 
   /// All references must outlive the object. `is_over` ends a search early.
   StateSearch(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
-              std::function<bool()> is_over, unsigned threads = 1)
+              std::function<bool()> is_over, unsigned threads)
       : states_(states),
         problem_(problem),
         allowance_(allowance),
@@ -46,8 +46,8 @@ class StateSearch {
     ReceivedSignal received;
   };
   // The first that differs counts: misses beyond the allowed ones; squares of the depths of all labels, in
-  // how many states they fall short of their requirement, and of some more; the signals at some labels, less
-  // their sum.
+  // how many states they fall short of their requirement, and of some more; minus the sum of the new unit's
+  // signals at some labels.
   using Rank = std::array<double, 3>;
 
   std::vector<Weak> weak_cases(std::span<const std::uint32_t> selected) const;

@@ -12,11 +12,11 @@ namespace shelfbeam::detail {
 namespace {
 
 // Allowance for rounding in sums, far above the actual error.
-constexpr double slack = 1e-10;
+constexpr double rounding_slack = 1e-10;
 // Allowance for near-ties, which sums of ratios or in another order decide differently.
-constexpr double rounding = 1e-12;
+constexpr double near_tie = 1e-12;
 // The search's target in single precision, or lower: every signal that meets the rule is at least this large.
-constexpr double relaxed = (1 - met_tolerance) * (1 - search_tolerance);
+constexpr double relaxed_target = (1 - met_tolerance) * (1 - search_tolerance);
 
 class ProofChecker {
  public:
@@ -26,7 +26,7 @@ class ProofChecker {
     is_sum_ = problem.model == CommunicationModel::cooperative;
     for (const std::uint32_t i : proof.rows) {
       rows_.push_back(dense(known(i), 1 - met_tolerance));
-      if (!is_sum_) relaxed_rows_.push_back(dense(i, relaxed));
+      if (!is_sum_) relaxed_rows_.push_back(dense(i, relaxed_target));
     }
   }
 
@@ -73,7 +73,7 @@ class ProofChecker {
   }
 
   // The row's lack of `demand` (cooperative), or in units that must reach it.
-  double lacking(const std::vector<double>& row, double demand = 1 - met_tolerance - rounding) const {
+  double lacking(const std::vector<double>& row, double demand = 1 - met_tolerance - near_tie) const {
     double sum = 0, best = 0;
     for (const std::uint32_t j : taken_) {
       sum += row[j];
@@ -130,13 +130,13 @@ class ProofChecker {
           return units == 0;
         case Proof::sum_fails: {
           const Weighing w = weighing(units, allowed);
-          return w.paid + largest(w.value, allowed, units).largest < w.need * (1 - slack);
+          return w.paid + largest(w.value, allowed, units).largest < w.need * (1 - rounding_slack);
         }
         case Proof::filter: {
           const Weighing w = weighing(units, allowed);
           const double others = w.paid + largest(w.value, allowed, units).without_one;
           for (std::size_t j = 0; j < allowed.size(); ++j)
-            if (others + w.value[j] < w.need * (1 - slack)) allowed[j] = false;
+            if (others + w.value[j] < w.need * (1 - rounding_slack)) allowed[j] = false;
           break;
         }
         case Proof::single_fails:
@@ -180,7 +180,7 @@ class ProofChecker {
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto weight = static_cast<double>(weights.at(r));
       if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is out of range");
-      const double open = lacking(rows[r], relaxed);
+      const double open = lacking(rows[r], relaxed_target);
       if (open == 0) continue;
       const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
       const double counted = open - static_cast<double>(units) * shift;
@@ -205,7 +205,7 @@ class ProofChecker {
     for (std::uint32_t j = 0; j < allowed.size(); ++j) {
       if (!allowed[j]) continue;
       bool fails = false;
-      for (std::size_t r = 0; r < rows_.size() && !fails; ++r) fails = rows_[r][j] < open[r] - slack;
+      for (std::size_t r = 0; r < rows_.size() && !fails; ++r) fails = rows_[r][j] < open[r] - rounding_slack;
       if (fails) continue;
       take(j);
       for (std::uint32_t i = 0; i < table_.rows() && !fails; ++i) fails = !label_is_met(i);
@@ -245,7 +245,7 @@ class ProofChecker {
                           : cost_left > 0
                               ? static_cast<double>(instance_.cost[j]) / static_cast<double>(cost_left)
                               : 0;
-      if (row[j] >= open * part * (1 - slack)) return false;
+      if (row[j] >= open * part * (1 - rounding_slack)) return false;
     }
     return true;
   }

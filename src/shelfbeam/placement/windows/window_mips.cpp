@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/milp/branching.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/bound/row_pricing.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
@@ -20,13 +21,16 @@ namespace shelfbeam::detail {
 
 namespace {
 
-struct Window {
+struct WindowMip {
   milp::Model model;          ///< with the rows found so far
   std::vector<bool> is_done;  ///< per label: its row is in the model, or it is not near
   double bound = 0;           ///< no selection that reaches the labels costs less
   double target = 0;
-  bool is_met = false;    ///< the bound is the target
-  bool is_exact = false;  ///< the bound is the minimum, less the solver's gap
+  bool is_met = false;      ///< the bound is the target
+  bool is_exact = false;    ///< the bound is the minimum, less the solver's gap
+  bool has_failed = false;  ///< the solver has
+
+  bool is_open() const { return !is_exact && !has_failed; }
 };
 
 class WindowMips final : ProgressSink {
@@ -44,19 +48,21 @@ class WindowMips final : ProgressSink {
         problem_(problem) {}
 
   double run() {
-    const LpBound lp =
-        lp_bound(table_, problem_, cost_, backend_,
-                 {.time_limit_s = seconds_left(), .cuts = false, .selections = {.without = options_.without}},
-                 control_);
+    const LpBound lp = lp_bound(table_, problem_, cost_, backend_,
+                                {.time_limit_s = seconds_left(),
+                                 .cuts = false,
+                                 .selections = {.without = options_.without},
+                                 .rows = options_.rows},
+                                control_);
     if (!lp.complete || lp.dual.bound >= options_.goal) return std::min(lp.dual.bound, options_.goal);
     divide(lp);
     with_threads(control_.threads, [&] {
       for_each_task(windows_.size(), [&](std::size_t k) { solve_linear(windows_[k]); });
       const double share = sum() > 0 ? aim() / sum() : 0;
-      for (Window& window : windows_) window.target = window.bound * share;
+      for (WindowMip& window : windows_) window.target = window.bound * share;
       for (double seconds = first_seconds(); !out_of_time() && sum() < options_.goal; seconds *= 2) {
         for_each_task(windows_.size(), [&](std::size_t k) {
-          if (!windows_[k].is_met && !windows_[k].is_exact) ask(windows_[k], seconds);
+          if (!windows_[k].is_met && windows_[k].is_open()) ask(windows_[k], seconds);
         });
         if (!raise_targets()) break;
       }
@@ -80,7 +86,7 @@ class WindowMips final : ProgressSink {
 
   double sum() const {
     double sum = 0;
-    for (const Window& window : windows_) sum += window.bound;
+    for (const WindowMip& window : windows_) sum += window.bound;
     return sum;
   }
 
@@ -112,7 +118,7 @@ class WindowMips final : ProgressSink {
     for (const std::uint32_t j : options_.without) is_out[j] = true;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       std::vector<double>& share = shares[k];
-      Window& window = windows_.emplace_back();
+      WindowMip& window = windows_.emplace_back();
       for (std::size_t j = 0; j < share.size(); ++j) {
         share[j] = (1 - rounding) * (all[j] > 0 ? share[j] / all[j] : 1 / static_cast<double>(parts.size()));
         const bool is_chosen = table_.transceivers[j].installed;
@@ -136,7 +142,7 @@ class WindowMips final : ProgressSink {
   }
 
   // Adds rows that x violates; false if there are none.
-  bool add_violated(Window& window, std::span<const double> x) {
+  bool add_violated(WindowMip& window, std::span<const double> x) {
     constexpr double tolerance = 1e-6;
     constexpr std::size_t max_rows = 30;
     // One thread: waiting for others, this one would begin another window.
@@ -150,7 +156,7 @@ class WindowMips final : ProgressSink {
   }
 
   // The LP bound of a window, and the rows that it needs.
-  void solve_linear(Window& window) {
+  void solve_linear(WindowMip& window) {
     const auto lp = backend_.lp(window.model.columns);
     std::size_t loaded = 0;
     do {
@@ -158,23 +164,34 @@ class WindowMips final : ProgressSink {
       loaded = window.model.rows.size();
       const milp::LpResult solved = lp->solve(seconds_left(), {1, control_.cancel, nullptr});
       if (solved.termination != milp::Termination::optimal) return;
-      raise(window, solved.objective);
+      raise(window, safe_value(window.model, solved.y));
       if (!add_violated(window, solved.x)) return;
     } while (!out_of_time());
   }
 
+  // The bound of the multipliers, summed again.
+  static double safe_value(const milp::Model& model, std::span<const double> y) {
+    std::vector<double> lower, upper;
+    for (const milp::Column& column : model.columns) {
+      lower.push_back(column.lower);
+      upper.push_back(column.upper);
+    }
+    return milp::safe_bound(model, lower, upper, y).value;
+  }
+
   // Asks whether the window costs more than its target.
-  void ask(Window& window, double seconds) {
+  void ask(WindowMip& window, double seconds) {
     constexpr double gap = 1e-4;
     const Deadline deadline(std::min(seconds, seconds_left()));
-    while (!deadline.has_passed()) {
+    while (!deadline.has_passed() && !enough_.requested() && !control_.cancelled()) {
       const milp::Result found = backend_.solve(window.model,
                                                 {.time_limit_s = deadline.seconds_left(),
                                                  .node_limit = options_.max_nodes,
                                                  .relative_gap = gap,
                                                  .cutoff = window.target},
                                                 {1, &enough_, this});
-      if (found.termination == milp::Termination::error) return;
+      window.has_failed = found.termination == milp::Termination::error;
+      if (window.has_failed) return;
       window.is_met = found.termination == milp::Termination::infeasible;
       raise(window, window.is_met ? window.target : std::min(found.dual_bound, window.target));
       if (found.solution.empty()) return;
@@ -186,14 +203,14 @@ class WindowMips final : ProgressSink {
 
   // Windows that have met their targets share what the others lack; false if no window can give more.
   bool raise_targets() {
-    std::vector<Window*> met;
+    std::vector<WindowMip*> met;
     bool is_open = false;
-    for (Window& window : windows_) {
+    for (WindowMip& window : windows_) {
       if (window.is_met) met.push_back(&window);
-      is_open = is_open || !window.is_exact;
+      is_open = is_open || window.is_open();
     }
     const double lack = aim() - sum();
-    for (Window* const window : met) {
+    for (WindowMip* const window : met) {
       window->target += lack / static_cast<double>(met.size());
       window->is_met = false;
     }
@@ -201,7 +218,7 @@ class WindowMips final : ProgressSink {
     return is_open && (!met.empty() || !options_.max_nodes);
   }
 
-  void raise(Window& window, double bound) {
+  void raise(WindowMip& window, double bound) {
     const std::lock_guard lock(mutex_);
     window.bound = std::max(window.bound, bound - milp::objective_slack(window.model, bound));
     control_.report(Task::windows, -1, fmt::format("{}, bound {:.3f}", windows_.size(), sum()));
@@ -221,7 +238,7 @@ class WindowMips final : ProgressSink {
   RowPricing pricing_;
   const SignalTable& table_;
   const PlacementProblem& problem_;
-  std::vector<Window> windows_;
+  std::vector<WindowMip> windows_;
   std::mutex mutex_;
   CancelToken enough_;  ///< the windows add up to the goal, or the run is cancelled
 };

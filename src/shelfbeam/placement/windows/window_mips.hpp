@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/bound/dual_bound.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam::detail {
@@ -19,6 +20,7 @@ struct WindowMipOptions {
   std::optional<std::uint64_t> max_nodes = {};  ///< of every MIP
   std::size_t windows = 4;
   std::vector<std::uint32_t> without = {};  ///< the bound holds for selections without these columns
+  std::vector<BoundRow> rows = {};          ///< the first rows of the LP, without cuts
 };
 
 /// A lower bound on c T by the decomposition of `window_bound`, for sums of signals or covers without unit

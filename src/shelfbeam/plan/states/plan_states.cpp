@@ -188,8 +188,9 @@ class Planner {
     deciding_->add_if(
         [&](std::uint32_t i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
     allowance_ = allowance(deciding_->labels());
-    const StateSearch search(deciding_->table(), problem(), allowance_,
-                             [&] { return control_.cancelled() || rounds.left() <= 0; });
+    const StateSearch search(
+        deciding_->table(), problem(), allowance_, [&] { return control_.cancelled() || rounds.left() <= 0; },
+        control_.threads);
     // The sampled states may not show the risk of the fresh ones.
     std::vector<std::uint32_t> rows;
     for (const std::uint32_t i : undecided) rows.push_back(deciding_->row_of(i));
