@@ -204,8 +204,8 @@ Settings parse(int argc, char** argv) {
       settings.instances.files.push_back(word);
     }
   }
-  if ((settings.bounds && settings.steps) ||
-      ((settings.bounds || settings.steps) && (settings.json || settings.only_count)))
+  if ((settings.bounds || settings.steps) &&
+      (settings.bounds == settings.steps || settings.json || settings.only_count))
     throw std::invalid_argument("--bounds or --steps can be combined only with --limit, --scale and --noise");
   return settings;
 }

@@ -28,9 +28,8 @@ struct CoverageRun {
 ///   value(), bound()                        of the incumbent, for the record of steps
 ///   may_improve(), is_settled()             annealing may improve the incumbent; nothing is left to do
 ///   begin(until)                            greedy selection
-///   anneal(instance, matrix, effort, seed)  one annealing, of long_walk moves at most; false if no unit can
-///   be
-///                                           exchanged
+///   anneal(instance, matrix, effort, seed)  one annealing; false if no unit can be exchanged
+///   long_walk                               its moves, in the rest of the time
 ///   raise_by_multipliers(until)             CoverageBound
 ///   raise_by_enumeration(until)             enumerate_coverage
 ///   solve(end)                              the MIP

@@ -6,8 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"

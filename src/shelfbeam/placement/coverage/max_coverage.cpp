@@ -108,7 +108,6 @@ class Maximisation {
     lower_to(bound.weight(units_), BoundProof::dual);
   }
 
-  /// Proves the value, then looks for fewer units of the same value.
   void raise_by_enumeration(Clock::time_point until) { is_settled_ = enumerate(until); }
 
   void solve(const Deadline& end) {
@@ -148,18 +147,16 @@ class Maximisation {
 
   /// The incumbent, with further units of the greedy selection up to the allowed number.
   std::vector<std::uint32_t> filled(const detail::SearchInstance& instance) const {
-    std::vector<std::uint32_t> result = reach_.selected;
+    std::vector<std::uint32_t> result;
     std::vector<bool> is_out(table_.columns(), false);
-    for (const std::uint32_t j : result) {
+    const auto take = [&](std::uint32_t j) {
+      if (is_out[j] || result.size() >= units_) return;
+      result.push_back(j);
       is_out[j] = true;
       for (const std::uint32_t other : instance.excludes[j]) is_out[other] = true;
-    }
-    for (const std::uint32_t j : order_) {
-      if (result.size() >= units_) break;
-      if (is_out[j]) continue;
-      result.push_back(j);
-      for (const std::uint32_t other : instance.excludes[j]) is_out[other] = true;
-    }
+    };
+    std::for_each(reach_.selected.begin(), reach_.selected.end(), take);
+    std::for_each(order_.begin(), order_.end(), take);
     std::sort(result.begin(), result.end());
     return result;
   }

@@ -4,11 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 #include "shelfbeam/placement/heuristic/annealing_walk.hpp"
-#include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/kernels/growing_columns.hpp"
 
 namespace shelfbeam {

@@ -34,7 +34,7 @@ struct WindowMipOptions {
 ///
 /// Each v_k is a MIP, asked only whether it exceeds a target, which needs much smaller trees than its value.
 /// Rows that a window's solution violates are added, and it is asked again. At first the targets are in
-/// proportion to the LP bounds and add up to the goal; those that are met rise for the others.
+/// proportion to the LP bounds and add up to the goal; a target that is met is raised in place of the others.
 ///
 /// Windows are asked in parallel, each on one thread. The result does not depend on the number of threads
 /// unless `until` comes first. The bound is lowered by the tolerance of solvers (milp::objective_slack).

@@ -11,6 +11,7 @@
 #include "shelfbeam/placement/problem/checker.hpp"
 
 #include "unit/placement/random_table.hpp"
+#include "unit/placement/windows/min_cost.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -23,19 +24,6 @@ using test::covering;
 
 const milp::Backend& backend() {
   return milp::backends().front();
-}
-
-/// The minimum cost of feasible selections; infinite if there is none.
-double min_cost(const SignalTable& table, const std::vector<double>& cost) {
-  double best = std::numeric_limits<double>::infinity();
-  for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
-    std::vector<std::uint32_t> selected;
-    double sum = 0;
-    for (std::uint32_t j = 0; j < table.columns(); ++j)
-      if ((set >> j & 1U) != 0 || table.transceivers[j].installed) selected.push_back(j), sum += cost[j];
-    if (sum < best && check_selection(table, covering, selected).met()) best = sum;
-  }
-  return best;
 }
 
 /// Labels at random points of a square hall, candidates on a grid of 1 m that reach discs.
@@ -59,7 +47,7 @@ TEST(WindowBound, NeverExceedsTheMinimum) {
     const SignalTable table = random.next();
     std::vector<double> cost(table.columns(), 1.0);
     for (double& c : cost) c = repeat % 2 == 0 ? 1 : random.chance(0.1) ? 0 : random.real(0, 3);
-    const double minimum = min_cost(table, cost);
+    const double minimum = test::min_cost(table, covering, cost);
     std::vector<bool> pinned(table.columns(), false);
     for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
     const Reduction reduction = reduce_cover(table, covering, cost, pinned);
@@ -110,7 +98,7 @@ TEST(WindowBound, ExclusionsKeepBetterSelections) {
       for (double& a : row) a = random.chance(0.25) ? 1 : 0;
     const SignalTable table = test::make_table(matrix, 10);
     const std::vector<double> cost(10, 1.0);
-    const double minimum = min_cost(table, cost);
+    const double minimum = test::min_cost(table, covering, cost);
     if (!std::isfinite(minimum)) continue;
     // Without column dominance, so that some rows and columns are left.
     const Reduction reduction = reduce_cover(table, covering, cost, std::vector<bool>(10, true));
@@ -123,7 +111,7 @@ TEST(WindowBound, ExclusionsKeepBetterSelections) {
     for (const std::uint32_t j : of_more.useless) {
       std::vector<double> with_j = cost;
       with_j[j] -= 100;
-      ASSERT_GT(min_cost(table, with_j) + 100, minimum);
+      ASSERT_GT(test::min_cost(table, covering, with_j) + 100, minimum);
       ++excluded;
     }
     proven += found(minimum).bound > minimum - 1 ? 1 : 0;
@@ -141,7 +129,7 @@ TEST(WindowBound, AnotherLabelRaisesTheBound) {
     for (auto& row : matrix)
       for (double& a : row) a = random.chance(0.4) ? 1 : 0;
     const std::vector<double> cost(8, 1.0);
-    const double minimum = min_cost(test::make_table(matrix, 8), cost);
+    const double minimum = test::min_cost(test::make_table(matrix, 8), covering, cost);
     std::vector<double> row(8, 0.0);
     row[static_cast<std::size_t>(random.whole(0, 7))] = 1;
     matrix.push_back(row);

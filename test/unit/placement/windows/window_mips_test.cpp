@@ -12,6 +12,7 @@
 #include "shelfbeam/placement/problem/checker.hpp"
 
 #include "unit/placement/random_table.hpp"
+#include "unit/placement/windows/min_cost.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -20,19 +21,6 @@ using detail::window_mip_bound;
 using detail::WindowMipOptions;
 
 const PlacementProblem sums{.model = CommunicationModel::cooperative};
-
-/// The minimum cost of feasible selections; infinite if there is none.
-double min_cost(const SignalTable& table, const PlacementProblem& problem, const std::vector<double>& cost) {
-  double best = std::numeric_limits<double>::infinity();
-  for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
-    std::vector<std::uint32_t> selected;
-    double sum = 0;
-    for (std::uint32_t j = 0; j < table.columns(); ++j)
-      if ((set >> j & 1U) != 0 || table.transceivers[j].installed) selected.push_back(j), sum += cost[j];
-    if (sum < best && check_selection(table, problem, selected).met()) best = sum;
-  }
-  return best;
-}
 
 double bound_of(const SignalTable& table, const PlacementProblem& problem, const std::vector<double>& cost,
                 WindowMipOptions options, unsigned threads = 1) {
@@ -55,7 +43,7 @@ TEST(WindowMips, NeverExceedTheMinimum) {
     const SignalTable table = random.next();
     const PlacementProblem& problem = repeat % 3 == 0 ? test::covering : sums;
     const std::vector<double> cost = random_costs(random, table.columns(), repeat % 2 == 0);
-    const double minimum = min_cost(table, problem, cost);
+    const double minimum = test::min_cost(table, problem, cost);
     if (!std::isfinite(minimum)) continue;
     const auto windows = static_cast<std::size_t>(random.whole(1, 4));
     const double goal = minimum * random.real(0.9, 1.5);
@@ -74,7 +62,7 @@ TEST(WindowMips, OneWindowGivesTheMinimum) {
   for (int repeat = 0; repeat < 30; ++repeat) {
     const SignalTable table = test::scattered_table(random, 20, 10, 0.2);
     const std::vector<double> cost = random_costs(random, table.columns(), repeat % 2 == 0);
-    const double minimum = min_cost(table, sums, cost);
+    const double minimum = test::min_cost(table, sums, cost);
     if (!std::isfinite(minimum)) continue;
     const double bound = bound_of(table, sums, cost, {.goal = 2 * minimum + 1, .windows = 1});
     ASSERT_LE(bound, minimum * (1 + 1e-12));
@@ -97,9 +85,9 @@ TEST(WindowMips, BoundSelectionsWithoutSomeColumns) {
   for (int repeat = 0; repeat < 20; ++repeat) {
     const SignalTable table = test::scattered_table(random, 20, 10, 0.2);
     std::vector<double> cost(table.columns(), 1.0);
-    const double all = min_cost(table, sums, cost);
+    const double all = test::min_cost(table, sums, cost);
     cost[0] = 1000;
-    const double without = min_cost(table, sums, cost);
+    const double without = test::min_cost(table, sums, cost);
     cost[0] = 1;
     if (!(without < 1000)) continue;
     const double bound = bound_of(table, sums, cost, {.goal = 100, .windows = 1, .without = {0}});
@@ -118,7 +106,7 @@ TEST(WindowMips, AnotherLabelRaisesTheBound) {
     for (auto& row : matrix)
       for (double& a : row) a = random.real(0, 0.6);
     const std::vector<double> cost(8, 1.0);
-    const double minimum = min_cost(test::make_table(matrix, 8), sums, cost);
+    const double minimum = test::min_cost(test::make_table(matrix, 8), sums, cost);
     std::vector<double> row(8, 0.0);
     row[static_cast<std::size_t>(random.whole(0, 7))] = 1;
     matrix.push_back(row);
