@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "shelfbeam/placement/heuristic/annealing_walk.hpp"
-#include "shelfbeam/placement/kernels/active_rows.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam::detail {
@@ -84,44 +83,44 @@ class WeighedRows {
   Found best_;  // with the most weight
 };
 
-ActiveRows all_rows(const SearchInstance& instance, const SearchMatrix& all) {
-  ActiveRows rows(all, receiving(instance.problem));
-  rows.add_all();
-  return rows;
-}
-
 }  // namespace
 
-bool can_anneal_coverage(const SignalTable& table) {
+bool CoverageAnnealing::fits(const SignalTable& table) {
   constexpr std::size_t max_cells = 100'000'000;
   return table.rows() * table.columns() <= max_cells;
 }
 
-std::optional<Selection> anneal_reach(const SearchInstance& instance, const SearchMatrix& all,
-                                      const LabelWeights& weights, double target, const Selection& start,
-                                      const Effort& effort, std::uint32_t seed, const RunControl& control) {
+CoverageAnnealing::CoverageAnnealing(const SignalTable& table, const PlacementProblem& problem,
+                                     const LabelWeights& weights)
+    : instance_(table, problem),
+      matrix_(table, problem.model),
+      rows_(matrix_, receiving(problem)),
+      weights_(weights) {
+  rows_.add_all();
+}
+
+std::optional<Selection> CoverageAnnealing::for_fewer(double target, const Selection& start,
+                                                      const Effort& effort, std::uint32_t seed,
+                                                      const RunControl& control) const {
   if (!(target > 0)) return {};
-  const ActiveRows rows = all_rows(instance, all);
   return best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
-    WeighedRows weighed(instance, rows, weights, target, start.size(), Aim::fewest_units);
-    return AnnealingWalk(instance, all, std::move(weighed), start, own_seed);
+    WeighedRows weighed(instance_, rows_, weights_, target, start.size(), Aim::fewest_units);
+    return AnnealingWalk(instance_, matrix_, std::move(weighed), start, own_seed);
   });
 }
 
-std::optional<Selection> anneal_coverage(const SearchInstance& instance, const SearchMatrix& all,
-                                         const LabelWeights& weights, double reached, const Selection& start,
-                                         const Effort& effort, std::uint32_t seed,
-                                         const RunControl& control) {
+std::optional<Selection> CoverageAnnealing::for_more(double reached, const Selection& start,
+                                                     const Effort& effort, std::uint32_t seed,
+                                                     const RunControl& control) const {
   struct Walk {
     AnnealingWalk<WeighedRows> walk;
     void run(const Effort& of_one, const RunControl& own) { walk.run(of_one, own); }
     Found best() const { return walk.rows().best(); }
   };
-  if (!(weights.total() > 0)) return {};
-  const ActiveRows rows = all_rows(instance, all);
+  if (!(weights_.total() > 0)) return {};
   return best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
-    WeighedRows weighed(instance, rows, weights, reached, start.size(), Aim::most_weight);
-    return Walk{AnnealingWalk(instance, all, std::move(weighed), start, own_seed)};
+    WeighedRows weighed(instance_, rows_, weights_, reached, start.size(), Aim::most_weight);
+    return Walk{AnnealingWalk(instance_, matrix_, std::move(weighed), start, own_seed)};
   });
 }
 

@@ -5,26 +5,39 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
+#include "shelfbeam/placement/kernels/active_rows.hpp"
 #include "shelfbeam/placement/kernels/search_instance.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 
 namespace shelfbeam::detail {
 
-/// Whether annealing can hold all labels x candidates of the table.
-bool can_anneal_coverage(const SignalTable& table);
+/// The annealing of `anneal`, but of the missed weight beyond the weight that may be missed, on all labels.
+class CoverageAnnealing {
+ public:
+  /// Whether annealing can hold all labels x candidates of the table.
+  static bool fits(const SignalTable& table);
 
-/// A selection with fewer units than `start` that reaches labels of the weight `target`, or with at most as
-/// many if `start` does not; nullopt if none is found. The annealing of `anneal`, but of the missed weight
-/// beyond the weight that may be missed, on all labels. Precondition: can_anneal_coverage.
-std::optional<Selection> anneal_reach(const SearchInstance& instance, const SearchMatrix& all,
-                                      const LabelWeights& weights, double target, const Selection& start,
-                                      const Effort& effort, std::uint32_t seed, const RunControl& control);
+  /// Precondition: fits. The arguments must outlive the object.
+  CoverageAnnealing(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights);
+  CoverageAnnealing(const CoverageAnnealing&) = delete;
 
-/// A selection of as many units as `start` that reaches labels of more weight than `reached`; nullopt if none
-/// is found. The same annealing at a fixed count: whenever a selection reaches more, it must reach still more
-/// from then on. Precondition: can_anneal_coverage.
-std::optional<Selection> anneal_coverage(const SearchInstance& instance, const SearchMatrix& all,
-                                         const LabelWeights& weights, double reached, const Selection& start,
-                                         const Effort& effort, std::uint32_t seed, const RunControl& control);
+  const SearchInstance& instance() const { return instance_; }
+
+  /// A selection with fewer units than `start` that reaches labels of the weight `target`, or with at most as
+  /// many if `start` does not; nullopt if none is found.
+  std::optional<Selection> for_fewer(double target, const Selection& start, const Effort& effort,
+                                     std::uint32_t seed, const RunControl& control) const;
+  /// A selection of as many units as `start` that reaches labels of more weight than `reached`; nullopt if
+  /// none is found. The count is fixed: whenever a selection reaches more, it must reach still more from then
+  /// on.
+  std::optional<Selection> for_more(double reached, const Selection& start, const Effort& effort,
+                                    std::uint32_t seed, const RunControl& control) const;
+
+ private:
+  SearchInstance instance_;
+  SearchMatrix matrix_;
+  ActiveRows rows_;  ///< all of them
+  const LabelWeights& weights_;
+};
 
 }  // namespace shelfbeam::detail

@@ -120,14 +120,12 @@ class Curve {
   void anneal(std::uint64_t moves, Clock::time_point end) {
     const bool is_open = std::any_of(points_.begin(), points_.end(),
                                      [](const Point& point) { return point.at_least < point.at_most; });
-    if (!is_open || !detail::can_anneal_coverage(table_)) return;
-    const detail::SearchInstance instance(table_, problem_);
-    const detail::SearchMatrix matrix(table_, problem_.model);
+    if (!is_open || !detail::CoverageAnnealing::fits(table_)) return;
+    const detail::CoverageAnnealing annealing(table_, problem_, weights_);
     for (const Point& point : points_) {
       if (is_cut_short(end)) return;
       if (point.best.size() != point.units || point.at_least >= point.at_most) continue;
-      const auto found = detail::anneal_coverage(instance, matrix, weights_, point.at_least, point.best,
-                                                 {moves, end}, seed_, control_);
+      const auto found = annealing.for_more(point.at_least, point.best, {moves, end}, seed_, control_);
       if (found) offer(*found);
       seed_ += detail::walks_at_once;
     }

@@ -25,10 +25,11 @@ struct CoverageRun {
 
 /// The search of every goal that may leave labels missed, a step at a time. Goal has
 ///
+///   weights()                               of the labels
 ///   value(), bound()                        of the incumbent, for the record of steps
 ///   may_improve(), is_settled()             annealing may improve the incumbent; nothing is left to do
 ///   begin(until)                            greedy selection
-///   anneal(instance, matrix, effort, seed)  one annealing; false if no unit can be exchanged
+///   anneal(annealing, effort, seed)         one annealing; false if no unit can be exchanged
 ///   long_walk                               its moves, in the rest of the time
 ///   raise_by_multipliers(until)             CoverageBound
 ///   raise_by_enumeration(until)             enumerate_coverage
@@ -46,7 +47,7 @@ class CoverageSchedule {
     using Until = std::chrono::steady_clock::time_point;
     const bool fits = CoverageModel::fits(table_, problem_), may_ask = uses(options_, SolverChoice::mip);
     const bool solves = may_ask && fits, searches = uses(options_, SolverChoice::search);
-    const bool anneals = searches && can_anneal_coverage(table_);
+    const bool anneals = searches && CoverageAnnealing::fits(table_);
     const bool has_rest = solves || anneals;  // a step that can use the rest of the time
     run_.too_large = may_ask && !fits;
     step("greedy", has_rest ? 0.3 : 0.5, [&](Until until) { goal_.begin(until); });
@@ -90,12 +91,11 @@ class CoverageSchedule {
 
   // Once, or with other seeds until the time is up; once if the options limit the steps.
   void anneal(Effort effort, bool repeats) {
-    const SearchInstance instance(table_, problem_);
-    const SearchMatrix matrix(table_, problem_.model);
+    const CoverageAnnealing annealing(table_, problem_, goal_.weights());
     effort.steps = std::min(effort.steps, options_.step_limit.value_or(effort.steps));
     auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, repeats ? 1 : 0));
     while (goal_.may_improve() && !effort.is_over(control_)) {
-      if (!goal_.anneal(instance, matrix, effort, seed) || !repeats || options_.step_limit) return;
+      if (!goal_.anneal(annealing, effort, seed) || !repeats || options_.step_limit) return;
       seed += walks_at_once;
     }
   }

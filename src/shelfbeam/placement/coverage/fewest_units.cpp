@@ -63,6 +63,7 @@ class Minimisation {
 
   static constexpr std::uint64_t long_walk = 20'000'000;
 
+  const detail::LabelWeights& weights() const { return weights_; }
   double value() const {
     return result_.has_selection ? static_cast<double>(result_.selected.size())
                                  : std::numeric_limits<double>::infinity();
@@ -89,12 +90,10 @@ class Minimisation {
   }
 
   /// For fewer units, or for any selection if none is known.
-  bool anneal(const detail::SearchInstance& instance, const detail::SearchMatrix& matrix,
-              const detail::Effort& effort, std::uint32_t seed) {
+  bool anneal(const detail::CoverageAnnealing& annealing, const detail::Effort& effort, std::uint32_t seed) {
     const std::vector<std::uint32_t>& start = result_.has_selection ? result_.selected : first_;
-    if (!instance.can_exchange(start)) return false;
-    const auto found =
-        detail::anneal_reach(instance, matrix, weights_, target_, start, effort, seed, control_);
+    if (!annealing.instance().can_exchange(start)) return false;
+    const auto found = annealing.for_fewer(target_, start, effort, seed, control_);
     if (!found) return true;
     offer(*found);
     result_.solver = {Method::search};

@@ -73,6 +73,7 @@ class Maximisation {
 
   static constexpr std::uint64_t long_walk = 4'000'000;
 
+  const detail::LabelWeights& weights() const { return weights_; }
   double value() const { return weights_.in_table(value_); }
   double bound() const { return weights_.in_table(bound_); }
   bool is_proven() const {
@@ -88,12 +89,10 @@ class Maximisation {
   }
 
   /// For more weight.
-  bool anneal(const detail::SearchInstance& instance, const detail::SearchMatrix& matrix,
-              const detail::Effort& effort, std::uint32_t seed) {
-    const std::vector<std::uint32_t> start = filled(instance);
-    if (!instance.can_exchange(start)) return false;
-    const auto found =
-        detail::anneal_coverage(instance, matrix, weights_, value_, start, effort, seed, control_);
+  bool anneal(const detail::CoverageAnnealing& annealing, const detail::Effort& effort, std::uint32_t seed) {
+    const std::vector<std::uint32_t> start = filled(annealing.instance());
+    if (!annealing.instance().can_exchange(start)) return false;
+    const auto found = annealing.for_more(value_, start, effort, seed, control_);
     if (!found) return true;
     offer_compact(*found, effort.until);
     reach_.solver = {Method::search};

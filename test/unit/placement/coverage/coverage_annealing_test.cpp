@@ -38,10 +38,8 @@ TEST(CoverageAnnealing, FindsTheFewestUnits) {
         weights.total() == 0)
       continue;
     ++asked;
-    const detail::SearchInstance instance(table, problem);
-    const detail::SearchMatrix matrix(table, problem.model);
-    const auto found =
-        detail::anneal_reach(instance, matrix, weights, target, all, {.steps = 5000}, 1, {.threads = 1});
+    const detail::CoverageAnnealing annealing(table, problem, weights);
+    const auto found = annealing.for_fewer(target, all, {.steps = 5000}, 1, {.threads = 1});
     const detail::Selection selected = found.value_or(all);
     EXPECT_GE(test::weight_of(table, problem, selected), weights.in_table(target) * (1 - 1e-9));
     std::size_t fewest = 0;
@@ -70,11 +68,9 @@ TEST(CoverageAnnealing, FindsTheLargestWeight) {
         std::any_of(table.transceivers.begin(), table.transceivers.end(), is_installed))
       continue;
     ++asked;
-    const detail::SearchInstance instance(table, problem);
-    const detail::SearchMatrix matrix(table, problem.model);
+    const detail::CoverageAnnealing annealing(table, problem, weights);
     const double before = test::weight_of(table, problem, start);
-    const auto found =
-        detail::anneal_coverage(instance, matrix, weights, 0, start, {.steps = 5000}, 1, {.threads = 1});
+    const auto found = annealing.for_more(0, start, {.steps = 5000}, 1, {.threads = 1});
     const double after = found ? test::weight_of(table, problem, *found) : before;
     const double best = max_weight(table, problem, start.size()), rounding = 1e-9 * best;
     ASSERT_TRUE(!found || found->size() == start.size());
