@@ -37,7 +37,7 @@ bool is_wrong(const Claim& claim, double best) {
          (claim.is_final && claim.value > best + rounding);
 }
 
-struct Tally {
+struct Score {
   int asked = 0, wrong = 0, infeasible = 0, open = 0;
 
   void add(const Claim& claim, double best) {
@@ -57,8 +57,8 @@ class Questions {
   Questions(std::uint64_t seed, Omission omission)
       : tables_(seed, limits), states_(static_cast<unsigned>(seed)), omission_(omission) {}
 
-  Tally whole(int cases) {
-    return ask(cases, [this](const SignalTable& table, PlacementProblem problem, Tally& tally) {
+  Score whole(int cases) {
+    return ask(cases, [this](const SignalTable& table, PlacementProblem problem, Score& tally) {
       if (tables_.chance(0.3))
         problem = {.model = problem.model, .combination = Combination::spend, .redundant = problem.redundant};
       const Placement answer = place(table, problem, options_, {.threads = 1});
@@ -68,8 +68,8 @@ class Questions {
     });
   }
 
-  Tally at_most(int cases) {
-    return ask(cases, [this](const SignalTable& table, const PlacementProblem& problem, Tally& tally) {
+  Score at_most(int cases) {
+    return ask(cases, [this](const SignalTable& table, const PlacementProblem& problem, Score& tally) {
       const auto units = static_cast<std::size_t>(tables_.whole(0, static_cast<int>(table.columns())));
       const auto best = BruteForce::weights(table, problem, omission_)[units];
       const auto all_best = BruteForce::weights(table, problem)[units];
@@ -82,8 +82,8 @@ class Questions {
     });
   }
 
-  Tally reach(int cases) {
-    return ask(cases, [this](const SignalTable& table, const PlacementProblem& problem, Tally& tally) {
+  Score reach(int cases) {
+    return ask(cases, [this](const SignalTable& table, const PlacementProblem& problem, Score& tally) {
       const double share = tables_.chance(0.1) ? 1 : tables_.real(0.05, 1);
       const auto best = BruteForce::weights(table, problem, omission_);
       double total = 0;
@@ -100,8 +100,8 @@ class Questions {
     });
   }
 
-  Tally curve(int cases) {
-    return ask(cases, [this](const SignalTable& table, PlacementProblem problem, Tally& tally) {
+  Score curve(int cases) {
+    return ask(cases, [this](const SignalTable& table, PlacementProblem problem, Score& tally) {
       problem = {.model = problem.model, .redundant = problem.redundant};
       const Placement placement = place(table, problem, options_, {.threads = 1});
       if (!placement.has_selection()) return;
@@ -117,8 +117,8 @@ class Questions {
     });
   }
 
-  Tally over_states(int cases) {
-    Tally tally;
+  Score over_states(int cases) {
+    Score tally;
     for (int k = 0; k < cases; ++k) {
       PlacementProblem problem{.model = tables_.chance(0.5) ? test::coop : test::alone,
                                .redundant = tables_.chance(0.2)};
@@ -138,8 +138,8 @@ class Questions {
 
  private:
   template <class Ask>
-  Tally ask(int cases, const Ask& ask) {
-    Tally tally;
+  Score ask(int cases, const Ask& ask) {
+    Score tally;
     while (tally.asked < cases) {
       const SignalTable table = tables_.next();
       const PlacementProblem problem = tables_.next_problem();
@@ -172,7 +172,7 @@ class Questions {
 
 struct Goal {
   const char* name;
-  Tally (Questions::*ask)(int);
+  Score (Questions::*ask)(int);
   int cases;
 };
 
@@ -180,7 +180,7 @@ class RandomQuestionsSlow : public testing::TestWithParam<Goal> {};
 
 TEST_P(RandomQuestionsSlow, EqualBruteForce) {
   const Goal& goal = GetParam();
-  const Tally tally = (Questions(2026, Omission::nothing).*goal.ask)(goal.cases);
+  const Score tally = (Questions(2026, Omission::nothing).*goal.ask)(goal.cases);
   RecordProperty("asked", tally.asked);
   RecordProperty("open", tally.open);
   EXPECT_EQ(tally.wrong, 0);
