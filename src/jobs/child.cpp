@@ -141,6 +141,11 @@ void Child::resume() const {
   if (state_->id > 0) ::kill(state_->id, SIGCONT);
 }
 
+void Child::give_way() const {
+  constexpr int niceness = 10;
+  if (state_->id > 0) ::setpriority(PRIO_PROCESS, static_cast<id_t>(state_->id), niceness);
+}
+
 std::string Child::new_output() {
   std::string text = state_->out.text(state_->read);
   state_->read += static_cast<off_t>(text.size());

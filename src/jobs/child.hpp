@@ -41,6 +41,8 @@ class Child {
   /// Stops it where it is, until `resume`.
   void pause() const;
   void resume() const;
+  /// Other processes come first from now on. To be called before it has several threads.
+  void give_way() const;
   /// Its standard output since the last call; of much output only the next part.
   std::string new_output();
   /// The same, and frees its memory: ChildEnd::out does not repeat it.

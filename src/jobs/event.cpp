@@ -59,9 +59,10 @@ std::string line_of(const JobEnd& end) {
                  {"message", error->message},
                  {"of_checkpoint", error->is_of_checkpoint},
                  {"interrupted", error->is_interruption}});
-  const auto& [summary, is_complete] = std::get<JobResult>(end);
+  const auto& [summary, is_complete, selected] = std::get<JobResult>(end);
   Json result = {{"event", "result"}, {"code", static_cast<int>(summary.code)}, {"complete", is_complete}};
   result.update(to_json(summary));
+  result["selected"] = selected;
   return line(result);
 }
 
@@ -73,7 +74,8 @@ std::optional<JobEnd> end_of(std::string_view line) {
                     json.at("interrupted")};
   const Json json = object_of(line, "result");
   if (json.is_null()) return {};
-  return JobResult{{read_numbers(json), json.at("code").get<ExitCode>()}, json.at("complete")};
+  return JobResult{
+      {read_numbers(json), json.at("code").get<ExitCode>()}, json.at("complete"), json.at("selected")};
 }
 
 }  // namespace
@@ -93,23 +95,33 @@ void EventProgress::report(Task task, double fraction, std::string_view detail) 
   if (shown_ != progress.task) bounds_ = {};
   if (next_.incumbent) bounds_.incumbent = next_.incumbent;
   if (next_.lower) bounds_.lower = next_.lower;
+  if (next_.selected) bounds_.selected = std::move(next_.selected);
   next_ = {};
   shown_ = progress.task;
   if (written_ && now - *written_ < pause) return;
   written_ = now;
   const auto known = [](double value) { return value < 0 ? Json(nullptr) : Json(value); };
-  write_(line({{"event", "progress"},
-               {"task", to_text(progress.task)},
-               {"share", known(progress.fraction)},
-               {"seconds_left", known(progress.seconds_left)},
-               {"incumbent", or_null(bounds_.incumbent)},
-               {"lower_bound", or_null(bounds_.lower)},
-               {"detail", progress.detail}}));
+  Json json{{"event", "progress"},
+            {"task", to_text(progress.task)},
+            {"share", known(progress.fraction)},
+            {"seconds_left", known(progress.seconds_left)},
+            {"incumbent", or_null(bounds_.incumbent)},
+            {"lower_bound", or_null(bounds_.lower)},
+            {"detail", progress.detail}};
+  if (bounds_.selected && *bounds_.selected != written_selection_) {
+    written_selection_ = *bounds_.selected;
+    json["selected"] = written_selection_;
+  }
+  write_(line(json));
 }
 
 void EventProgress::bounds(double incumbent, double lower_bound) {
   if (std::isfinite(incumbent)) next_.incumbent = incumbent;
   if (std::isfinite(lower_bound)) next_.lower = lower_bound;
+}
+
+void EventProgress::selection(const std::vector<std::string>& ids) {
+  next_.selected = ids;
 }
 
 bool pass_on(std::string_view line, ProgressSink& sink) {
@@ -122,6 +134,8 @@ bool pass_on(std::string_view line, ProgressSink& sink) {
   const auto task = from_text<Task>(json.at("task").get<std::string>());
   if (!task) return false;  // of another version
   if (incumbent && lower_bound) sink.bounds(*incumbent, *lower_bound);
+  if (const auto found = json.find("selected"); found != json.end())
+    sink.selection(found->get<std::vector<std::string>>());
   sink.report(*task, share.value_or(-1), json.at("detail").get<std::string>());
   return true;
 }

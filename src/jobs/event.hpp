@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "shelfbeam/base/control.hpp"
 
@@ -27,20 +28,24 @@ struct JobError {
 /// The result of a job.
 struct JobResult {
   PlanSummary summary;
-  bool is_complete = false;  ///< not interrupted
+  bool is_complete = false;                ///< not interrupted
+  std::vector<std::string> selected = {};  ///< ids of the chosen units
 };
 
 using JobEnd = std::variant<JobResult, JobError>;
 
 ExitCode exit_code_of(const JobEnd& end);
 
+/// The line of the event after which a job no longer depends on the store file.
+inline constexpr std::string_view store_is_read = "{\"event\":\"read\"}\n";
+
 JobError error_of(const std::exception& error);
 std::string line_of(const JobEnd& end);
 /// Nothing for another line.
 std::optional<JobEnd> read_end(std::string_view line);
 
-/// Writes progress as lines of JSON, at most four per second. Bounds are those of the task itself, not of
-/// searches that are steps of it.
+/// Writes progress as lines of JSON, at most four per second. Bounds and selections are those of the task
+/// itself, not of searches that are steps of it.
 class EventProgress : public ProgressSink {
  public:
   using Write = std::function<void(std::string_view line)>;
@@ -48,11 +53,13 @@ class EventProgress : public ProgressSink {
 
   void report(Task task, double fraction, std::string_view detail) override;
   void bounds(double incumbent, double lower_bound) override;
+  void selection(const std::vector<std::string>& ids) override;
 
  private:
   using Clock = std::chrono::steady_clock;
   struct Bounds {
     std::optional<double> incumbent, lower;
+    std::optional<std::vector<std::string>> selected;
   };
 
   Write write_;
@@ -61,6 +68,7 @@ class EventProgress : public ProgressSink {
   std::optional<Clock::time_point> written_;
   Bounds bounds_, next_;  ///< of the task that is shown, and of the next report
   std::optional<Task> shown_;
+  std::vector<std::string> written_selection_;
 };
 
 /// The progress in a line, passed on to `sink`. False for another line.

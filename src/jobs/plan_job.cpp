@@ -82,6 +82,16 @@ ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise
 
 }  // namespace
 
+Store store_of(const PlanJob& job, const CancelToken* cancel) {
+  Store store = read_store(job.store, {.allow_outside = job.allow_outside,
+                                       .memory = job.plan.simulation.memory,
+                                       .file_size = job.file_size.value_or(StoreLimits{}.file_size),
+                                       .cancel = cancel});
+  for (const std::string& unit : job.units.pinned) store.pinned.push_back({unit, job.store.string()});
+  for (const std::string& unit : job.units.excluded) store.excluded.push_back({unit, job.store.string()});
+  return store;
+}
+
 void expect_no_warnings(const Scene& scene, bool strict) {
   if (!strict || scene.warnings.empty()) return;
   const std::size_t others = scene.warnings.size() - 1;
@@ -104,12 +114,7 @@ void expect_room_for_matrix(const fs::path& folder, const Scene& scene, const Si
 
 PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   const RunClock clock;
-  Store store = read_store(job.store, {.allow_outside = job.allow_outside,
-                                       .memory = job.plan.simulation.memory,
-                                       .file_size = job.file_size.value_or(StoreLimits{}.file_size),
-                                       .cancel = watch.cancel});
-  for (const std::string& unit : job.units.pinned) store.pinned.push_back({unit, job.store.string()});
-  for (const std::string& unit : job.units.excluded) store.excluded.push_back({unit, job.store.string()});
+  Store store = store_of(job, watch.cancel);
   PlanRequest request = job.plan;
   if (job.selection) store = with_candidates_of(*job.selection, std::move(store));
   const Scene scene = make_inspected_scene(store);

@@ -30,12 +30,14 @@ struct PlanJob {
   /// Signals to reuse: a signal file, or the folder of a plan (read_given_signals).
   std::optional<std::filesystem::path> signal = {};
   std::vector<std::filesystem::path> sampled = {};  ///< parts of SampledStates; empty: none
-  unsigned threads = 0;                             ///< 0: all cores
-  CheckpointOptions checkpoint = {};                ///< its path is in the folder
-  bool allow_outside = false;                       ///< the store may name files outside its folder
-  std::optional<std::uint64_t> file_size = {};      ///< StoreLimits::file_size
-  bool strict = false;                              ///< warnings count as errors
-  bool overwrite = false;                           ///< replace a finished plan in the folder
+  /// A folder of light operators: a first answer is asked for (run_first_answer).
+  std::optional<std::filesystem::path> preview = {};
+  unsigned threads = 0;                         ///< 0: all cores
+  CheckpointOptions checkpoint = {};            ///< its path is in the folder
+  bool allow_outside = false;                   ///< the store may name files outside its folder
+  std::optional<std::uint64_t> file_size = {};  ///< StoreLimits::file_size
+  bool strict = false;                          ///< warnings count as errors
+  bool overwrite = false;                       ///< replace a finished plan in the folder
   bool safe_csv = false;
   bool reports_progress = true;  ///< of a process that runs the job
 };
@@ -61,6 +63,9 @@ struct PlanEnd {
   ExitCode code = done;
   bool is_imprecise = false;  ///< the requested relative error was not reached, and no certificate covers it
 };
+
+/// The store of a job with its choice of units. Throws InputError.
+Store store_of(const PlanJob& job, const CancelToken* cancel);
 
 /// Throws InputError if the scene has warnings and `strict` is set.
 void expect_no_warnings(const Scene& scene, bool strict);

@@ -215,6 +215,8 @@ void describe(Fields& f, PlanJob& job) {
   texts(f, "excluded", job.units.excluded, "ids or patterns of units that are not");
   path(f, "signal", job.signal, "signals to reuse if they fit: a signal file, or the folder of a plan");
   paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
+  path(f, "preview", job.preview,
+       "a first answer, without a simulation and without files, by the light operators in this folder");
   with_default(job.threads, usual.threads,
                [&](auto& given) { whole(f, "threads", given, "0: one per core", 0, 256); });
   flag(f, "resume", job.checkpoint.resume, false, "continue an interrupted run in the folder");

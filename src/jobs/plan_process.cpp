@@ -42,8 +42,10 @@ bool PlanProcess::has_ended(JobEnd& end, ChildEnd& effort, ProgressSink* progres
   if (deadline_ && Clock::now() > *deadline_) child_.kill();
   if (progress != nullptr) {
     unread_ += child_.new_output();
-    for (std::size_t at = 0; (at = unread_.find('\n')) != std::string::npos; unread_.erase(0, at + 1))
+    for (std::size_t at = 0; (at = unread_.find('\n')) != std::string::npos; unread_.erase(0, at + 1)) {
+      has_read_ = has_read_ || unread_.starts_with(store_is_read);
       pass_on(std::string_view(unread_).substr(0, at), *progress);
+    }
   }
   if (!child_.has_ended(effort)) return false;
   if (const auto found = read_end(last_line(effort.out)))

@@ -23,6 +23,10 @@ class PlanProcess {
   /// Whether it has ended; then fills `end`, an error if it was killed, and `effort`. Passes its progress
   /// since the last call on to `progress`.
   bool has_ended(JobEnd& end, ChildEnd& effort, ProgressSink* progress = nullptr);
+  /// Whether it has read the store, as far as `has_ended` with a `progress` knows.
+  bool has_read() const { return has_read_; }
+  /// Other processes come first from now on.
+  void give_way() const { child_.give_way(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -30,6 +34,7 @@ class PlanProcess {
   Child child_;
   std::optional<Clock::time_point> deadline_;  ///< it is killed then
   std::string unread_;                         ///< the beginning of a line
+  bool has_read_ = false;
 };
 
 }  // namespace shelfbeam::jobs

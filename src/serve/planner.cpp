@@ -18,6 +18,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
+#include "serve/events.hpp"
 #include "serve/http/gate.hpp"
 #include "serve/http/server.hpp"
 #include "serve/light/live_light.hpp"
@@ -26,6 +27,7 @@
 #include "serve/live/shop.hpp"
 #include "serve/live/unit_edits.hpp"
 #include "serve/live/warning_finder.hpp"
+#include "serve/planning/planning.hpp"
 #include "serve/project/project.hpp"
 #include "serve/project/project_file.hpp"
 #include "serve/project/starter.hpp"
@@ -65,10 +67,6 @@ ProjectOptions project_options() {
   return options;
 }
 
-std::string text_of(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
 }  // namespace
 
 struct Planner::State {
@@ -82,6 +80,7 @@ struct Planner::State {
         warnings((folder / "store.json").lexically_normal()),
         comparison(folder),
         light(folder, has_light),
+        planning(folder),
         server(with_page(std::move(options)), handlers(std::move(log))) {
     resolve();
     steps = project.steps();
@@ -125,42 +124,22 @@ struct Planner::State {
 
   void open(TabId tab) {
     tabs.insert(tab);
-    Json json{{"event", "project"},           {"tab", tab},
-              {"name", name_of_shop()},       {"file", "store.json"},
-              {"version", program_version()}, {"unit", to_text(shop.draft().store.unit)},
+    Json json{{"event", "project"},
+              {"tab", tab},
+              {"name", name_of_shop(shop.json(), folder_name)},
+              {"file", "store.json"},
+              {"version", program_version()},
+              {"unit", to_text(shop.draft().store.unit)},
               {"parts", shop.parts()}};
     json["problems"] = shop.problems();
     json["shared"] = shop.names();
-    add_state(json, project.steps());
-    server.send(tab, http::Message::text(with_document(json)));
+    add_state(json, project, project.steps());
+    server.send(tab, http::Message::text(with_document(json, shop.json())));
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
     if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
     for (const http::Message& message : light.everything()) server.send(tab, message);
+    server.send(tab, http::Message::text(text_of(planning.everything(shop.json(), shop.draft()))));
     if (found) server.send(tab, http::Message::text(text_of(warnings_json())));
-  }
-
-  std::string name_of_shop() const {
-    const auto own = shop.json().find("name");
-    const bool is_named =
-        own != shop.json().end() && own->is_string() && !own->get_ref<const std::string&>().empty();
-    return is_named ? own->get<std::string>() : folder_name;
-  }
-
-  // The store is not copied into the message, because it may be large.
-  std::string with_document(const Json& json) const {
-    std::string text = text_of(json);
-    text.pop_back();
-    return text + R"(,"json":)" + text_of(shop.json()) + "}";
-  }
-
-  // `from`: the first step of the history that the pages do not know.
-  void add_state(Json& json, const std::vector<Step>& all, std::size_t from = 0) const {
-    Json rest = Json::array();
-    for (const Step& step : std::span(all).subspan(from))
-      rest.push_back({{"label", step.label}, {"time", step.time}});
-    json["revision"] = project.revision();
-    json["history"] = {{"from", from}, {"steps", std::move(rest)}, {"position", project.position()}};
-    json["locked"] = project.locked() ? Json{{"message", *project.locked()}} : Json();
   }
 
   Json warnings_json() const {
@@ -187,6 +166,7 @@ struct Planner::State {
         compared = {tab, request.json["id"]};
         return;  // the answer comes later
       }
+      if (request.text("do") == "difference") return planning.begin_difference(request);
       if (request.text("do") == "drag") return server.send(tab, light.drag(request.json, shop.draft()));
       reply.update(result_of(request));
       is_done = true;
@@ -212,6 +192,7 @@ struct Planner::State {
     if (verb == "hold") return light.hold(request.tab), Json::object();
     if (verb == "release") return light.release(request.tab, LiveLight::Clock::now()), Json::object();
     if (verb == "facts") return facts_of_file(folder, request.text("file"), shop.limits());
+    if (auto result = planning.answer(request, shop.json(), shop.draft())) return std::move(*result);
     ops.reset();
     if (verb == "edit") {
       edit(request, request.ops());
@@ -221,6 +202,8 @@ struct Planner::State {
       UnitEdit change = unit_edit(request.json, shop.json(), shop.draft());
       edit(request, std::move(change.ops));
       return {{"revision", project.revision()}, {"units", change.ids}};
+    } else if (verb == "plan_enter") {
+      enter(request.number("plan"));
     } else if (verb == "undo") {
       project.undo();
     } else if (verb == "redo") {
@@ -237,6 +220,13 @@ struct Planner::State {
 
   void edit(const Request& request, std::vector<EditOp> list) {
     if (project.edit(request.text("label"), list, request.json.value("join", false))) ops = std::move(list);
+  }
+
+  // Selects the units of a plan.
+  void enter(std::uint64_t plan) {
+    Planning::Selection selection = planning.selection(plan, shop.json(), shop.draft());
+    if (project.edit(selection.label, selection.ops)) ops = std::move(selection.ops);
+    planning.note_entered(plan);
   }
 
   Json device(const Request& request) const {
@@ -256,8 +246,9 @@ struct Planner::State {
     return changes;
   }
 
-  // Sends what has changed since the last message, which `request` caused if there is one.
-  void tell_changes(const std::optional<Request>& request) {
+  // Sends what has changed since the last message, which `request` or the end of a plan caused if there is
+  // one.
+  void tell_changes(const std::optional<Request>& request, std::optional<std::uint64_t> plan = {}) {
     if (revision == project.revision() && locked == project.locked()) return;
     // The operations describe the change only if nothing else has changed.
     const bool is_edit = ops && request && project.revision() == revision + 1;
@@ -265,6 +256,7 @@ struct Planner::State {
     locked = project.locked();
     Json json{{"event", "changed"}};
     if (request) json.update({{"tab", request->tab}, {"request", request->json["id"]}});
+    if (plan) json["plan"] = *plan;
     if (is_edit) json["ops"] = json_of(*ops);
     json["unit"] = to_text(shop.draft().store.unit);
     json["parts"] =
@@ -277,10 +269,11 @@ struct Planner::State {
     add_new("problems", shop.problems(), problems);
     add_new("shared", shop.names(), names);
     std::vector<Step> all = project.steps();
-    add_state(json, all, static_cast<std::size_t>(std::ranges::mismatch(steps, all).in1 - steps.begin()));
+    add_state(json, project, all,
+              static_cast<std::size_t>(std::ranges::mismatch(steps, all).in1 - steps.begin()));
     steps = std::move(all);
     ops.reset();
-    send_to_all(http::Message::text(is_edit ? text_of(json) : with_document(json)));
+    send_to_all(http::Message::text(is_edit ? text_of(json) : with_document(json, shop.json())));
     if (changes.labels) send_to_all(http::Message::binary(*changes.labels));
     if (changes.units) send_to_all(http::Message::binary(*changes.units));
     send_to_all(light.messages(shop.draft()));
@@ -288,18 +281,9 @@ struct Planner::State {
 
   http::Receipt keep(std::string_view file, std::string_view content) const {
     file.remove_prefix(http::file_names.size());
-    std::optional<fs::path> added;
     try {
-      const ProjectFile kept = keep_file(folder, file, content);
-      if (kept.is_new) added = folder / kept.name;
-      Json json{{"file", kept.name}};
-      if (kept.width > 0) json.update({{"width", kept.width}, {"height", kept.height}});
-      json.update(facts_of_file(folder, kept.name, shop.limits()));
-      return {true, text_of(json)};
+      return {true, text_of(keep_with_facts(folder, file, content, shop.limits()))};
     } catch (const InputError& error) {
-      // A file that no store can use is not kept.
-      std::error_code ignored;
-      if (added) fs::remove(*added, ignored);
       return {false, error.what()};
     }
   }
@@ -311,6 +295,7 @@ struct Planner::State {
       return http::Document{std::string(kept->type),
                             std::make_shared<const std::string>(std::move(kept->content))};
     }
+    if (auto of_plan = planning.document(file)) return of_plan;
     if (file != "scene") return {};
     if (!scene || scene_revision != project.revision()) {
       scene.reset();
@@ -326,6 +311,20 @@ struct Planner::State {
     return http::Document{"application/octet-stream", scene};
   }
 
+  void follow_plans() {
+    const Planning::News news = planning.poll(shop.json(), shop.draft(), project.revision());
+    if (news.event) send_to_all(http::Message::text(text_of(*news.event)));
+    if (news.reply) server.send(news.reply->first, http::Message::text(text_of(news.reply->second)));
+    for (const std::uint64_t plan : news.to_enter) {
+      try {
+        enter(plan);
+      } catch (const InputError&) {
+        continue;  // the store is locked: pages offer it
+      }
+      tell_changes({}, plan);
+    }
+  }
+
   void look() {
     if (cancel.requested()) return server.stop();
     const auto now = WarningFinder::Clock::now();
@@ -335,6 +334,7 @@ struct Planner::State {
       tell_changes({});
     }
     send_to_all(light.poll(shop.draft(), now));
+    follow_plans();
     if (auto summary = comparison.poll()) {
       const bool has_failed = summary->contains("message");
       const Json reply{{"id", compared.second}, {has_failed ? "error" : "comparison", std::move(*summary)}};
@@ -355,6 +355,7 @@ struct Planner::State {
   WarningFinder warnings;
   Comparison comparison;
   LiveLight light;
+  Planning planning;
   std::pair<TabId, Json> compared;  // the tab and the request of the comparison that is running
   std::set<TabId> tabs;
   std::uint64_t revision = 0;  // of the shop

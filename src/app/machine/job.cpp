@@ -1,8 +1,11 @@
 #include <csignal>
+#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "shelfbeam/base/error.hpp"
 
@@ -13,6 +16,7 @@
 #include "app/verbs.hpp"
 #include "jobs/event.hpp"
 #include "jobs/plan_job_json.hpp"
+#include "jobs/preview/first_answer.hpp"
 
 namespace shelfbeam::app {
 
@@ -35,10 +39,16 @@ JobEnd run_and_report() {
   try {
     job = parse_plan_job(standard_input(max_request, "pass a single job as JSON"), "job");
     std::optional<EndAtOnce> reading(stopped_early);
-    const PlanEnd end = run_plan(job, {.cancel = &cancel,
-                                       .progress = job.reports_progress ? &progress : nullptr,
-                                       .read = [&] { reading.reset(); }});
-    return JobResult{summary_of(end), end.plan.complete};
+    const JobWatch watch{
+        .cancel = &cancel, .progress = job.reports_progress ? &progress : nullptr, .read = [&] {
+          reading.reset();
+          if (job.reports_progress) print(store_is_read);
+        }};
+    const PlanEnd end = job.preview ? run_first_answer(job, watch) : run_plan(job, watch);
+    std::vector<std::string> selected;
+    for (const std::uint32_t j : end.plan.placement.selected)
+      selected.push_back(end.table.transceivers[j].id);
+    return JobResult{summary_of(end), end.plan.complete, std::move(selected)};
   } catch (const InputError& error) {
     return job_error(error, error.setting());
   } catch (const Interrupted& error) {

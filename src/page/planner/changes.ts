@@ -5,6 +5,7 @@ export type Topic =
   | "devices"
   | "warnings"
   | "light"
+  | "plans"
   | "selection"
   | "layers"
   | "picture"

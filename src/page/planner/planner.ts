@@ -20,6 +20,7 @@ import { inUnit } from "./form/convert";
 import { elementAt, type StoreElement } from "./elements/kinds";
 import { boundsOf, boundsOfParts, joined, type Bounds } from "./geometry/bounds";
 import { Light } from "./light/light";
+import { Plans } from "./planning/plans";
 import { Snapping } from "./snap/snapping";
 import { UnitMover } from "./units/mover";
 import { UnitQueue } from "./units/queue";
@@ -58,6 +59,7 @@ export class Planner {
   readonly snapping: Snapping;
   readonly presets: Presets;
   readonly light: Light;
+  readonly plans: Plans;
   readonly settings = new ToolSettings(this.changes);
   readonly answers: DeviceAnswers;
   readonly queue = new UnitQueue(this);
@@ -86,6 +88,7 @@ export class Planner {
     this.picture = new Picture(address, this.changes, this.look);
     this.presets = new Presets(this.document, this.changes);
     this.light = new Light(this.document, this.changes, this.connection, isSoftware());
+    this.plans = new Plans(this.document, this.changes);
     this.fan = new Fan(this.document.labels, () => (this.isPlan ? this.viewport.scale : 0));
     this.traced = new Traced(this);
     this.snapping = new Snapping(this, this.traced);

@@ -49,6 +49,7 @@ using TabId = std::uint64_t;
 struct Document {
   std::string type;  ///< media type
   Bytes bytes;
+  bool is_report = false;  ///< a page with scripts inside, which may reach nothing else
 };
 
 /// The answer to a file that a page brings.

@@ -47,18 +47,25 @@ Reply refusal(unsigned status, std::string_view why) {
               fmt::format("{} {}{}{}\n", status, reason(status), why.empty() ? "" : ": ", why))};
 }
 
-std::span<const std::pair<std::string_view, std::string_view>> security_fields() {
+std::span<const std::pair<std::string_view, std::string_view>> security_fields(bool is_report) {
   using Field = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array fields{
-      Field{"Content-Security-Policy",
-            "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; "
-            "img-src 'self' blob:; "
-            "font-src 'self'; "
-            "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"},
-      Field{"X-Content-Type-Options", "nosniff"}, Field{"Referrer-Policy", "no-referrer"},
-      Field{"Cross-Origin-Opener-Policy", "same-origin"},
-      Field{"Cross-Origin-Resource-Policy", "same-origin"}};
-  return fields;
+  constexpr Field page{
+      "Content-Security-Policy",
+      "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; style-src 'self'; "
+      "img-src 'self' blob:; "
+      "font-src 'self'; "
+      "connect-src 'self'; frame-ancestors 'none'; base-uri 'none'; form-action 'none'"};
+  constexpr Field report{
+      "Content-Security-Policy",
+      "sandbox allow-scripts allow-downloads allow-modals; default-src 'none'; script-src 'unsafe-inline'; "
+      "style-src 'unsafe-inline'; img-src data: blob:; frame-ancestors 'none'; base-uri 'none'; "
+      "form-action 'none'"};
+  constexpr Field sniff{"X-Content-Type-Options", "nosniff"}, referrer{"Referrer-Policy", "no-referrer"},
+      opener{"Cross-Origin-Opener-Policy", "same-origin"},
+      resource{"Cross-Origin-Resource-Policy", "same-origin"};
+  static constexpr std::array of_page{page, sniff, referrer, opener, resource};
+  static constexpr std::array of_report{report, sniff, referrer, opener, resource};
+  return is_report ? of_report : of_page;
 }
 
 std::string head_of(const Reply& reply, bool keep_alive) {
@@ -66,7 +73,7 @@ std::string head_of(const Reply& reply, bool keep_alive) {
   const auto add = [&](std::string_view name, std::string_view value) {
     head += fmt::format("{}: {}\r\n", name, value);
   };
-  for (const auto& [name, value] : security_fields()) add(name, value);
+  for (const auto& [name, value] : security_fields(reply.is_report)) add(name, value);
   add("Connection", keep_alive ? "keep-alive" : "close");
   if (reply.etag.empty()) {
     add("Cache-Control", "no-store");

@@ -17,14 +17,16 @@ struct Reply {
   bool is_gzip = false;   ///< the body is in gzip format
   std::string etag =
       {};  ///< of a fixed file, which the browser keeps and asks for again; otherwise nothing is kept
+  bool is_report = false;  ///< Document::is_report
 };
 
 /// A short text for a status and perhaps a reason, without details that would help an attacker.
 Reply refusal(unsigned status, std::string_view why = {});
 
 /// The fields that every answer has, the one that opens the WebSocket too: the page runs only its own files,
-/// sits in no frame, and tells nobody its address, which contains the token.
-std::span<const std::pair<std::string_view, std::string_view>> security_fields();
+/// sits in no frame, and tells nobody its address, which contains the token. A report runs its own scripts,
+/// but as a page of no address: it cannot ask the server for anything.
+std::span<const std::pair<std::string_view, std::string_view>> security_fields(bool is_report = false);
 
 /// Status line and fields of an answer, with the empty line that ends them.
 std::string head_of(const Reply& reply, bool keep_alive);

@@ -72,7 +72,8 @@ struct Server::State final : SessionHost {
         return;
       }
       const std::optional<Document> found = handlers.get ? handlers.get(verdict.name) : std::nullopt;
-      reply = found ? Reply{.type = found->type, .body = found->bytes} : refusal(404);
+      reply = found ? Reply{.type = found->type, .body = found->bytes, .is_report = found->is_report}
+                    : refusal(404);
     });
     return reply;
   }

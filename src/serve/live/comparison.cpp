@@ -1,6 +1,5 @@
 #include "serve/live/comparison.hpp"
 
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -8,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/memory.hpp"
 
 #include "serve/live/newest_plan.hpp"
 
@@ -31,39 +29,28 @@ std::string free_name(const fs::path& folder) {
 }  // namespace
 
 Comparison::Comparison(fs::path folder, std::string program)
-    : folder_(std::move(folder)), program_(std::move(program)) {}
+    : folder_(std::move(folder)), errand_(std::move(program), "the comparison") {}
 
 void Comparison::start(const std::string& file, bool of_pairs) {
-  if (child_) throw InputError(file, "another comparison is running", "wait for its end");
+  if (errand_.is_running()) throw InputError(file, "another comparison is running", "wait for its end");
   plan_ = newest_plan(folder_);
   if (plan_.empty())
     throw InputError(file, "the folder of the project has no plan",
                      "run 'shelfbeam plan store.json -o plan' there first");
   if (!is_plain_file(folder_ / fs::path(file).filename())) throw InputError(file, "is missing in the folder");
   output_ = free_name(folder_);
-  std::vector<std::string> words{program_,
-                                 "compare",
-                                 (folder_ / plan_ / "signal.h5").string(),
-                                 (folder_ / fs::path(file).filename()).string(),
-                                 "-o",
-                                 (folder_ / output_).string() + "/",
-                                 "--json"};
+  std::vector<std::string> words{"compare", (folder_ / plan_ / "signal.h5").string(),
+                                 (folder_ / fs::path(file).filename()).string(), "-o",
+                                 (folder_ / output_).string() + "/"};
   if (!of_pairs) words.insert(words.end(), {"--placement", (folder_ / plan_ / "placement.json").string()});
-  child_.emplace(std::move(words), memory_limit());
+  errand_.start(std::move(words));
 }
 
 std::optional<Json> Comparison::poll() {
-  jobs::ChildEnd end;
-  if (!child_ || !child_->has_ended(end)) return {};
-  child_.reset();
-  Json summary = Json::parse(end.out, nullptr, false);
-  if (end.exit_code != 0 || !summary.is_object()) {
-    std::string message = end.err.substr(0, end.err.find('\n'));
-    if (constexpr std::string_view mark = "error: "; message.starts_with(mark)) message.erase(0, mark.size());
-    return Json{{"message", message.empty() ? "the comparison has failed" : message}};
-  }
-  summary["plan"] = plan_;
-  summary["output"] = output_;
+  std::optional<Json> summary = errand_.poll();
+  if (!summary || summary->contains("message")) return summary;
+  (*summary)["plan"] = plan_;
+  (*summary)["output"] = output_;
   return summary;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jobs/child.hpp"
+#include "serve/live/errand.hpp"
 
 namespace shelfbeam::serve {
 
@@ -26,8 +27,8 @@ class Comparison {
 
  private:
   std::filesystem::path folder_;
-  std::string program_, plan_, output_;
-  std::optional<jobs::Child> child_;
+  std::string plan_, output_;
+  Errand errand_;
 };
 
 }  // namespace shelfbeam::serve

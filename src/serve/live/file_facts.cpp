@@ -4,13 +4,17 @@
 #include <array>
 #include <numbers>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
 #include "shelfbeam/scene/build/mesh_facts.hpp"
 #include "shelfbeam/scene/store_folder.hpp"
+
+#include "serve/project/project_file.hpp"
 
 namespace shelfbeam::serve {
 
@@ -55,6 +59,21 @@ Json facts_of_file(const fs::path& folder, const std::string& name, const StoreL
   constexpr std::array<std::string_view, 5> meshes{".glb", ".gltf", ".obj", ".stl", ".ply"};
   if (std::ranges::find(meshes, extension) == meshes.end()) return Json::object();
   return {{"mesh", size_of(mesh_facts(folder, name, limits))}};
+}
+
+Json keep_with_facts(const fs::path& folder, std::string_view name, std::string_view content,
+                     const StoreLimits& limits) {
+  const ProjectFile kept = keep_file(folder, name, content);
+  Json json{{"file", kept.name}};
+  if (kept.width > 0) json.update({{"width", kept.width}, {"height", kept.height}});
+  try {
+    json.update(facts_of_file(folder, kept.name, limits));
+  } catch (const InputError&) {
+    std::error_code ignored;
+    if (kept.is_new) fs::remove(folder / kept.name, ignored);
+    throw;
+  }
+  return json;
 }
 
 }  // namespace shelfbeam::serve

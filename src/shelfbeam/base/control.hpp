@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shelfbeam/base/names.hpp"
 
@@ -78,6 +79,8 @@ class ProgressSink {
   virtual void report(Task task, double fraction, std::string_view detail) = 0;
   /// The value of the best placement so far and a proven lower bound; comes before a report.
   virtual void bounds(double /*incumbent*/, double /*lower_bound*/) {}
+  /// The ids of the units of the best placement so far; comes after `bounds`.
+  virtual void selection(const std::vector<std::string>& /*ids*/) {}
 };
 
 /// Threads, cancellation and progress of a long computation. All are optional, and none changes a result.

@@ -10,6 +10,7 @@
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/incumbent_report.hpp"
 
 namespace shelfbeam::detail {
 
@@ -169,6 +170,10 @@ SelectionSet SearchState::open_selections() {
 void SearchState::report(Task stage, double, std::string_view detail) {
   const std::string below = stage == Task::placing ? "" : fmt::format("; {}", to_text(stage));
   watcher->bounds(incumbent.value(), incumbent.bound());
+  if (reported_ != incumbent.selected()) {
+    reported_ = incumbent.selected();
+    watcher->selection(ids_of(table, reported_));
+  }
   watcher->report(Task::placing, -1, fmt::format("{}{} {}", incumbent.text(), below, detail));
 }
 

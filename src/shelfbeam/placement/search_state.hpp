@@ -171,6 +171,7 @@ struct SearchState final : ProgressSink {
 
   std::optional<Reduction> reduction_;
   std::size_t reduced_without_ = 0;  ///< number of useless columns at the time
+  Selection reported_;
 };
 
 /// The back ends of a search with CBC, whose linear programs Clp solves, in front.

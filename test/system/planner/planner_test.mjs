@@ -34,6 +34,7 @@ import "./unit_drag_test.mjs";
 import "./mounts_test.mjs";
 import "./light_test.mjs";
 import "./light_axe_test.mjs";
+import "./plans_test.mjs";
 import "./trace_test.mjs";
 import "./tabs_test.mjs";
 import "./random_test.mjs";

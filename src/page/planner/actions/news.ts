@@ -12,8 +12,9 @@ function elementsOnlyIn(json: Json, other: Json): ReturnType<typeof elementsOf> 
   return elementsOf(json).filter(({ value }) => !known.has(JSON.stringify(value)));
 }
 
-export function newsOf({ isTab, history: { before, after }, json }: Others): string {
-  if (!isTab) {
+export function newsOf({ by, history: { before, after }, json }: Others): string {
+  if (by === "plan") return say(text.notices.planned, after.steps[after.position - 1]?.label ?? "");
+  if (by === "program") {
     const there = elementsOnlyIn(json.after, json.before);
     const changed = there.length > 0 ? there : elementsOnlyIn(json.before, json.after);
     return say(text.notices.outside, changed.length > 0 ? namesOf(changed) : text.properties.store);

@@ -26,6 +26,7 @@ import type {
   LightAbout,
   LightEvent,
   Locked,
+  PlansEvent,
   Problem,
   ProjectEvent,
   Refusal,
@@ -49,8 +50,8 @@ export type Saving =
   | { state: "lost"; edits: number; hasEnded: boolean };
 
 export interface Others {
-  /** Whether it was a tab, or another program. */
-  isTab: boolean;
+  /** Whether it was a tab, another program, or a plan that has ended. */
+  by: "tab" | "program" | "plan";
   history: Record<"before" | "after", History>;
   json: Record<"before" | "after", Json>;
 }
@@ -87,6 +88,7 @@ export class StoreDocument {
   /** The server has confirmed a change; null: perhaps of all of the store. */
   onChanged: (revision: number, ops: readonly EditOp[] | null) => void = () => {};
   onLight: (event: LightEvent) => void = () => {};
+  onPlans: (event: PlansEvent) => void = () => {};
   onLightFrame: (frame: PageData<LightAbout>) => void = () => {};
 
   private tab: number | undefined;
@@ -290,6 +292,7 @@ export class StoreDocument {
     if (event.event === "project") this.start(event);
     else if (event.event === "changed") this.change(event);
     else if (event.event === "light") this.onLight(event);
+    else if (event.event === "plans") this.onPlans(event);
     else {
       this.warnings = event.warnings;
       this.changes.note("warnings");
@@ -361,7 +364,7 @@ export class StoreDocument {
     if (!event.ops) this.onReplaced(before);
     if (ofOthers > 0)
       this.onOthers({
-        isTab: event.tab !== undefined && event.tab !== this.tab,
+        by: event.plan !== undefined ? "plan" : event.tab !== undefined && event.tab !== this.tab ? "tab" : "program",
         history: { before: historyBefore, after: this.history },
         json: { before: confirmedBefore, after: this.confirmed },
       });

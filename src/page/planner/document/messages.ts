@@ -99,6 +99,8 @@ export interface ChangedEvent {
   revision: number;
   tab?: number;
   request?: number;
+  /** The plan that has ended, whose units are selected. */
+  plan?: number;
   json?: Json;
   ops?: EditOp[];
   parts?: { set: Part[]; remove: string[] };
@@ -179,7 +181,109 @@ export interface DragRequest {
   unit: number;
 }
 
-export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LightEvent;
+/** The request of a plan (docs/formats/job.md), as far as the page sets it. */
+export interface PlanRequest {
+  problem?: { model?: "non-cooperative"; survives_failure?: boolean };
+  at_most?: number;
+  reach?: number;
+  place?: { time_limit?: number };
+  constraints?: { min_spacing?: number };
+  confidence?: number;
+  budget?: number;
+  states?: number;
+}
+
+export interface PlanProgress {
+  /** Of docs/formats/job.md. */
+  task: string;
+  share: number | null;
+  seconds_left: number | null;
+  /** Of the best selection so far, and its bound: units, labels or a price. */
+  incumbent: number | null;
+  bound: number | null;
+  /** The number of its units, and the indices of those that the shop has. */
+  count: number;
+  units: number[];
+}
+
+export interface PlanResult {
+  event: "result";
+  answer: string;
+  complete: boolean;
+  labels: number;
+  units: number | null;
+  lower_bound: number | null;
+  price: number | null;
+  currency: string | null;
+  selected: string[];
+}
+
+export interface PlanFailure {
+  event: "error";
+  message: string;
+  interrupted: boolean;
+}
+
+/** A plan of the project: one that runs, or one in its folder. */
+export interface PlanRun {
+  id: number;
+  /** Its name in the folder of the project. */
+  folder: string;
+  /** Null: of another program. */
+  plan: PlanRequest | null;
+  state: "waiting" | "previewing" | "running" | "done" | "stopped" | "failed";
+  begun: string;
+  ended: string;
+  /** Equal to that of the event if it is of the present shop. */
+  shop: string;
+  /** After an interruption of the program. */
+  continued: boolean;
+  /** Its units were selected in the store. */
+  entered: boolean;
+  /** A preview. */
+  first: PlanResult | null;
+  result: PlanResult | PlanFailure | null;
+  progress?: PlanProgress;
+}
+
+export interface PlansEvent {
+  event: "plans";
+  /** Identifies the present shop. */
+  shop?: string;
+  all?: PlanRun[];
+  set?: PlanRun[];
+  remove?: number[];
+}
+
+/** Another selection (docs/formats/placement.md, alternatives). */
+export interface PlanAlternative {
+  count: number;
+  reached: number;
+  reached_upper_bound: number;
+  smallest_margin: number | null;
+  secure: number;
+  price: { new: number; currency: string | null } | null;
+  proven: boolean;
+}
+
+export interface PlanDetails {
+  details: {
+    count: number;
+    labels: number;
+    status: string;
+    alternatives?: {
+      one_fewer?: PlanAlternative;
+      one_more?: PlanAlternative;
+      survives_failure?: PlanAlternative;
+      cannot_survive?: boolean;
+    };
+    price?: { new: number; currency: string | null };
+  };
+  /** Indices of labels, by the list that has them. */
+  indices: Partial<Record<"missed" | "undecided" | "unreachable" | "not_verified_yet" | "responsible", number[]>>;
+}
+
+export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LightEvent | PlansEvent;
 
 /** The header of a binary frame: labels or units from..from+remove are replaced by those of the frame. */
 export interface DevicesAbout {

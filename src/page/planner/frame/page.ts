@@ -28,6 +28,7 @@ import { Overlay } from "../plan/overlay";
 import { ScaleBar } from "../plan/scale_bar";
 import { Shapes } from "../plan/shapes";
 import type { Planner } from "../planner";
+import { PlanPanel } from "../planning/panel";
 import { HistoryList } from "../side/history_list";
 import { LayerList } from "../side/layer_list";
 import { ObjectList } from "../side/object_list";
@@ -107,7 +108,7 @@ export class Page {
           this.stage.turn(right, up);
           return true;
         },
-        zoom: (factor) => (planner.isPlan ? planner.viewport.zoom(factor) : this.zoomSpace(factor)),
+        zoom: (factor) => (planner.isPlan ? planner.viewport.zoom(factor) : this.stage.zoom(factor)),
         fit: () => this.stage.showAll(),
         choosePicture: () => this.arrivals.choose(),
         chooseTable: () => this.arrivals.choose(tableFiles),
@@ -124,19 +125,20 @@ export class Page {
     this.scaleBar = new ScaleBar(planner);
     this.properties = new Properties(planner, this.commands);
     const objects = new ObjectList(planner);
+    const plans = new PlanPanel(planner, address);
     const toolbar = new Toolbar(planner, this.commands);
     const status = new StatusLine(planner, this.gestures, this.commands);
     const banner = new Banner(planner);
     this.stage = new Stage(this.canvas, emptyScenery([0, 0], [10, 10]), { marks: usualMarks, overlay: true });
     this.marks = new DeviceMarks(planner, this.stage);
-    const light = new LightView(planner, this.gestures, this.stage, this.marks, this.surface, () =>
-      this.rail.isOpen("light"),
-    );
+    const isOpen = () => this.rail.isOpen("light");
+    const light = new LightView(planner, this.gestures, this.stage, this.marks, this.surface, isOpen);
     this.rail = new Rail(
       [
         { id: "objects", icon: "objects", content: objects },
         { id: "layers", icon: "layers", content: new LayerList(planner) },
         { id: "light", icon: "light", content: light.panel },
+        { id: "plans", icon: "plans", content: plans },
         { id: "types", icon: "types", content: new TypeLists(planner) },
         { id: "problems", icon: "problems", content: new ProblemList(planner) },
         { id: "history", icon: "history", content: new HistoryList(planner) },
@@ -217,6 +219,11 @@ export class Page {
     changes.listen(["document", "selection", "layers", "devices", "warnings"], () => this.rail.update());
     changes.listen(["selection"], () => objects.follow());
     changes.listen(["light"], () => objects.followUnits());
+    changes.listen(
+      ["plans", "document", "devices", "light", "status"],
+      () => this.rail.isOpen("plans") && plans.update(),
+    );
+    changes.listen(["plans"], () => this.marks.update());
     changes.listen(["document", "warnings"], () => this.countProblems());
     changes.listen(["document", "selection", "devices", "warnings", "status", "tool", "presets"], () =>
       this.properties.update(),
@@ -314,10 +321,6 @@ export class Page {
   private countProblems(): void {
     const { problems, warnings } = this.planner.document;
     this.rail.showProblems(problems.length + warnings.length, problems.length > 0);
-  }
-
-  private zoomSpace(factor: number): void {
-    this.stage.zoom(factor);
   }
 
   private openMenuAt(x: number, y: number): void {

@@ -197,10 +197,15 @@ export class DeviceMarks {
   }
 
   private lookOfUnits({ devices, indices, marks }: Layer, chosen: ReadonlySet<number>): void {
+    const { proposed } = this.planner.plans;
     indices.forEach((index, mark) => {
       const state = unitStates[devices.state[index]] ?? "candidate";
       const isChosen = chosen.has(index);
       const { colour, shape } = unitLooks[state];
+      if (proposed.has(index) && !isOn(state)) {
+        marks.setLook(mark, unitColour, shapes.disc | patterns.hollow, isChosen ? 2 : 3, 0);
+        return;
+      }
       // A cross is too thin for the border of what is chosen.
       const shown = isChosen && shape === shapes.cross ? shapes.disc : shape;
       marks.setLook(mark, colour, shown, isChosen ? 2 : isOn(state) ? 3 : 1, 0);

@@ -40,7 +40,7 @@ export class HistoryList {
   }
 }
 
-function timeText(time: string | undefined): string {
+export function timeText(time: string | undefined): string {
   const at = time === undefined ? Number.NaN : Date.parse(time);
   return Number.isNaN(at)
     ? ""

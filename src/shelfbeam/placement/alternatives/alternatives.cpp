@@ -56,6 +56,18 @@ double margin_with(detail::LabelShares shares, std::uint32_t column, double shar
   return problem.redundant ? shares.second : shares.largest;
 }
 
+// Passes progress on, but no incumbents, which are not those of the placement.
+class ProgressAlone final : public ProgressSink {
+ public:
+  explicit ProgressAlone(ProgressSink* watcher) : watcher_(watcher) {}
+  void report(Task task, double fraction, std::string_view detail) override {
+    if (watcher_ != nullptr) watcher_->report(task, fraction, detail);
+  }
+
+ private:
+  ProgressSink* watcher_;
+};
+
 std::optional<Alternative> one_more(const Placement& placement, const SignalTable& table) {
   const PlacementProblem& problem = placement.problem;
   const Mounts mounts(table);
@@ -108,7 +120,8 @@ Alternatives alternatives_to(const Placement& placement, const SignalTable& tabl
   Alternatives result;
   if (!placement.has_selection() || table.rows() == 0) return result;
   // One thread: with step limits, the order of events decides.
-  const RunControl control{1, given.cancel, given.progress};
+  ProgressAlone progress(given.progress);
+  const RunControl control{1, given.cancel, &progress};
   result.one_fewer = one_fewer(placement, table, control);
   result.one_more = one_more(placement, table);
   if (placement.problem.redundant || control.cancelled()) return result;

@@ -14,6 +14,7 @@
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_model.hpp"
+#include "shelfbeam/placement/problem/incumbent_report.hpp"
 
 namespace shelfbeam::detail {
 
@@ -26,7 +27,7 @@ struct CoverageRun {
 /// The search of every goal that may leave labels missed, a step at a time. Goal has
 ///
 ///   weights()                               of the labels
-///   value(), bound()                        of the incumbent, for the record of steps
+///   selected(), value(), bound()            of the incumbent, for progress and the record of steps
 ///   may_improve(), is_settled()             annealing may improve the incumbent; nothing is left to do
 ///   begin(until)                            greedy selection
 ///   anneal(annealing, effort, seed)         one annealing; false if no unit can be exchanged
@@ -86,6 +87,8 @@ class CoverageSchedule {
     const Deadline until = at(share);
     if (!goal_.is_settled() && !until.has_passed() && !control_.cancelled())
       record_step(run_.steps, name, value(), bound(), [&] { run(until.end()); });
+    report_incumbent(control_, table_, goal_.selected(), goal_.value(), goal_.bound());
+    control_.report(Task::placing, -1);
     run_.is_cut_short = run_.is_cut_short || until.has_passed();
   }
 

@@ -64,6 +64,7 @@ class Minimisation {
   static constexpr std::uint64_t long_walk = 20'000'000;
 
   const detail::LabelWeights& weights() const { return weights_; }
+  const std::vector<std::uint32_t>& selected() const { return result_.selected; }
   double value() const {
     return result_.has_selection ? static_cast<double>(result_.selected.size())
                                  : std::numeric_limits<double>::infinity();

@@ -74,6 +74,7 @@ class Maximisation {
   static constexpr std::uint64_t long_walk = 4'000'000;
 
   const detail::LabelWeights& weights() const { return weights_; }
+  const std::vector<std::uint32_t>& selected() const { return reach_.selected; }
   double value() const { return weights_.in_table(value_); }
   double bound() const { return weights_.in_table(bound_); }
   bool is_proven() const {

@@ -17,6 +17,7 @@
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
+#include "shelfbeam/placement/problem/incumbent_report.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_cuts.hpp"
@@ -168,9 +169,7 @@ class Solver {
     if (!placement.has_selection()) return false;
     const std::size_t added = cuts_.add(placement.selected, misses_of(states_, problem_, placement.selected));
     if (!enough_) improve(placement.selected);
-    control_.report(Task::placing_over_states, -1,
-                    best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
-                                          : fmt::format("at least {:g}", best_.lower_bound));
+    report();
     return added > 0 && (placement.status == Status::optimal || enough_);
   }
 
@@ -203,6 +202,15 @@ class Solver {
     best_.selected = selected;
     best_.value = value;
     best_.misses = std::move(misses);
+    report();
+  }
+
+  void report() const {
+    if (best_.has_selection())
+      detail::report_incumbent(control_, states_.table, best_.selected, best_.value, best_.lower_bound);
+    control_.report(Task::placing_over_states, -1,
+                    best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
+                                          : fmt::format("at least {:g}", best_.lower_bound));
   }
 
   // Names the labels that are missed too often by all units together; if no label alone is, all that are

@@ -273,7 +273,7 @@ test("without a connection, nothing is undone, and the reason is said", async ()
 test("an own edit that comes after an outside change says so", () => {
   const { connection, document, move } = opened();
   const news = [];
-  document.onOthers = ({ isTab }) => news.push(isTab);
+  document.onOthers = ({ by }) => news.push(by === "tab");
   const edit = move(0, 9);
   void document.edit(edit);
   connection.onEvent(changed(6, edit.ops, { tab: 1, request: connection.sent[0].id }));

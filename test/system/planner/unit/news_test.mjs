@@ -9,7 +9,7 @@ import { addTypes, typesNamedBy } from "../../../../src/page/planner/elements/ty
 const step = (label, time = label) => ({ label, time });
 const store = { fixtures: [{ id: "A" }, { id: "B" }] };
 const others = (before, after, more = {}) => ({
-  isTab: true,
+  by: "tab",
   history: { before, after },
   json: { before: store, after: store },
   ...more,
@@ -30,7 +30,7 @@ test("steps of another tab: done, undone, done again", () => {
 
 test("changes outside name the elements", () => {
   const history = { steps: [], position: 0 };
-  const says = (after) => newsOf(others(history, history, { isTab: false, json: { before: store, after } }));
+  const says = (after) => newsOf(others(history, history, { by: "program", json: { before: store, after } }));
   assert.equal(says({ fixtures: [{ id: "A" }, { id: "B", at: [1, 2] }] }), "Changed outside: B");
   assert.equal(says({ fixtures: [{ id: "B" }] }), "Changed outside: A");
   assert.equal(says({ ...store, name: "Corner" }), "Changed outside: Store");

@@ -1,0 +1,85 @@
+// The plans of the project, as the server tells them.
+
+import type { Changes } from "../changes";
+import type { StoreDocument } from "../document/document";
+import type { PlanDetails, PlanRequest, PlanRun, PlansEvent } from "../document/messages";
+
+export const isActive = ({ state }: PlanRun): boolean =>
+  state === "waiting" || state === "previewing" || state === "running";
+
+export class Plans {
+  /** The newest first. */
+  runs: readonly PlanRun[] = [];
+  /** Units of the best selection so far of the plan that runs: indices. */
+  proposed: ReadonlySet<number> = new Set();
+  private shop = "";
+  /** The plan that is shown; null: the newest. */
+  private chosen: number | null = null;
+  private readonly known = new Map<number, Promise<PlanDetails | null>>();
+
+  constructor(
+    private readonly document: StoreDocument,
+    private readonly changes: Changes,
+  ) {
+    document.onPlans = (event) => this.receive(event);
+  }
+
+  get active(): PlanRun | null {
+    return this.runs.find(({ state }) => state === "previewing" || state === "running") ?? null;
+  }
+
+  get shown(): PlanRun | null {
+    return this.runs.find(({ id }) => id === this.chosen) ?? this.runs.find((run) => !isActive(run)) ?? null;
+  }
+
+  show(id: number): void {
+    this.chosen = id;
+    this.changes.note("plans");
+  }
+
+  /** Whether the shop is the one that was planned; null: unknown. */
+  isOfThisShop({ shop }: PlanRun): boolean | null {
+    return shop === "" || this.shop === "" ? null : shop === this.shop;
+  }
+
+  async start(plan: PlanRequest, label: string): Promise<void> {
+    const answer = await this.document.ask<{ plan: number }>("plan", { plan }, label);
+    if (answer) this.chosen = null;
+  }
+
+  cancel({ id }: PlanRun, label: string): Promise<unknown> {
+    return this.document.ask("plan_cancel", { plan: id }, label);
+  }
+
+  forget({ id }: PlanRun, label: string): Promise<unknown> {
+    return this.document.ask("plan_forget", { plan: id }, label);
+  }
+
+  /** Selects its units in the store. */
+  enter({ id }: PlanRun, label: string): Promise<unknown> {
+    return this.document.ask("plan_enter", { plan: id }, label);
+  }
+
+  /** Its result in detail; null if it cannot be read. The labels are those of the shop when it was asked for. */
+  details({ id }: PlanRun): Promise<PlanDetails | null> {
+    const known = this.known.get(id);
+    if (known) return known;
+    const asked = this.document.request<PlanDetails>("plan_details", { plan: id }).catch(() => null);
+    this.known.set(id, asked);
+    return asked;
+  }
+
+  private receive({ all, set = [], remove = [], shop }: PlansEvent): void {
+    const before = this.runs;
+    const kept = (all ?? before).filter(({ id }) => !remove.includes(id));
+    const byId = new Map([...kept, ...set].map((run) => [run.id, run]));
+    this.runs = [...byId.values()].sort((a, b) => b.id - a.id);
+    for (const { id } of [...(all ?? []), ...set]) this.known.delete(id);
+    if (shop !== undefined) {
+      if (shop !== this.shop) this.known.clear();
+      this.shop = shop;
+    }
+    this.proposed = new Set(this.active?.progress?.units ?? []);
+    this.changes.note("plans");
+  }
+}

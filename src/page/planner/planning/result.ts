@@ -1,0 +1,183 @@
+// The result of a plan: its answer, its open labels, other selections, and the files for the fitter.
+
+import { counted, grouped } from "../../data/format";
+import { button, element, replaceChildren } from "../../panel/dom";
+import { showSelection } from "../actions/source";
+import type { PlanDetails, PlanRun } from "../document/messages";
+import type { Planner } from "../planner";
+import { say, text } from "../text";
+import { deviceItem } from "../view/hit";
+import { alternativesOf, lineOf, questionText, summaryOf } from "./sentences";
+
+/** The files of a plan that people use, with the names under which they are kept. */
+const files = {
+  report: "report.html",
+  sheet: "mounting.csv",
+  drawing: "mounting.dxf",
+  bill: "placement.csv",
+  labels: "labels.csv",
+} as const;
+const mostListed = 50;
+
+export class Result {
+  readonly root = element("section", { class: "plan-result", hidden: true });
+  private version = "";
+
+  constructor(
+    private readonly planner: Planner,
+    private readonly address: string,
+  ) {}
+
+  update(): void {
+    const { plans, document } = this.planner;
+    const run = plans.shown;
+    this.root.hidden = run === null;
+    if (!run) return;
+    const onPlan = this.planner.light.units.map(({ id }) => id);
+    const version = JSON.stringify([run, plans.isOfThisShop(run), document.locked, onPlan]);
+    if (version === this.version) return;
+    this.version = version;
+    this.show(run, null);
+    if (run.result?.event !== "result") return;
+    void plans.details(run).then((details) => {
+      if (this.version === version) this.show(run, details);
+    });
+  }
+
+  private show(run: PlanRun, details: PlanDetails | null): void {
+    const { result } = run;
+    const hasFailed = result?.event === "error" && !result.interrupted;
+    const sentence = result?.event === "result" ? result.answer : "";
+    const answer = hasFailed ? say(text.plans.failed, result.message) : sentence || lineOf(run);
+    replaceChildren(this.root, [
+      element("h3", { text: run.folder }),
+      element("p", { class: "note", text: questionText(run.plan) }),
+      element("p", { class: "answer", text: answer }),
+      ...this.remarks(run).map((remark) => element("p", { class: "note", text: remark })),
+      ...this.buttons(run),
+      ...(details ? [...this.alternatives(details), ...this.labels(details)] : []),
+      ...(result?.event === "result" ? [this.files(run)] : []),
+    ]);
+  }
+
+  private remarks(run: PlanRun): string[] {
+    const { result } = run;
+    const isSame = this.planner.plans.isOfThisShop(run);
+    return [
+      ...(result?.event === "result" && !result.complete ? [text.plans.incomplete] : []),
+      ...(result?.event !== "result" && run.first ? [say(text.plans.first, summaryOf(run.first))] : []),
+      ...(isSame === false ? [text.plans.shop_changed] : []),
+    ];
+  }
+
+  private buttons(run: PlanRun): HTMLElement[] {
+    const { plans, document } = this.planner;
+    const hasResult = run.result?.event === "result";
+    const selected = (run.result?.event === "result" ? run.result : run.first)?.selected ?? [];
+    const enter = button(text.plans.enter, () => void plans.enter(run, text.plans.enter), {
+      title: text.plans.enter_says,
+      disabled: document.locked !== null,
+      "data-key": "plan-enter",
+    });
+    const forget = button(text.plans.forget, () => void plans.forget(run, text.plans.forget), {
+      "data-key": "plan-forget",
+    });
+    const entered = element("p", { class: "note", text: text.plans.entered });
+    return [
+      ...(selected.length === 0 ? [] : [this.isInShop(selected) ? entered : enter]),
+      ...(hasResult ? [] : [forget]),
+    ];
+  }
+
+  /** Whether these units, and no others, are on the plan. */
+  private isInShop(ids: readonly string[]): boolean {
+    const { units } = this.planner.light;
+    return units.length === ids.length && units.every(({ id }) => ids.includes(id));
+  }
+
+  private alternatives(details: PlanDetails): HTMLElement[] {
+    const rows = alternativesOf(details);
+    if (rows.length === 0) return [];
+    return [
+      element("h4", { text: text.plans.what_if }),
+      element(
+        "dl",
+        { class: "alternatives" },
+        ...rows.flatMap(([question, answer]) => [element("dt", { text: question }), element("dd", { text: answer })]),
+      ),
+    ];
+  }
+
+  private labels({ indices }: PlanDetails): HTMLElement[] {
+    return (["unreachable", "missed", "undecided", "responsible", "not_verified_yet"] as const).flatMap((kind) => {
+      const list = indices[kind] ?? [];
+      if (list.length === 0) return [];
+      const row = (index: number) => {
+        const name = this.planner.answers.now("label", index)?.id ?? say(text.numbered.label, String(index + 1));
+        return element(
+          "li",
+          {},
+          button(name, () => this.goTo(index), { class: "plain", "data-key": `open-${index}` }),
+        );
+      };
+      const all = button(text.plans.select_all, () => this.select(list), { "data-key": `select-${kind}` });
+      return [
+        element("h4", { text: counted(text.plans.open_labels[kind], list.length) }),
+        element("p", { class: "note", text: text.plans.remedies[kind] }),
+        all,
+        element("ul", { class: "light-list" }, ...list.slice(0, mostListed).map(row)),
+        ...(list.length > mostListed
+          ? [element("p", { class: "note", text: say(text.plans.more_labels, grouped(list.length - mostListed)) })]
+          : []),
+      ];
+    });
+  }
+
+  private goTo(index: number): void {
+    this.select([index]);
+    showSelection(this.planner);
+  }
+
+  private select(indices: readonly number[]): void {
+    const { selection, document } = this.planner;
+    const there = indices.filter((index) => index < document.labels.count);
+    selection.set(there.map((index) => deviceItem(document.labels, index)));
+  }
+
+  private files(run: PlanRun): HTMLElement {
+    const path = (file: string) => new URL(`plans/${encodeURIComponent(run.folder)}/${file}`, this.address).href;
+    const link = (kind: keyof typeof files) => {
+      const file = files[kind];
+      const isReport = kind === "report";
+      return element(
+        "li",
+        {},
+        element("a", {
+          href: path(file),
+          text: text.plans.files[kind],
+          ...(isReport ? { target: "_blank", rel: "noopener" } : { download: `${run.folder}-${file}` }),
+        }),
+      );
+    };
+    return element(
+      "div",
+      {},
+      element("h4", { text: text.plans.hand_over }),
+      element(
+        "ul",
+        { class: "files" },
+        ...(Object.keys(files) as (keyof typeof files)[]).map(link),
+        element(
+          "li",
+          {},
+          element("a", {
+            href: path("report.html"),
+            download: `${this.planner.title} ${run.folder}.html`,
+            text: text.plans.share,
+            title: text.plans.share_says,
+          }),
+        ),
+      ),
+    );
+  }
+}

@@ -1,0 +1,94 @@
+#include "serve/planning/plan_run.hpp"
+
+#include <exception>
+#include <utility>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/provenance.hpp"
+
+#include "jobs/plan_folder.hpp"
+
+namespace shelfbeam::serve {
+
+namespace {
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+}  // namespace
+
+Json to_json(const PlanRun& run) {
+  Json json{{"id", run.id},
+            {"folder", run.folder},
+            {"plan", run.plan},
+            {"begun", run.begun},
+            {"ended", run.ended},
+            {"state", to_text(run.state)},
+            {"shop", run.shop},
+            {"written", run.written},
+            {"continued", run.is_continued},
+            {"entered", run.is_entered},
+            {"first", run.first},
+            {"result", run.result}};
+  if (!run.is_active()) return json;
+  const RunProgress& now = run.progress;
+  json["progress"] = {{"task", now.task},
+                      {"detail", now.detail},
+                      {"share", or_null(now.share)},
+                      {"seconds_left", or_null(now.seconds_left)},
+                      {"incumbent", or_null(now.incumbent)},
+                      {"bound", or_null(now.bound)},
+                      {"selected", now.selected}};
+  return json;
+}
+
+PlanRun run_of(const Json& json) {
+  PlanRun run;
+  run.id = json.at("id");
+  run.folder = json.at("folder");
+  run.plan = json.at("plan");
+  run.begun = json.at("begun");
+  run.ended = json.at("ended");
+  run.state = from_text<RunState>(json.at("state").get<std::string>()).value_or(RunState::failed);
+  run.shop = json.at("shop");
+  run.written = json.at("written");
+  run.is_continued = json.at("continued");
+  run.is_entered = json.at("entered");
+  run.first = json.at("first");
+  run.result = json.at("result");
+  return run;
+}
+
+Json result_in(const std::filesystem::path& folder) {
+  constexpr std::uint64_t max_placement = 256 << 20;
+  try {
+    const Json json = Json::parse(read_file(folder / jobs::placement_name, max_placement));
+    const auto certificate = json.find("certificate"), states = json.find("states");
+    Json bound = json.at("count_lower_bound");
+    if (certificate != json.end()) bound = certificate->at("count_lower_bound");
+    if (states != json.end()) bound = states->at("lower_bound");
+    const bool has_price = json.contains("price");
+    return {{"event", "result"},
+            {"complete", json.value("complete", true)},
+            {"answer", ""},
+            {"labels", json.at("labels")},
+            {"units", json.at("count")},
+            {"lower_bound", std::move(bound)},
+            {"price", has_price ? json["price"].at("new") : Json()},
+            {"currency", has_price ? json["price"].at("currency") : Json()},
+            {"selected", json.at("selected")}};
+  } catch (const std::exception&) {  // of somebody else, or being written
+    return nullptr;
+  }
+}
+
+std::string shop_hash(const Json& store) {
+  Json shop = store;
+  if (const auto units = shop.find("transceivers"); units != shop.end() && units->is_object())
+    units->erase("selected");
+  return content_hash(shop.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,255 @@
+#include "serve/planning/plan_runs.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+
+#include "jobs/event.hpp"
+#include "jobs/plan_folder.hpp"
+#include "serve/live/newest_plan.hpp"
+#include "serve/project/record.hpp"
+
+namespace shelfbeam::serve {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t max_list = 64 << 20;
+constexpr auto list_name = "plans.json";
+
+// The time at which the plan in a folder was written; 0 without one.
+std::int64_t time_of_plan(const fs::path& folder) {
+  const fs::path placement = folder / jobs::placement_name;
+  std::error_code error;
+  if (!is_plain_file(placement) || !is_plain_file(folder / jobs::signal_name)) return 0;
+  const auto time = fs::last_write_time(placement, error);
+  return error ? 0 : std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+}
+
+std::string now() {
+  return utc_text(std::chrono::system_clock::now());
+}
+
+}  // namespace
+
+PlanRuns::PlanRuns(fs::path folder, std::string program)
+    : folder_(std::move(folder)), program_(std::move(program)) {
+  load();
+}
+
+PlanRuns::~PlanRuns() {
+  if (!process_) return;
+  // The samples since the last checkpoint are worth a moment.
+  constexpr auto patience = std::chrono::seconds(5);
+  const auto begin = std::chrono::steady_clock::now();
+  process_->cancel();
+  while (active_->is_active() && std::chrono::steady_clock::now() - begin < patience) {
+    jobs::wait_for_children(0.1);
+    process_->poll();
+  }
+  if (active_->state != RunState::done) return;  // it continues with the next program
+  try {
+    end();
+  } catch (const std::exception&) {
+    // The next program finds the plan in its folder.
+  }
+}
+
+// A run that has not ended for this list.
+void PlanRuns::take_up(PlanRun& run) {
+  const fs::path folder = folder_ / run.folder;
+  if (Json result = result_in(folder); result.is_object() && result["complete"] == true) {
+    run.state = RunState::done;
+    run.result = std::move(result);
+    run.written = time_of_plan(folder);
+    if (run.has_plan()) finished_.push_back(run.id);
+    return;
+  }
+  run.is_continued = run.state != RunState::waiting;
+  run.state = RunState::waiting;
+}
+
+// A list that is damaged is no reason to refuse the project: the plans themselves are in their folders.
+void PlanRuns::load() {
+  const fs::path file = folder_ / ".shelfbeam" / list_name;
+  if (!is_plain_file(file)) return;
+  try {
+    const Json json = Json::parse(read_file(file, max_list));
+    for (const Json& one : json.at("runs")) {
+      PlanRun run = run_of(one);
+      if (run.is_active()) take_up(run);
+      last_id_ = std::max(last_id_, run.id);
+      runs_.push_back(std::move(run));
+    }
+  } catch (const std::exception&) {
+    runs_.clear();
+  }
+}
+
+void PlanRuns::save() const {
+  Json list = Json::array();
+  for (const PlanRun& run : runs_) {
+    Json json = to_json(run);
+    json.erase("progress");
+    list.push_back(std::move(json));
+  }
+  const Json json{{"format", 1}, {"runs", std::move(list)}};
+  write_file(folder_ / ".shelfbeam" / list_name,
+             json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+// The first name of "plan", "plan-2", ... that neither the folder nor a run has.
+std::string PlanRuns::free_folder() const {
+  std::error_code ignored;
+  for (int number = 1;; ++number) {
+    std::string name = number == 1 ? "plan" : fmt::format("plan-{}", number);
+    const bool is_taken =
+        std::any_of(runs_.begin(), runs_.end(), [&](const PlanRun& run) { return run.folder == name; });
+    if (!is_taken && fs::symlink_status(folder_ / name, ignored).type() == fs::file_type::not_found)
+      return name;
+  }
+}
+
+std::uint64_t PlanRuns::add(Json plan, std::string shop) {
+  PlanRun run{.id = ++last_id_, .folder = free_folder(), .plan = std::move(plan), .shop = std::move(shop)};
+  expect_request(run);
+  run.begun = now();
+  runs_.push_back(std::move(run));
+  changed_.push_back(last_id_);
+  save();
+  return last_id_;
+}
+
+PlanRun& PlanRuns::at(std::uint64_t id) {
+  const auto found =
+      std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) { return run.id == id; });
+  if (found == runs_.end()) throw InputError("plan", "is not in the list", "reload the page");
+  return *found;
+}
+
+const PlanRun* PlanRuns::find(std::uint64_t id) const {
+  const auto found =
+      std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) { return run.id == id; });
+  return found == runs_.end() ? nullptr : &*found;
+}
+
+void PlanRuns::cancel(std::uint64_t id) {
+  PlanRun& run = at(id);
+  if (!run.is_active()) throw InputError("plan", "has ended already", "look at its result");
+  if (&run == active_) return process_->cancel();
+  run.state = RunState::stopped;
+  run.ended = now();
+  changed_.push_back(id);
+  save();
+}
+
+void PlanRuns::forget(std::uint64_t id) {
+  const PlanRun& run = at(id);
+  if (run.is_active() || run.has_plan())
+    throw InputError("plan", "has a result", "delete its folder if it is not needed");
+  runs_.remove_if([&](const PlanRun& one) { return one.id == id; });
+  save();
+}
+
+void PlanRuns::note_entered(std::uint64_t id) {
+  at(id).is_entered = true;
+  changed_.push_back(id);
+  save();
+}
+
+// A run that was interrupted continues with the samples of its shop, or not at all.
+void PlanRuns::begin(PlanRun& run, const std::string& shop) {
+  active_ = &run;
+  try {
+    if (run.is_continued && run.shop != shop)
+      throw InputError("the shop", "has changed since the plan was interrupted", "start another plan");
+    run.shop = shop;
+    run.state = RunState::running;
+    process_.emplace(run, folder_ / "store.json", newest_plan(folder_), program_);
+  } catch (const std::exception& error) {
+    process_.reset();
+    run.result = Json::parse(jobs::line_of(jobs::error_of(error)));
+    run.state = RunState::failed;
+    end();
+  }
+  changed_.push_back(run.id);
+  save();
+}
+
+void PlanRuns::end() {
+  PlanRun& run = *std::exchange(active_, nullptr);
+  process_.reset();
+  run.ended = now();
+  run.written = time_of_plan(folder_ / run.folder);
+  if (run.has_plan()) finished_.push_back(run.id);
+  save();
+}
+
+// Finds the plans of other programs, one at a time.
+void PlanRuns::look() {
+  if (Clock::now() - looked_ < std::chrono::seconds(1)) return;
+  looked_ = Clock::now();
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
+    const std::string name = entry.path().filename().string();
+    const std::int64_t written = time_of_plan(entry.path());
+    auto known =
+        std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) { return run.folder == name; });
+    if (written == 0 || (known != runs_.end() && (known->is_active() || known->written == written))) continue;
+    const Json result = result_in(entry.path());
+    if (known == runs_.end()) {
+      if (result.is_null() || !is_utf8(name)) continue;
+      known = runs_.insert(runs_.end(), {.id = ++last_id_, .folder = name});
+    }
+    known->plan = nullptr;
+    known->shop.clear();
+    known->state = RunState::done;
+    known->result = result;
+    known->written = written;
+    known->begun = known->ended = utc_text(
+        fs::file_time_type::clock::to_sys(fs::last_write_time(entry.path() / jobs::placement_name, error)));
+    changed_.push_back(known->id);
+    return save();
+  }
+  // A plan whose folder is gone.
+  const auto gone = std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) {
+    return !run.is_active() && run.written != 0 && time_of_plan(folder_ / run.folder) == 0;
+  });
+  if (gone == runs_.end()) return;
+  changed_.push_back(gone->id);
+  runs_.erase(gone);
+  save();
+}
+
+std::vector<std::uint64_t> PlanRuns::poll(const std::function<const std::string&()>& shop) {
+  if (process_) {
+    // The process may have read the store before the change, or after it.
+    if (!process_->has_read() && active_->shop != shop()) {
+      active_->shop = shop();
+      process_->restart();
+    }
+    if (process_->poll()) changed_.push_back(active_->id);
+    if (!active_->is_active()) end();
+  }
+  const auto next = std::find_if(runs_.begin(), runs_.end(),
+                                 [](const PlanRun& run) { return run.state == RunState::waiting; });
+  if (!process_ && next != runs_.end()) begin(*next, shop());
+  look();
+  return std::exchange(changed_, {});
+}
+
+std::vector<std::uint64_t> PlanRuns::take_finished() {
+  return std::exchange(finished_, {});
+}
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,222 @@
+#include "serve/planning/planning.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <unordered_map>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
+
+#include "jobs/plan_folder.hpp"
+#include "serve/live/newest_plan.hpp"
+
+namespace shelfbeam::serve {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t max_file = 512 << 20;
+constexpr auto difference_name = "difference.html";
+
+std::string_view media_type(std::string_view name) {
+  if (name.ends_with(".html")) return "text/html; charset=utf-8";
+  if (name.ends_with(".csv")) return "text/csv; charset=utf-8";
+  if (name.ends_with(".json")) return "application/json";
+  return "application/octet-stream";
+}
+
+std::optional<http::Document> document_of(const fs::path& file, bool is_report) {
+  if (!is_plain_file(file)) return {};
+  try {
+    return http::Document{std::string(media_type(file.filename().string())),
+                          std::make_shared<const std::string>(read_file(file, max_file)), is_report};
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+// Pages know units by their numbers.
+Json for_page(const PlanRun& run, const Draft& draft) {
+  Json json = to_json(run);
+  const auto progress = json.find("progress");
+  if (progress == json.end()) return json;
+  const std::unordered_set<std::string_view> ids(run.progress.selected.begin(), run.progress.selected.end());
+  Json units = Json::array();
+  if (!ids.empty())
+    for (std::size_t j = 0; j < draft.scene.transceivers.size(); ++j)
+      if (ids.contains(draft.scene.transceivers[j].id)) units.push_back(j);
+  progress->erase("selected");
+  (*progress)["count"] = ids.size();
+  (*progress)["units"] = std::move(units);
+  return json;
+}
+
+}  // namespace
+
+Planning::Planning(fs::path folder, std::string program)
+    : folder_(std::move(folder)),
+      runs_(folder_, program),
+      difference_(std::move(program), "the comparison") {}
+
+const PlanRun& Planning::run_with(std::uint64_t id) const {
+  const PlanRun* run = runs_.find(id);
+  if (run == nullptr) throw InputError("plan", "is not in the list", "reload the page");
+  return *run;
+}
+
+const std::string& Planning::shop(const Json& store, std::uint64_t revision) {
+  if (revision != revision_) {
+    shop_ = shop_hash(store);
+    revision_ = revision;
+  }
+  return shop_;
+}
+
+std::optional<Json> Planning::answer(const Request& request, const Json& store, const Draft& draft) {
+  const std::string verb = request.text("do");
+  if (verb == "plan") {
+    if (draft.scene.labels.empty() || draft.scene.transceivers.empty())
+      throw InputError("the shop", "has no labels or no candidates yet", "add them first");
+    return Json{{"plan", runs_.add(request.json.value("plan", Json::object()), shop_hash(store))}};
+  }
+  if (verb == "plan_cancel") return runs_.cancel(request.number("plan")), Json::object();
+  if (verb == "plan_forget") return runs_.forget(request.number("plan")), Json::object();
+  if (verb == "plan_details") return details(run_with(request.number("plan")), draft);
+  return {};
+}
+
+// Its placement.json, and the numbers of the labels in its lists, as far as the shop has them now.
+Json Planning::details(const PlanRun& run, const Draft& draft) const {
+  const fs::path file = folder_ / run.folder / jobs::placement_name;
+  if (!is_plain_file(file)) throw InputError(run.folder, "has no plan", "start another plan");
+  Json plan;
+  try {
+    plan = Json::parse(read_file(file, max_file));
+  } catch (const Json::exception&) {
+    throw InputError(run.folder, "has a placement.json that is not valid", "start another plan");
+  }
+  for (const char* key : {"files", "label_names", "sensitivity", "scenarios"}) plan.erase(key);
+  std::unordered_map<std::string, std::size_t> number;
+  for (std::size_t i = 0; i < draft.scene.labels.size(); ++i) number.emplace(draft.scene.labels[i].id, i);
+  Json indices = Json::object();
+  const auto add = [&](const char* key, const Json& ids) {
+    Json list = Json::array();
+    for (const Json& id : ids) {
+      const auto found = number.find(id.is_object() ? id.value("label", "") : id.get<std::string>());
+      if (found != number.end()) list.push_back(found->second);
+    }
+    indices[key] = std::move(list);
+  };
+  add("unreachable", plan.value("unreachable", Json::array()));
+  if (const auto found = plan.find("certificate"); found != plan.end())
+    for (const char* key : {"missed", "undecided", "not_verified_yet"})
+      add(key, found->value(key, Json::array()));
+  if (const auto found = plan.find("states"); found != plan.end())
+    add("responsible", found->value("responsible", Json::array()));
+  return {{"details", std::move(plan)}, {"indices", std::move(indices)}};
+}
+
+void Planning::begin_difference(const Request& request) {
+  const PlanRun& before = run_with(request.number("before"));
+  const PlanRun& after = run_with(request.number("after"));
+  difference_.start({"diff", (folder_ / before.folder).string(), (folder_ / after.folder).string(), "-o",
+                     (folder_ / ".shelfbeam" / difference_name).string()});
+  asked_ = {request.tab, request.json["id"]};
+}
+
+Planning::Selection Planning::selection(std::uint64_t id, const Json& store, const Draft& draft) const {
+  const PlanRun& run = run_with(id);
+  const Json selected = run.selected();
+  if (selected.empty()) throw InputError("plan", "has chosen no units", "start another plan");
+  std::unordered_map<std::string_view, const Transceiver*> units;
+  for (const Transceiver& unit : draft.scene.transceivers) units.emplace(unit.id, &unit);
+  Json chosen = Json::array();
+  for (const Json& one : selected) {
+    const auto found = units.find(one.get_ref<const std::string&>());
+    if (found == units.end())
+      throw InputError(run.folder,
+                       fmt::format("has a unit {}, which the shop does not have any more",
+                                   in_quotes(one.get<std::string>())),
+                       "plan the shop again");
+    if (!found->second->installed && !found->second->pinned) chosen.push_back(one);
+  }
+  Selection result{fmt::format("{}: {}", run.folder, counted(selected.size(), "unit")), {}};
+  const auto transceivers = store.find("transceivers");
+  EditOp op{"/transceivers/selected", {}, chosen};
+  if (transceivers == store.end()) {
+    op = {"/transceivers", {}, Json{{"selected", chosen}}};
+  } else if (const auto old = transceivers->find("selected"); old != transceivers->end()) {
+    op.before = *old;
+  }
+  result.ops.push_back(std::move(op));
+  return result;
+}
+
+Json Planning::everything(const Json& store, const Draft& draft) {
+  Json list = Json::array();
+  for (const PlanRun& run : runs_.all()) list.push_back(for_page(run, draft));
+  return {{"event", "plans"},
+          {"all", std::move(list)},
+          {"shop", told_shop_.empty() ? shop_hash(store) : told_shop_}};
+}
+
+Planning::News Planning::poll(const Json& store, const Draft& draft, std::uint64_t revision) {
+  News news;
+  std::vector<std::uint64_t> changed =
+      runs_.poll([&]() -> const std::string& { return shop(store, revision); });
+  for (const std::uint64_t id : runs_.take_finished())
+    if (run_with(id).shop == shop(store, revision)) news.to_enter.push_back(id);
+  // A shop may be large, so that its hash is told a moment after a change.
+  constexpr auto pause = std::chrono::seconds(1);
+  const bool has_plans = !runs_.all().empty();
+  if (has_plans && revision_ != revision && Clock::now() - hashed_ >= pause) {
+    hashed_ = Clock::now();
+    shop(store, revision);
+  }
+  Json event{{"event", "plans"}};
+  if (shop_ != told_shop_ && has_plans) event["shop"] = told_shop_ = shop_;
+  std::vector<std::uint64_t> now;
+  for (const PlanRun& run : runs_.all()) now.push_back(run.id);
+  Json set = Json::array(), remove = Json::array();
+  for (const PlanRun& run : runs_.all())
+    if (std::find(changed.begin(), changed.end(), run.id) != changed.end())
+      set.push_back(for_page(run, draft));
+  for (const std::uint64_t id : told_)
+    if (std::find(now.begin(), now.end(), id) == now.end()) remove.push_back(id);
+  told_ = std::move(now);
+  if (!set.empty()) event["set"] = std::move(set);
+  if (!remove.empty()) event["remove"] = std::move(remove);
+  if (event.size() > 1) news.event = std::move(event);
+  if (auto summary = difference_.poll()) {
+    const bool has_failed = summary->contains("message");
+    news.reply = {asked_.first,
+                  Json{{"id", asked_.second}, {has_failed ? "error" : "difference", std::move(*summary)}}};
+  }
+  return news;
+}
+
+std::optional<http::Document> Planning::document(std::string_view name) const {
+  if (name == "difference") return document_of(folder_ / ".shelfbeam" / difference_name, true);
+  constexpr std::string_view plans = "plans/";
+  if (!name.starts_with(plans)) return {};
+  name.remove_prefix(plans.size());
+  const std::size_t slash = name.find('/');
+  if (slash == std::string_view::npos) return {};
+  const std::string folder(name.substr(0, slash)), file(name.substr(slash + 1));
+  const auto& names = jobs::plan_file_names;
+  const bool is_listed = std::any_of(runs_.all().begin(), runs_.all().end(),
+                                     [&](const PlanRun& run) { return run.folder == folder; });
+  std::error_code ignored;
+  if (!is_listed || file == jobs::signal_name || std::find(names.begin(), names.end(), file) == names.end() ||
+      fs::symlink_status(folder_ / folder, ignored).type() != fs::file_type::directory)
+    return {};
+  return document_of(folder_ / folder / file, file == jobs::report_name);
+}
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "shelfbeam/scene/build/draft.hpp"
+
+#include "jobs/child.hpp"
+#include "serve/http/options.hpp"
+#include "serve/live/errand.hpp"
+#include "serve/planning/plan_runs.hpp"
+#include "serve/request.hpp"
+#include "serve/text/edit.hpp"
+
+namespace shelfbeam::serve {
+
+/// The plans of a project for its pages (docs/formats/planner.md#plans): their list, their results, and the
+/// differences between two.
+class Planning {
+ public:
+  /// `folder`: of the project. `program`: shelfbeam.
+  explicit Planning(std::filesystem::path folder, std::string program = jobs::own_program);
+
+  /// The answer to a request `plan`, `plan_cancel`, `plan_forget` or `plan_details`; nothing for another one.
+  /// Throws InputError.
+  std::optional<Json> answer(const Request& request, const Json& store, const Draft& draft);
+  /// Begins the answer to a request `difference`. Throws InputError, also while another one is open.
+  void begin_difference(const Request& request);
+
+  /// The edit that selects the units of a plan, and the label of its step. Throws InputError if the shop does
+  /// not have a unit.
+  struct Selection {
+    std::string label;
+    std::vector<EditOp> ops;
+  };
+  Selection selection(std::uint64_t id, const Json& store, const Draft& draft) const;
+
+  /// The event `plans` for a new page.
+  Json everything(const Json& store, const Draft& draft);
+  struct News {
+    std::optional<Json> event = {};                          ///< `plans`, for all pages
+    std::optional<std::pair<http::TabId, Json>> reply = {};  ///< that was begun
+    std::vector<std::uint64_t> to_enter = {};  ///< plans of this very shop that have ended with units
+  };
+  /// To be called often. `revision`: of the store.
+  News poll(const Json& store, const Draft& draft, std::uint64_t revision);
+  void note_entered(std::uint64_t id) { runs_.note_entered(id); }
+
+  /// A file of a plan, `plans/FOLDER/FILE`, or the page of the last difference, `difference`.
+  std::optional<http::Document> document(std::string_view name) const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Json details(const PlanRun& run, const Draft& draft) const;
+  const PlanRun& run_with(std::uint64_t id) const;
+  const std::string& shop(const Json& store, std::uint64_t revision);
+
+  const std::filesystem::path folder_;
+  PlanRuns runs_;
+  Errand difference_;
+  std::pair<http::TabId, Json> asked_;  // by whom, and the number of the request
+  std::uint64_t revision_ = 0;
+  std::string shop_, told_shop_;
+  Clock::time_point hashed_{};
+  std::vector<std::uint64_t> told_;  // the numbers in the list that pages know
+};
+
+}  // namespace shelfbeam::serve

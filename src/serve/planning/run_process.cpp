@@ -1,0 +1,123 @@
+#include "serve/planning/run_process.hpp"
+
+#include <chrono>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include "shelfbeam/base/memory.hpp"
+#include "shelfbeam/base/names.hpp"
+#include "shelfbeam/signal/checkpoint/checkpoint.hpp"
+
+#include "jobs/event.hpp"
+#include "jobs/plan_folder.hpp"
+#include "jobs/plan_job_json.hpp"
+
+namespace shelfbeam::serve {
+
+namespace {
+
+constexpr std::chrono::seconds patience{60};
+
+// A request with the paths of the project.
+jobs::PlanJob job_of(const PlanRun& run, const std::filesystem::path& store) {
+  const std::filesystem::path folder = store.parent_path();
+  Json request = run.plan;
+  if (request.contains("constraints"))
+    for (const char* key : {"costs", "forbidden"})
+      if (request["constraints"].contains(key))
+        for (Json& file : request["constraints"][key])
+          file = (folder / std::filesystem::path(file.get<std::string>()).filename()).string();
+  const Json job{{"store", store.string()}, {"folder", (folder / run.folder).string()}, {"plan", request}};
+  return jobs::parse_plan_job(job.dump(), "plan");
+}
+
+}  // namespace
+
+void expect_request(const PlanRun& run) {
+  job_of(run, "store.json");
+}
+
+RunProcess::RunProcess(PlanRun& run, std::filesystem::path store, const std::string& signal,
+                       std::string program)
+    : run_(run), job_(job_of(run, store)), program_(std::move(program)) {
+  const std::filesystem::path folder = store.parent_path();
+  if (!signal.empty()) job_.signal = folder / signal;
+  std::error_code ignored;
+  job_.checkpoint.resume =
+      std::filesystem::exists(checkpoint_path(folder / run.folder / jobs::signal_name), ignored);
+  if (run.first.is_null()) job_.preview = folder / ".shelfbeam";
+  start();
+}
+
+void RunProcess::start() {
+  run_.state = job_.preview ? RunState::previewing : RunState::running;
+  run_.progress = {};
+  stages_ = {};
+  begun_ = std::chrono::steady_clock::now();
+  has_read_ = false;
+  process_.emplace(job_, memory_limit(), program_);
+  process_->give_way();
+  has_changed_ = true;
+}
+
+void RunProcess::restart() {
+  start();
+}
+
+void RunProcess::cancel() {
+  is_cancelled_ = true;
+  process_->interrupt(patience);
+}
+
+bool RunProcess::poll() {
+  jobs::JobEnd result;
+  jobs::ChildEnd effort;
+  const bool has_ended = process_ && process_->has_ended(result, effort, this);
+  has_read_ = has_read_ || (process_ && process_->has_read());
+  if (has_ended) end(result);
+  return std::exchange(has_changed_, false);
+}
+
+void RunProcess::end(const jobs::JobEnd& end) {
+  process_.reset();
+  has_changed_ = true;
+  const Json event = Json::parse(jobs::line_of(end));
+  const auto* error = std::get_if<jobs::JobError>(&end);
+  if (job_.preview) {
+    job_.preview.reset();
+    // The plan reports its own error.
+    if (error == nullptr) run_.first = event;
+    if (!is_cancelled_) return start();
+    run_.state = RunState::stopped;
+    return;
+  }
+  run_.result = event;
+  if (error != nullptr)
+    run_.state = is_cancelled_ ? RunState::stopped : RunState::failed;
+  else
+    run_.state = std::get<jobs::JobResult>(end).is_complete ? RunState::done : RunState::stopped;
+}
+
+void RunProcess::report(Task task, double fraction, std::string_view detail) {
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - begun_;
+  const jobs::Progress progress = stages_.update(task, fraction, detail, since.count());
+  const auto known = [](double value) { return value < 0 ? std::nullopt : std::optional(value); };
+  RunProgress& now = run_.progress;
+  now.task = to_text(progress.task);
+  now.detail = progress.detail;
+  now.share = known(progress.fraction);
+  now.seconds_left = known(progress.seconds_left);
+  has_changed_ = true;
+}
+
+void RunProcess::bounds(double incumbent, double lower_bound) {
+  run_.progress.incumbent = incumbent;
+  run_.progress.bound = lower_bound;
+}
+
+void RunProcess::selection(const std::vector<std::string>& ids) {
+  run_.progress.selected = ids;
+}
+
+}  // namespace shelfbeam::serve

@@ -1,0 +1,127 @@
+// Tests plans of the planner: from the question to the report, which is that of `shelfbeam plan`.
+
+import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { check, equal } from "../viewer/check.mjs";
+import { wait } from "./light.mjs";
+import { testPlanner } from "./opened.mjs";
+
+const hasEnded = () => {
+  const { runs } = window.shelfbeamPlanner.planner.plans;
+  return runs.length > 0 && runs.every(({ state }) => state === "done" || state === "stopped" || state === "failed");
+};
+
+/** A shop that is quick to simulate: a gondola with some labels, and 12 candidates. */
+function small(folder) {
+  const list = [0, 1, 2, 3].flatMap((x) =>
+    [0, 1, 2].map((y) => ({ id: `T${x}-${y}`, position: [1.1 + 1.25 * x, 0.8 + 1.7 * y, 2.98], type: "wide" })),
+  );
+  const store = {
+    room: { size: [6, 5, 3], floor: "paper", ceiling: "paper", walls: "paper" },
+    materials: { paper: { type: "lambertian", reflectance: 0.6 } },
+    label_types: { standard: { threshold: 0.02 } },
+    transceiver_types: { wide: { emission: { type: "sin2theta", peak: 1 } } },
+    fixtures: [
+      {
+        type: "gondola",
+        id: "A1",
+        at: [1.2, 2.1],
+        length: 3,
+        depth: 0.8,
+        height: 1.6,
+        material: "paper",
+        shelves: [0.5, 1.1],
+        stocking: 0.7,
+        labels: { type: "standard", spacing: 0.7 },
+      },
+    ],
+    transceivers: { list },
+  };
+  writeFileSync(join(folder, "store.json"), JSON.stringify(store, null, 2));
+}
+
+async function openPlans({ page }) {
+  await page.click("#tab-plans");
+}
+
+const textOf = ({ page }, selector) =>
+  page.evaluate((query) => document.querySelector(query)?.innerText ?? "", selector);
+
+testPlanner(
+  "plans: units are planned, certified, selected and handed over",
+  { store: "thesis", prepare: small, smoke: true },
+  async (tab, { tools }) => {
+    await openPlans(tab);
+    await tab.page.click("#panel-plans .primary");
+    await wait(tab, () => window.shelfbeamPlanner.planner.plans.active?.first);
+    await tab.until(() =>
+      document.querySelector(".plan-running .since").innerText.startsWith("First answer, from a preview:"),
+    );
+    await wait(tab, hasEnded);
+    const { folder } = tab.server;
+    const placement = JSON.parse(readFileSync(join(folder, "plan", "placement.json"), "utf8"));
+    await tab.until(() => window.shelfbeamPlanner.planner.plans.runs[0].entered);
+    equal(tab.server.json.transceivers.selected, placement.selected);
+    check((await textOf(tab, ".plan-result .answer")).includes("with 99 % confidence"), "no answer");
+    check((await textOf(tab, ".plan-result dl")).includes("One unit fewer?"), "no alternatives");
+    // The same command on the shop as it was writes the same files.
+    await tab.press("Control+z");
+    await tab.steps(0);
+    equal(tab.server.text, tab.server.first);
+    const again = join(folder, "again");
+    const { status, stderr } = spawnSync(
+      tools.shelfbeam,
+      ["plan", join(folder, "store.json"), "-o", again, "--quiet"],
+      { encoding: "utf8" },
+    );
+    equal([status, stderr], [0, ""]);
+    for (const file of ["report.html", "placement.json", "mounting.csv", "mounting.dxf", "labels.csv", "signal.h5"])
+      check(readFileSync(join(again, file)).equals(readFileSync(join(folder, "plan", file))), `${file} differs`);
+    // The links give these files, and the report runs on its own.
+    const links = await tab.page.$$eval(".plan-result .files a", (list) =>
+      list.map(({ href, download }) => ({ href, download })),
+    );
+    equal(links.length, 6);
+    const report = await tab.page.context().newPage();
+    const errors = [];
+    report.on("pageerror", (error) => errors.push(error.message));
+    report.on("console", (message) => message.type() === "error" && errors.push(message.text()));
+    await report.goto(links[0].href);
+    await report.waitForSelector("h1");
+    equal(errors, []);
+    await report.close();
+    // Plans of the command line are in the list, and two plans can be compared.
+    await tab.until(() => window.shelfbeamPlanner.planner.plans.runs.length === 2);
+    for (const row of [0, 1]) await tab.page.locator(".plan-list input").nth(row).click();
+    await tab.page.click("text=Compare the two");
+    await tab.page.waitForSelector("dialog >> text=The plans are the same.");
+    await tab.press("Escape");
+  },
+);
+
+testPlanner(
+  "plans: a plan that is cancelled keeps its best units",
+  { store: "thesis", prepare: small },
+  async (tab) => {
+    await openPlans(tab);
+    await tab.page.evaluate(() =>
+      window.shelfbeamPlanner.planner.plans.start({ simulation: { samples: 10_000_000 } }, "a long plan"),
+    );
+    await wait(tab, () => {
+      const { state, progress } = window.shelfbeamPlanner.planner.plans.active ?? {};
+      return state === "running" && progress?.task === "simulating" && progress.share > 0.02;
+    });
+    await tab.page.click("text=End, and keep the best");
+    await wait(tab, hasEnded);
+    await tab.until(() => document.querySelector(".plan-result").innerText.includes("ended early"));
+    await tab.until(() => window.shelfbeamPlanner.planner.plans.runs[0].entered);
+  },
+);
+
+testPlanner("plans: a shop that cannot be planned says why", { store: null, keeps: true }, async (tab) => {
+  await openPlans(tab);
+  await tab.until(() => document.querySelector("#panel-plans").innerText.includes("Give fixtures labels first."));
+  equal(await tab.page.$eval("#panel-plans .primary", ({ disabled }) => disabled), true);
+});
