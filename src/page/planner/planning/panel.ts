@@ -8,9 +8,11 @@ import { PlanList } from "./list";
 import { Question } from "./question";
 import { Result } from "./result";
 import { Running } from "./running";
+import { Variation } from "./variation";
 
 export class PlanPanel {
   private readonly question = new Question();
+  private readonly variation: Variation;
   private readonly start: HTMLButtonElement;
   private readonly why = element("p", { class: "note", role: "status" });
   private readonly running: Running;
@@ -24,6 +26,7 @@ export class PlanPanel {
     address: string,
   ) {
     this.start = button(text.plans.start, () => this.begin(), { class: "primary", title: text.plans.start_says });
+    this.variation = new Variation(planner);
     this.running = new Running(planner);
     this.result = new Result(planner, address);
     this.list = new PlanList(planner, address);
@@ -31,6 +34,7 @@ export class PlanPanel {
       "div",
       { class: "scroll plans" },
       this.question.root,
+      this.variation.root,
       this.start,
       this.why,
       this.running.root,
@@ -42,6 +46,7 @@ export class PlanPanel {
 
   update(): void {
     this.question.update(this.varies);
+    this.variation.update();
     const why = this.whyNot;
     this.start.disabled = why !== "";
     this.why.textContent = why;

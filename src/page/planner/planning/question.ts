@@ -101,7 +101,7 @@ export class Question {
     this.changing.input.checked = true;
     this.root = element(
       "div",
-      { class: "question" },
+      { class: "plan-question" },
       this.goals.root,
       this.share.root,
       this.units.root,

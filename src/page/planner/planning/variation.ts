@@ -1,0 +1,220 @@
+// How the shop changes: a switch and its numbers for each cause, which are the section `variation` of the store.
+
+import { element } from "../../panel/dom";
+import { icon, type IconName } from "../access/icons";
+import { EditBuilder } from "../document/edit";
+import { isObject, valueAt, type Json } from "../document/json";
+import { namesIn } from "../form/initial";
+import { area } from "../geometry/polygon";
+import type { Planner } from "../planner";
+import { text } from "../text";
+
+type Cause = keyof typeof text.variation.causes;
+
+/** A number of a cause: where it is in the store, and how many units of the field make one of the store. */
+interface Value {
+  path: string;
+  /** Empty: a number of people, or a length in the unit of the store. */
+  unit: string;
+  factor: number;
+  most: number;
+}
+
+interface Row {
+  icon: IconName;
+  /** Whether it varies in this store. */
+  isOn: (json: Json) => boolean;
+  set: (edit: EditBuilder, isOn: boolean) => void;
+  numbers: readonly Value[];
+  /** Whether the shop can have it. */
+  isPossible?: (json: Json) => boolean;
+}
+
+const percent = { unit: "%", factor: 100, most: 100 };
+/** Assumed for shops whose files say nothing, except for the numbers of people, one for each 40 m². */
+const usual = {
+  stocking: [0.4, 1],
+  still: 0.8,
+  people: 40, // m² per person
+  size: [0.5, 0.3, 1.75], // m
+  clothes: { type: "lambertian", reflectance: 0.4 },
+  doors: 0.05,
+  mounting: { position: 0.05, tilt_deg: 2 }, // m
+  scatter: 0.5, // dB
+};
+
+const at = (json: Json, key: string): Json | undefined => valueAt(json, `/variation/${key}`);
+const isList = (value: Json | undefined): value is Json[] => Array.isArray(value) && value.length > 0;
+const doorsOf = (json: Json): Json[] => {
+  const fixtures = valueAt(json, "/fixtures");
+  const has = (fixture: Json) => isObject(fixture) && fixture.doors !== undefined && fixture.doors !== "none";
+  return Array.isArray(fixtures) ? fixtures.filter(has) : [];
+};
+
+export class Variation {
+  private readonly rows: Record<Cause, Row>;
+  private readonly whole = element("input", { type: "checkbox" });
+  private readonly boxes = new Map<Cause, HTMLInputElement>();
+  private readonly fields: { number: Value; input: HTMLInputElement }[] = [];
+  private readonly lines = new Map<Cause, HTMLElement>();
+  private readonly list = element("ul", { class: "causes" });
+  readonly root: HTMLElement;
+
+  constructor(private readonly planner: Planner) {
+    this.rows = {
+      stock: {
+        icon: "run",
+        isOn: (json) => isObject(at(json, "stocking")) || at(json, "stocking") === undefined,
+        set: (edit, isOn) => edit.set("/variation/stocking", isOn ? { uniform: usual.stocking } : usual.still),
+        numbers: [
+          { path: "stocking/uniform/0", ...percent },
+          { path: "stocking/uniform/1", ...percent },
+        ],
+      },
+      people: {
+        icon: "person",
+        isOn: (json) => isList(at(json, "people")),
+        set: (edit, isOn) => this.setPeople(edit, isOn),
+        numbers: [{ path: "people/0/number/poisson", unit: "", factor: 1, most: 500 }],
+      },
+      doors: {
+        icon: "opening",
+        isOn: (json) => !isList(at(json, "doors")) || valueAt(json, "/variation/doors/0/open") !== 0,
+        set: (edit, isOn) => edit.set("/variation/doors", [{ fixtures: "*", open: isOn ? usual.doors : 0 }]),
+        numbers: [{ path: "doors/0/open", ...percent }],
+        isPossible: (json) => doorsOf(json).length > 0,
+      },
+      mounting: {
+        icon: "unit",
+        isOn: (json) => at(json, "mounting") !== undefined,
+        set: (edit, isOn) => edit.set("/variation/mounting", isOn ? this.inUnit(usual.mounting) : undefined),
+        numbers: [
+          { path: "mounting/position", unit: "", factor: 1, most: 100 },
+          { path: "mounting/tilt_deg", unit: "°", factor: 1, most: 45 },
+        ],
+      },
+      scatter: {
+        icon: "light",
+        isOn: (json) => at(json, "unit_power_db") !== undefined || at(json, "label_sensitivity_db") !== undefined,
+        set: (edit, isOn) => {
+          for (const key of ["unit_power_db", "label_sensitivity_db"])
+            edit.set(`/variation/${key}`, isOn ? usual.scatter : undefined);
+        },
+        numbers: [
+          { path: "unit_power_db", unit: "dB", factor: 1, most: 20 },
+          { path: "label_sensitivity_db", unit: "dB", factor: 1, most: 20 },
+        ],
+      },
+    };
+    this.whole.addEventListener("change", () => this.change((edit) => this.setAll(edit, this.whole.checked)));
+    for (const [cause, row] of Object.entries(this.rows) as [Cause, Row][]) this.list.append(this.line(cause, row));
+    this.root = element(
+      "details",
+      { class: "variation" },
+      element("summary", { text: text.variation.title }),
+      element("p", { class: "note", text: text.variation.lead }),
+      element("label", { class: "check" }, this.whole, element("span", { text: text.variation.whole })),
+      this.list,
+    );
+  }
+
+  private line(cause: Cause, row: Row): HTMLElement {
+    const box = element("input", {
+      type: "checkbox",
+      "data-key": `varies-${cause}`,
+      on: { change: () => this.change((edit) => row.set(edit, box.checked)) },
+    });
+    this.boxes.set(cause, box);
+    const fields = row.numbers.map((number, k) => {
+      const input = element("input", {
+        type: "number",
+        min: 0,
+        max: number.most,
+        step: "any",
+        "data-key": `variation-${number.path}`,
+        on: {
+          change: () => {
+            if (input.value === "" || !input.validity.valid) return;
+            this.change((edit) => edit.set(`/variation/${number.path}`, input.valueAsNumber / number.factor));
+          },
+        },
+      });
+      this.fields.push({ number, input });
+      return element(
+        "label",
+        { class: "row" },
+        element("span", { text: text.variation.numbers[cause][k] }),
+        input,
+        element("small", { text: number.unit }),
+      );
+    });
+    const head = element(
+      "label",
+      { class: "check", title: text.variation.says[cause] },
+      box,
+      icon(row.icon),
+      element("span", { text: text.variation.causes[cause] }),
+    );
+    const made = element("li", {}, head, ...fields);
+    this.lines.set(cause, made);
+    return made;
+  }
+
+  update(): void {
+    const { json, locked } = this.planner.document;
+    const varies = valueAt(json, "/variation") !== undefined;
+    this.whole.checked = varies;
+    this.whole.disabled = locked !== null;
+    this.list.hidden = !varies;
+    for (const [cause, row] of Object.entries(this.rows) as [Cause, Row][]) {
+      const box = this.boxes.get(cause);
+      const line = this.lines.get(cause);
+      if (box) Object.assign(box, { checked: row.isOn(json), disabled: locked !== null });
+      if (line) line.hidden = row.isPossible?.(json) === false;
+    }
+    for (const { number, input } of this.fields) {
+      const value = at(json, number.path);
+      const label = input.closest("label");
+      const unit = label?.querySelector("small");
+      if (unit && number.path === "mounting/position") unit.textContent = this.planner.document.unit.name;
+      if (label) label.hidden = typeof value !== "number";
+      if (typeof value !== "number" || input === document.activeElement) continue;
+      input.value = String(Number((value * number.factor).toPrecision(6)));
+    }
+  }
+
+  private change(make: (edit: EditBuilder) => void): void {
+    const edit = new EditBuilder(this.planner.document.json);
+    make(edit);
+    void this.planner.document.edit({ label: text.variation.edit, ops: edit.ops });
+  }
+
+  private setAll(edit: EditBuilder, varies: boolean): void {
+    edit.set("/variation", undefined);
+    if (!varies) return;
+    edit.set("/variation", {});
+    this.rows.stock.set(edit, true);
+    this.setPeople(edit, true);
+    this.rows.mounting.set(edit, true);
+    if (doorsOf(edit.json).length > 0) this.rows.doors.set(edit, true);
+  }
+
+  private setPeople(edit: EditBuilder, isOn: boolean): void {
+    const { document } = this.planner;
+    if (!isOn) {
+      edit.set("/variation/people", undefined);
+      return;
+    }
+    const name = text.variation.clothes;
+    if (!namesIn(edit.json, "materials", document.shared).includes(name)) edit.set(`/materials/${name}`, usual.clothes);
+    const room = document.parts.all.find(({ kind }) => kind === "room");
+    const number = Math.max(1, Math.round(area(room?.outline ?? []) / usual.people));
+    const size = usual.size.map((length) => length / document.unit.factor);
+    edit.set("/variation/people", [{ area: "room", number: { poisson: number }, size, material: name }]);
+  }
+
+  /** Lengths in the unit of the store. */
+  private inUnit({ position, ...others }: typeof usual.mounting): Json {
+    return { position: Number((position / this.planner.document.unit.factor).toPrecision(3)), ...others };
+  }
+}
