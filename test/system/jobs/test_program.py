@@ -34,6 +34,9 @@ class Job(unittest.TestCase):
         events = [json.loads(line) for line in ended.stdout.splitlines()]
         self.assertEqual(ended.returncode, code, events[-1:])
         self.assertEqual(events[-1]["code"], code)
+        read = [event for event in events if event["event"] == "read"]
+        self.assertLessEqual(len(read), 1)
+        events = [event for event in events if event["event"] != "read"]
         self.assertTrue(all(event["event"] == "progress" for event in events[:-1]))
         return events
 
@@ -54,6 +57,7 @@ class Job(unittest.TestCase):
         placement = json.loads((whole / "placement.json").read_text(encoding="utf-8"))
         self.assertEqual((end["event"], end["complete"]), ("result", True))
         self.assertEqual((end["labels"], end["units"]), (placement["labels"], placement["count"]))
+        self.assertEqual(end["selected"], placement["selected"])
         self.assertIn("transceiver", end["answer"])
         self.assertGreater(len(progress), 0)
 
@@ -61,6 +65,18 @@ class Job(unittest.TestCase):
         one, other = self.plan("one", "--samples", "640"), self.plan("other", "--samples", "640", "--threads", "1")
         self.assertEqual(files(one), files(other))
         self.assertNotEqual((one / "run.json").read_bytes(), (other / "run.json").read_bytes())
+
+    def test_a_first_answer_has_no_files(self):
+        job = self.job("job", preview=str(self.folder))
+        *_, end = self.run_job(job)
+        self.assertGreater(end["units"], 0)
+        self.assertEqual(len(end["selected"]), end["units"])
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["coarse.operator"])
+        # The signals of a plan replace previews, and give its answer.
+        plan = self.plan("plan", "--samples", "640", "--no-certificate")
+        *_, end = self.run_job({**job, "signal": str(plan)})
+        placement = json.loads((plan / "placement.json").read_text(encoding="utf-8"))
+        self.assertEqual(end["selected"], placement["selected"])
 
     def test_errors_are_events(self):
         (end,) = self.run_job('{"store": "a.json", "folder": "b", "plan": {"confidence": 2}}', 2)

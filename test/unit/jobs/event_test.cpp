@@ -56,11 +56,13 @@ class Heard : public ProgressSink {
  public:
   std::vector<std::string> tasks;
   double incumbent = 0;
+  std::vector<std::string> selected = {"before"};
 
   void report(Task task, double fraction, std::string_view detail) override {
     tasks.push_back(std::string(to_text(task)) + (fraction < 0 ? "" : " with share") + std::string(detail));
   }
   void bounds(double best, double) override { incumbent = best; }
+  void selection(const std::vector<std::string>& ids) override { selected = ids; }
 };
 
 TEST(JobEvents, ProgressIsPassedOnAtMostFourTimesASecond) {
@@ -95,6 +97,28 @@ TEST(JobEvents, BoundsAreThoseOfTheTask) {
   progress.bounds(7, 6);
   EXPECT_EQ(next(Task::placing), 0);
   EXPECT_EQ(lines.size(), 4U);
+}
+
+// They may be long, and are written when they change; those of steps are not of the task.
+TEST(JobEvents, SelectionsAreWrittenOnce) {
+  std::vector<std::string> lines;
+  EventProgress progress([&](std::string_view line) { lines.emplace_back(line); });
+  const auto next = [&](Task task, const std::vector<std::string>& ids) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(260));
+    progress.selection(ids);
+    progress.report(task, -1, "");
+    Heard heard;
+    EXPECT_TRUE(pass_on(lines.back(), heard));
+    return heard.selected;
+  };
+  using Ids = std::vector<std::string>;
+  EXPECT_EQ(next(Task::placing, {"a", "b"}), (Ids{"a", "b"}));
+  EXPECT_EQ(next(Task::placing, {"a", "b"}), Ids{"before"});
+  EXPECT_EQ(next(Task::placing, {"a"}), Ids{"a"});
+  EXPECT_EQ(next(Task::verifying, {}), Ids{});
+  EXPECT_EQ(next(Task::placing, {"c"}), Ids{"before"});
+  const auto end = read_end(line_of(JobResult{PlanSummary{}, true, {"a"}}));
+  EXPECT_EQ(std::get<JobResult>(*end).selected, Ids{"a"});
 }
 
 }  // namespace
