@@ -8,8 +8,15 @@ namespace shelfbeam::jobs {
 
 namespace {
 
-// The stages of `plan` and `verify` that simulate and search themselves.
-constexpr std::array stages{Task::verifying, Task::proving, Task::refining, Task::curve, Task::sensitivity};
+// The stages of `plan` and `verify` that simulate and search by steps.
+constexpr std::array stages{Task::simulating_states,
+                            Task::placing_over_states,
+                            Task::fresh_states,
+                            Task::verifying,
+                            Task::proving,
+                            Task::refining,
+                            Task::curve,
+                            Task::sensitivity};
 
 }  // namespace
 

@@ -313,6 +313,11 @@ struct Planner::State {
 
   void follow_plans() {
     const Planning::News news = planning.poll(shop.json(), shop.draft(), project.revision());
+    // Light waits for a first answer, which needs all processors for some seconds.
+    constexpr TabId of_plans = 0;
+    if (news.is_previewing && !is_previewing) light.hold(of_plans);
+    if (!news.is_previewing && is_previewing) light.release(of_plans, LiveLight::Clock::now());
+    is_previewing = news.is_previewing;
     if (news.event) send_to_all(http::Message::text(text_of(*news.event)));
     if (news.reply) server.send(news.reply->first, http::Message::text(text_of(news.reply->second)));
     for (const std::uint64_t plan : news.to_enter) {
@@ -369,6 +374,7 @@ struct Planner::State {
   WarningFinder::Clock::time_point last_look{};
   std::shared_ptr<const std::string> scene;  // with surfaces, of a revision
   std::uint64_t scene_revision = 0;
+  bool is_previewing = false;
   http::Server server;
 };
 

@@ -14,6 +14,7 @@
 
 #include "jobs/plan_folder.hpp"
 #include "serve/live/newest_plan.hpp"
+#include "serve/planning/plan_states.hpp"
 
 namespace shelfbeam::serve {
 
@@ -88,19 +89,26 @@ std::optional<Json> Planning::answer(const Request& request, const Json& store, 
   if (verb == "plan_cancel") return runs_.cancel(request.number("plan")), Json::object();
   if (verb == "plan_forget") return runs_.forget(request.number("plan")), Json::object();
   if (verb == "plan_details") return details(run_with(request.number("plan")), draft);
+  if (verb == "plan_states") {
+    const PlanRun& run = run_with(request.number("plan"));
+    return states_of_plan(folder_ / run.folder, placement_of(run), draft);
+  }
   return {};
+}
+
+Json Planning::placement_of(const PlanRun& run) const {
+  const fs::path file = folder_ / run.folder / jobs::placement_name;
+  if (!is_plain_file(file)) throw InputError(run.folder, "has no plan", "start another plan");
+  try {
+    return Json::parse(read_file(file, max_file));
+  } catch (const Json::exception&) {
+    throw InputError(run.folder, "has a placement.json that is not valid", "start another plan");
+  }
 }
 
 // Its placement.json, and the numbers of the labels in its lists, as far as the shop has them now.
 Json Planning::details(const PlanRun& run, const Draft& draft) const {
-  const fs::path file = folder_ / run.folder / jobs::placement_name;
-  if (!is_plain_file(file)) throw InputError(run.folder, "has no plan", "start another plan");
-  Json plan;
-  try {
-    plan = Json::parse(read_file(file, max_file));
-  } catch (const Json::exception&) {
-    throw InputError(run.folder, "has a placement.json that is not valid", "start another plan");
-  }
+  Json plan = placement_of(run);
   for (const char* key : {"files", "label_names", "sensitivity", "scenarios"}) plan.erase(key);
   std::unordered_map<std::string, std::size_t> number;
   for (std::size_t i = 0; i < draft.scene.labels.size(); ++i) number.emplace(draft.scene.labels[i].id, i);
@@ -170,6 +178,8 @@ Planning::News Planning::poll(const Json& store, const Draft& draft, std::uint64
   News news;
   std::vector<std::uint64_t> changed =
       runs_.poll([&]() -> const std::string& { return shop(store, revision); });
+  news.is_previewing = std::any_of(runs_.all().begin(), runs_.all().end(),
+                                   [](const PlanRun& run) { return run.state == RunState::previewing; });
   for (const std::uint64_t id : runs_.take_finished())
     if (run_with(id).shop == shop(store, revision)) news.to_enter.push_back(id);
   // A shop may be large, so that its hash is told a moment after a change.

@@ -28,8 +28,8 @@ class Planning {
   /// `folder`: of the project. `program`: shelfbeam.
   explicit Planning(std::filesystem::path folder, std::string program = jobs::own_program);
 
-  /// The answer to a request `plan`, `plan_cancel`, `plan_forget` or `plan_details`; nothing for another one.
-  /// Throws InputError.
+  /// The answer to a request `plan`, `plan_cancel`, `plan_forget`, `plan_details` or `plan_states`; nothing
+  /// for another one. Throws InputError.
   std::optional<Json> answer(const Request& request, const Json& store, const Draft& draft);
   /// Begins the answer to a request `difference`. Throws InputError, also while another one is open.
   void begin_difference(const Request& request);
@@ -47,6 +47,7 @@ class Planning {
   struct News {
     std::optional<Json> event = {};                          ///< `plans`, for all pages
     std::optional<std::pair<http::TabId, Json>> reply = {};  ///< that was begun
+    bool is_previewing = false;                ///< a first answer is computed, which should come soon
     std::vector<std::uint64_t> to_enter = {};  ///< plans of this very shop that have ended with units
   };
   /// To be called often. `revision`: of the store.
@@ -59,6 +60,7 @@ class Planning {
  private:
   using Clock = std::chrono::steady_clock;
 
+  Json placement_of(const PlanRun& run) const;
   Json details(const PlanRun& run, const Draft& draft) const;
   const PlanRun& run_with(std::uint64_t id) const;
   const std::string& shop(const Json& store, std::uint64_t revision);

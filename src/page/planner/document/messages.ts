@@ -234,6 +234,8 @@ export interface PlanRun {
   state: "waiting" | "previewing" | "running" | "done" | "stopped" | "failed";
   begun: string;
   ended: string;
+  /** Changes with its files. */
+  written: number;
   /** Equal to that of the event if it is of the present shop. */
   shop: string;
   /** After an interruption of the program. */
@@ -278,9 +280,29 @@ export interface PlanDetails {
       cannot_survive?: boolean;
     };
     price?: { new: number; currency: string | null };
+    /** Only of a shop that changes. */
+    states?: { shown_states: unknown[] };
   };
   /** Indices of labels, by the list that has them. */
   indices: Partial<Record<"missed" | "undecided" | "unreachable" | "not_verified_yet" | "responsible", number[]>>;
+}
+
+/** The shop in one of the states that the report of a plan shows. */
+export interface ShownState {
+  /** Its number. */
+  state: number;
+  /** Indices of labels. */
+  missed: number[];
+  /** Outlines of people and objects, m. */
+  blocks: Point[][];
+  /** Ids of fixtures. */
+  open_doors: string[];
+}
+
+export interface PlanStates {
+  shown: ShownState[];
+  /** By label: the share of the states in which it is reached; empty if no plan was examined. */
+  availability: number[];
 }
 
 export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LightEvent | PlansEvent;

@@ -1,6 +1,6 @@
 // What the page says of the light at one label.
 
-import { decibelText, significant } from "../../data/format";
+import { decibelText, percent, significant } from "../../data/format";
 import type { Item } from "../view/selection";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
@@ -64,16 +64,20 @@ function doubtText(doubts: number): string {
 
 export function lightFacts(planner: Planner, label: number): Fact[] {
   const { light, document } = planner;
-  const level: Fact = [text.light.facts.level, String(document.labels.state[label] + 1)];
+  const availability = planner.plans.states?.availability[label];
+  const level: Fact[] = [
+    [text.light.facts.level, String(document.labels.state[label] + 1)],
+    ...(availability === undefined ? [] : [[text.light.facts.availability, percent(availability)] as Fact]),
+  ];
   const { field } = light;
-  if (!field?.requirement) return [level, [text.light.facts.verdict, text.light.verdicts.unknown]];
+  if (!field?.requirement) return [...level, [text.light.facts.verdict, text.light.verdicts.unknown]];
   const requirement = field.requirement[label];
   const signal = Math.max(field.total[label], 0);
   const reference = requirement > 0 ? requirement : signal;
   const error = Math.sqrt(Math.max(field.variance[label], 0));
   const doubts = doubtText(light.doubts(label));
   return [
-    level,
+    ...level,
     [text.light.facts.verdict, text.light.verdicts[light.verdicts.of(label)]],
     [text.light.facts.signal, signalText(signal, reference)],
     [text.light.facts.error, `±\u00a0${signalText(error, reference, 2)}`],

@@ -38,6 +38,7 @@ export class Overlay {
     const isBusy = scope.kind === "moving" || scope.kind === "rotating";
     return [
       ...this.flawed(),
+      ...this.state(),
       ...this.hovered(),
       ...this.selected(),
       ...(isBusy || scope.kind === "marquee" ? [] : this.grips()),
@@ -71,6 +72,21 @@ export class Overlay {
     return [
       ...[...warnings].flatMap((path) => ring(path, "doubtful")),
       ...[...problems].flatMap((path) => ring(path, "wrong")),
+    ];
+  }
+
+  /** People and objects of a state of the shop, and the labels that are missed in it. */
+  private state(): Node[] {
+    const { document, plans } = this.planner;
+    const { state } = plans;
+    if (!state) return [];
+    const labels = state.missed.filter((index) => index < document.labels.count);
+    return [
+      ...state.blocks.map((outline) => svg("path", { class: "state-block", d: pathOf(this.screen(outline), false) })),
+      ...document.parts.all.flatMap((part) =>
+        part.kind === "fixture" && state.open_doors.includes(part.id) ? [this.outline(part, "state-doors")] : [],
+      ),
+      ...labels.flatMap((index) => this.dots(deviceItem(document.labels, index), "wrong")),
     ];
   }
 

@@ -2,7 +2,7 @@
 
 import type { Changes } from "../changes";
 import type { StoreDocument } from "../document/document";
-import type { PlanDetails, PlanRequest, PlanRun, PlansEvent } from "../document/messages";
+import type { PlanDetails, PlanRequest, PlanRun, PlansEvent, PlanStates, ShownState } from "../document/messages";
 
 export const isActive = ({ state }: PlanRun): boolean =>
   state === "waiting" || state === "previewing" || state === "running";
@@ -12,6 +12,10 @@ export class Plans {
   runs: readonly PlanRun[] = [];
   /** Units of the best selection so far of the plan that runs: indices. */
   proposed: ReadonlySet<number> = new Set();
+  /** Of the plan that is shown, for a shop that changes. */
+  states: PlanStates | null = null;
+  private stateIndex: number | null = null;
+  private statesOf = "";
   private shop = "";
   /** The plan that is shown; null: the newest. */
   private chosen: number | null = null;
@@ -40,6 +44,41 @@ export class Plans {
   /** Whether the shop is the one that was planned; null: unknown. */
   isOfThisShop({ shop }: PlanRun): boolean | null {
     return shop === "" || this.shop === "" ? null : shop === this.shop;
+  }
+
+  /** The state of the shop that the plan shows. */
+  get state(): ShownState | null {
+    return (this.stateIndex === null ? null : this.states?.shown[this.stateIndex]) ?? null;
+  }
+
+  /** The number of the state that is shown, from 1. */
+  get stateNumber(): number {
+    return (this.stateIndex ?? -1) + 1;
+  }
+
+  /** Null: the shop as drawn. */
+  showState(index: number | null): void {
+    this.stateIndex = index;
+    this.changes.note("plans", "preview");
+  }
+
+  /** Asks for the states of the plan that is shown. */
+  async loadStates({ id, written }: PlanRun): Promise<void> {
+    const wanted = `${id} ${written}`;
+    if (this.statesOf === wanted) return;
+    this.forgetStates();
+    this.statesOf = wanted;
+    const states = await this.document.request<PlanStates>("plan_states", { plan: id }).catch(() => null);
+    if (this.statesOf !== wanted) return;
+    this.states = states;
+    this.changes.note("plans");
+  }
+
+  forgetStates(): void {
+    const had = this.states !== null;
+    this.statesOf = "";
+    this.states = null;
+    if (had || this.stateIndex !== null) this.showState(null);
   }
 
   async start(plan: PlanRequest, label: string): Promise<void> {
@@ -76,7 +115,10 @@ export class Plans {
     this.runs = [...byId.values()].sort((a, b) => b.id - a.id);
     for (const { id } of [...(all ?? []), ...set]) this.known.delete(id);
     if (shop !== undefined) {
-      if (shop !== this.shop) this.known.clear();
+      if (shop !== this.shop) {
+        this.known.clear(); // labels have other numbers
+        this.forgetStates();
+      }
       this.shop = shop;
     }
     this.proposed = new Set(this.active?.progress?.units ?? []);

@@ -34,7 +34,8 @@ export class Result {
     this.root.hidden = run === null;
     if (!run) return;
     const onPlan = this.planner.light.units.map(({ id }) => id);
-    const version = JSON.stringify([run, plans.isOfThisShop(run), document.locked, onPlan]);
+    const states = [plans.states?.shown.length, plans.stateNumber];
+    const version = JSON.stringify([run, plans.isOfThisShop(run), document.locked, onPlan, states]);
     if (version === this.version) return;
     this.version = version;
     this.show(run, null);
@@ -55,7 +56,7 @@ export class Result {
       element("p", { class: "answer", text: answer }),
       ...this.remarks(run).map((remark) => element("p", { class: "note", text: remark })),
       ...this.buttons(run),
-      ...(details ? [...this.alternatives(details), ...this.labels(details)] : []),
+      ...(details ? [...this.states(run, details), ...this.alternatives(details), ...this.labels(details)] : []),
       ...(result?.event === "result" ? [this.files(run)] : []),
     ]);
   }
@@ -93,6 +94,41 @@ export class Result {
   private isInShop(ids: readonly string[]): boolean {
     const { units } = this.planner.light;
     return units.length === ids.length && units.every(({ id }) => ids.includes(id));
+  }
+
+  /** The states of a shop that changes, one by one. */
+  private states(run: PlanRun, { details }: PlanDetails): HTMLElement[] {
+    const { plans } = this.planner;
+    if (!details.states) {
+      plans.forgetStates();
+      return [];
+    }
+    void plans.loadStates(run);
+    const count = plans.states?.shown.length ?? 0;
+    if (count === 0) return [];
+    const { state, stateNumber: number } = plans;
+    const go = (to: number) => () => plans.showState(to <= 0 || to > count ? null : to - 1);
+    const words = state
+      ? [
+          say(text.plans.state, String(number), String(count)),
+          counted(text.plans.state_missed, state.missed.length),
+          counted(text.plans.state_blocks, state.blocks.length),
+          ...(state.open_doors.length > 0 ? [say(text.plans.state_doors, state.open_doors.join(", "))] : []),
+        ].join(" ")
+      : text.plans.state_none;
+    return [
+      element("h4", { text: text.plans.states_title }),
+      element("p", { class: "note", role: "status", text: words }),
+      element(
+        "div",
+        { class: "steps" },
+        button("‹", go(state ? number - 1 : count), {
+          "aria-label": text.plans.state_before,
+          "data-key": "state-before",
+        }),
+        button("›", go(number + 1), { "aria-label": text.plans.state_next, "data-key": "state-next" }),
+      ),
+    ];
   }
 
   private alternatives(details: PlanDetails): HTMLElement[] {

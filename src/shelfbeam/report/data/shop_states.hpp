@@ -10,6 +10,11 @@
 
 namespace shelfbeam {
 
+class StoreStates;
+
+/// One of the states of a store, with the verdicts of a plan in it.
+ShopState shop_state(const StoreStates& states, const Store& store, ShownState verdicts);
+
 /// The shown states of a plan, drawn again from the store, its scene, and the seed of the matrix. Empty for a
 /// plan without such states or a store without variation.
 std::vector<ShopState> shop_states(const Store& store, const Scene& scene, const SignalMatrix& matrix,

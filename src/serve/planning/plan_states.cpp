@@ -1,0 +1,67 @@
+#include "serve/planning/plan_states.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "shelfbeam/report/data/shop_states.hpp"
+#include "shelfbeam/scene/read_scene.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
+
+#include "jobs/plan_folder.hpp"
+
+namespace shelfbeam::serve {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json outlines_of(const ShopState& state) {
+  Json blocks = Json::array();
+  for (const ShopState::Block& block : state.blocks) {
+    Json outline = Json::array();
+    for (const Vec2& corner : block.footprint) outline.push_back({corner[0], corner[1]});
+    blocks.push_back(std::move(outline));
+  }
+  return blocks;
+}
+
+}  // namespace
+
+Json states_of_plan(const std::filesystem::path& folder, const Json& placement, const Draft& draft) {
+  Json result{{"shown", Json::array()}, {"availability", Json::array()}};
+  const auto found = placement.find("states");
+  if (found == placement.end()) return result;
+  const Store store = read_store(folder / jobs::store_name);
+  const Scene scene = make_scene(store);
+  const StoreStates states(store, scene, placement.value("seed", std::uint64_t{1}));
+  std::unordered_map<std::string, std::size_t> number;
+  for (std::size_t i = 0; i < draft.scene.labels.size(); ++i) number.emplace(draft.scene.labels[i].id, i);
+  for (const Json& one : found->value("shown_states", Json::array())) {
+    ShownState verdicts;
+    verdicts.number = one.at("state");
+    const ShopState state = shop_state(states, store, std::move(verdicts));
+    Json missed = Json::array();
+    for (const Json& id : one.at("missed"))
+      if (const auto label = number.find(id.get<std::string>()); label != number.end())
+        missed.push_back(label->second);
+    result["shown"].push_back({{"state", one.at("state")},
+                               {"missed", std::move(missed)},
+                               {"blocks", outlines_of(state)},
+                               {"open_doors", state.open_doors}});
+  }
+  const Json examined = found->value("examined", Json::array());
+  const double count = examined.empty() ? 0 : examined.back().at("states").get<double>();
+  if (count == 0) return result;
+  Json& availability = result["availability"];
+  const Json& misses = examined.back().at("missed");
+  for (const Label& label : draft.scene.labels) {
+    const auto of_label = misses.find(label.id);
+    availability.push_back(of_label == misses.end() ? 1 : 1 - of_label->get<double>() / count);
+  }
+  return result;
+}
+
+}  // namespace shelfbeam::serve
