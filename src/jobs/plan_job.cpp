@@ -10,7 +10,9 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/store/given_units.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
 #include "jobs/plan_files.hpp"
@@ -89,6 +91,7 @@ Store store_of(const PlanJob& job, const CancelToken* cancel) {
                                        .cancel = cancel});
   for (const std::string& unit : job.units.pinned) store.pinned.push_back({unit, job.store.string()});
   for (const std::string& unit : job.units.excluded) store.excluded.push_back({unit, job.store.string()});
+  leave_out(store, job.without);
   return store;
 }
 
@@ -125,6 +128,7 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
     request.problem.redundant = request.problem.redundant || given.problem.redundant;
     request.states = 0;
   }
+  if (states_of(request, store) == 0) expect_no_goal({}, job.without);
   const std::string resolved = resolved_store_json(store, scene);
   expect_own_folder(job.folder, job.store, resolved);
   PlanInputs inputs{.sampled = job.sampled,

@@ -22,7 +22,8 @@ namespace shelfbeam::jobs {
 struct PlanJob {
   std::filesystem::path store, folder;
   PlanRequest plan = {};
-  UnitChoice units = {};  ///< besides those of the store
+  UnitChoice units = {};            ///< besides those of the store
+  std::vector<Cause> without = {};  ///< left out of the variation, besides those of the store
   /// Units to be examined instead of planned (given_units); empty: those of the store. Their problem is that
   /// of the file, with `model` and unit failure of this job if these are given.
   std::optional<std::filesystem::path> selection = {};

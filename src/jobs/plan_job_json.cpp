@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -74,6 +75,10 @@ void paths(Fields& f, std::string_view key, std::vector<std::filesystem::path>& 
 void texts(Fields& f, std::string_view key, std::vector<std::string>& values, std::string_view says) {
   list(f, key, values, says, std::mem_fn(&JsonCursor::text),
        [](const std::string& text) { return Json(text); });
+}
+
+Cause read_cause(const JsonCursor& json) {
+  return cause_of_key(json.choice(std::span(cause_keys)));
 }
 
 // Limits are those of the command line, where a positive number has no other.
@@ -213,6 +218,8 @@ void describe(Fields& f, PlanJob& job) {
   name(f, "model", job.model, "of a selection: instead of its own");
   texts(f, "pinned", job.units.pinned, "ids or patterns of units that are part of the plan");
   texts(f, "excluded", job.units.excluded, "ids or patterns of units that are not");
+  list(f, "without", job.without, "keys of `variation`, or `reflectances`: changes that are left out",
+       read_cause, [](Cause cause) { return Json(key_of(cause)); });
   path(f, "signal", job.signal, "signals to reuse if they fit: a signal file, or the folder of a plan");
   paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
   path(f, "preview", job.preview,

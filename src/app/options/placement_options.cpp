@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/solver.hpp"
@@ -228,6 +229,21 @@ void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, con
       "Instead, maximum mean number of missed labels")
       ->excludes(labels)
       ->excludes(shop);
+}
+
+void add_without(CLI::App& verb, std::vector<Cause>& without) {
+  verb.add_option_function<std::vector<std::string>>(
+          "--without",
+          [&without](const std::vector<std::string>& keys) {
+            for (const std::string& key : keys) without.push_back(cause_of_key(key));
+          },
+          fmt::format(
+              "Leave these changes out: keys of 'variation' ('mounting' includes 'unit_power_db'), or "
+              "'reflectances' for their ranges. {}",
+              fmt::join(cause_keys, ", ")))
+      ->transform(one_of({cause_keys.begin(), cause_keys.end()}))
+      ->option_text("KEY...")
+      ->group(group::states);
 }
 
 }  // namespace shelfbeam::app

@@ -13,6 +13,7 @@
 #include "shelfbeam/plan/answer/availability.hpp"
 #include "shelfbeam/plan/question/partial_question.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
+#include "shelfbeam/scene/variation.hpp"
 #include "shelfbeam/signal/constraints/table_constraints.hpp"
 #include "shelfbeam/signal/constraints/unit_choice.hpp"
 #include "shelfbeam/signal/tables/table_reading.hpp"
@@ -58,5 +59,8 @@ void add_certificate_options(CLI::App& verb, double& confidence, double& budget_
 /// Number of states, with its help text, and goal for a shop that changes.
 void add_state_options(CLI::App& verb, std::optional<std::uint32_t>& states, const std::string& text,
                        AvailabilityGoal& goal);
+
+/// --without.
+void add_without(CLI::App& verb, std::vector<Cause>& without);
 
 }  // namespace shelfbeam::app

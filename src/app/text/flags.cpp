@@ -44,7 +44,8 @@ std::string with_flags(std::string_view message, std::span<const Setting> settin
       {Setting::time_limit, "--time-limit"},
       {Setting::solver, "--solver"},
       {Setting::pinned, "--pin"},
-      {Setting::excluded, "--exclude"}};
+      {Setting::excluded, "--exclude"},
+      {Setting::without, "--without"}};
   std::vector<std::string_view> named;
   for (const Setting setting : settings)
     if (const auto found = flags.find(setting); found != flags.end()) named.push_back(found->second);

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shelfbeam/base/text.hpp"
 
@@ -69,6 +72,11 @@ std::vector<std::string> variation_lines(const Store& store) {
   if (variation.label_sensitivity_db > 0)
     lines.push_back(fmt::format("the sensitivity of labels varies by {:.3g} dB (standard deviation)",
                                 variation.label_sensitivity_db));
+  if (!variation.without.empty()) {
+    std::vector<std::string_view> keys;
+    for (const Cause cause : variation.without) keys.push_back(key_of(cause));
+    lines.push_back(fmt::format("left out: {}", fmt::join(keys, ", ")));
+  }
   return lines;
 }
 

@@ -180,6 +180,7 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
       "States of a shop with 'variation' on which units are placed; default 100; 0: the shop as in "
       "the store file",
       job.plan.goal);
+  add_without(*verb, job.without);
   verb->add_option(
           "--sampled", job.sampled,
           "Outputs of 'simulate --states N --for-plan', all parts in any order: the states on which units "

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
+#include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/reflectance_ends.hpp"
 #include "shelfbeam/report/messages/light.hpp"
 #include "shelfbeam/report/text/words.hpp"
@@ -23,6 +25,7 @@
 #include "shelfbeam/transport/world/coverage.hpp"
 
 #include "app/options/arguments.hpp"
+#include "app/options/placement_options.hpp"
 #include "app/options/simulation_options.hpp"
 #include "app/text/end_at_once.hpp"
 #include "app/text/simulation_text.hpp"
@@ -43,6 +46,7 @@ struct SimulateArguments {
   std::uint32_t states = 0;
   std::size_t hard_labels = 1000;
   std::optional<std::uint64_t> state;
+  std::vector<Cause> without;
   Share part;
   bool for_plan = false, allow_outside = false, strict = false;
 };
@@ -61,8 +65,8 @@ int simulate_states_to_file(const SimulateArguments& options, const Store& store
     try {
       const StateRange range{.first = 0, .count = options.states};
       signals = options.for_plan
-                    ? simulate_planning_states(with_reflectances_at(RangeEnd::low, store),
-                                               with_reflectances_at(RangeEnd::low, scene), simulation, range,
+                    ? simulate_planning_states(with_reflectances_for_states(store, store),
+                                               with_reflectances_for_states(store, scene), simulation, range,
                                                log, control)
                     : simulate_states(store, scene, simulation, range, options.hard_labels, log, control);
     } catch (const Interrupted&) {
@@ -96,10 +100,12 @@ int run_simulate(const SimulateArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   std::optional<EndAtOnce> reading(stopped_early);
   protect_input(options.output, options.store);
-  const Store store = read_store(options.store, {.allow_outside = options.allow_outside,
-                                                 .memory = options.simulation.memory,
-                                                 .output = options.output,
-                                                 .cancel = &cancel});
+  Store store = read_store(options.store, {.allow_outside = options.allow_outside,
+                                           .memory = options.simulation.memory,
+                                           .output = options.output,
+                                           .cancel = &cancel});
+  if (options.states == 0 && !options.state) expect_no_goal({}, options.without);
+  leave_out(store, options.without);
   const Scene nominal = make_inspected_scene(store);
   const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
   SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
@@ -167,6 +173,7 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
       .add("--state", options->state, whole_number("K", 0),
            "Simulate the shop in state K, counted from 0, as 'inspect --state K -o' writes it")
       ->excludes(states);
+  add_without(*verb, options->without);
   add_part(*verb, options->part);
   add_run_options(*verb, options->simulation, options->simulation.checkpoint);
   add_store_options(*verb, options->allow_outside);

@@ -50,6 +50,7 @@ struct VerifyArguments {
   std::optional<CommunicationModel> model;
   std::optional<std::uint32_t> states;
   AvailabilityGoal goal;
+  std::vector<Cause> without;
   bool survive_failure = false;
   std::filesystem::path store, placement, output;
   std::optional<std::filesystem::path> signal;  ///< of the report
@@ -66,10 +67,11 @@ Installation load_installation(const VerifyArguments& options) {
   const std::filesystem::path& units = options.placement;
   const CancelToken& cancel = cancel_on_signal();
   const EndAtOnce reading(stopped_early);
-  const Store store = read_store(options.store, {.allow_outside = options.allow_outside,
-                                                 .memory = options.simulation.memory,
-                                                 .output = options.output,
-                                                 .cancel = &cancel});
+  Store store = read_store(options.store, {.allow_outside = options.allow_outside,
+                                           .memory = options.simulation.memory,
+                                           .output = options.output,
+                                           .cancel = &cancel});
+  leave_out(store, options.without);
   const Scene scene = make_scene(with_candidates_of(units, store));
   const Placement given = given_units(units, scene, options.store);
   return {store, with_units(scene, given.selected), given.problem};
@@ -140,7 +142,7 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
 
 int run_verify(const VerifyArguments& options) {
   if (is_folder(options.output)) {
-    expect_no_goal(options.goal);
+    expect_no_goal(options.goal, options.without);
     if (options.states.value_or(0) > 0)
       throw InputError(options.output.string(), "is the folder of a report, which has no states",
                        "name a CSV file with the ending .csv");
@@ -155,7 +157,7 @@ int run_verify(const VerifyArguments& options) {
   if (options.states.value_or(0) > 0)
     expect_variation(installation.store);
   else
-    expect_no_goal(options.goal);
+    expect_no_goal(options.goal, options.without);
   PlacementProblem problem = installation.problem;
   problem.model = options.model.value_or(problem.model);
   problem.redundant = problem.redundant || options.survive_failure;
@@ -208,6 +210,7 @@ void add_verify(CLI::App& app, ChosenVerb& chosen) {
                     "Examine the units in this many states of a shop with 'variation', and name the best "
                     "addition",
                     options->goal);
+  add_without(*verb, options->without);
   add_simulation_options(*verb, options->simulation, DirectLight::exact);
   add_run_options(*verb, options->simulation, options->simulation.checkpoint);
   OptionGroup(*verb, group::simulation)

@@ -41,7 +41,8 @@ enum class Setting {
   time_limit,
   solver,
   pinned,
-  excluded
+  excluded,
+  without
 };
 
 /// Wrong input. The message states the location, the problem and a suggestion. It may quote any bytes of

@@ -1,7 +1,9 @@
 #include "shelfbeam/scene/variation.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -92,6 +94,16 @@ void OpenDoors::fields(Fields& f) {
   f.scalar("open", Scalar::share, open, {.says = "share of the time in which the doors are open"});
 }
 
+bool StoreVariation::varies(Cause cause) const {
+  return std::find(without.begin(), without.end(), cause) == without.end();
+}
+
+void StoreVariation::leave_out(const std::vector<Cause>& causes) {
+  without.insert(without.end(), causes.begin(), causes.end());
+  std::sort(without.begin(), without.end());
+  without.erase(std::unique(without.begin(), without.end()), without.end());
+}
+
 void StoreVariation::fields(Fields& f) {
   if (describe_share_range(
           f, "stocking", stocking,
@@ -169,6 +181,19 @@ void StoreVariation::fields(Fields& f) {
             .most = max_decibels,
             .unit = "dB",
             .is_optional = true});
+  std::vector<std::string_view> left_out;
+  for (const Cause cause : without) left_out.push_back(key_of(cause));
+  if (f.choices(
+          "without", left_out, cause_keys, false,
+          {.says = "causes that are [left out](#causes-left-out): they are as in the file in all states",
+           .is_optional = true,
+           .otherwise = "none",
+           .is_written = !without.empty()})) {
+    without.clear();
+    std::vector<Cause> causes;
+    for (const std::string_view key : left_out) causes.push_back(cause_of_key(key));
+    leave_out(causes);
+  }
 }
 
 }  // namespace shelfbeam

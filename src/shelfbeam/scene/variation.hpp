@@ -1,17 +1,56 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "shelfbeam/base/ids.hpp"
+#include "shelfbeam/base/names.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/scene/room_shape.hpp"
 
 namespace shelfbeam {
+
+/// The causes of a shop's changes, and the unknown reflectances, which do not change with time.
+enum class Cause {
+  stock,
+  people,
+  objects,
+  doors,
+  mounting,  ///< position, tilt and power of units
+  labels,    ///< their sensitivity
+  reflectance
+};
+
+template <>
+inline constexpr auto names_of<Cause> = std::to_array<Named<Cause>>({{"stock", Cause::stock},
+                                                                     {"people", Cause::people},
+                                                                     {"objects", Cause::objects},
+                                                                     {"doors", Cause::doors},
+                                                                     {"mounting", Cause::mounting},
+                                                                     {"labels", Cause::labels},
+                                                                     {"reflectance", Cause::reflectance}});
+
+/// The key of the store file that describes a cause, by which users leave it out; "mounting" stands for
+/// "unit_power_db", too.
+inline constexpr std::array<std::string_view, names_of<Cause>.size()> cause_keys{
+    "stocking", "people", "objects", "doors", "mounting", "label_sensitivity_db", "reflectances"};
+
+constexpr std::string_view key_of(Cause cause) {
+  return cause_keys[static_cast<std::size_t>(cause)];
+}
+/// Precondition: it is one of cause_keys.
+constexpr Cause cause_of_key(std::string_view key) {
+  std::size_t k = 0;
+  while (cause_keys[k] != key) ++k;
+  return static_cast<Cause>(k);
+}
 
 /// A number between two ends, uniformly distributed.
 struct Range {
@@ -69,6 +108,11 @@ struct StoreVariation {
   std::vector<StandingBoxes> boxes;  ///< people, then objects
   /// Standard deviations.
   double position = 0, tilt_deg = 0, unit_power_db = 0, label_sensitivity_db = 0;
+  std::vector<Cause> without;  ///< these are as in the file in all states; ascending
+
+  bool varies(Cause cause) const;
+  /// Adds causes to `without`.
+  void leave_out(const std::vector<Cause>& causes);
 
   void fields(Fields& f);
 };

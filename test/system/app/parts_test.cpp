@@ -139,6 +139,8 @@ TEST_F(PartsSlow, ServeAPlanOverStates) {
   refused(plan + "-o @other --sampled @1.h5 @3.h5", {"number 2 is missing"});
   refused("plan @store.json --states 21 --seed 3 -o @other --sampled @1.h5 @2.h5 @3.h5",
           {"20 states, but the plan needs 21"});
+  // States in which another set of causes changes are those of another store.
+  refused(plan + "-o @other --without mounting --sampled @1.h5 @2.h5 @3.h5", {"1.h5: is of another store"});
   refused("plan @store.json --states 0 --seed 3 -o @other --sampled @1.h5 @2.h5 @3.h5", {"--sampled"});
   refused("merge @1.h5 @2.h5 @3.h5 -o @merged.h5", {"1.h5: serves a plan"});
   told("simulate @store.json --states 20 --seed 3 --part 1/1 -o @whole.h5");

@@ -18,6 +18,7 @@ PlanJob job_with_all_values() {
   job.selection = "placement.json";
   job.model = CommunicationModel::non_cooperative;
   job.units = {{"G1-1-1", "till*"}, {"G1-?-2"}};
+  job.without = {Cause::people, Cause::reflectance};
   job.sampled = {"one.h5", "two.h5"};
   job.threads = 3;
   job.checkpoint.resume = true;

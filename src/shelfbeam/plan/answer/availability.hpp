@@ -145,3 +145,4 @@ struct Availability {
 };
 
 }  // namespace shelfbeam
+  std::vector<std::string> without;    ///< names of the causes that are left out

@@ -125,6 +125,7 @@ void describe(Record& record, Availability& a) {
   record.list("shown_states", a.shown);
   record.id_list("responsible", a.responsible, labels);
   record.list("at_risk", a.at_risk);
+  record.later().texts("without", a.without);
   record.note("addition", [&] { return addition_json(a, record.ids()); });
   // Format 1 has sentences instead, which are omitted.
   const auto read_assumed = [&](const JsonCursor& json) {

@@ -8,14 +8,19 @@
 
 namespace shelfbeam {
 
-void expect_no_goal(const AvailabilityGoal& goal) {
+void expect_no_goal(const AvailabilityGoal& goal, std::span<const Cause> without) {
+  const auto suggestion =
+      "omit it, or give the store file a section 'variation' and set the number of states";
+  if (!without.empty())
+    throw InputError("the choice of changes that are left out",
+                     "applies to the states of a shop that changes, but none are examined", suggestion,
+                     Setting::without);
   if (!goal.value) return;
   const Setting setting = goal.rule == AvailabilityRule::labels ? Setting::availability
                           : goal.rule == AvailabilityRule::shop ? Setting::all_at_once
                                                                 : Setting::mean_missed;
   throw InputError("the goal", "applies to the states of a shop that changes, but none are examined",
-                   "omit it, or give the store file a section 'variation' and set the number of states",
-                   setting);
+                   suggestion, setting);
 }
 
 std::vector<double> required_availabilities(const Scene& scene, const AvailabilityGoal& goal) {

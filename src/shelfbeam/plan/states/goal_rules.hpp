@@ -9,13 +9,14 @@
 #include "shelfbeam/placement/states/misses.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/variation.hpp"
 
 namespace shelfbeam {
 
 // The goals of availability.hpp as numbers of states.
 
-/// Throws InputError for a goal if no states are examined.
-void expect_no_goal(const AvailabilityGoal& goal);
+/// Throws InputError for a goal, or for causes that are left out, if no states are examined.
+void expect_no_goal(const AvailabilityGoal& goal, std::span<const Cause> without = {});
 
 /// The required availability of every label.
 std::vector<double> required_availabilities(const Scene& scene, const AvailabilityGoal& goal);

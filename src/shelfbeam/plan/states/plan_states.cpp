@@ -41,8 +41,8 @@ class Planner {
  public:
   Planner(const Store& store, const Scene& scene, const SignalTable& table, const Placement& nominal,
           const StatesOptions& options, ResultLog& log, const RunControl& control)
-      : scene_(with_reflectances_at(RangeEnd::low, scene)),
-        store_(with_reflectances_at(RangeEnd::low, store)),
+      : scene_(with_reflectances_for_states(store, scene)),
+        store_(with_reflectances_for_states(store, store)),
         states_(store_, scene_, options.simulation.seed),
         all_(table),
         options_(options),
@@ -60,6 +60,7 @@ class Planner {
   PlanOverStates run() {
     if (options_.sampled != nullptr)
       options_.sampled->expect(scene_.store_hash, options_.simulation.seed, scene_.labels.size(),
+    answer.without = causes_left_out(store);
                                scene_.transceivers.size(), options_.sample);
     Availability& answer = result_.availability;
     const auto begun = std::chrono::steady_clock::now();

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "shelfbeam/material/material.hpp"
 #include "shelfbeam/scene/scene.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 namespace shelfbeam {
 
@@ -20,6 +22,17 @@ T with_reflectances_at(RangeEnd end, T shop) {
       material.material =
           with_reflectance(material.material, (*material.reflectance_range)[static_cast<std::size_t>(end)]);
   return shop;
+}
+
+/// Whether a plan over the states of a store has its reflectances at the low ends.
+inline bool varies_reflectances(const Store& store) {
+  return !store.variation || store.variation->varies(Cause::reflectance);
+}
+
+/// The store, or a scene of it, with the reflectances of a plan over its states.
+template <class T>
+T with_reflectances_for_states(const Store& store, T shop) {
+  return varies_reflectances(store) ? with_reflectances_at(RangeEnd::low, std::move(shop)) : shop;
 }
 
 template <class T>

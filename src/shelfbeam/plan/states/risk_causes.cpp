@@ -105,7 +105,7 @@ std::vector<LabelAtRisk> risk_causes(const StoreStates& states, const Scene& uni
     const SignalMoments changed = causes.moments(cause);
     add(to_text(cause), [&](std::size_t i) { return changed[i].variance() - as_given[i].variance(); });
   }
-  if (has_reflectance_range(part)) {
+  if (states.varies(Cause::reflectance) && has_reflectance_range(part)) {
     const SignalMoments high = causes.moments_at_high_reflectances();
     add("reflectance", [&](std::size_t i) {
       const double range = high[i].mean() - as_given[i].mean();

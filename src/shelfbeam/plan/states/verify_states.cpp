@@ -14,6 +14,7 @@
 #include "shelfbeam/placement/states/state_search.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/question/question_key.hpp"
+#include "shelfbeam/plan/states/assumed_variation.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 #include "shelfbeam/plan/states/fresh_states.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
@@ -71,14 +72,15 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
 Availability verify_over_states(const Store& store, const Scene& scene, const Scene& units,
                                 const PlacementProblem& problem, const VerifyStatesOptions& options,
                                 ResultLog& log, const RunControl& control) {
-  const Store low_store = with_reflectances_at(RangeEnd::low, store);
-  const Scene low_units = with_reflectances_at(RangeEnd::low, units);
+  const Store low_store = with_reflectances_for_states(store, store);
+  const Scene low_units = with_reflectances_for_states(store, units);
   const Scene all = with_candidates(low_units, scene);
   const StoreStates states(low_store, all, options.simulation.seed);
   Availability found;
   found.goal = options.goal;
   found.confidence = options.confidence;
   found.required = required_availabilities(units, options.goal);
+  found.without = causes_left_out(store);
   {
     const StateExamination examination(states, low_units, problem, options.simulation, log, control);
     const std::uint64_t question =

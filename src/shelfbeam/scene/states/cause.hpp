@@ -5,27 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "shelfbeam/base/names.hpp"
+#include "shelfbeam/scene/variation.hpp"
 
 namespace shelfbeam {
-
-/// The causes of a shop's changes.
-enum class Cause {
-  stock,
-  people,
-  objects,
-  doors,
-  mounting,  ///< position, tilt and power of units
-  labels     ///< their sensitivity
-};
-
-template <>
-inline constexpr auto names_of<Cause> = std::to_array<Named<Cause>>({{"stock", Cause::stock},
-                                                                     {"people", Cause::people},
-                                                                     {"objects", Cause::objects},
-                                                                     {"doors", Cause::doors},
-                                                                     {"mounting", Cause::mounting},
-                                                                     {"labels", Cause::labels}});
 
 /// The number of the state from which each cause takes its draws. Without a number it is as in the file.
 class StateNumbers {
@@ -33,7 +15,8 @@ class StateNumbers {
   /// State k.
   explicit StateNumbers(std::uint64_t k) { numbers_.fill(k); }
 
-  /// One cause is as in state k, all others as in the file. Without a cause, nothing changes.
+  /// One cause is as in state k, all others as in the file. Without a cause, nothing changes. Reflectances
+  /// are those of the store in every state.
   static StateNumbers only(std::optional<Cause> cause, std::uint64_t k) {
     StateNumbers numbers(k);
     numbers.numbers_.fill({});

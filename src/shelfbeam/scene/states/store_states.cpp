@@ -87,7 +87,7 @@ class StoreStates::Drawing {
   }
 
  private:
-  bool varies(Cause cause) const { return numbers_.of(cause).has_value(); }
+  bool varies(Cause cause) const { return numbers_.of(cause).has_value() && variation_.varies(cause); }
   Draws draws(Cause cause, std::string_view kind, std::string_view id) const {
     return Draws(states_.seed_, *numbers_.of(cause), fmt::format("{}/{}", kind, id));
   }
@@ -254,6 +254,14 @@ void expect_variation(const Store& store) {
                      "add the section, even if it is empty");
 }
 
+void leave_out(Store& store, const std::vector<Cause>& causes) {
+  if (causes.empty()) return;
+  if (!store.variation)
+    throw InputError(store.file, "has no section 'variation', so there is no change to leave out",
+                     "add the section, or leave out nothing", Setting::without);
+  store.variation->leave_out(causes);
+}
+
 StoreStates::StoreStates(const Store& store, const Scene& scene, std::uint64_t seed)
     : store_(store), scene_(scene), seed_(seed), floor_(scene), mounting_(scene) {
   expect_variation(store);
@@ -283,6 +291,7 @@ std::vector<Cause> StoreStates::causes() const {
   if (variation.position > 0 || variation.tilt_deg > 0 || variation.unit_power_db > 0)
     causes.push_back(Cause::mounting);
   if (variation.label_sensitivity_db > 0) causes.push_back(Cause::labels);
+  std::erase_if(causes, [&](Cause cause) { return !variation.varies(cause); });
   return causes;
 }
 

@@ -14,6 +14,10 @@ namespace shelfbeam {
 /// Throws InputError if the store has no section "variation".
 void expect_variation(const Store& store);
 
+/// Leaves some causes out of the variation of a store. Throws InputError if there are some, but no section
+/// "variation".
+void leave_out(Store& store, const std::vector<Cause>& causes);
+
 /// The states of a shop: draws of the variation of its store file (docs/formats/store/variation.md). State k
 /// depends on the store, the seed and k only.
 class StoreStates {
@@ -28,7 +32,9 @@ class StoreStates {
   /// Causes from different states, with the labels and transceivers of `devices` alone, some of the scene's.
   Store state(const StateNumbers& numbers, const Scene& devices) const;
 
-  /// The causes that change something.
+  /// Whether the file does not leave a cause out.
+  bool varies(Cause cause) const { return store_.variation->varies(cause); }
+  /// The causes that change something, without reflectances.
   std::vector<Cause> causes() const;
 
  private:

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/control.hpp"
@@ -270,6 +271,66 @@ TEST(StoreStates, OptionsOfAMountingPointMoveTogether) {
     ++pairs;
   }
   EXPECT_GT(pairs, 10U);
+}
+
+// What a cause draws in a state, as text. The place of an object depends on the people who stand there first.
+std::string drawn(const Store& state, Cause cause) {
+  std::string text;
+  for (const auto& [fixture, where] : state.fixtures) {
+    const Shelving* shelving = shelving_of(fixture);
+    if (cause == Cause::stock && shelving != nullptr)
+      text += fmt::format("{} {};", shelving->stocking, shelving->arrangement);
+    if (cause == Cause::doors && shelving != nullptr) text += shelving->doors_open ? "open;" : "shut;";
+    const auto* box = std::get_if<Box>(&fixture);
+    const bool is_person = box != nullptr && box->id.starts_with("person"),
+               is_object = box != nullptr && box->id.starts_with("pallet");
+    if (cause == Cause::people && is_person)
+      text += fmt::format("{} {} {} {};", box->id, box->min.x, box->min.y, box->rotation_deg);
+    if (cause == Cause::objects && is_object) text += box->id;
+  }
+  if (cause == Cause::mounting)
+    for (const auto& [unit, where] : state.transceivers)
+      text += fmt::format("{} {} {} {};", unit.position.x, unit.position.y, unit.axis.x, unit.relative_power);
+  if (cause == Cause::labels)
+    for (const auto& [label, where] : state.labels) text += fmt::format("{};", label.relative_sensitivity);
+  return text;
+}
+
+TEST(StoreStates, LeaveCausesOutWithoutChangingOthers) {
+  const Shop whole;
+  const std::vector<Cause> causes = whole.states.causes();
+  ASSERT_EQ(causes.size(), cause_keys.size() - 1);
+  for (const Cause without : causes) {
+    Json json = shop();
+    json["variation"]["without"] = {key_of(without)};
+    const Shop part(json);
+    std::vector<Cause> others = causes;
+    std::erase(others, without);
+    EXPECT_EQ(part.states.causes(), others);
+    bool differs = false;
+    for (std::uint64_t k = 0; k < 20; ++k) {
+      const Store state = part.states.state(k), full = whole.states.state(k),
+                  fixed = whole.states.state(StateNumbers::only({}, k), whole.scene);
+      EXPECT_EQ(state.name, full.name);
+      for (const Cause cause : others) EXPECT_EQ(drawn(state, cause), drawn(full, cause)) << k;
+      EXPECT_EQ(drawn(state, without), drawn(fixed, without)) << k;
+      differs = differs || drawn(full, without) != drawn(fixed, without);
+    }
+    EXPECT_TRUE(differs) << key_of(without);
+  }
+}
+
+TEST(StoreStates, LeaveOutOnlyChangesOfAVariation) {
+  Json json = shop();
+  Store store = test::read_text(json.dump());
+  leave_out(store, {Cause::doors, Cause::stock, Cause::doors});
+  EXPECT_EQ(store.variation->without, (std::vector{Cause::stock, Cause::doors}));
+  EXPECT_NE(make_scene(store).store_hash, Shop().scene.store_hash);
+  json.erase("variation");
+  Store fixed = test::read_text(json.dump());
+  leave_out(fixed, {});
+  EXPECT_NE(test::input_error([&] { leave_out(fixed, {Cause::people}); }).find("has no section 'variation'"),
+            std::string::npos);
 }
 
 TEST(StoreStates, NeedAVariation) {
