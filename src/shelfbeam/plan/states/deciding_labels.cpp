@@ -19,9 +19,16 @@ constexpr double little_reserve = 1.1;
 }  // namespace
 
 DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all,
+                               const PlacementProblem& problem)
+    : sample_(sample),
+      all_(all),
+      problem_(problem),
+      row_of_(all.rows(), no_row),
+      table_(make_state_table(all_, {}, sample_.count())) {}
+
+DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all,
                                const PlacementProblem& problem, std::span<const std::uint32_t> start)
-    : sample_(sample), all_(all), problem_(problem), row_of_(all.rows(), no_row) {
-  table_ = make_state_table(all_, {}, sample_.count());
+    : DecidingLabels(sample, all, problem) {
   const std::vector<std::uint32_t> every = all_numbers(all.rows());
   const std::size_t entries = all.rows() * all.columns() * sample_.count();
   if (entries * 2 * sizeof(float) <= small_table) {

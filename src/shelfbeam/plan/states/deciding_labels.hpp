@@ -17,11 +17,16 @@ class DecidingLabels {
   DecidingLabels(const StateSample& sample, const SignalTable& all, const PlacementProblem& problem,
                  std::span<const std::uint32_t> start);
 
+  /// Begins without labels.
+  DecidingLabels(const StateSample& sample, const SignalTable& all, const PlacementProblem& problem);
+
   const StateTable& table() const { return table_; }
   /// Rows of the table, as labels of the shop.
   std::span<const std::uint32_t> labels() const { return labels_; }
+  std::size_t of_shop() const { return row_of_.size(); }
   /// The row of a label in the table. Precondition: it has one.
   std::uint32_t row_of(std::uint32_t label) const { return row_of_[label]; }
+  bool has(std::uint32_t label) const { return row_of_[label] != no_row; }
   /// The misses of all labels in the sampled states if `start` is mounted.
   const StateMisses& misses_of_start() const { return misses_of_start_; }
 
@@ -40,7 +45,6 @@ class DecidingLabels {
  private:
   static constexpr std::uint32_t no_row = ~0U;
 
-  bool has(std::uint32_t label) const { return row_of_[label] != no_row; }
   void add(std::span<const std::uint32_t> labels);
   // Labels of the table, and others by the signals that they receive.
   StateMisses misses_with(std::span<const std::uint32_t> others, std::span<const double> received,

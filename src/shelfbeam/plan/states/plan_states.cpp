@@ -22,6 +22,7 @@
 #include "shelfbeam/plan/states/risk_causes.hpp"
 #include "shelfbeam/plan/states/state_examination.hpp"
 #include "shelfbeam/plan/states/state_sample.hpp"
+#include "shelfbeam/plan/states/sample_placement.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
@@ -30,10 +31,8 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::uint32_t max_state_rounds = 12;
-// Share of the time limit for the bound beyond the sample, share of the rest that each placement over a
-// growing table may use, and the minimum of such a placement in s.
-constexpr double share_of_bound = 1.0 / 3, share_of_pass = 0.6, min_part_s = 1;
-constexpr double share_of_spread = 0.2;  ///< of the time limit, in every round
+constexpr double share_of_bound = 1.0 / 3;  ///< beyond the sample, of the time limit
+constexpr double share_of_spread = 0.2;     ///< of the time limit, in every round
 // A signal exceeds its upper limit with this probability.
 constexpr double raise_error = 0.05;
 
@@ -48,7 +47,8 @@ class Planner {
         options_(options),
         log_(log),
         control_(control),
-        sample_(states_, scene_, options_.simulation, options_.sample, log_, control_, options_.sampled),
+        sample_(states_, scene_, options_.simulation, {.count = options_.sample, .sampled = options_.sampled},
+                log_, control_),
         result_{nominal, {}} {
     Availability& answer = result_.availability;
     answer.goal = options.goal;
@@ -96,29 +96,17 @@ class Planner {
     deciding_.emplace(sample_, all_, problem(), result_.placement.selected);
     answer.nominal =
         outcome_of(deciding_->misses_of_start(), result_.placement.selected.size(), options_.sample);
-    const MissAllowance of_all = allowance(all_numbers(all_.rows()));
-    PlaceOptions part = options_.place;
     const Deadline deadline((1 - share_of_bound) * options_.place.time_limit_s);
-    for (bool grows = true; grows;) {
-      allowance_ = allowance(deciding_->labels());
-      const double share = deciding_->labels().size() < all_.rows() ? share_of_pass : 1;
-      part.time_limit_s = std::max(min_part_s, share * deadline.seconds_left());
-      const StatePlacement found =
-          place_over_states(deciding_->table(), problem(), allowance_, part, control_);
-      answer.sample_lower_bound = std::max(answer.sample_lower_bound, found.lower_bound);
-      for (const std::uint32_t row : found.unreachable)
-        answer.unreachable.push_back(deciding_->labels()[row]);
-      stop_if_cancelled();
-      if (!found.has_selection()) return;
-      StateMisses misses = deciding_->misses(found.selected);
-      const bool is_enough = of_all.excess(misses) == 0;
-      grows = !is_enough && deciding_->add_if([&](std::uint32_t i) { return misses.of_label[i] > 0; }) > 0;
-      part.start = found.selected;
-      if (grows) continue;
-      selected_ = answer.sample_selected = found.selected;
-      answer.sample = outcome_of(std::move(misses), found.selected.size(), options_.sample);
-      answer.sample_value = found.value;
-    }
+    SamplePlacement found = place_on_sample(
+        *deciding_, problem(), [&](auto labels) { return allowance(labels); }, options_.place, deadline,
+        control_);
+    allowance_ = allowance(deciding_->labels());
+    answer.sample_lower_bound = found.lower_bound;
+    answer.unreachable = std::move(found.unreachable);
+    if (found.selected.empty()) return;
+    selected_ = answer.sample_selected = std::move(found.selected);
+    answer.sample = outcome_of(std::move(found.misses), selected_.size(), options_.sample);
+    answer.sample_value = found.value;
     if (options_.goal.rule == AvailabilityRule::labels && !problem().redundant) raise_bound();
     stop_if_cancelled();
   }
@@ -138,7 +126,7 @@ class Planner {
     PlaceOptions place = options_.place;
     place.time_limit_s *= share_of_bound;
     const double enough = result_.availability.sample_lower_bound;
-    const double errors = student_quantile(1 - raise_error, StateSample::batches - 1);
+    const double errors = student_quantile(1 - raise_error, sample_.batches() - 1);
     result_.availability.lower_bound = std::min(
         bound_over_states(raised(deciding_->table(), errors), problem(), wide, enough, place, control_),
         enough);

@@ -8,21 +8,25 @@ namespace shelfbeam {
 
 void StateSample::simulate(const Scene& part, const std::function<void(const StateSignals&)>& use) const {
   const auto first = prepare(part, options_, true, control_);
-  simulate_states([&](std::uint64_t k) { return states_.state(StateNumbers(k), part); }, *first, options_,
-                  {.first = 0, .count = count_, .batches = batches}, use, log_, planning_states, control_);
+  const auto numbers = [&](std::uint64_t k) {
+    return which_.only ? StateNumbers::only(which_.only, k) : StateNumbers(k);
+  };
+  simulate_states([&](std::uint64_t k) { return states_.state(numbers(k), part); }, *first, options_,
+                  {.first = 0, .count = which_.count, .batches = which_.batches}, use, log_, which_.purpose,
+                  control_);
 }
 
 void StateSample::signals(Ids labels, std::optional<Ids> units,
                           const std::function<void(const StateSignals&)>& use) const {
-  if (sampled_ == nullptr) {
+  if (which_.sampled == nullptr) {
     simulate(units ? sub_scene(scene_, labels, *units) : sub_scene(scene_, labels), use);
     return;
   }
   const std::size_t n = scene_.transceivers.size();
-  for (std::uint32_t k = 0; k < count_; ++k) {
-    control_.report(Task::reading_states, static_cast<double>(k) / count_);
+  for (std::uint32_t k = 0; k < which_.count; ++k) {
+    control_.report(Task::reading_states, static_cast<double>(k) / which_.count);
     if (control_.cancelled()) throw Interrupted("the plan was stopped");
-    const SignalLayer all = sampled_->state(k);
+    const SignalLayer all = which_.sampled->state(k);
     SignalLayer part;
     const auto add = [&](std::size_t entry) {
       part.mean.push_back(all.mean[entry]);
@@ -47,14 +51,14 @@ void StateSample::fill(StateTable& table, std::span<const std::uint32_t> labels,
 std::vector<double> StateSample::received(std::span<const std::uint32_t> labels,
                                           std::span<const std::uint32_t> units,
                                           const PlacementProblem& problem) const {
-  std::vector<double> result(labels.size() * count_);
+  std::vector<double> result(labels.size() * which_.count);
   if (labels.empty() || units.empty()) return result;
   signals(labels, units, [&](const StateSignals& state) {
     for (std::size_t i = 0; i < labels.size(); ++i) {
       ReceivedSignal received(problem);
       for (std::size_t j = 0; j < units.size(); ++j)
         received.add(static_cast<double>(state.signals.mean[i * units.size() + j]));
-      result[i * count_ + state.state] = received.value();
+      result[i * which_.count + state.state] = received.value();
     }
   });
   return result;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
@@ -18,27 +19,27 @@
 
 namespace shelfbeam {
 
+/// The states of a sample.
+struct SampleStates {
+  std::uint32_t count = 100;
+  std::uint32_t batches = 4;                   ///< of each label in each state
+  std::optional<Cause> only = {};              ///< changes alone; Cause::reflectance: nothing changes
+  std::string_view purpose = planning_states;  ///< of simulate_states
+  const SampledStates* sampled = nullptr;      ///< these states, if they are simulated already
+};
+
 /// The states on which units are placed, simulated part by part: all candidates for the labels that decide,
 /// and some units for all labels. Most labels never decide: they receive more than enough from any placement
 /// that serves the others.
 class StateSample {
  public:
-  static constexpr std::uint32_t batches = 4;  ///< of each label in each state
-
-  /// `scene` is that of `states`. `sampled`: null, or the states that are simulated already. All references
-  /// must outlive the object.
+  /// `scene` is that of `states`. All references must outlive the object.
   StateSample(const StoreStates& states, const Scene& scene, const SimulationOptions& options,
-              std::uint32_t count, ResultLog& log, const RunControl& control,
-              const SampledStates* sampled = nullptr)
-      : states_(states),
-        scene_(scene),
-        options_(options),
-        count_(count),
-        sampled_(sampled),
-        log_(log),
-        control_(control) {}
+              const SampleStates& which, ResultLog& log, const RunControl& control)
+      : states_(states), scene_(scene), options_(options), which_(which), log_(log), control_(control) {}
 
-  std::uint32_t count() const { return count_; }
+  std::uint32_t count() const { return which_.count; }
+  std::uint32_t batches() const { return which_.batches; }
 
   /// Sets the rows of a table from `first` on, which are those of `labels`. Throws as `simulate_states`.
   void fill(StateTable& table, std::span<const std::uint32_t> labels, std::size_t first) const;
@@ -57,8 +58,7 @@ class StateSample {
   const StoreStates& states_;
   const Scene& scene_;
   const SimulationOptions& options_;
-  std::uint32_t count_;
-  const SampledStates* sampled_;
+  SampleStates which_;
   ResultLog& log_;
   const RunControl& control_;
 };

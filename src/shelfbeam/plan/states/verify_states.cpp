@@ -53,7 +53,7 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
   if (all.transceivers.size() == mounted) return {};
   const std::uint32_t count = std::min(options.states, max_sample);
   const SignalTable table = table_without_signals(all);
-  const StateSample sample(states, all, options.simulation, count, log, control);
+  const StateSample sample(states, all, options.simulation, {.count = count}, log, control);
   const std::vector<std::uint32_t> selected = all_numbers(mounted);
   DecidingLabels deciding(sample, table, problem, selected);
   deciding.add_if([&](std::uint32_t i) { return found.answer().missed[i] > 0; });
