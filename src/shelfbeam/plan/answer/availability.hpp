@@ -57,11 +57,15 @@ struct StateOutcome {
                ? 1
                : 1 - static_cast<double>(*std::max_element(missed.begin(), missed.end())) / states;
   }
+  /// Whether a label is reached in a smaller share of the states than required.
+  bool is_below(std::size_t label, double required) const {
+    constexpr double rounding = 1e-9;
+    return availability(label) < required - rounding;
+  }
   /// Labels that are reached in fewer states than required.
   std::size_t below(const std::vector<double>& required) const {
-    constexpr double rounding = 1e-9;
     std::size_t count = 0;
-    for (std::size_t i = 0; i < missed.size(); ++i) count += availability(i) < required[i] - rounding ? 1 : 0;
+    for (std::size_t i = 0; i < missed.size(); ++i) count += is_below(i, required[i]) ? 1 : 0;
     return count;
   }
   /// Whether the goal holds in these states.
@@ -82,6 +86,23 @@ struct CauseShare {
 struct LabelAtRisk {
   std::uint32_t label = 0;
   std::vector<CauseShare> causes;  ///< the largest first
+};
+
+/// The effect of one cause alone, in sampled states in which all else is as in the file.
+struct CauseAlone {
+  std::string cause;  ///< name of a Cause
+  /// Labels that the units reach in the shop as the file gives it, and too rarely in these states.
+  std::vector<std::uint32_t> taken;
+  std::uint32_t states = 0;
+  std::size_t units = 0;                   ///< found for these states; 0: not examined, or none was found
+  double lower_bound = 0;                  ///< of their number, proven for these states; 0: not examined
+  std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often
+};
+
+/// A label that is missed in every state.
+struct LostLabel {
+  std::uint32_t label = 0;
+  std::vector<std::string> causes;  ///< each of which is enough; empty: several together
 };
 
 /// A fresh state in which the answer was examined, for pictures.
@@ -113,8 +134,9 @@ struct Availability {
   double confidence = 0.99;
 
   /// Found on the sampled states, by signals.
-  StateOutcome nominal;  ///< the plan for the shop as the file gives it
-  StateOutcome sample;   ///< the fewest units, or the smallest spend, that keep to the goal on these states
+  StateOutcome nominal;           ///< the plan for the shop as the file gives it
+  std::size_t nominal_bound = 0;  ///< fewest units proven for this shop, by signals; 0: none
+  StateOutcome sample;  ///< the fewest units, or the smallest spend, that keep to the goal on these states
   std::vector<std::uint32_t> sample_selected;  ///< ascending columns; empty: none was found
   double sample_value = 0;                     ///< count or new spend
   double sample_lower_bound = 0;               ///< of the value, proven for the sampled states
@@ -131,9 +153,14 @@ struct Availability {
   bool certified = false;                  ///< the last one
   std::vector<std::uint32_t> responsible;  ///< labels that prevent it, those with most misses first
   std::vector<LabelAtRisk> at_risk;        ///< most misses first
-  std::optional<Addition> addition;        ///< only of verify_over_states
+  /// The causes, each alone, with the plan for the shop as the file gives it, or with the mounted units.
+  std::vector<CauseAlone> alone;
+  std::size_t missed_as_given = 0;   ///< labels that these units miss in the shop as the file gives it
+  std::vector<LostLabel> lost;       ///< by the answer or, if the goal is impossible, by all candidates
+  std::optional<Addition> addition;  ///< only of verify_over_states
   double seconds = 0;
   AssumedVariation assumed;
+  std::vector<std::string> without;    ///< names of the causes that are left out
   std::optional<EndReason> open = {};  ///< reason for an end before all was decided
 
   /// No placement keeps to the goal in the sampled states.
@@ -145,4 +172,3 @@ struct Availability {
 };
 
 }  // namespace shelfbeam
-  std::vector<std::string> without;    ///< names of the causes that are left out

@@ -80,6 +80,21 @@ void describe(Record& record, LabelAtRisk& label) {
   });
 }
 
+void describe(Record& record, CauseAlone& cause) {
+  const Ids& labels = record.ids().labels;
+  record.text("cause", cause.cause);
+  record.count("states", cause.states);
+  record.id_list("taken", cause.taken, labels);
+  record.count("units", cause.units);
+  record.number("lower_bound", cause.lower_bound);
+  record.id_list("unreachable", cause.unreachable, labels);
+}
+
+void describe(Record& record, LostLabel& label) {
+  record.id("label", label.label, record.ids().labels);
+  record.texts("causes", label.causes);
+}
+
 void describe(Record& record, AssumedVariation& assumed) {
   if (record.has("stocking", assumed.stocking.has_value()))
     record.custom(
@@ -125,6 +140,10 @@ void describe(Record& record, Availability& a) {
   record.list("shown_states", a.shown);
   record.id_list("responsible", a.responsible, labels);
   record.list("at_risk", a.at_risk);
+  record.later().count("nominal_bound", a.nominal_bound);
+  record.later().list("alone", a.alone);
+  record.later().count("missed_as_given", a.missed_as_given);
+  record.later().list("lost", a.lost);
   record.later().texts("without", a.without);
   record.note("addition", [&] { return addition_json(a, record.ids()); });
   // Format 1 has sentences instead, which are omitted.

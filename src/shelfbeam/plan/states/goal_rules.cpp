@@ -79,4 +79,11 @@ std::vector<std::uint32_t> most_missed(const StateOutcome& outcome) {
   return labels;
 }
 
+std::vector<std::uint32_t> always_missed(const StateOutcome& outcome) {
+  std::vector<std::uint32_t> labels;
+  for (std::uint32_t i = 0; i < outcome.missed.size(); ++i)
+    if (outcome.states > 0 && outcome.missed[i] == outcome.states) labels.push_back(i);
+  return labels;
+}
+
 }  // namespace shelfbeam

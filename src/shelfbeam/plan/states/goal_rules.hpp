@@ -38,4 +38,7 @@ StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t sta
 /// The labels that are missed in any state, most misses first.
 std::vector<std::uint32_t> most_missed(const StateOutcome& outcome);
 
+/// The labels that are missed in every state, ascending.
+std::vector<std::uint32_t> always_missed(const StateOutcome& outcome);
+
 }  // namespace shelfbeam

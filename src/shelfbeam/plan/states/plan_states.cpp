@@ -12,17 +12,19 @@
 #include "shelfbeam/placement/states/place_over_states.hpp"
 #include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/plan/answer/value_bounds.hpp"
 #include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/states/assumed_variation.hpp"
+#include "shelfbeam/plan/states/causes_alone.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 #include "shelfbeam/plan/states/fresh_states.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/reflectance_ends.hpp"
 #include "shelfbeam/plan/states/risk_causes.hpp"
+#include "shelfbeam/plan/states/sample_placement.hpp"
 #include "shelfbeam/plan/states/state_examination.hpp"
 #include "shelfbeam/plan/states/state_sample.hpp"
-#include "shelfbeam/plan/states/sample_placement.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/distributions.hpp"
 
@@ -32,6 +34,7 @@ namespace {
 
 constexpr std::uint32_t max_state_rounds = 12;
 constexpr double share_of_bound = 1.0 / 3;  ///< beyond the sample, of the time limit
+constexpr double share_of_causes = 0.2;     ///< of the time limit, beyond it, for the units of single causes
 constexpr double share_of_spread = 0.2;     ///< of the time limit, in every round
 // A signal exceeds its upper limit with this probability.
 constexpr double raise_error = 0.05;
@@ -40,7 +43,9 @@ class Planner {
  public:
   Planner(const Store& store, const Scene& scene, const SignalTable& table, const Placement& nominal,
           const StatesOptions& options, ResultLog& log, const RunControl& control)
-      : scene_(with_reflectances_for_states(store, scene)),
+      : given_scene_(scene),
+        given_store_(store),
+        scene_(with_reflectances_for_states(store, scene)),
         store_(with_reflectances_for_states(store, store)),
         states_(store_, scene_, options.simulation.seed),
         all_(table),
@@ -55,12 +60,12 @@ class Planner {
     answer.confidence = options.confidence;
     answer.required = required_availabilities(scene, options.goal);
     answer.assumed = assumed_variation(store);
+    answer.without = causes_left_out(store);
   }
 
   PlanOverStates run() {
     if (options_.sampled != nullptr)
       options_.sampled->expect(scene_.store_hash, options_.simulation.seed, scene_.labels.size(),
-    answer.without = causes_left_out(store);
                                scene_.transceivers.size(), options_.sample);
     Availability& answer = result_.availability;
     const auto begun = std::chrono::steady_clock::now();
@@ -94,6 +99,7 @@ class Planner {
   void place() {
     Availability& answer = result_.availability;
     deciding_.emplace(sample_, all_, problem(), result_.placement.selected);
+    answer.nominal_bound = proven_count(result_.placement);
     answer.nominal =
         outcome_of(deciding_->misses_of_start(), result_.placement.selected.size(), options_.sample);
     const Deadline deadline((1 - share_of_bound) * options_.place.time_limit_s);
@@ -198,6 +204,25 @@ class Planner {
                                                         : most_missed(answer.nominal);
     const Scene units = with_units(scene_, selected_.empty() ? result_.placement.selected : selected_);
     answer.at_risk = risk_causes(states_, units, risky, problem(), options_.simulation, log_, control_);
+    explain_need();
+  }
+
+  // The reasons for more units than the shop as the file gives it needs.
+  void explain_need() {
+    Availability& answer = result_.availability;
+    const CausesAlone causes(given_store_, given_scene_, all_, problem(), answer, options_.simulation,
+                             options_.sample, log_, control_);
+    PlaceOptions place = options_.place;
+    place.time_limit_s *= share_of_causes;
+    causes.examine(result_.placement.selected, place, answer);
+    const Selection every = all_numbers(all_.columns());
+    const bool is_impossible = !answer.unreachable.empty();
+    if (is_impossible)
+      answer.lost = causes.lost(
+          always_missed(outcome_of(deciding_->misses(every), every.size(), options_.sample)), every);
+    else if (answer.has_answer() || answer.sample.states > 0)
+      answer.lost =
+          causes.lost(always_missed(answer.has_answer() ? answer.answer() : answer.sample), selected_);
   }
 
   // The selection with the bound that holds for it.
@@ -217,6 +242,8 @@ class Planner {
     if (placement.price) placement.price = price_of(all_, selected_);
   }
 
+  const Scene& given_scene_;
+  const Store& given_store_;
   Scene scene_;
   Store store_;
   StoreStates states_;

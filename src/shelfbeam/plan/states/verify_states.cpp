@@ -15,6 +15,7 @@
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/states/assumed_variation.hpp"
+#include "shelfbeam/plan/states/causes_alone.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 #include "shelfbeam/plan/states/fresh_states.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
@@ -102,6 +103,12 @@ Availability verify_over_states(const Store& store, const Scene& scene, const Sc
   }
   found.at_risk =
       risk_causes(states, low_units, most_missed(found.answer()), problem, options.simulation, log, control);
+  const SignalTable mounted = table_without_signals(units);
+  const std::vector<std::uint32_t> every = all_numbers(units.transceivers.size());
+  const CausesAlone causes(store, units, mounted, problem, found, options.simulation, options.states, log,
+                           control);
+  causes.examine(every, {}, found);
+  found.lost = causes.lost(always_missed(found.answer()), every);
   if (!found.certified)
     found.addition =
         best_addition(states, all, units.transceivers.size(), problem, found, options, log, control);

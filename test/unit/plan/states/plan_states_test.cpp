@@ -57,6 +57,42 @@ TEST(PlanStates, NamesTheLabelsThatPreventAPlan) {
   EXPECT_EQ(found.at_risk.front().causes.front().cause, "objects");
 }
 
+// With one cause, alone and all together are the same: the same states, by the same draws.
+TEST(PlanStates, NamesTheChangesThatTakeLabels) {
+  const KnownStates shop({{{0, 0}, {0.15, 0.15}, {0, 0}}});
+  const PlanOverStates plan = shop.plan(1, {.sample = 40, .certifies = false});
+  const Availability& found = plan.availability;
+  ASSERT_EQ(found.alone.size(), 1U);
+  const CauseAlone& objects = found.alone.front();
+  EXPECT_EQ(objects.cause, "objects");
+  EXPECT_EQ(objects.states, 40U);
+  EXPECT_EQ(found.missed_as_given, 0U);
+  EXPECT_TRUE(found.lost.empty());
+  std::vector<std::uint32_t> below;
+  for (std::uint32_t i = 0; i < 3; ++i)
+    if (found.nominal.is_below(i, found.required[i])) below.push_back(i);
+  EXPECT_EQ(below, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(objects.taken, below);
+  EXPECT_EQ(objects.units, found.sample.units);
+  EXPECT_EQ(objects.lower_bound, found.sample_lower_bound);
+}
+
+TEST(PlanStates, NamesTheChangeThatAloneTakesALabelFromAllCandidates) {
+  const KnownStates shop({{{0, 0}, {1, 1}, {0, 0}}}, R"("unit_power_db": 0.1,)");
+  const Availability found = shop.plan(1, {.sample = 20, .certifies = false}).availability;
+  EXPECT_EQ(found.unreachable, std::vector<std::uint32_t>{1});
+  ASSERT_EQ(found.alone.size(), 2U);
+  EXPECT_EQ(found.alone[0].cause, "objects");
+  EXPECT_EQ(found.alone[0].taken, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.alone[0].unreachable, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.alone[1].cause, "mounting");
+  EXPECT_TRUE(found.alone[1].taken.empty());
+  EXPECT_EQ(found.alone[1].units, found.nominal.units);
+  ASSERT_EQ(found.lost.size(), 1U);
+  EXPECT_EQ(found.lost.front().label, 1U);
+  EXPECT_EQ(found.lost.front().causes, std::vector<std::string>{"objects"});
+}
+
 TEST(PlanStatesSlow, OtherGoals) {
   const KnownStates shop({{{0.03, 0.03}, {0.055, 0.055}, {0.01, 0.2}}});
   StatesOptions options;
@@ -198,6 +234,9 @@ TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
   EXPECT_EQ(found.addition->id, "U11");
   EXPECT_EQ(found.addition->without.below(found.required), 1U);
   EXPECT_EQ(found.addition->added.below(found.required), 0U);
+  ASSERT_EQ(found.alone.size(), 1U);
+  EXPECT_EQ(found.alone.front().taken, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.alone.front().units, 0U);
 }
 
 std::vector<std::uint64_t> numbers_of(const Availability& found) {
