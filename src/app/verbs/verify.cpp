@@ -135,7 +135,7 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
     fmt::print("{}", availability_text(found, table));
   else if (!options.common.quiet)
     fmt::print("{}\n{}", styled(Style::answer, availability_answer(found, mounted, table)),
-               availability_details(found, mounted));
+               availability_details(found, mounted, table));
   if (found.certified) return done;
   return found.answer().keeps_to(found.goal, found.required) ? stopped_early : answer_is_no;
 }

@@ -10,6 +10,7 @@
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/messages/reasons.hpp"
 #include "shelfbeam/report/text/numbers.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
@@ -63,9 +64,10 @@ std::string outcome_text(const Words& words, const Availability& availability, c
                    time_share(words, outcome.all_reached()));
 }
 
-std::string nominal_text(const Words& words, const Availability& availability) {
+// Unless the recommendation says it.
+std::string nominal_text(const Words& words, const Availability& availability, const Placement& placement) {
   const StateOutcome& nominal = availability.nominal;
-  if (nominal.states == 0) return {};
+  if (nominal.states == 0 || !states_recommendation(words, availability, placement).empty()) return {};
   if (nominal.keeps_to(availability.goal, availability.required))
     return words.say_count("availability.nominal.enough", nominal.units);
   return words.say_count("availability.nominal.not_enough", nominal.units,
@@ -98,6 +100,13 @@ std::string assumed_text(const Words& words, const Availability& availability) {
                         : words.say("availability.assumed", fmt::format("{}", fmt::join(values, "; ")));
 }
 
+std::string left_out_text(const Words& words, const Availability& availability) {
+  std::vector<std::string_view> names;
+  for (const std::string& cause : availability.without) names.push_back(change_name(words, cause));
+  return names.empty() ? std::string()
+                       : words.say("availability.left_out", fmt::format("{}", fmt::join(names, ", ")));
+}
+
 }  // namespace
 
 std::string time_share(const Words& words, double share) {
@@ -124,16 +133,14 @@ std::string labels_by_cause(const Words& words, const Availability& availability
     if (parts.size() == shown) break;
     const auto found = std::find_if(availability.at_risk.begin(), availability.at_risk.end(),
                                     [&](const LabelAtRisk& one) { return one.label == label; });
-    const bool has_cause =
-        found != availability.at_risk.end() && !found->causes.empty() && found->causes.front().share > 0;
-    std::string text = name(label);
+    std::string cause = cause_of_loss(words, availability, label), text = name(label);
+    if (cause.empty() && found != availability.at_risk.end() && !found->causes.empty() &&
+        found->causes.front().share > 0)
+      cause = words(fmt::format("availability.causes.{}", found->causes.front().cause));
     if (availability.has_answer())
       text = words.say("availability.label_share", text,
                        time_share(words, availability.answer().availability(label)));
-    parts.push_back(has_cause
-                        ? words.say("availability.label", text,
-                                    words(fmt::format("availability.causes.{}", found->causes.front().cause)))
-                        : text);
+    parts.push_back(cause.empty() ? text : words.say("availability.label", text, cause));
   }
   const std::string list = fmt::format("{}", fmt::join(parts, ", "));
   return labels.size() > shown ? words.say("summary.and_others", list) : list;
@@ -181,9 +188,10 @@ std::string availability_bound(const Words& words, const Availability& availabil
 std::vector<std::string> availability_remarks(const Words& words, const Availability& availability,
                                               const Placement& placement) {
   std::vector<std::string> remarks;
-  for (std::string text : {sample_text(words, availability, placement), nominal_text(words, availability),
-                           addition_text(words, availability), words.say("availability.scope"),
-                           assumed_text(words, availability)})
+  for (std::string text :
+       {sample_text(words, availability, placement), nominal_text(words, availability, placement),
+        addition_text(words, availability), words.say("availability.scope"),
+        left_out_text(words, availability), assumed_text(words, availability)})
     if (!text.empty()) remarks.push_back(std::move(text));
   return remarks;
 }

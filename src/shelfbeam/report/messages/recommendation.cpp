@@ -1,16 +1,19 @@
 #include "shelfbeam/report/messages/recommendation.hpp"
 
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reasons.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
 
 std::string recommendation(const ReportData& data) {
   const CertifiedPlan& plan = data.input.plan;
+  if (plan.availability)
+    return with_joined_percent(states_recommendation(data.words, *plan.availability, plan.placement));
   const std::size_t labels = data.outcome.labels.size();
   const bool is_confirmed = !plan.has_verdicts() || plan.certificate->count(Verdict::reached) == labels;
-  if (!data.has_selection() || plan.availability || plan.placement.partial || data.outcome.met < labels ||
-      labels == 0 || !is_confirmed)
+  if (!data.has_selection() || plan.placement.partial || data.outcome.met < labels || labels == 0 ||
+      !is_confirmed)
     return {};
   const Words& words = data.words;
   const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];

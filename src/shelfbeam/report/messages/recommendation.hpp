@@ -13,8 +13,9 @@ inline constexpr double close_share = 0.25;
 inline constexpr double worthwhile_gain = 1.1;
 
 /// The plan to choose, this one or that with one unit more, and the reason. Empty for a plan that misses
-/// labels or whose certificate leaves any open, for a part of the labels, and for a shop that changes, whose
-/// goal includes its reserve.
+/// labels or whose certificate leaves any open, and for a part of the labels. For a shop that changes, whose
+/// goal includes its reserve: this plan instead of that for the shop as the file gives it
+/// (states_recommendation).
 std::string recommendation(const ReportData& data);
 
 }  // namespace shelfbeam

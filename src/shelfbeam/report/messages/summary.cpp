@@ -12,6 +12,7 @@
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/proof_remarks.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/messages/reasons.hpp"
 #include "shelfbeam/report/messages/recommendation.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
@@ -152,6 +153,8 @@ class SummaryWriter {
     for (std::string& remark : availability_remarks(words_, availability, placement_))
       summary_.remarks.push_back(with_joined_percent(std::move(remark)));
     add_achievements();
+    if (std::string lost = lost_sentence(words_, availability, label_name()); !lost.empty())
+      summary_.risks.push_back(std::move(lost));
     std::vector<std::uint32_t> rarest;
     for (const LabelAtRisk& label : availability.at_risk) rarest.push_back(label.label);
     if (!rarest.empty())

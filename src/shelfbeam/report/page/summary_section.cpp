@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/reasons.hpp"
 #include "shelfbeam/report/messages/recommendation.hpp"
 #include "shelfbeam/report/messages/summary.hpp"
 #include "shelfbeam/report/page/html.hpp"
@@ -137,6 +138,19 @@ std::string alternatives_table(const ReportData& data) {
                      paragraph(data.words.say("summary.alternatives.note"), "note"));
 }
 
+// What each change requires, between the plan for the shop as in the store file and this one.
+std::string reasons_table(const ReportData& data) {
+  const auto& availability = data.input.plan.availability;
+  if (!availability || availability->alone.empty()) return {};
+  HtmlTable table({{data.words.say("reasons.column.change"), false, true},
+                   {data.words.say("reasons.column.taken")},
+                   {data.words.say("reasons.column.units")}});
+  for (const ReasonRow& row : reason_rows(data.words, *availability, data.input.plan.placement))
+    table.add_row({row.change, row.taken, row.units});
+  return fmt::format("<h2>{}</h2>\n{}{}", escape(data.words("reasons.title")), table.html(),
+                     paragraph(reasons_note(data.words, *availability), "note"));
+}
+
 }  // namespace
 
 std::string summary_section(const ReportData& data, const Maps& maps) {
@@ -153,6 +167,7 @@ std::string summary_section(const ReportData& data, const Maps& maps) {
     html += "<div class=\"pair\">\n" + shopping_list(data) +
             list(data.words, "summary.achieves.title", summary.achieves) + "</div>\n" +
             list(data.words, "summary.risks.title", summary.risks) + alternatives_table(data);
+  html += reasons_table(data);
   html += maps.overview(data.words.say(data.has_selection() ? "summary.drawing" : "summary.drawing_none"));
   return "<div class=\"first-page\">\n" + html + "</div>\n";
 }

@@ -13,6 +13,7 @@
 #include "shelfbeam/report/messages/partial.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reach.hpp"
+#include "shelfbeam/report/messages/reasons.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 namespace shelfbeam {
@@ -145,12 +146,25 @@ std::string availability_answer(const Availability& availability, const Placemen
                                [&](std::uint32_t label) { return table.labels[label].id; });
 }
 
-std::string availability_details(const Availability& availability, const Placement& placement) {
+std::string availability_details(const Availability& availability, const Placement& placement,
+                                 const SignalTable& table) {
   std::string text;
   if (const std::string bound = availability_bound(english(), availability, placement); !bound.empty())
     text += fmt::format("  {}\n", bound);
+  if (const std::string advice = states_recommendation(english(), availability, placement); !advice.empty())
+    text += fmt::format("  {}\n", advice);
   for (const std::string& remark : availability_remarks(english(), availability, placement))
     text += fmt::format("  {}\n", remark);
+  if (const std::string lost =
+          lost_sentence(english(), availability, [&](std::uint32_t label) { return table.labels[label].id; });
+      !lost.empty())
+    text += fmt::format("  {}\n", lost);
+  const std::vector<ReasonRow> rows = reason_rows(english(), availability, placement);
+  if (!rows.empty()) text += fmt::format("  {}:\n", english()("reasons.title"));
+  const bool is_plan = availability.nominal.states > 0;
+  for (const ReasonRow& row : rows)
+    text += fmt::format("    {}\n", english().say(is_plan ? "reasons.line" : "reasons.line_mounted",
+                                                  row.change, row.taken, row.units));
   return text;
 }
 

@@ -22,7 +22,8 @@ std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable
 std::string availability_answer(const Availability& availability, const Placement& placement,
                                 const SignalTable& table);
 /// The remarks on it, one per line.
-std::string availability_details(const Availability& availability, const Placement& placement);
+std::string availability_details(const Availability& availability, const Placement& placement,
+                                 const SignalTable& table);
 /// One line per alternative; empty without any.
 std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table);
 }  // namespace shelfbeam

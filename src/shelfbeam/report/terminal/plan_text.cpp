@@ -13,7 +13,7 @@ PlanText plan_text(const CertifiedPlan& plan, const SignalTable& table, bool has
   if (const auto& availability = plan.availability) {
     PlanText text{availability_answer(*availability, plan.placement, table),
                   {},
-                  availability_details(*availability, plan.placement)};
+                  availability_details(*availability, plan.placement, table)};
     if (availability->is_impossible()) return text;
     text.details += chosen(plan.placement.selected, table);
     if (const std::string price = price_sentence(english(), plan.placement); !price.empty())
