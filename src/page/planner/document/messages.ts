@@ -281,7 +281,13 @@ export interface PlanDetails {
     };
     price?: { new: number; currency: string | null };
     /** Only of a shop that changes. */
-    states?: { shown_states: unknown[] };
+    states?: {
+      shown_states: unknown[];
+      /** Of the shop as drawn. */
+      nominal: { units: number };
+      /** Each cause alone: the labels that it takes from these units, and the number of units that it needs. */
+      alone: { cause: string; taken: string[]; units: number }[];
+    };
   };
   /** Indices of labels, by the list that has them. */
   indices: Partial<Record<"missed" | "undecided" | "unreachable" | "not_verified_yet" | "responsible", number[]>>;

@@ -96,6 +96,30 @@ export class Result {
     return units.length === ids.length && units.every(({ id }) => ids.includes(id));
   }
 
+  /** Between the plan for the shop as drawn and this one: what each change requires. */
+  private reasons({ nominal, alone }: NonNullable<PlanDetails["details"]["states"]>): HTMLElement[] {
+    if (alone.length === 0) return [];
+    const names: Record<string, string> = text.plans.causes;
+    const cells = (row: readonly string[], tag: "th" | "td") => row.map((cell) => element(tag, { text: cell }));
+    const rows = [
+      [text.plans.as_drawn, "", grouped(nominal.units)],
+      ...alone.map(({ cause, taken, units }) => [
+        names[cause] ?? cause,
+        grouped(taken.length),
+        units > 0 ? grouped(units) : "–",
+      ]),
+    ];
+    return [
+      element("h4", { text: text.plans.reasons }),
+      element(
+        "table",
+        { class: "reasons" },
+        element("thead", {}, element("tr", {}, ...cells(text.plans.reason_columns, "th"))),
+        element("tbody", {}, ...rows.map((row) => element("tr", {}, ...cells(row, "td")))),
+      ),
+    ];
+  }
+
   /** The states of a shop that changes, one by one. */
   private states(run: PlanRun, { details }: PlanDetails): HTMLElement[] {
     const { plans } = this.planner;
@@ -104,8 +128,9 @@ export class Result {
       return [];
     }
     void plans.loadStates(run);
+    const reasons = this.reasons(details.states);
     const count = plans.states?.shown.length ?? 0;
-    if (count === 0) return [];
+    if (count === 0) return reasons;
     const { state, stateNumber: number } = plans;
     const go = (to: number) => () => plans.showState(to <= 0 || to > count ? null : to - 1);
     const words = state
@@ -117,6 +142,7 @@ export class Result {
         ].join(" ")
       : text.plans.state_none;
     return [
+      ...reasons,
       element("h4", { text: text.plans.states_title }),
       element("p", { class: "note", role: "status", text: words }),
       element(
