@@ -176,6 +176,7 @@ std::vector<Claim> over_states() {
       {"recommendation.states.goal", {}, fails("nominal enough")},
       {"reasons.shares", {"?"}},
       {"reasons.only_together", {}},
+      {"reasons.rest", {"?"}},
       {"reasons.lost", {"?"}},
       {"reasons.title", {}},
       {"reasons.line", {"?", "?", "?"}},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,7 +46,12 @@ std::string shares(const Words& words, const Availability& availability) {
     parts.push_back(words.say(
         "reasons.share", change_name(words, one.cause),
         parts.empty() ? words.say_count("noun.label", one.taken.size()) : words.grouped(one.taken.size())));
-  return " " + words.say("reasons.shares", fmt::format("{}", fmt::join(parts, ", ")));
+  std::set<std::uint32_t> taken;
+  for (const CauseAlone& one : causes) taken.insert(one.taken.begin(), one.taken.end());
+  std::string text = " " + words.say("reasons.shares", fmt::format("{}", fmt::join(parts, ", ")));
+  const std::size_t all = availability.nominal.below(availability.required);
+  if (all > taken.size()) text += " " + words.say_count("reasons.rest", all - taken.size());
+  return text;
 }
 
 }  // namespace

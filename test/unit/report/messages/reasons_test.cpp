@@ -58,6 +58,8 @@ TEST(Reasons, RecommendOnePlan) {
       "Recommended: this plan, 6 transceivers. The 4 that are enough for the shop as in the store file would "
       "reach 2 labels too rarely when the shop changes. Labels that one change alone takes: people 2 labels, "
       "dark surfaces 1.");
+  shop.found.nominal.missed = {50, 100, 6, 5};
+  EXPECT_TRUE(shop.advice().ends_with("1. 1 more label is lost only to several changes together."));
   for (CauseAlone& cause : shop.found.alone) cause.taken.clear();
   EXPECT_TRUE(shop.advice().ends_with("No change alone takes any; only several together do."));
   shop.found.certified = false;
