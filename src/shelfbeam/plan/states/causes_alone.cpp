@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,8 +19,11 @@ namespace shelfbeam {
 namespace {
 
 constexpr std::uint32_t batches_of_one_state = 64;  ///< the only state of a sample has no others beside it
+constexpr std::string_view no_cause = "none";       ///< the shop as the file gives it misses the label, too
 
 }  // namespace
+
+const CausesAlone::Part CausesAlone::as_given{{}, "as given"};
 
 CausesAlone::CausesAlone(const Store& store, const Scene& scene, const SignalTable& table,
                          const PlacementProblem& problem, const Availability& found,
@@ -62,9 +66,8 @@ MissAllowance CausesAlone::allowance(std::span<const std::uint32_t> labels, std:
 
 void CausesAlone::examine(std::span<const std::uint32_t> selected, const std::optional<PlaceOptions>& place,
                           Availability& found) const {
-  const Part nothing{{}, "as given"};
-  const StateSample as_given = sample(nothing);
-  const StateMisses given = DecidingLabels(as_given, table_, problem_).misses(selected);
+  const StateSample fixed = sample(as_given);
+  const StateMisses given = DecidingLabels(fixed, table_, problem_).misses(selected);
   std::vector<CauseAlone> rows;
   const std::vector<Part> parts = causes();
   Deadline deadline(place ? place->time_limit_s : 0);
@@ -98,16 +101,19 @@ std::vector<LostLabel> CausesAlone::lost(std::span<const std::uint32_t> labels,
   std::vector<LostLabel> lost;
   for (const std::uint32_t i : labels) lost.push_back({i, {}});
   if (labels.empty()) return lost;
-  for (const Part& part : causes()) {
+  const auto add = [&](const Part& part, std::string_view name) {
     const StateSample states = sample(part);
     const std::vector<double> received = states.received(labels, selected, problem_);
     for (std::size_t k = 0; k < labels.size(); ++k) {
       const auto begin = received.begin() + static_cast<std::ptrdiff_t>(k * states.count());
-      if (!is_met(*std::max_element(begin, begin + states.count()),
-                  requirement_of(table_.labels[labels[k]], problem_.model)))
-        lost[k].causes.emplace_back(to_text(*part.cause));
+      const bool is_known = !lost[k].causes.empty() && lost[k].causes.front() == no_cause;
+      if (!is_known && !is_met(*std::max_element(begin, begin + states.count()),
+                               requirement_of(table_.labels[labels[k]], problem_.model)))
+        lost[k].causes.emplace_back(name);
     }
-  }
+  };
+  add(as_given, no_cause);
+  for (const Part& part : causes()) add(part, to_text(*part.cause));
   return lost;
 }
 
