@@ -68,7 +68,7 @@ TEST(PlanJobJson, IsReadBack) {
   EXPECT_EQ(*read.plan.simulation.heuristic, Heuristic::power);
   // Every value counts: each of them is written.
   const auto json = nlohmann::ordered_json::parse(text);
-  EXPECT_EQ(json.size(), 17U);
+  EXPECT_EQ(json.size(), 18U);
   EXPECT_EQ(json["plan"].size(), 15U);
   EXPECT_EQ(json["plan"]["simulation"].size(), 11U);
 }
