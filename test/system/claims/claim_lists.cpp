@@ -182,6 +182,7 @@ std::vector<Claim> over_states() {
       {"reasons.line", {"?", "?", "?"}},
       {"reasons.line_mounted", {"?", "?"}},
       {"availability.scope", {}},
+      {"availability.scope_as_given", {}},
       {"summary.answer.often", {"@", "@", "@"}, holds("certified states")},
       {"summary.answer.not_confirmed", {"@", "@", "@"}, fails("certified states")},
       {"summary.checked_states", {"answer states", "confidence"}, holds("certified states")},

@@ -83,7 +83,7 @@ std::vector<Text> texts_of(const PlannedStore& store) {
                           {describe(plan.alternatives, plan.placement, store.table)}};
   if (plan.availability) {
     texts.push_back({availability_answer(*plan.availability, plan.placement, store.table)});
-    texts.push_back({availability_details(*plan.availability, plan.placement)});
+    texts.push_back({availability_details(*plan.availability, plan.placement, store.table)});
   } else {
     texts.push_back({describe(plan.placement, store.table)});
   }

@@ -123,7 +123,11 @@ void describe(Record& record, Availability& a) {
            [](const JsonCursor& json) { return json.positive(); });
   record.positive("confidence", a.confidence);
   record.note("covers", [] { return "states and sampling error"; });
-  record.note("assumes", [] { return "changes as in the store file, reflectances within their ranges"; });
+  record.note("assumes", [&] {
+    const bool as_given = std::find(a.without.begin(), a.without.end(), "reflectance") != a.without.end();
+    return as_given ? "changes and reflectances as in the store file"
+                    : "changes as in the store file, reflectances within their ranges";
+  });
   record.boolean("certified", a.certified);
   record.note("labels_below",
               [&] { return a.has_answer() ? Json(a.answer().below(a.required)) : Json(nullptr); });

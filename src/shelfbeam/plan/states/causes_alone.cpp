@@ -75,7 +75,9 @@ void CausesAlone::examine(std::span<const std::uint32_t> selected, const std::op
     const StateSample states = sample(part);
     DecidingLabels deciding(states, table_, problem_);
     const StateOutcome outcome = outcome_of(deciding.misses(selected), selected.size(), states.count());
-    CauseAlone row{std::string(to_text(*part.cause)), {}, states.count()};
+    CauseAlone row;
+    row.cause = to_text(*part.cause);
+    row.states = states.count();
     for (std::uint32_t i = 0; i < table_.rows(); ++i)
       if (given.of_label[i] == 0 && outcome.is_below(i, found_.required[i])) row.taken.push_back(i);
     if (place && outcome.keeps_to(found_.goal, found_.required)) {

@@ -187,11 +187,15 @@ std::string availability_bound(const Words& words, const Availability& availabil
 
 std::vector<std::string> availability_remarks(const Words& words, const Availability& availability,
                                               const Placement& placement) {
+  const auto& without = availability.without;
+  const char* const scope = std::find(without.begin(), without.end(), "reflectance") == without.end()
+                                ? "availability.scope"
+                                : "availability.scope_as_given";
   std::vector<std::string> remarks;
   for (std::string text :
        {sample_text(words, availability, placement), nominal_text(words, availability, placement),
-        addition_text(words, availability), words.say("availability.scope"),
-        left_out_text(words, availability), assumed_text(words, availability)})
+        addition_text(words, availability), words.say(scope), left_out_text(words, availability),
+        assumed_text(words, availability)})
     if (!text.empty()) remarks.push_back(std::move(text));
   return remarks;
 }
