@@ -120,11 +120,11 @@ std::string PlanRuns::free_folder() const {
 }
 
 std::uint64_t PlanRuns::add(Json plan, std::string shop) {
-  PlanRun run{.id = ++last_id_, .folder = free_folder(), .plan = std::move(plan), .shop = std::move(shop)};
+  PlanRun run{.id = last_id_ + 1, .folder = free_folder(), .plan = std::move(plan), .shop = std::move(shop)};
   expect_request(run);
   run.begun = now();
   runs_.push_back(std::move(run));
-  changed_.push_back(last_id_);
+  changed_.push_back(++last_id_);
   save();
   return last_id_;
 }

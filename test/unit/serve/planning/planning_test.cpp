@@ -98,26 +98,26 @@ TEST_F(PlanningOfAShop, SelectsTheUnitsThatAreNotOnThePlanAnyway) {
 
 TEST_F(PlanningOfAShop, NamesLabelsByTheirNumbers) {
   poll();
-  const Json found = answer({{"do", "plan_details"}, {"plan", 1}});
+  const Json found = answer({{"do", "plan_details"}, {"plan", 1U}});
   EXPECT_FALSE(found.at("details").contains("files"));
   EXPECT_EQ(found.at("indices").at("missed"), Json::array());
   std::vector<std::string> names;
   for (const Json& index : found.at("indices").at("undecided"))
     names.push_back(shop_.draft().scene.labels[index.get<std::size_t>()].id);
   EXPECT_EQ(names, (std::vector<std::string>{"A1-front-1-2", "A1-front-1-1"}));
-  EXPECT_EQ(answer({{"do", "plan_states"}, {"plan", 1}}).at("shown"), Json::array());
+  EXPECT_EQ(answer({{"do", "plan_states"}, {"plan", 1U}}).at("shown"), Json::array());
 }
 
 TEST_F(PlanningOfAShop, RefusesRequestsThatNoPageSends) {
-  expect_input_error([&] { answer({{"do", "plan_details"}, {"plan", 1}}); }, "not in the list");
-  expect_input_error([&] { answer({{"do", "plan_cancel"}, {"plan", 5}}); }, "not in the list");
+  expect_input_error([&] { answer({{"do", "plan_details"}, {"plan", 1U}}); }, "not in the list");
+  expect_input_error([&] { answer({{"do", "plan_cancel"}, {"plan", 5U}}); }, "not in the list");
   expect_input_error([&] { answer({{"do", "plan_forget"}}); }, "plan");
   expect_input_error([&] { answer({{"do", "plan"}, {"plan", {{"no", 1}}}}); }, "no");
   for (const Json& wrong : {Json(5), Json("x"), Json::array()})
     expect_input_error([&] { answer({{"do", "plan"}, {"plan", wrong}}); }, "plan");
   poll();
   folder_.write("plan/placement.json", "{");
-  expect_input_error([&] { answer({{"do", "plan_details"}, {"plan", 1}}); }, "not valid");
+  expect_input_error([&] { answer({{"do", "plan_details"}, {"plan", 1U}}); }, "not valid");
   read(Json::parse(R"({"fixtures": []})"));
   expect_input_error([&] { answer({{"do", "plan"}}); }, "no labels or no candidates");
 }
