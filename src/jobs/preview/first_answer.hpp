@@ -5,7 +5,7 @@
 namespace shelfbeam::jobs {
 
 /// Time limit of the placement of a first answer, s.
-inline constexpr double first_answer_s = 5;
+inline constexpr double first_answer_s = 4;
 
 /// A first answer to a job within seconds, without a simulation and without a file: units placed on the
 /// signals of `job.signal` if they fit, and otherwise on previews by a light operator in the folder
