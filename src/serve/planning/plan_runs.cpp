@@ -35,7 +35,7 @@ std::int64_t time_of_plan(const fs::path& folder) {
   return error ? 0 : std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
 }
 
-std::string now() {
+std::string present_time() {
   return utc_text(std::chrono::system_clock::now());
 }
 
@@ -122,7 +122,7 @@ std::string PlanRuns::free_folder() const {
 std::uint64_t PlanRuns::add(Json plan, std::string shop) {
   PlanRun run{.id = last_id_ + 1, .folder = free_folder(), .plan = std::move(plan), .shop = std::move(shop)};
   expect_request(run);
-  run.begun = now();
+  run.begun = present_time();
   runs_.push_back(std::move(run));
   changed_.push_back(++last_id_);
   save();
@@ -147,7 +147,7 @@ void PlanRuns::cancel(std::uint64_t id) {
   if (!run.is_active()) throw InputError("plan", "has ended already", "look at its result");
   if (&run == active_) return process_->cancel();
   run.state = RunState::stopped;
-  run.ended = now();
+  run.ended = present_time();
   changed_.push_back(id);
   save();
 }
@@ -188,7 +188,7 @@ void PlanRuns::begin(PlanRun& run, const std::string& shop) {
 void PlanRuns::end() {
   PlanRun& run = *std::exchange(active_, nullptr);
   process_.reset();
-  run.ended = now();
+  run.ended = present_time();
   run.written = time_of_plan(folder_ / run.folder);
   if (run.has_plan()) finished_.push_back(run.id);
   save();

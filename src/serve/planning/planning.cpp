@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t max_file = 512 << 20;
+constexpr std::uint64_t max_plan_file = 512 << 20;
 constexpr auto difference_name = "difference.html";
 
 std::string_view media_type(std::string_view name) {
@@ -36,7 +36,7 @@ std::optional<http::Document> document_of(const fs::path& file, bool is_report) 
   if (!is_plain_file(file)) return {};
   try {
     return http::Document{std::string(media_type(file.filename().string())),
-                          std::make_shared<const std::string>(read_file(file, max_file)), is_report};
+                          std::make_shared<const std::string>(read_file(file, max_plan_file)), is_report};
   } catch (const InputError&) {
     return {};
   }
@@ -100,7 +100,7 @@ Json Planning::placement_of(const PlanRun& run) const {
   const fs::path file = folder_ / run.folder / jobs::placement_name;
   if (!is_plain_file(file)) throw InputError(run.folder, "has no plan", "start another plan");
   try {
-    return Json::parse(read_file(file, max_file));
+    return Json::parse(read_file(file, max_plan_file));
   } catch (const Json::exception&) {
     throw InputError(run.folder, "has a placement.json that is not valid", "start another plan");
   }

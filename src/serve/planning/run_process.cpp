@@ -17,7 +17,7 @@ namespace shelfbeam::serve {
 
 namespace {
 
-constexpr std::chrono::seconds patience{60};
+constexpr std::chrono::seconds patience_of_plan{60};
 
 // A request with the paths of the project.
 jobs::PlanJob job_of(const PlanRun& run, const std::filesystem::path& store) {
@@ -67,7 +67,7 @@ void RunProcess::restart() {
 
 void RunProcess::cancel() {
   is_cancelled_ = true;
-  process_->interrupt(patience);
+  process_->interrupt(patience_of_plan);
 }
 
 bool RunProcess::poll() {

@@ -15,11 +15,11 @@ namespace {
 
 using Floats = std::vector<float>;
 
-// Multiples of 1/64 below 2: their sums and products by small numbers are exact, so that no rounding decides
-// a comparison.
-class Rows {
+// Multiples of 1/64 below 2: their sums and products by small numbers are exact, so that no kernel_rounding
+// decides a comparison.
+class KernelRows {
  public:
-  explicit Rows(unsigned seed) : random_(seed) {
+  explicit KernelRows(unsigned seed) : random_(seed) {
     count = SearchMatrix::block * std::uniform_int_distribution<std::size_t>(1, 20)(random_);
   }
   Floats next() {
@@ -37,16 +37,16 @@ class Rows {
   std::mt19937 random_;
 };
 
-constexpr int cases = 200;
-constexpr double rounding = 1e-5;  // of a sum of up to 320 numbers below 4
+constexpr int kernel_cases = 200;
+constexpr double kernel_rounding = 1e-5;  // of a sum of up to 320 numbers below 4
 
-void expect_sum(double sum, float found) {
-  EXPECT_NEAR(found, sum, rounding * std::max(1.0, std::abs(sum)));
+void expect_kernel_sum(double sum, float found) {
+  EXPECT_NEAR(found, sum, kernel_rounding * std::max(1.0, std::abs(sum)));
 }
 
 // Three chosen columns, the first of which is exchanged for another.
-struct Exchange {
-  explicit Exchange(Rows& rows, bool redundant)
+struct KernelExchange {
+  explicit KernelExchange(KernelRows& rows, bool redundant)
       : columns{rows.next(), rows.next(), rows.next()},
         in(rows.next()),
         sum(rows.count),
@@ -73,9 +73,9 @@ struct Exchange {
 };
 
 TEST(SearchKernels, RankKeepsTheTwoLargestSignals) {
-  for (unsigned seed = 0; seed < cases; ++seed) {
-    Rows rows(seed);
-    const Exchange exchange(rows, true);
+  for (unsigned seed = 0; seed < kernel_cases; ++seed) {
+    KernelRows rows(seed);
+    const KernelExchange exchange(rows, true);
     for (std::size_t i = 0; i < rows.count; ++i) {
       std::vector<float> sorted;
       for (const Floats& column : exchange.columns) sorted.push_back(column[i]);
@@ -87,9 +87,9 @@ TEST(SearchKernels, RankKeepsTheTwoLargestSignals) {
 }
 
 TEST(SearchKernels, LackAndMissedWeightAfterAnExchange) {
-  for (unsigned seed = 0; seed < cases; ++seed) {
-    Rows rows(1000 + seed);
-    const Exchange exchange(rows, rows.chance(0.5));
+  for (unsigned seed = 0; seed < kernel_cases; ++seed) {
+    KernelRows rows(1000 + seed);
+    const KernelExchange exchange(rows, rows.chance(0.5));
     const Floats weight = rows.next();
     const float demand = rows.chance(0.5) ? 1.0F : 2.5F;
     double lack = 0, missed = 0;
@@ -99,15 +99,15 @@ TEST(SearchKernels, LackAndMissedWeightAfterAnExchange) {
     }
     const float* const out = exchange.columns[0].data();
     const float* const in = exchange.in.data();
-    expect_sum(lack, SearchKernels::lack_after(exchange.held, out, in, demand, rows.count));
-    expect_sum(missed,
-               SearchKernels::missed_after(exchange.held, out, in, demand, weight.data(), rows.count));
+    expect_kernel_sum(lack, SearchKernels::lack_after(exchange.held, out, in, demand, rows.count));
+    expect_kernel_sum(missed,
+                      SearchKernels::missed_after(exchange.held, out, in, demand, weight.data(), rows.count));
   }
 }
 
 TEST(SearchKernels, WorthAndLossAreTheChangesOfTheClippedSum) {
-  for (unsigned seed = 0; seed < cases; ++seed) {
-    Rows rows(2000 + seed);
+  for (unsigned seed = 0; seed < kernel_cases; ++seed) {
+    KernelRows rows(2000 + seed);
     const Floats column = rows.next(), weight = rows.next(), rest = rows.next();
     Floats with_column = rest;
     SearchKernels::exchange(Floats(rows.count).data(), column.data(), rows.count, with_column.data());
@@ -115,15 +115,16 @@ TEST(SearchKernels, WorthAndLossAreTheChangesOfTheClippedSum) {
     double gain = 0;
     for (std::size_t i = 0; i < rows.count; ++i)
       gain += static_cast<double>(weight[i]) * (std::min(demand, with_column[i]) - std::min(demand, rest[i]));
-    expect_sum(gain, SearchKernels::worth(column.data(), weight.data(), rest.data(), demand, rows.count));
-    expect_sum(gain,
-               SearchKernels::loss(column.data(), weight.data(), with_column.data(), demand, rows.count));
+    expect_kernel_sum(gain,
+                      SearchKernels::worth(column.data(), weight.data(), rest.data(), demand, rows.count));
+    expect_kernel_sum(
+        gain, SearchKernels::loss(column.data(), weight.data(), with_column.data(), demand, rows.count));
   }
 }
 
 TEST(CoverageKernels, SharesAndReachedWeight) {
-  for (unsigned seed = 0; seed < cases; ++seed) {
-    Rows rows(3000 + seed);
+  for (unsigned seed = 0; seed < kernel_cases; ++seed) {
+    KernelRows rows(3000 + seed);
     const Floats column = rows.next(), shift = rows.next(), scale = rows.next(), weight = rows.next();
     const auto share = [&](std::size_t i) {
       return std::min(1.0, std::max(0.0, static_cast<double>(column[i]) - shift[i]) * scale[i]);
@@ -133,18 +134,19 @@ TEST(CoverageKernels, SharesAndReachedWeight) {
     CoverageKernels::add(column.data(), shares, sum.data());
     double value = 0, reached = 0;
     for (std::size_t i = 0; i < rows.count; ++i) {
-      ASSERT_NEAR(sum[i], 1 + share(i), rounding);
+      ASSERT_NEAR(sum[i], 1 + share(i), kernel_rounding);
       value += weight[i] * share(i);
       reached += column[i] >= shift[i] ? weight[i] : 0.0F;
     }
-    expect_sum(value, CoverageKernels::value(column.data(), shares, weight.data()));
-    expect_sum(reached, CoverageKernels::reached(column.data(), shift.data(), weight.data(), rows.count));
+    expect_kernel_sum(value, CoverageKernels::value(column.data(), shares, weight.data()));
+    expect_kernel_sum(reached,
+                      CoverageKernels::reached(column.data(), shift.data(), weight.data(), rows.count));
   }
 }
 
 TEST(CoverageKernels, LiftedRowsOfALabel) {
-  for (unsigned seed = 0; seed < cases; ++seed) {
-    Rows rows(4000 + seed);
+  for (unsigned seed = 0; seed < kernel_cases; ++seed) {
+    KernelRows rows(4000 + seed);
     const std::size_t entries = rows.count - seed % SearchMatrix::block;
     const Floats signal = rows.next();
     Floats chosen = rows.next();
@@ -159,10 +161,10 @@ TEST(CoverageKernels, LiftedRowsOfALabel) {
       for (std::size_t j = 0; j < entries; ++j) {
         const double share =
             std::min(1.0, std::max(0.0, static_cast<double>(signal[j]) - lifted.shift[d]) * lifted.scale[d]);
-        ASSERT_NEAR(value[j], share, rounding);
+        ASSERT_NEAR(value[j], share, kernel_rounding);
         expected += share * chosen[j];
       }
-      expect_sum(expected, sum[d]);
+      expect_kernel_sum(expected, sum[d]);
     }
   }
 }

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 using test::expect_input_error;
 
-const Json quick{{"seed", 3}, {"budget", 20}};
+const Json quick_plan{{"seed", 3}, {"budget", 20}};
 
 class PlanRunsOfAShop : public testing::Test {
  protected:
@@ -54,7 +54,7 @@ class PlanRunsOfAShop : public testing::Test {
 
 TEST_F(PlanRunsOfAShop, AnswerFirstByPreviewsAndThenCertified) {
   open();
-  const std::uint64_t id = runs_->add(quick, shop_);
+  const std::uint64_t id = runs_->add(quick_plan, shop_);
   ASSERT_TRUE(wait([&] { return run(id).state == RunState::previewing; }));
   ASSERT_TRUE(wait([&] { return run(id).state == RunState::running; }));
   EXPECT_FALSE(run(id).first.at("selected").empty());
@@ -66,7 +66,7 @@ TEST_F(PlanRunsOfAShop, AnswerFirstByPreviewsAndThenCertified) {
   EXPECT_EQ(runs_->take_finished(), std::vector<std::uint64_t>{id});
   EXPECT_TRUE(fs::exists(folder_ / "plan" / "report.html"));
   // The next one reuses the signals, and has a folder of its own.
-  Json failure = quick;
+  Json failure = quick_plan;
   failure["problem"]["survives_failure"] = true;
   const std::uint64_t next = runs_->add(failure, shop_);
   ASSERT_TRUE(wait_for_end(next));
@@ -76,9 +76,9 @@ TEST_F(PlanRunsOfAShop, AnswerFirstByPreviewsAndThenCertified) {
 
 TEST_F(PlanRunsOfAShop, EndWhenTheyAreCancelled) {
   open();
-  Json precise = quick;
+  Json precise = quick_plan;
   precise["simulation"]["samples"] = 50'000'000;
-  const std::uint64_t id = runs_->add(precise, shop_), waiting = runs_->add(quick, shop_);
+  const std::uint64_t id = runs_->add(precise, shop_), waiting = runs_->add(quick_plan, shop_);
   ASSERT_TRUE(wait([&] { return run(id).progress.task == "simulating"; }));
   EXPECT_EQ(run(waiting).state, RunState::waiting);
   runs_->cancel(waiting);
@@ -97,7 +97,7 @@ TEST_F(PlanRunsOfAShop, EndWhenTheyAreCancelled) {
 
 TEST_F(PlanRunsOfAShop, ContinueWhenTheProgramHasEnded) {
   open();
-  Json precise = quick;
+  Json precise = quick_plan;
   precise["simulation"]["samples"] = 200'000;
   const std::uint64_t whole = runs_->add(precise, shop_);
   ASSERT_TRUE(wait_for_end(whole));
@@ -115,7 +115,7 @@ TEST_F(PlanRunsOfAShop, ContinueWhenTheProgramHasEnded) {
 
 TEST_F(PlanRunsOfAShop, DoNotContinueWithAnotherShop) {
   open();
-  Json precise = quick;
+  Json precise = quick_plan;
   precise["simulation"]["samples"] = 50'000'000;
   const std::uint64_t id = runs_->add(precise, shop_);
   ASSERT_TRUE(wait([&] { return run(id).progress.task == "simulating"; }));
@@ -129,7 +129,7 @@ TEST_F(PlanRunsOfAShop, DoNotContinueWithAnotherShop) {
 
 TEST_F(PlanRunsOfAShop, PlanTheShopAsItIsWhenItIsRead) {
   open();
-  const std::uint64_t id = runs_->add(quick, shop_);
+  const std::uint64_t id = runs_->add(quick_plan, shop_);
   runs_->poll([this]() -> const std::string& { return shop_; });
   shop_ = "second";
   ASSERT_TRUE(wait_for_end(id));

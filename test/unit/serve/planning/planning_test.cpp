@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 using test::expect_input_error;
 
-constexpr auto placement =
+constexpr auto placement_of_plan =
     R"({"count": 2, "count_lower_bound": 1, "labels": 16, "selected": ["T0-0", "T3-2"], "complete": true,
         "files": {}, "status": "optimal", "unreachable": [],
         "certificate": {"count_lower_bound": 2, "missed": ["gone"], "undecided": ["A1-front-1-2", "A1-front-1-1"],
@@ -31,7 +31,7 @@ class PlanningOfAShop : public testing::Test {
  protected:
   PlanningOfAShop() : shop_(folder_.path() / "store.json") {
     fs::create_directory(folder_ / ".shelfbeam");
-    folder_.write("plan/placement.json", placement);
+    folder_.write("plan/placement.json", placement_of_plan);
     folder_.write("plan/signal.h5", "secret");
     folder_.write("plan/report.html", "<h1>report</h1>");
     folder_.write("plan/mounting.csv", "id\n");
