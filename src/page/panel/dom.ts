@@ -31,6 +31,12 @@ export function button(text: string, pressed: () => void, attributes: Attributes
   return element("button", { type: "button", text, on: { click: pressed }, ...attributes });
 }
 
+/** Shows a sentence, or hides its element if it is empty. Screen readers hear only changes. */
+export function setText(element: HTMLElement, words: string): void {
+  if (element.textContent !== words) element.textContent = words;
+  element.hidden = words === "";
+}
+
 /** A choice of one value, as radio buttons in one row. */
 export class Choice<Value extends string> {
   readonly root: HTMLFieldSetElement;

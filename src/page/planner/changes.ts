@@ -6,6 +6,7 @@ export type Topic =
   | "warnings"
   | "light"
   | "plans"
+  | "proposed"
   | "selection"
   | "layers"
   | "picture"

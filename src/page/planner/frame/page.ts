@@ -223,7 +223,7 @@ export class Page {
       ["plans", "document", "devices", "light", "status"],
       () => this.rail.isOpen("plans") && plans.update(),
     );
-    changes.listen(["plans"], () => this.marks.update());
+    changes.listen(["proposed"], () => this.marks.update());
     changes.listen(["document", "warnings"], () => this.countProblems());
     changes.listen(["document", "selection", "devices", "warnings", "status", "tool", "presets"], () =>
       this.properties.update(),

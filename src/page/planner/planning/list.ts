@@ -26,6 +26,7 @@ export class PlanList {
   readonly root: HTMLElement;
   /** Ids of the plans to compare, the first chosen first. */
   private marked: number[] = [];
+  private of: unknown[] = [];
 
   constructor(
     private readonly planner: Planner,
@@ -36,7 +37,9 @@ export class PlanList {
   }
 
   update(): void {
-    const { runs } = this.planner.plans;
+    const { runs, shown } = this.planner.plans;
+    const of = [runs, shown, this.marked];
+    if (of.every((part, k) => part === this.of[k])) return;
     this.root.hidden = runs.length === 0;
     const comparable = new Set(runs.filter(({ result }) => result?.event === "result").map(({ id }) => id));
     this.marked = this.marked.filter((id) => comparable.has(id)).slice(-2);
@@ -46,6 +49,7 @@ export class PlanList {
       this.list,
       runs.map((run) => this.row(run, comparable.has(run.id) && comparable.size > 1)),
     );
+    this.of = [runs, shown, this.marked];
   }
 
   private row(run: PlanRun, isComparable: boolean): HTMLElement {

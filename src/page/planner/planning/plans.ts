@@ -121,7 +121,13 @@ export class Plans {
       }
       this.shop = shop;
     }
-    this.proposed = new Set(this.active?.progress?.units ?? []);
+    this.propose(this.active?.progress?.units ?? []);
     this.changes.note("plans");
+  }
+
+  private propose(units: readonly number[]): void {
+    if (units.length === this.proposed.size && units.every((index) => this.proposed.has(index))) return;
+    this.proposed = new Set(units);
+    this.changes.note("proposed");
   }
 }

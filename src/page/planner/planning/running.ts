@@ -1,6 +1,6 @@
 // The plan that runs: how far it is, and between which numbers its answer lies.
 
-import { button, element } from "../../panel/dom";
+import { button, element, setText } from "../../panel/dom";
 import type { PlanRun } from "../document/messages";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
@@ -78,9 +78,4 @@ export class Running {
       this.end.disabled = false;
     });
   }
-}
-
-function setText(element: HTMLElement, sentence: string): void {
-  if (element.textContent !== sentence) element.textContent = sentence;
-  element.hidden = sentence === "";
 }

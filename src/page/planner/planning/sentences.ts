@@ -12,7 +12,7 @@ export function duration(seconds: number): string {
   return say(text.plans.hours, String(Math.floor(whole / 3600)), String(Math.floor((whole % 3600) / 60)));
 }
 
-/** What a request asks for, in a few text.plans. */
+/** The question of a plan in a few words. */
 export function questionText(plan: PlanRequest | null): string {
   if (plan === null) return text.plans.question.elsewhere;
   const { problem = {}, at_most, reach, states, constraints = {} } = plan;

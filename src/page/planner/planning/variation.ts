@@ -8,6 +8,7 @@ import { namesIn } from "../form/initial";
 import { area } from "../geometry/polygon";
 import type { Planner } from "../planner";
 import { text } from "../text";
+import { CheckBox, NumberField } from "./fields";
 
 type Cause = keyof typeof text.variation.causes;
 
@@ -53,9 +54,9 @@ const doorsOf = (json: Json): Json[] => {
 
 export class Variation {
   private readonly rows: Record<Cause, Row>;
-  private readonly whole = element("input", { type: "checkbox" });
-  private readonly boxes = new Map<Cause, HTMLInputElement>();
-  private readonly fields: { number: Value; input: HTMLInputElement }[] = [];
+  private readonly whole = new CheckBox(text.variation.whole);
+  private readonly boxes = new Map<Cause, CheckBox>();
+  private readonly fields: { number: Value; field: NumberField }[] = [];
   private readonly lines = new Map<Cause, HTMLElement>();
   private readonly list = element("ul", { class: "causes" });
   readonly root: HTMLElement;
@@ -106,56 +107,35 @@ export class Variation {
         ],
       },
     };
-    this.whole.addEventListener("change", () => this.change((edit) => this.setAll(edit, this.whole.checked)));
+    this.whole.input.addEventListener("change", () => this.change((edit) => this.setAll(edit, this.whole.isOn)));
     for (const [cause, row] of Object.entries(this.rows) as [Cause, Row][]) this.list.append(this.line(cause, row));
     this.root = element(
       "details",
       { class: "variation" },
       element("summary", { text: text.variation.title }),
       element("p", { class: "note", text: text.variation.lead }),
-      element("label", { class: "check" }, this.whole, element("span", { text: text.variation.whole })),
+      this.whole.root,
       this.list,
     );
   }
 
   private line(cause: Cause, row: Row): HTMLElement {
-    const box = element("input", {
-      type: "checkbox",
-      "data-key": `varies-${cause}`,
-      on: { change: () => this.change((edit) => row.set(edit, box.checked)) },
-    });
+    const box = new CheckBox(text.variation.causes[cause], text.variation.says[cause], icon(row.icon));
+    box.input.dataset.key = `varies-${cause}`;
+    box.input.addEventListener("change", () => this.change((edit) => row.set(edit, box.isOn)));
     this.boxes.set(cause, box);
     const fields = row.numbers.map((number, k) => {
-      const input = element("input", {
-        type: "number",
-        min: 0,
-        max: number.most,
-        step: "any",
-        "data-key": `variation-${number.path}`,
-        on: {
-          change: () => {
-            if (input.value === "" || !input.validity.valid) return;
-            this.change((edit) => edit.set(`/variation/${number.path}`, input.valueAsNumber / number.factor));
-          },
-        },
+      const { path, unit, factor, most } = number;
+      const field = new NumberField(text.variation.numbers[cause][k], unit, { least: 0, most });
+      field.input.dataset.key = `variation-${path}`;
+      field.input.addEventListener("change", () => {
+        const { value } = field;
+        if (value !== undefined) this.change((edit) => edit.set(`/variation/${path}`, value / factor));
       });
-      this.fields.push({ number, input });
-      return element(
-        "label",
-        { class: "row" },
-        element("span", { text: text.variation.numbers[cause][k] }),
-        input,
-        element("small", { text: number.unit }),
-      );
+      this.fields.push({ number, field });
+      return field.root;
     });
-    const head = element(
-      "label",
-      { class: "check", title: text.variation.says[cause] },
-      box,
-      icon(row.icon),
-      element("span", { text: text.variation.causes[cause] }),
-    );
-    const made = element("li", {}, head, ...fields);
+    const made = element("li", {}, box.root, ...fields);
     this.lines.set(cause, made);
     return made;
   }
@@ -163,23 +143,20 @@ export class Variation {
   update(): void {
     const { json, locked } = this.planner.document;
     const varies = valueAt(json, "/variation") !== undefined;
-    this.whole.checked = varies;
-    this.whole.disabled = locked !== null;
+    Object.assign(this.whole.input, { checked: varies, disabled: locked !== null });
     this.list.hidden = !varies;
     for (const [cause, row] of Object.entries(this.rows) as [Cause, Row][]) {
       const box = this.boxes.get(cause);
       const line = this.lines.get(cause);
-      if (box) Object.assign(box, { checked: row.isOn(json), disabled: locked !== null });
+      if (box) Object.assign(box.input, { checked: row.isOn(json), disabled: locked !== null });
       if (line) line.hidden = row.isPossible?.(json) === false;
     }
-    for (const { number, input } of this.fields) {
+    for (const { number, field } of this.fields) {
       const value = at(json, number.path);
-      const label = input.closest("label");
-      const unit = label?.querySelector("small");
-      if (unit && number.path === "mounting/position") unit.textContent = this.planner.document.unit.name;
-      if (label) label.hidden = typeof value !== "number";
-      if (typeof value !== "number" || input === document.activeElement) continue;
-      input.value = String(Number((value * number.factor).toPrecision(6)));
+      if (number.path === "mounting/position") field.unit.textContent = this.planner.document.unit.name;
+      field.root.hidden = typeof value !== "number";
+      if (typeof value !== "number" || field.input === document.activeElement) continue;
+      field.input.value = String(Number((value * number.factor).toPrecision(6)));
     }
   }
 

@@ -1,7 +1,7 @@
 // The tab about light: how far it is computed, what it reaches, and where it is weakest.
 
 import { counted, grouped, percent } from "../../../data/format";
-import { element } from "../../../panel/dom";
+import { element, setText } from "../../../panel/dom";
 import type { Planner } from "../../planner";
 import { say, text } from "../../text";
 import { sinceBefore, sincePlan } from "../comparison";
@@ -156,8 +156,3 @@ export class LightPanel {
 }
 
 const gainedText = (gained: number): string => counted(text.light.gained, gained);
-
-function setText(element: HTMLElement, words: string): void {
-  if (element.textContent !== words) element.textContent = words;
-  element.hidden = words === "";
-}
