@@ -59,10 +59,10 @@ std::string line_of(const JobEnd& end) {
                  {"message", error->message},
                  {"of_checkpoint", error->is_of_checkpoint},
                  {"interrupted", error->is_interruption}});
-  const auto& [summary, is_complete, selected] = std::get<JobResult>(end);
+  const auto& [summary, is_complete] = std::get<JobResult>(end);
   Json result = {{"event", "result"}, {"code", static_cast<int>(summary.code)}, {"complete", is_complete}};
   result.update(to_json(summary));
-  result["selected"] = selected;
+  result["selected"] = summary.selected;
   return line(result);
 }
 
@@ -74,8 +74,8 @@ std::optional<JobEnd> end_of(std::string_view line) {
                     json.at("interrupted")};
   const Json json = object_of(line, "result");
   if (json.is_null()) return {};
-  return JobResult{
-      {read_numbers(json), json.at("code").get<ExitCode>()}, json.at("complete"), json.at("selected")};
+  return JobResult{{read_numbers(json), json.at("code").get<ExitCode>(), json.at("selected")},
+                   json.at("complete")};
 }
 
 }  // namespace

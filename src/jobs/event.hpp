@@ -28,8 +28,7 @@ struct JobError {
 /// The result of a job.
 struct JobResult {
   PlanSummary summary;
-  bool is_complete = false;                ///< not interrupted
-  std::vector<std::string> selected = {};  ///< ids of the chosen units
+  bool is_complete = false;  ///< not interrupted
 };
 
 using JobEnd = std::variant<JobResult, JobError>;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "shelfbeam/placement/problem/incumbent_report.hpp"
 #include "shelfbeam/plan/answer/value_bounds.hpp"
 #include "shelfbeam/report/terminal/plan_text.hpp"
 
@@ -28,6 +29,7 @@ PlanSummary summary_of(const PlanEnd& end) {
   const Placement& placement = plan.placement;
   PlanSummary summary;
   summary.code = end.code;
+  summary.selected = detail::ids_of(end.table, placement.selected);
   const PlanText text = plan_text(plan, end.table, false);
   summary.answer = text.open.empty() ? text.answer : text.answer + " " + text.open;
   summary.labels = end.table.rows();

@@ -138,7 +138,8 @@ struct Planner::State {
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
     if (shop.unit_count() > 0) server.send(tab, http::Message::binary(shop.units(project.revision())));
     for (const http::Message& message : light.everything()) server.send(tab, message);
-    server.send(tab, http::Message::text(text_of(planning.everything(shop.json(), shop.draft()))));
+    server.send(tab, http::Message::text(
+                         text_of(planning.everything(shop.json(), shop.draft(), project.revision()))));
     if (found) server.send(tab, http::Message::text(text_of(warnings_json())));
   }
 
@@ -246,8 +247,7 @@ struct Planner::State {
     return changes;
   }
 
-  // Sends what has changed since the last message, which `request` or the end of a plan caused if there is
-  // one.
+  // Sends the changes since the last message. `request` or the end of a plan may have caused them.
   void tell_changes(const std::optional<Request>& request, std::optional<std::uint64_t> plan = {}) {
     if (revision == project.revision() && locked == project.locked()) return;
     // The operations describe the change only if nothing else has changed.

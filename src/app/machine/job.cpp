@@ -1,11 +1,8 @@
 #include <csignal>
-#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "shelfbeam/base/error.hpp"
 
@@ -45,10 +42,7 @@ JobEnd run_and_report() {
           if (job.reports_progress) print(store_is_read);
         }};
     const PlanEnd end = job.preview ? run_first_answer(job, watch) : run_plan(job, watch);
-    std::vector<std::string> selected;
-    for (const std::uint32_t j : end.plan.placement.selected)
-      selected.push_back(end.table.transceivers[j].id);
-    return JobResult{summary_of(end), end.plan.complete, std::move(selected)};
+    return JobResult{summary_of(end), end.plan.complete};
   } catch (const InputError& error) {
     return job_error(error, error.setting());
   } catch (const Interrupted& error) {

@@ -10,38 +10,19 @@
 
 namespace shelfbeam::serve {
 
-namespace {
-
-template <class T>
-Json or_null(const std::optional<T>& value) {
-  return value ? Json(*value) : Json();
-}
-
-}  // namespace
-
 Json to_json(const PlanRun& run) {
-  Json json{{"id", run.id},
-            {"folder", run.folder},
-            {"plan", run.plan},
-            {"begun", run.begun},
-            {"ended", run.ended},
-            {"state", to_text(run.state)},
-            {"shop", run.shop},
-            {"written", run.written},
-            {"continued", run.is_continued},
-            {"entered", run.is_entered},
-            {"first", run.first},
-            {"result", run.result}};
-  if (!run.is_active()) return json;
-  const RunProgress& now = run.progress;
-  json["progress"] = {{"task", now.task},
-                      {"detail", now.detail},
-                      {"share", or_null(now.share)},
-                      {"seconds_left", or_null(now.seconds_left)},
-                      {"incumbent", or_null(now.incumbent)},
-                      {"bound", or_null(now.bound)},
-                      {"selected", now.selected}};
-  return json;
+  return {{"id", run.id},
+          {"folder", run.folder},
+          {"plan", run.plan},
+          {"begun", run.begun},
+          {"ended", run.ended},
+          {"state", to_text(run.state)},
+          {"shop", run.shop},
+          {"written", run.written},
+          {"continued", run.is_continued},
+          {"entered", run.is_entered},
+          {"first", run.first},
+          {"result", run.result}};
 }
 
 PlanRun run_of(const Json& json) {

@@ -75,7 +75,7 @@ struct PlanRun {
   }
 };
 
-/// For pages; and what is kept on the disk.
+/// The run without its progress.
 Json to_json(const PlanRun& run);
 /// Throws nlohmann::json::exception.
 PlanRun run_of(const Json& json);

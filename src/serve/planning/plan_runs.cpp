@@ -78,7 +78,7 @@ void PlanRuns::take_up(PlanRun& run) {
   run.state = RunState::waiting;
 }
 
-// A list that is damaged is no reason to refuse the project: the plans themselves are in their folders.
+// A damaged list does not prevent the project from opening: the plans themselves are in their folders.
 void PlanRuns::load() {
   const fs::path file = folder_ / ".shelfbeam" / list_name;
   if (!is_plain_file(file)) return;
@@ -97,11 +97,7 @@ void PlanRuns::load() {
 
 void PlanRuns::save() const {
   Json list = Json::array();
-  for (const PlanRun& run : runs_) {
-    Json json = to_json(run);
-    json.erase("progress");
-    list.push_back(std::move(json));
-  }
+  for (const PlanRun& run : runs_) list.push_back(to_json(run));
   const Json json{{"format", 1}, {"runs", std::move(list)}};
   write_file(folder_ / ".shelfbeam" / list_name,
              json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -130,10 +126,9 @@ std::uint64_t PlanRuns::add(Json plan, std::string shop) {
 }
 
 PlanRun& PlanRuns::at(std::uint64_t id) {
-  const auto found =
-      std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) { return run.id == id; });
-  if (found == runs_.end()) throw InputError("plan", "is not in the list", "reload the page");
-  return *found;
+  for (PlanRun& run : runs_)
+    if (run.id == id) return run;
+  throw InputError("plan", "is not in the list", "reload the page");
 }
 
 const PlanRun* PlanRuns::find(std::uint64_t id) const {
@@ -157,6 +152,7 @@ void PlanRuns::forget(std::uint64_t id) {
   if (run.is_active() || run.has_plan())
     throw InputError("plan", "has a result", "delete its folder if it is not needed");
   runs_.remove_if([&](const PlanRun& one) { return one.id == id; });
+  changed_.push_back(id);
   save();
 }
 
@@ -236,7 +232,7 @@ std::vector<std::uint64_t> PlanRuns::poll(const std::function<const std::string&
     // The process may have read the store before the change, or after it.
     if (!process_->has_read() && active_->shop != shop()) {
       active_->shop = shop();
-      process_->restart();
+      process_->start();
     }
     if (process_->poll()) changed_.push_back(active_->id);
     if (!active_->is_active()) end();

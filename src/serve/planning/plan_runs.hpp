@@ -37,18 +37,19 @@ class PlanRuns {
   void note_entered(std::uint64_t id);
 
   /// To be called often. `shop`: that of the store file now. Returns the numbers of the runs that have
-  /// changed.
+  /// changed, or are no longer in the list.
   std::vector<std::uint64_t> poll(const std::function<const std::string&()>& shop);
-  /// Those that have ended with units since the last call.
+  /// The runs that have ended with units since the last call.
   std::vector<std::uint64_t> take_finished();
 
   const std::list<PlanRun>& all() const { return runs_; }
   const PlanRun* find(std::uint64_t id) const;
+  /// Throws InputError if the list does not have it.
+  PlanRun& at(std::uint64_t id);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  PlanRun& at(std::uint64_t id);
   void begin(PlanRun& run, const std::string& shop);
   void end();
   void look();

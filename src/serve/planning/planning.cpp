@@ -42,19 +42,29 @@ std::optional<http::Document> document_of(const fs::path& file, bool is_report) 
   }
 }
 
-// Pages know units by their numbers.
+template <class T>
+Json or_null(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+// With its progress. Pages know units by their numbers.
 Json for_page(const PlanRun& run, const Draft& draft) {
   Json json = to_json(run);
-  const auto progress = json.find("progress");
-  if (progress == json.end()) return json;
-  const std::unordered_set<std::string_view> ids(run.progress.selected.begin(), run.progress.selected.end());
+  if (!run.is_active()) return json;
+  const RunProgress& now = run.progress;
+  const std::unordered_set<std::string_view> ids(now.selected.begin(), now.selected.end());
   Json units = Json::array();
   if (!ids.empty())
     for (std::size_t j = 0; j < draft.scene.transceivers.size(); ++j)
       if (ids.contains(draft.scene.transceivers[j].id)) units.push_back(j);
-  progress->erase("selected");
-  (*progress)["count"] = ids.size();
-  (*progress)["units"] = std::move(units);
+  json["progress"] = {{"task", now.task},
+                      {"detail", now.detail},
+                      {"share", or_null(now.share)},
+                      {"seconds_left", or_null(now.seconds_left)},
+                      {"incumbent", or_null(now.incumbent)},
+                      {"bound", or_null(now.bound)},
+                      {"count", ids.size()},
+                      {"units", std::move(units)}};
   return json;
 }
 
@@ -64,12 +74,6 @@ Planning::Planning(fs::path folder, std::string program)
     : folder_(std::move(folder)),
       runs_(folder_, program),
       difference_(std::move(program), "the comparison") {}
-
-const PlanRun& Planning::run_with(std::uint64_t id) const {
-  const PlanRun* run = runs_.find(id);
-  if (run == nullptr) throw InputError("plan", "is not in the list", "reload the page");
-  return *run;
-}
 
 const std::string& Planning::shop(const Json& store, std::uint64_t revision) {
   if (revision != revision_) {
@@ -88,9 +92,9 @@ std::optional<Json> Planning::answer(const Request& request, const Json& store, 
   }
   if (verb == "plan_cancel") return runs_.cancel(request.number("plan")), Json::object();
   if (verb == "plan_forget") return runs_.forget(request.number("plan")), Json::object();
-  if (verb == "plan_details") return details(run_with(request.number("plan")), draft);
+  if (verb == "plan_details") return details(runs_.at(request.number("plan")), draft);
   if (verb == "plan_states") {
-    const PlanRun& run = run_with(request.number("plan"));
+    const PlanRun& run = runs_.at(request.number("plan"));
     return states_of_plan(folder_ / run.folder, placement_of(run), draft);
   }
   return {};
@@ -131,15 +135,15 @@ Json Planning::details(const PlanRun& run, const Draft& draft) const {
 }
 
 void Planning::begin_difference(const Request& request) {
-  const PlanRun& before = run_with(request.number("before"));
-  const PlanRun& after = run_with(request.number("after"));
+  const PlanRun& before = runs_.at(request.number("before"));
+  const PlanRun& after = runs_.at(request.number("after"));
   difference_.start({"diff", (folder_ / before.folder).string(), (folder_ / after.folder).string(), "-o",
                      (folder_ / ".shelfbeam" / difference_name).string()});
   asked_ = {request.tab, request.json["id"]};
 }
 
-Planning::Selection Planning::selection(std::uint64_t id, const Json& store, const Draft& draft) const {
-  const PlanRun& run = run_with(id);
+Planning::Selection Planning::selection(std::uint64_t id, const Json& store, const Draft& draft) {
+  const PlanRun& run = runs_.at(id);
   const Json selected = run.selected();
   if (selected.empty()) throw InputError("plan", "has chosen no units", "start another plan");
   std::unordered_map<std::string_view, const Transceiver*> units;
@@ -166,22 +170,20 @@ Planning::Selection Planning::selection(std::uint64_t id, const Json& store, con
   return result;
 }
 
-Json Planning::everything(const Json& store, const Draft& draft) {
+Json Planning::everything(const Json& store, const Draft& draft, std::uint64_t revision) {
   Json list = Json::array();
   for (const PlanRun& run : runs_.all()) list.push_back(for_page(run, draft));
-  return {{"event", "plans"},
-          {"all", std::move(list)},
-          {"shop", told_shop_.empty() ? shop_hash(store) : told_shop_}};
+  return {{"event", "plans"}, {"all", std::move(list)}, {"shop", shop(store, revision)}};
 }
 
 Planning::News Planning::poll(const Json& store, const Draft& draft, std::uint64_t revision) {
   News news;
-  std::vector<std::uint64_t> changed =
+  const std::vector<std::uint64_t> changed =
       runs_.poll([&]() -> const std::string& { return shop(store, revision); });
   news.is_previewing = std::any_of(runs_.all().begin(), runs_.all().end(),
                                    [](const PlanRun& run) { return run.state == RunState::previewing; });
   for (const std::uint64_t id : runs_.take_finished())
-    if (run_with(id).shop == shop(store, revision)) news.to_enter.push_back(id);
+    if (runs_.at(id).shop == shop(store, revision)) news.to_enter.push_back(id);
   // A shop may be large, so that its hash is told a moment after a change.
   constexpr auto pause = std::chrono::seconds(1);
   const bool has_plans = !runs_.all().empty();
@@ -189,20 +191,17 @@ Planning::News Planning::poll(const Json& store, const Draft& draft, std::uint64
     hashed_ = Clock::now();
     shop(store, revision);
   }
-  Json event{{"event", "plans"}};
-  if (shop_ != told_shop_ && has_plans) event["shop"] = told_shop_ = shop_;
-  std::vector<std::uint64_t> now;
-  for (const PlanRun& run : runs_.all()) now.push_back(run.id);
-  Json set = Json::array(), remove = Json::array();
-  for (const PlanRun& run : runs_.all())
-    if (std::find(changed.begin(), changed.end(), run.id) != changed.end())
-      set.push_back(for_page(run, draft));
-  for (const std::uint64_t id : told_)
-    if (std::find(now.begin(), now.end(), id) == now.end()) remove.push_back(id);
-  told_ = std::move(now);
-  if (!set.empty()) event["set"] = std::move(set);
-  if (!remove.empty()) event["remove"] = std::move(remove);
-  if (event.size() > 1) news.event = std::move(event);
+  const bool is_other_shop = has_plans && shop_ != told_shop_;
+  if (!changed.empty() || is_other_shop) {
+    Json event{{"event", "plans"}, {"set", Json::array()}, {"remove", Json::array()}};
+    for (const std::uint64_t id : changed)
+      if (const PlanRun* run = runs_.find(id))
+        event["set"].push_back(for_page(*run, draft));
+      else
+        event["remove"].push_back(id);
+    if (is_other_shop) event["shop"] = told_shop_ = shop_;
+    news.event = std::move(event);
+  }
   if (auto summary = difference_.poll()) {
     const bool has_failed = summary->contains("message");
     news.reply = {asked_.first,

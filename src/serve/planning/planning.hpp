@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,10 +39,10 @@ class Planning {
     std::string label;
     std::vector<EditOp> ops;
   };
-  Selection selection(std::uint64_t id, const Json& store, const Draft& draft) const;
+  Selection selection(std::uint64_t id, const Json& store, const Draft& draft);
 
   /// The event `plans` for a new page.
-  Json everything(const Json& store, const Draft& draft);
+  Json everything(const Json& store, const Draft& draft, std::uint64_t revision);
   struct News {
     std::optional<Json> event = {};                          ///< `plans`, for all pages
     std::optional<std::pair<http::TabId, Json>> reply = {};  ///< that was begun
@@ -62,7 +61,6 @@ class Planning {
 
   Json placement_of(const PlanRun& run) const;
   Json details(const PlanRun& run, const Draft& draft) const;
-  const PlanRun& run_with(std::uint64_t id) const;
   const std::string& shop(const Json& store, std::uint64_t revision);
 
   const std::filesystem::path folder_;
@@ -72,7 +70,6 @@ class Planning {
   std::uint64_t revision_ = 0;
   std::string shop_, told_shop_;
   Clock::time_point hashed_{};
-  std::vector<std::uint64_t> told_;  // the numbers in the list that pages know
 };
 
 }  // namespace shelfbeam::serve

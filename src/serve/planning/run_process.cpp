@@ -55,14 +55,9 @@ void RunProcess::start() {
   run_.progress = {};
   stages_ = {};
   begun_ = std::chrono::steady_clock::now();
-  has_read_ = false;
   process_.emplace(job_, memory_limit(), program_);
   process_->give_way();
   has_changed_ = true;
-}
-
-void RunProcess::restart() {
-  start();
 }
 
 void RunProcess::cancel() {
@@ -74,7 +69,6 @@ bool RunProcess::poll() {
   jobs::JobEnd result;
   jobs::ChildEnd effort;
   const bool has_ended = process_ && process_->has_ended(result, effort, this);
-  has_read_ = has_read_ || (process_ && process_->has_read());
   if (has_ended) end(result);
   return std::exchange(has_changed_, false);
 }

@@ -25,16 +25,15 @@ class RunProcess : ProgressSink {
 
   /// Ends the first answer at once, and the plan with its results so far.
   void cancel();
-  /// Starts again with a store that has changed before it was read.
-  void restart();
-  /// Whether the store was read.
-  bool has_read() const { return has_read_; }
+  /// Starts, also again, with a store that has changed before it was read.
+  void start();
+  /// Whether the store was read. Precondition: the run is active.
+  bool has_read() const { return process_->has_read(); }
   /// To be called often. Updates the run; returns whether it has changed. A run that is not active any more
   /// has no process.
   bool poll();
 
  private:
-  void start();
   void end(const jobs::JobEnd& end);
   void report(Task task, double fraction, std::string_view detail) override;
   void bounds(double incumbent, double lower_bound) override;
@@ -46,7 +45,7 @@ class RunProcess : ProgressSink {
   std::optional<jobs::PlanProcess> process_;
   jobs::ProgressStages stages_;
   std::chrono::steady_clock::time_point begun_;
-  bool has_read_ = false, is_cancelled_ = false, has_changed_ = false;
+  bool is_cancelled_ = false, has_changed_ = false;
 };
 
 }  // namespace shelfbeam::serve

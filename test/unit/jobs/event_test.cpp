@@ -117,8 +117,10 @@ TEST(JobEvents, SelectionsAreWrittenOnce) {
   EXPECT_EQ(next(Task::placing, {"a"}), Ids{"a"});
   EXPECT_EQ(next(Task::verifying, {}), Ids{});
   EXPECT_EQ(next(Task::placing, {"c"}), Ids{"before"});
-  const auto end = read_end(line_of(JobResult{PlanSummary{}, true, {"a"}}));
-  EXPECT_EQ(std::get<JobResult>(*end).selected, Ids{"a"});
+  PlanSummary summary;
+  summary.selected = {"a"};
+  const auto end = read_end(line_of(JobResult{summary, true}));
+  EXPECT_EQ(std::get<JobResult>(*end).summary.selected, Ids{"a"});
 }
 
 }  // namespace
