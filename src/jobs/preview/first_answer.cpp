@@ -36,12 +36,8 @@ LightOperator operator_for(const PlanJob& job, const World& world, const RunCont
   const std::size_t labels = world.scene.labels.size();
   if (auto kept = LightOperator::load(*job.preview / operator_name, world, light_seed, usual_effort(labels)))
     return std::move(*kept);
-  const std::filesystem::path file = *job.preview / coarse_operator_name;
-  if (auto kept = LightOperator::load(file, world, light_seed, coarse_operator)) return std::move(*kept);
-  expect_to_fit(coarse_operator, world.scene, job.store.string(), "use a machine with more memory");
-  LightOperator made(world, light_seed, coarse_operator, control);
-  made.save(file);
-  return made;
+  return kept_or_made(world, *job.preview / coarse_operator_name, coarse_operator, job.store.string(),
+                      control);
 }
 
 SignalMatrix previews_of(const PlanJob& job, const Scene& scene, const RunControl& control) {

@@ -36,6 +36,15 @@ constexpr double finest = 0.005;  // of the requirement: closer labels stay unde
 // one.
 constexpr float of_few = 2.365F / 1.96F;
 
+LightOperator make_and_keep(const World& world, const std::filesystem::path& file,
+                            const OperatorEffort& effort, const std::string& store,
+                            const RunControl& control) {
+  expect_to_fit(effort, world.scene, store, "use a machine with more memory");
+  LightOperator light(world, light_seed, effort, control);
+  light.save(file);
+  return light;
+}
+
 // A unit on the plan.
 struct Placed {
   Transceiver unit;
@@ -69,8 +78,10 @@ class LightRun : ProgressSink {
       return refine(*kept);
     }
     show_direct();
-    show_previews(kept_or_made(coarse_operator, coarse_operator_name), LightStage::coarse);
-    const LightOperator light = made(usual, operator_name);
+    show_previews(
+        kept_or_made(world_, job_.keep / coarse_operator_name, coarse_operator, job_.name, control_),
+        LightStage::coarse);
+    const LightOperator light = make_and_keep(world_, job_.keep / operator_name, usual, job_.name, control_);
     show_previews(light, LightStage::fine);
     refine(light);
   }
@@ -96,19 +107,6 @@ class LightRun : ProgressSink {
       unit.stage = *stage;
       unit.batches = about.at("batches").get<std::uint32_t>();
     }
-  }
-
-  LightOperator kept_or_made(const OperatorEffort& effort, const char* name) {
-    if (auto kept = LightOperator::load(job_.keep / name, world_, light_seed, effort))
-      return std::move(*kept);
-    return made(effort, name);
-  }
-
-  LightOperator made(const OperatorEffort& effort, const char* name) {
-    expect_to_fit(effort, scene(), job_.name, "use a machine with more memory");
-    LightOperator light(world_, light_seed, effort, control_);
-    light.save(job_.keep / name);
-    return light;
   }
 
   void show(const Placed& unit) const {
@@ -269,6 +267,13 @@ class LightRun : ProgressSink {
 };
 
 }  // namespace
+
+LightOperator kept_or_made(const World& world, const std::filesystem::path& file,
+                           const OperatorEffort& effort, const std::string& store,
+                           const RunControl& control) {
+  if (auto kept = LightOperator::load(file, world, light_seed, effort)) return std::move(*kept);
+  return make_and_keep(world, file, effort, store, control);
+}
 
 std::string input_of(const LightJob& job) {
   Json head{{"generation", job.generation}, {"name", job.name},        {"folder", job.folder.string()},

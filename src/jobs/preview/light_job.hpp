@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/transport/operator/light_operator.hpp"
 
 namespace shelfbeam::jobs {
 
@@ -29,6 +30,11 @@ LightJob light_job_of(std::string_view input);
 
 /// The seed of the operators that a LightJob keeps.
 inline constexpr std::uint64_t light_seed = 1;
+
+/// The operator of a LightJob with this effort: from a file, or made and kept there. `store`: its name in
+/// errors. Throws as expect_to_fit, OutputError, and Interrupted.
+LightOperator kept_or_made(const World& world, const std::filesystem::path& file,
+                           const OperatorEffort& effort, const std::string& store, const RunControl& control);
 
 using SendFrame = std::function<void(std::string_view)>;
 

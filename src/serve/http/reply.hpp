@@ -23,9 +23,9 @@ struct Reply {
 /// A short text for a status and perhaps a reason, without details that would help an attacker.
 Reply refusal(unsigned status, std::string_view why = {});
 
-/// The fields that every answer has, the one that opens the WebSocket too: the page runs only its own files,
-/// sits in no frame, and tells nobody its address, which contains the token. A report runs its own scripts,
-/// but as a page of no address: it cannot ask the server for anything.
+/// The fields of every answer, also of the one that opens the WebSocket: the page runs only its own files,
+/// sits in no frame, and passes its address, which contains the token, to nobody. A report runs the scripts
+/// in it, but has no origin, so that it cannot send requests to the server.
 std::span<const std::pair<std::string_view, std::string_view>> security_fields(bool is_report = false);
 
 /// Status line and fields of an answer, with the empty line that ends them.

@@ -11,19 +11,24 @@ bool is_plain_file(const fs::path& path) {
   return fs::symlink_status(path, ignored).type() == fs::file_type::regular;
 }
 
+std::optional<fs::file_time_type> time_of_plan(const fs::path& folder) {
+  const fs::path placement = folder / "placement.json";
+  if (!is_plain_file(placement) || !is_plain_file(folder / "signal.h5")) return {};
+  std::error_code error;
+  const fs::file_time_type time = fs::last_write_time(placement, error);
+  return error ? std::nullopt : std::optional(time);
+}
+
 std::string newest_plan(const fs::path& folder) {
   std::string newest;
-  fs::file_time_type last{};
+  std::optional<fs::file_time_type> last;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
-    const fs::path placement = entry.path() / "placement.json";
-    if (!is_plain_file(placement) || !is_plain_file(entry.path() / "signal.h5")) continue;
-    const fs::file_time_type time = fs::last_write_time(placement, error);
-    if (!error && (newest.empty() || time > last)) {
-      newest = entry.path().filename().string();
-      last = time;
-    }
+    const auto time = time_of_plan(entry.path());
+    if (!time || (last && *time <= *last)) continue;
+    newest = entry.path().filename().string();
+    last = time;
   }
   return newest;
 }

@@ -26,13 +26,10 @@ namespace {
 constexpr std::uint64_t max_list = 64 << 20;
 constexpr auto list_name = "plans.json";
 
-// The time at which the plan in a folder was written; 0 without one.
-std::int64_t time_of_plan(const fs::path& folder) {
-  const fs::path placement = folder / jobs::placement_name;
-  std::error_code error;
-  if (!is_plain_file(placement) || !is_plain_file(folder / jobs::signal_name)) return 0;
-  const auto time = fs::last_write_time(placement, error);
-  return error ? 0 : std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count();
+// PlanRun::written of the plan in a folder.
+std::int64_t written_in(const fs::path& folder) {
+  const auto time = time_of_plan(folder);
+  return time ? std::chrono::duration_cast<std::chrono::nanoseconds>(time->time_since_epoch()).count() : 0;
 }
 
 std::string present_time() {
@@ -70,7 +67,7 @@ void PlanRuns::take_up(PlanRun& run) {
   if (Json result = result_in(folder); result.is_object() && result["complete"] == true) {
     run.state = RunState::done;
     run.result = std::move(result);
-    run.written = time_of_plan(folder);
+    run.written = written_in(folder);
     if (run.has_plan()) finished_.push_back(run.id);
     return;
   }
@@ -185,7 +182,7 @@ void PlanRuns::end() {
   PlanRun& run = *std::exchange(active_, nullptr);
   process_.reset();
   run.ended = present_time();
-  run.written = time_of_plan(folder_ / run.folder);
+  run.written = written_in(folder_ / run.folder);
   if (run.has_plan()) finished_.push_back(run.id);
   save();
 }
@@ -198,7 +195,7 @@ void PlanRuns::look() {
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
     if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
     const std::string name = entry.path().filename().string();
-    const std::int64_t written = time_of_plan(entry.path());
+    const std::int64_t written = written_in(entry.path());
     auto known =
         std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) { return run.folder == name; });
     if (written == 0 || (known != runs_.end() && (known->is_active() || known->written == written))) continue;
@@ -219,7 +216,7 @@ void PlanRuns::look() {
   }
   // A plan whose folder is gone.
   const auto gone = std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) {
-    return !run.is_active() && run.written != 0 && time_of_plan(folder_ / run.folder) == 0;
+    return !run.is_active() && run.written != 0 && written_in(folder_ / run.folder) == 0;
   });
   if (gone == runs_.end()) return;
   changed_.push_back(gone->id);

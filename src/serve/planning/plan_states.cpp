@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
 #include "shelfbeam/report/data/shop_states.hpp"
@@ -30,6 +29,18 @@ Json outlines_of(const ShopState& state) {
 
 }  // namespace
 
+LabelNumbers::LabelNumbers(const Draft& draft) {
+  for (std::size_t i = 0; i < draft.scene.labels.size(); ++i) numbers_.emplace(draft.scene.labels[i].id, i);
+}
+
+Json LabelNumbers::of(const Json& ids) const {
+  Json list = Json::array();
+  for (const Json& id : ids)
+    if (const auto found = numbers_.find(id.get<std::string>()); found != numbers_.end())
+      list.push_back(found->second);
+  return list;
+}
+
 Json states_of_plan(const std::filesystem::path& folder, const Json& placement, const Draft& draft) {
   Json result{{"shown", Json::array()}, {"availability", Json::array()}};
   const auto found = placement.find("states");
@@ -37,18 +48,13 @@ Json states_of_plan(const std::filesystem::path& folder, const Json& placement, 
   const Store store = read_store(folder / jobs::store_name);
   const Scene scene = make_scene(store);
   const StoreStates states(store, scene, placement.value("seed", std::uint64_t{1}));
-  std::unordered_map<std::string, std::size_t> number;
-  for (std::size_t i = 0; i < draft.scene.labels.size(); ++i) number.emplace(draft.scene.labels[i].id, i);
+  const LabelNumbers numbers(draft);
   for (const Json& one : found->value("shown_states", Json::array())) {
     ShownState verdicts;
     verdicts.number = one.at("state");
     const ShopState state = shop_state(states, store, std::move(verdicts));
-    Json missed = Json::array();
-    for (const Json& id : one.at("missed"))
-      if (const auto label = number.find(id.get<std::string>()); label != number.end())
-        missed.push_back(label->second);
     result["shown"].push_back({{"state", one.at("state")},
-                               {"missed", std::move(missed)},
+                               {"missed", numbers.of(one.at("missed"))},
                                {"blocks", outlines_of(state)},
                                {"open_doors", state.open_doors}});
   }

@@ -1,12 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <string>
+#include <unordered_map>
 
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/scene/build/draft.hpp"
 
 namespace shelfbeam::serve {
+
+/// The indices of labels in a draft, by their ids.
+class LabelNumbers {
+ public:
+  explicit LabelNumbers(const Draft& draft);
+  /// Of those in a list of ids that the draft has.
+  nlohmann::ordered_json of(const nlohmann::ordered_json& ids) const;
+
+ private:
+  std::unordered_map<std::string, std::size_t> numbers_;
+};
 
 /// The states of a plan for a changing shop, for a page: `shown`, the states that its report shows, each with
 /// its number `state`, the indices of the labels that it misses, the outlines (m) of people and objects, and

@@ -114,23 +114,16 @@ Json Planning::placement_of(const PlanRun& run) const {
 Json Planning::details(const PlanRun& run, const Draft& draft) const {
   Json plan = placement_of(run);
   for (const char* key : {"files", "label_names", "sensitivity", "scenarios"}) plan.erase(key);
-  std::unordered_map<std::string, std::size_t> number;
-  for (std::size_t i = 0; i < draft.scene.labels.size(); ++i) number.emplace(draft.scene.labels[i].id, i);
-  Json indices = Json::object();
-  const auto add = [&](const char* key, const Json& ids) {
-    Json list = Json::array();
-    for (const Json& id : ids) {
-      const auto found = number.find(id.is_object() ? id.value("label", "") : id.get<std::string>());
-      if (found != number.end()) list.push_back(found->second);
-    }
-    indices[key] = std::move(list);
+  const LabelNumbers numbers(draft);
+  Json unreachable = Json::array();
+  for (const Json& one : plan.value("unreachable", Json::array())) unreachable.push_back(one.at("label"));
+  Json indices{{"unreachable", numbers.of(unreachable)}};
+  const auto add = [&](const char* part, const char* key) {
+    if (const auto found = plan.find(part); found != plan.end())
+      indices[key] = numbers.of(found->value(key, Json::array()));
   };
-  add("unreachable", plan.value("unreachable", Json::array()));
-  if (const auto found = plan.find("certificate"); found != plan.end())
-    for (const char* key : {"missed", "undecided", "not_verified_yet"})
-      add(key, found->value(key, Json::array()));
-  if (const auto found = plan.find("states"); found != plan.end())
-    add("responsible", found->value("responsible", Json::array()));
+  for (const char* key : {"missed", "undecided", "not_verified_yet"}) add("certificate", key);
+  add("states", "responsible");
   return {{"details", std::move(plan)}, {"indices", std::move(indices)}};
 }
 
