@@ -142,7 +142,7 @@ void Child::resume() const {
 }
 
 void Child::give_way() const {
-  constexpr int niceness = 10;
+  constexpr int niceness = 5;
   if (state_->id > 0) ::setpriority(PRIO_PROCESS, static_cast<id_t>(state_->id), niceness);
 }
 

@@ -40,11 +40,11 @@ struct ServeArguments {
 };
 
 // The folder that a user means, perhaps by the store.json in it.
-fs::path folder_of(const fs::path& given) {
+fs::path project_folder(const fs::path& given) {
   std::error_code error;
   if (given.empty() || fs::is_directory(given, error)) return given.empty() ? "." : given;
   const bool exists = fs::exists(fs::symlink_status(given, error));
-  if (exists && given.filename() == "store.json") return folder_of(given.parent_path());
+  if (exists && given.filename() == "store.json") return project_folder(given.parent_path());
   if (exists || lower_case(given.extension().string()) == ".json")
     throw InputError(given.string(), exists ? "is not a folder" : "does not exist",
                      "name a folder with a store.json, or a new folder");
@@ -54,7 +54,7 @@ fs::path folder_of(const fs::path& given) {
 // The folder of the project; of a demo without a folder a temporary one, which is removed at the end.
 class ProjectFolder {
  public:
-  explicit ProjectFolder(const ServeArguments& options) : path_(folder_of(options.folder)) {
+  explicit ProjectFolder(const ServeArguments& options) : path_(project_folder(options.folder)) {
     if (options.demo && options.folder.empty()) {
       std::string pattern = (fs::temp_directory_path() / "shelfbeam-demo-XXXXXX").string();
       if (::mkdtemp(pattern.data()) == nullptr) cannot_write(pattern, system_reason());

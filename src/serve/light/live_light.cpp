@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using jobs::LightStage;
 
 constexpr auto quiet = std::chrono::milliseconds(300);
-constexpr auto look_interval = std::chrono::seconds(1);
+constexpr auto sweep_interval = std::chrono::seconds(1);
 constexpr std::size_t most_bytes = std::size_t{32} << 20;  // of columns that are kept, for undo
 constexpr std::size_t most_at_once = 4;                    // units that are previewed between two requests
 constexpr int most_tries = 3;                              // of fine columns, to see how long they take
@@ -205,7 +205,7 @@ void LiveLight::take(std::string frame) {
 }
 
 std::vector<http::Message> LiveLight::poll(const Draft& draft, Clock::time_point now) {
-  if (now - looked_ >= look_interval) {
+  if (now - looked_ >= sweep_interval) {
     looked_ = now;
     plan_.look();
     baseline_ = plan_.json(draft.scene);

@@ -24,7 +24,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unknown_spend = std::numeric_limits<double>::infinity();
 
 /// Whether nearly all candidates have one price, so that few units and a low spend go together.
 bool have_one_price(const SignalTable& table) {
@@ -46,7 +46,7 @@ bool have_one_price(const SignalTable& table) {
 void learn_from_count(Placement& placement, const SignalTable& table, const Placement& of_count) {
   if (of_count.status == Status::infeasible) {
     placement.status = Status::infeasible;
-    placement.lower_bound = placement.count_lower_bound = infinite;
+    placement.lower_bound = placement.count_lower_bound = unknown_spend;
     placement.bound_proof = of_count.bound_proof;
     placement.solver = of_count.solver;
     return;
@@ -112,7 +112,7 @@ class SpendProgress final : public ProgressSink {
   const SpendOrder& order_;
   ProgressSink& watcher_;
   std::vector<std::string> ids_;
-  double spend_ = infinite, lower_ = 0;
+  double spend_ = unknown_spend, lower_ = 0;
 };
 
 }  // namespace
@@ -128,7 +128,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  double known = infinite;
+  double known = unknown_spend;
   std::vector<std::uint32_t> start;
   for (const auto& selected :
        {greedy_selection(SpendOrder(table, known).priced(table), sum, effort, control), options.start})

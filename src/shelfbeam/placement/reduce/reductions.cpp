@@ -13,7 +13,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t no_column = ~std::uint32_t{0};
 
 /// Sets of columns 0 ... columns - 1, one bit each: the rows of a 0/1 matrix.
 class BitRows {
@@ -66,7 +66,7 @@ class CoverReducer {
         stop_(stop),
         cost_(cost),
         pinned_(pinned.empty() ? std::vector<bool>(table.columns(), false) : pinned),
-        mount_(table.columns(), none),
+        mount_(table.columns(), no_column),
         rows_(table.rows(), table.columns()),
         open_(table.columns(), true),
         forced_(table.columns(), false),
@@ -94,7 +94,7 @@ class CoverReducer {
   bool stops() const { return stop_ && stop_(); }
 
   void force(std::uint32_t column) {
-    if (mount_[column] != none)
+    if (mount_[column] != no_column)
       for (const std::uint32_t option : table_.mounts[mount_[column]]) open_[option] = false;
     open_[column] = false;
     forced_[column] = true;
@@ -155,22 +155,22 @@ class CoverReducer {
     std::vector<std::vector<std::uint32_t>> kept(table_.columns());
     for (const std::uint32_t k : order) {
       if (k % 64 == 0 && stops()) return;
-      std::uint32_t rarest = none;
+      std::uint32_t rarest = no_column;
       bool dominated = false;
       rows.for_each(k, [&](std::uint32_t j) {
-        if (rarest == none || reached[j] < reached[rarest]) rarest = j;
+        if (rarest == no_column || reached[j] < reached[rarest]) rarest = j;
         dominated = dominated || std::any_of(kept[j].begin(), kept[j].end(),
                                              [&](std::uint32_t other) { return rows.is_subset(other, k); });
       });
       if (dominated)
         unmet_[labels[k]] = false;
-      else if (rarest != none)
+      else if (rarest != no_column)
         kept[rarest].push_back(k);
     }
   }
 
   bool may_replace(std::uint32_t in, std::uint32_t out) const {
-    return !pinned_[in] && (mount_[in] == none || mount_[in] == mount_[out]) && cost_[in] <= cost_[out];
+    return !pinned_[in] && (mount_[in] == no_column || mount_[in] == mount_[out]) && cost_[in] <= cost_[out];
   }
 
   bool drop_dominated_columns() {
@@ -225,10 +225,10 @@ class CoverReducer {
     }
 
     std::vector<CoverPart> result;
-    std::vector<std::uint32_t> part(table_.columns(), none);
+    std::vector<std::uint32_t> part(table_.columns(), no_column);
     const auto part_of = [&](std::uint32_t column) -> CoverPart& {
       std::uint32_t& k = part[root(column)];
-      if (k == none) {
+      if (k == no_column) {
         k = static_cast<std::uint32_t>(result.size());
         result.emplace_back();
       }
@@ -244,7 +244,7 @@ class CoverReducer {
   const std::function<bool()>& stop_;
   std::span<const double> cost_;
   std::vector<bool> pinned_;
-  std::vector<std::uint32_t> mount_;  ///< index into SignalTable::mounts, or none
+  std::vector<std::uint32_t> mount_;  ///< index into SignalTable::mounts, or no_column
   BitRows rows_;                      ///< per label: the columns that reach it, open or not
   std::vector<bool> open_;            ///< per column: neither forced nor closed
   std::vector<bool> forced_;

@@ -17,7 +17,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::size_t max_rows = 20;
+constexpr std::size_t max_compared = 20;
 
 const char* use_name(PairUse use) {
   constexpr const char* names[] = {"fitted", "uncertain", "nothing-measured"};
@@ -102,7 +102,7 @@ std::string pair_table(const Words& words, const ComparisonInput& input,
                    {words.say("comparison.column.expected")},
                    {words.say("comparison.column.residual")},
                    {words.say("comparison.column.deviations")}});
-  for (std::size_t k = 0; k < std::min(pairs.size(), max_rows); ++k) {
+  for (std::size_t k = 0; k < std::min(pairs.size(), max_compared); ++k) {
     const ComparedPair& pair = input.pairs[pairs[k]];
     const PairResult& result = input.comparison.pairs[pairs[k]];
     table.add_row({input.matrix.labels[pair.label].id,
@@ -112,8 +112,8 @@ std::string pair_table(const Words& words, const ComparisonInput& input,
                    residual_text(words, result), words.significant(result.standardized, 2)});
   }
   std::string html = table.html();
-  if (pairs.size() > max_rows)
-    html += paragraph(words.say("comparison.first", max_rows, words.grouped(pairs.size())), "note");
+  if (pairs.size() > max_compared)
+    html += paragraph(words.say("comparison.first", max_compared, words.grouped(pairs.size())), "note");
   return html;
 }
 
@@ -126,13 +126,13 @@ std::string transceiver_section(const Words& words, const ComparisonInput& input
   HtmlTable table({{words.say("comparison.column.transceiver"), false},
                    {words.say("comparison.column.pairs")},
                    {words.say("comparison.column.median")}});
-  for (std::size_t k = 0; k < std::min(sorted.size(), max_rows); ++k)
+  for (std::size_t k = 0; k < std::min(sorted.size(), max_compared); ++k)
     table.add_row({input.matrix.transceivers[sorted[k].transceiver].id, words.grouped(sorted[k].pairs),
                    words.decibels(sorted[k].median)});
   std::string html = table.html();
-  if (sorted.size() > max_rows)
-    html +=
-        paragraph(words.say("comparison.transceivers.first", max_rows, words.grouped(sorted.size())), "note");
+  if (sorted.size() > max_compared)
+    html += paragraph(words.say("comparison.transceivers.first", max_compared, words.grouped(sorted.size())),
+                      "note");
   return html_section("transceivers", words.say("comparison.transceivers.title"), html);
 }
 

@@ -24,14 +24,14 @@ Json if_given(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json coordinates(const Vec3& vector) {
+Json vector_json(const Vec3& vector) {
   return {vector.x, vector.y, vector.z};
 }
 
 Json unit_json(const TransceiverColumn& unit) {
   return {{"id", unit.id},
-          {"position", coordinates(unit.position)},
-          {"axis", coordinates(unit.axis)},
+          {"position", vector_json(unit.position)},
+          {"axis", vector_json(unit.axis)},
           {"type", unit.type}};
 }
 

@@ -20,7 +20,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double unit_radius = 13;
+constexpr double moved_radius = 13;
 
 // Marks of labels of the second shop; later ones are drawn on top.
 struct LabelMark {
@@ -82,7 +82,7 @@ class DifferenceMap {
                                           {"changed", "unit-new"},
                                           {"removed", "unit-gone"}})
       canvas.raw(fmt::format("<g id=\"unit-{}\"><circle class=\"k {}\" r=\"{}\"/></g>\n", name, css_class,
-                             unit_radius));
+                             moved_radius));
     canvas.raw("</defs>\n");
   }
 

@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr std::size_t max_bars = 12;
+constexpr std::size_t max_materials = 12;
 constexpr double lowest_db = -30;  // smaller margins are drawn at this value
 
 double drawn_db(const MinMargin& min_margin) {
@@ -53,7 +53,7 @@ std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
                                          margin(data.words, high), label(high))});
   };
   add(data.words.say("sensitivity.together"), sensitivity.low.min_margin, sensitivity.high.min_margin);
-  for (std::size_t k = 0; k < std::min(max_bars, sensitivity.materials.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(max_materials, sensitivity.materials.size()); ++k) {
     const MaterialSensitivity& one = sensitivity.materials[k];
     add(data.words.say("sensitivity.one", one.material, range_of(data.words, one)), one.at_lower.min_margin,
         one.at_upper.min_margin);
@@ -63,7 +63,8 @@ std::string tornado(const ReportData& data, const Sensitivity& sensitivity) {
   chart.limit_text = data.words.say("sensitivity.limit");
   chart.x_title = data.words.say("sensitivity.x");
   std::string note = data.words.say("sensitivity.key");
-  if (sensitivity.materials.size() > max_bars) note += " " + data.words.say("sensitivity.shown", max_bars);
+  if (sensitivity.materials.size() > max_materials)
+    note += " " + data.words.say("sensitivity.shown", max_materials);
   return html_figure(data.words.say("sensitivity.figure"), tornado_svg(data.words, chart), note);
 }
 

@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view number_place = "{n}";  // in ids of copies
 
 // A straight line in plan to place a fixture against, with the direction away from it.
-struct Edge {
+struct FootingEdge {
   Vec2 from{}, to{};
   Vec2 outward{};
 
@@ -38,7 +38,7 @@ struct Edge {
   Vec2 direction() const { return {(to[0] - from[0]) / length(), (to[1] - from[1]) / length()}; }
 };
 
-Edge side_of(const Footing& footing, Face face) {
+FootingEdge side_of(const Footing& footing, Face face) {
   const double length = footing.length, depth = footing.depth;
   const auto point = [&](double along, double across) -> Vec2 {
     const auto [x, y] = turned({along, across}, footing.rotation_deg);
@@ -46,7 +46,7 @@ Edge side_of(const Footing& footing, Face face) {
   };
   const auto edge = [&](const Vec2& from, const Vec2& to, double along, double across) {
     const Vec2 origin = point(0, 0), tip = point(along, across);
-    return Edge{from, to, {tip[0] - origin[0], tip[1] - origin[1]}};
+    return FootingEdge{from, to, {tip[0] - origin[0], tip[1] - origin[1]}};
   };
   switch (face) {
     case Face::front:
@@ -109,7 +109,7 @@ class FixtureList {
     Json value = json.value();
     value.erase("repeat");
     if (has_places || failures != problems_.failures()) value.erase("labels");
-    std::optional<Edge> edge;
+    std::optional<FootingEdge> edge;
     if (against) {
       if (!problems_.collect([&] { edge = place(json, *against, value); })) {
         value["at"] = json.find("size") ? Json{0, 0, 0} : Json{0, 0};
@@ -295,7 +295,7 @@ class FixtureList {
 
   // Sets "at" and "rotation_deg" of a fixture whose back stands against a wall or a side of another fixture.
   // Returns the wall or the side.
-  Edge place(const JsonCursor& json, const JsonCursor& against, Json& value) const {
+  FootingEdge place(const JsonCursor& json, const JsonCursor& against, Json& value) const {
     for (const char* key : {"at", "rotation_deg"})
       if (const auto found = json.find(key))
         found->fail("has no effect beside 'against'", "remove one of the two");
@@ -310,7 +310,7 @@ class FixtureList {
       against.fail(
           fmt::format("does not apply to a {}{}", type, json.find("min") ? " with 'min' and 'max'" : ""),
           fmt::format("use it for {} with 'size'", types_with_sides));
-    const Edge edge = by_wall ? wall_edge(against["wall"]) : side_of(against);
+    const FootingEdge edge = by_wall ? wall_edge(against["wall"]) : side_of(against);
     const auto gap_found = against.find("gap");
     const double gap = gap_found ? gap_found->metres(0, 1e3) : 0;
     const double length = size_of(json, 0), depth = size_of(json, 1);
@@ -333,7 +333,7 @@ class FixtureList {
   }
 
   // The distance from the first corner of a wall to a fixture of this length.
-  static double read_from(const JsonCursor& json, const Edge& wall, double length) {
+  static double read_from(const JsonCursor& json, const FootingEdge& wall, double length) {
     constexpr double rounding = 1e-6;  // m
     const double from = json.metres(0, 1e3), end = from + length;
     if (end > wall.length() + rounding)
@@ -357,7 +357,7 @@ class FixtureList {
     return read_length(json[axis == 0 ? "length" : "depth"]);
   }
 
-  Edge wall_edge(const JsonCursor& json) const {
+  FootingEdge wall_edge(const JsonCursor& json) const {
     problems_.expect_complete("room");
     if (!store_.room) json.fail("names a wall, but the store has no room", "add a room");
     const RoomShape& shape = store_.room->shape;
@@ -366,7 +366,7 @@ class FixtureList {
     return {from, to, inward};
   }
 
-  Edge side_of(const JsonCursor& against) const {
+  FootingEdge side_of(const JsonCursor& against) const {
     const JsonCursor name = against["fixture"];
     const std::string id = name.text();
     const auto found = index_.find(id);
