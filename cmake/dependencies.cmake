@@ -9,6 +9,7 @@ find_package(SQLite3 REQUIRED)
 find_package(Boost REQUIRED CONFIG)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(GEOS REQUIRED IMPORTED_TARGET geos)
+pkg_check_modules(ZIP REQUIRED IMPORTED_TARGET libzip)
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 
 # Embree 4 (Debian 13) or 3 (Debian 12); src/shelfbeam/transport/world/ray_scene.cpp hides the difference.

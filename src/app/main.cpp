@@ -73,7 +73,8 @@ void define_command_line(CLI::App& app, ChosenVerb& chosen) {
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) verb->group("Verbs");
   add_job(app, chosen);
   add_light(app, chosen);
-  for (const char* hidden : {"job", "light"}) app.get_subcommand(hidden)->group("");
+  add_archive(app, chosen);
+  for (const char* hidden : {"job", "light", "archive"}) app.get_subcommand(hidden)->group("");
 }
 
 // The exit code of a program that has printed all that it has to print.

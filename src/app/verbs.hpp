@@ -45,6 +45,8 @@ void add_serve(CLI::App& app, ChosenVerb& chosen);
 void add_job(CLI::App& app, ChosenVerb& chosen);
 /// Hidden from the help; for the planner (jobs/preview/light_job.hpp).
 void add_light(CLI::App& app, ChosenVerb& chosen);
+/// Hidden from the help; for the planner.
+void add_archive(CLI::App& app, ChosenVerb& chosen);
 
 /// Runs a plan, shows its progress and prints its result; returns the exit code.
 int run_and_print(const jobs::PlanJob& job, const CommonOptions& common);

@@ -18,11 +18,11 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
+#include "serve/errands/errands.hpp"
 #include "serve/events.hpp"
 #include "serve/http/gate.hpp"
 #include "serve/http/server.hpp"
 #include "serve/light/live_light.hpp"
-#include "serve/live/comparison.hpp"
 #include "serve/live/file_facts.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/unit_edits.hpp"
@@ -78,9 +78,9 @@ struct Planner::State {
         project(folder, project_options()),
         shop((folder / "store.json").lexically_normal(), &token),
         warnings((folder / "store.json").lexically_normal()),
-        comparison(folder),
         light(folder, has_light),
         planning(folder),
+        errands(folder),
         server(with_page(std::move(options)), handlers(std::move(log))) {
     resolve();
     steps = project.steps();
@@ -162,12 +162,7 @@ struct Planner::State {
     Json reply{{"id", request.json["id"]}};
     bool is_done = false;
     try {
-      if (request.text("do") == "compare") {
-        comparison.start(request.text("file"), request.json.value("of_pairs", false));
-        compared = {tab, request.json["id"]};
-        return;  // the answer comes later
-      }
-      if (request.text("do") == "difference") return planning.begin_difference(request);
+      if (errands.begin(request, planning.runs())) return;  // the answer comes later
       if (request.text("do") == "drag") return server.send(tab, light.drag(request.json, shop.draft()));
       reply.update(result_of(request));
       is_done = true;
@@ -296,6 +291,7 @@ struct Planner::State {
                             std::make_shared<const std::string>(std::move(kept->content))};
     }
     if (auto of_plan = planning.document(file)) return of_plan;
+    if (auto of_errand = errands.document(file)) return of_errand;
     if (file != "scene") return {};
     if (!scene || scene_revision != project.revision()) {
       scene.reset();
@@ -319,7 +315,6 @@ struct Planner::State {
     if (!news.is_previewing && is_previewing) light.release(of_plans, LiveLight::Clock::now());
     is_previewing = news.is_previewing;
     if (news.event) send_to_all(http::Message::text(text_of(*news.event)));
-    if (news.reply) server.send(news.reply->first, http::Message::text(text_of(news.reply->second)));
     for (const std::uint64_t plan : news.to_enter) {
       try {
         enter(plan);
@@ -340,11 +335,8 @@ struct Planner::State {
     }
     send_to_all(light.poll(shop.draft(), now));
     follow_plans();
-    if (auto summary = comparison.poll()) {
-      const bool has_failed = summary->contains("message");
-      const Json reply{{"id", compared.second}, {has_failed ? "error" : "comparison", std::move(*summary)}};
-      server.send(compared.first, http::Message::text(text_of(reply)));
-    }
+    for (const LateReply& reply : errands.poll())
+      server.send(reply.tab, http::Message::text(text_of(reply.message)));
     if (auto list = warnings.poll(now)) {
       // A store with problems cannot be inspected: the problems say why.
       found = shop.problems().empty() ? std::move(*list) : Json::array();
@@ -358,10 +350,9 @@ struct Planner::State {
   Project project;
   Shop shop;
   WarningFinder warnings;
-  Comparison comparison;
   LiveLight light;
   Planning planning;
-  std::pair<TabId, Json> compared;  // the tab and the request of the comparison that is running
+  Errands errands;
   std::set<TabId> tabs;
   std::uint64_t revision = 0;  // of the shop
   // As the pages know them.

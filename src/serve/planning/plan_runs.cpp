@@ -122,9 +122,12 @@ std::uint64_t PlanRuns::add(Json plan, std::string shop) {
   return last_id_;
 }
 
-PlanRun& PlanRuns::at(std::uint64_t id) {
-  for (PlanRun& run : runs_)
-    if (run.id == id) return run;
+PlanRun& PlanRuns::run_of_id(std::uint64_t id) {
+  return const_cast<PlanRun&>(at(id));  // of runs_
+}
+
+const PlanRun& PlanRuns::at(std::uint64_t id) const {
+  if (const PlanRun* run = find(id)) return *run;
   throw InputError("plan", "is not in the list", "reload the page");
 }
 
@@ -135,7 +138,7 @@ const PlanRun* PlanRuns::find(std::uint64_t id) const {
 }
 
 void PlanRuns::cancel(std::uint64_t id) {
-  PlanRun& run = at(id);
+  PlanRun& run = run_of_id(id);
   if (!run.is_active()) throw InputError("plan", "has ended already", "look at its result");
   if (&run == active_) return process_->cancel();
   run.state = RunState::stopped;
@@ -154,7 +157,7 @@ void PlanRuns::forget(std::uint64_t id) {
 }
 
 void PlanRuns::note_entered(std::uint64_t id) {
-  at(id).is_entered = true;
+  run_of_id(id).is_entered = true;
   changed_.push_back(id);
   save();
 }

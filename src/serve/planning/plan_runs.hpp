@@ -45,11 +45,12 @@ class PlanRuns {
   const std::list<PlanRun>& all() const { return runs_; }
   const PlanRun* find(std::uint64_t id) const;
   /// Throws InputError if the list does not have it.
-  PlanRun& at(std::uint64_t id);
+  const PlanRun& at(std::uint64_t id) const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  PlanRun& run_of_id(std::uint64_t id);
   void begin(PlanRun& run, const std::string& shop);
   void end();
   void look();

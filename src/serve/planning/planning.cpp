@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <memory>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -13,6 +12,7 @@
 #include "shelfbeam/base/text.hpp"
 
 #include "jobs/plan_folder.hpp"
+#include "serve/file_document.hpp"
 #include "serve/live/newest_plan.hpp"
 #include "serve/planning/plan_states.hpp"
 
@@ -23,24 +23,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t max_plan_file = 512 << 20;
-constexpr auto difference_name = "difference.html";
-
-std::string_view media_type(std::string_view name) {
-  if (name.ends_with(".html")) return "text/html; charset=utf-8";
-  if (name.ends_with(".csv")) return "text/csv; charset=utf-8";
-  if (name.ends_with(".json")) return "application/json";
-  return "application/octet-stream";
-}
-
-std::optional<http::Document> document_of(const fs::path& file, bool is_report) {
-  if (!is_plain_file(file)) return {};
-  try {
-    return http::Document{std::string(media_type(file.filename().string())),
-                          std::make_shared<const std::string>(read_file(file, max_plan_file)), is_report};
-  } catch (const InputError&) {
-    return {};
-  }
-}
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -71,9 +53,7 @@ Json for_page(const PlanRun& run, const Draft& draft) {
 }  // namespace
 
 Planning::Planning(fs::path folder, std::string program)
-    : folder_(std::move(folder)),
-      runs_(folder_, program),
-      difference_(std::move(program), "the comparison") {}
+    : folder_(std::move(folder)), runs_(folder_, std::move(program)) {}
 
 const std::string& Planning::shop(const Json& store, std::uint64_t revision) {
   if (revision != revision_) {
@@ -125,14 +105,6 @@ Json Planning::details(const PlanRun& run, const Draft& draft) const {
   for (const char* key : {"missed", "undecided", "not_verified_yet"}) add("certificate", key);
   add("states", "responsible");
   return {{"details", std::move(plan)}, {"indices", std::move(indices)}};
-}
-
-void Planning::begin_difference(const Request& request) {
-  const PlanRun& before = runs_.at(request.number("before"));
-  const PlanRun& after = runs_.at(request.number("after"));
-  difference_.start({"diff", (folder_ / before.folder).string(), (folder_ / after.folder).string(), "-o",
-                     (folder_ / ".shelfbeam" / difference_name).string()});
-  asked_ = {request.tab, request.json["id"]};
 }
 
 Planning::Selection Planning::selection(std::uint64_t id, const Json& store, const Draft& draft) {
@@ -195,16 +167,10 @@ Planning::News Planning::poll(const Json& store, const Draft& draft, std::uint64
     if (is_other_shop) event["shop"] = told_shop_ = shop_;
     news.event = std::move(event);
   }
-  if (auto summary = difference_.poll()) {
-    const bool has_failed = summary->contains("message");
-    news.reply = {asked_.first,
-                  Json{{"id", asked_.second}, {has_failed ? "error" : "difference", std::move(*summary)}}};
-  }
   return news;
 }
 
 std::optional<http::Document> Planning::document(std::string_view name) const {
-  if (name == "difference") return document_of(folder_ / ".shelfbeam" / difference_name, true);
   constexpr std::string_view plans = "plans/";
   if (!name.starts_with(plans)) return {};
   name.remove_prefix(plans.size());

@@ -6,22 +6,19 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "shelfbeam/scene/build/draft.hpp"
 
 #include "jobs/child.hpp"
 #include "serve/http/options.hpp"
-#include "serve/live/errand.hpp"
 #include "serve/planning/plan_runs.hpp"
 #include "serve/request.hpp"
 #include "serve/text/edit.hpp"
 
 namespace shelfbeam::serve {
 
-/// The plans of a project for its pages (docs/formats/planner.md#plans): their list, their results, and the
-/// differences between two.
+/// The plans of a project for its pages (docs/formats/planner.md#plans): their list and their results.
 class Planning {
  public:
   /// `folder`: of the project. `program`: shelfbeam.
@@ -30,8 +27,6 @@ class Planning {
   /// The answer to a request `plan`, `plan_cancel`, `plan_forget`, `plan_details` or `plan_states`; nothing
   /// for another one. Throws InputError.
   std::optional<Json> answer(const Request& request, const Json& store, const Draft& draft);
-  /// Begins the answer to a request `difference`. Throws InputError, also while another one is open.
-  void begin_difference(const Request& request);
 
   /// The edit that selects the units of a plan, and the label of its step. Throws InputError if the shop does
   /// not have a unit.
@@ -44,16 +39,16 @@ class Planning {
   /// The event `plans` for a new page.
   Json everything(const Json& store, const Draft& draft, std::uint64_t revision);
   struct News {
-    std::optional<Json> event = {};                          ///< `plans`, for all pages
-    std::optional<std::pair<http::TabId, Json>> reply = {};  ///< that was begun
+    std::optional<Json> event = {};            ///< `plans`, for all pages
     bool is_previewing = false;                ///< a first answer is computed, which should come soon
     std::vector<std::uint64_t> to_enter = {};  ///< plans of this very shop that have ended with units
   };
   /// To be called often. `revision`: of the store.
   News poll(const Json& store, const Draft& draft, std::uint64_t revision);
   void note_entered(std::uint64_t id) { runs_.note_entered(id); }
+  const PlanRuns& runs() const { return runs_; }
 
-  /// A file of a plan, `plans/FOLDER/FILE`, or the page of the last difference, `difference`.
+  /// A file of a plan, `plans/FOLDER/FILE`.
   std::optional<http::Document> document(std::string_view name) const;
 
  private:
@@ -65,8 +60,6 @@ class Planning {
 
   const std::filesystem::path folder_;
   PlanRuns runs_;
-  Errand difference_;
-  std::pair<http::TabId, Json> asked_;  // by whom, and the number of the request
   std::uint64_t revision_ = 0;
   std::string shop_, told_shop_;
   Clock::time_point hashed_{};

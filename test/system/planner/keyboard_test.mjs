@@ -3,6 +3,7 @@
 import { check, equal, says } from "../viewer/check.mjs";
 import { wait } from "./light.mjs";
 import { testPlanner } from "./opened.mjs";
+import { smallShop } from "./small_shop.mjs";
 import { axisNear, isAt, last, said } from "./units.mjs";
 
 const focusedKey = (tab) =>
@@ -180,6 +181,22 @@ testPlanner("by keys: 3-D and back, the menu, and a measurement", {}, async (tab
   );
   await tab.press("Escape", "Escape");
   equal(await tab.page.$(".overlay .measure"), null);
+});
+
+testPlanner("by keys: a plan is asked for, and examined", { store: "thesis", prepare: smallShop() }, async (tab) => {
+  await open(tab, "plans");
+  await reach(tab, "plan-start");
+  await tab.press("Enter");
+  await wait(tab, () => window.shelfbeamPlanner.planner.plans.runs[0]?.state === "done");
+  await tab.until(() => window.shelfbeamPlanner.planner.plans.runs[0].entered);
+  equal(await focusedKey(tab), "plan-start", "the focus stays");
+  await tab.until(() => document.querySelector(".plan-result .files") !== null);
+  const isReport = () => tab.page.evaluate(() => document.activeElement.textContent === "Report");
+  for (let k = 0; k < 30 && !(await isReport()); ++k) await tab.page.keyboard.press("Tab");
+  check(await isReport(), "Tab reaches the report");
+  await reach(tab, "plan-1");
+  await tab.press("Enter");
+  equal(await tab.text('.plan-list [aria-current="true"]'), "plan");
 });
 
 /** The unit that the next test places is the last of the list. */

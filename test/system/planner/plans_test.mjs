@@ -1,46 +1,19 @@
 // Tests plans of the planner: from the question to the report, which is that of `shelfbeam plan`.
 
 import { spawnSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { check, equal } from "../viewer/check.mjs";
+import { findings } from "./findings.mjs";
 import { wait } from "./light.mjs";
 import { testPlanner } from "./opened.mjs";
+import { smallShop } from "./small_shop.mjs";
 
 const hasEnded = () => {
   const { runs } = window.shelfbeamPlanner.planner.plans;
   return runs.length > 0 && runs.every(({ state }) => state === "done" || state === "stopped" || state === "failed");
 };
-
-/** A shop that is quick to simulate: a gondola with some labels, and 12 candidates. */
-function small(folder) {
-  const list = [0, 1, 2, 3].flatMap((x) =>
-    [0, 1, 2].map((y) => ({ id: `T${x}-${y}`, position: [1.1 + 1.25 * x, 0.8 + 1.7 * y, 2.98], type: "wide" })),
-  );
-  const store = {
-    room: { size: [6, 5, 3], floor: "paper", ceiling: "paper", walls: "paper" },
-    materials: { paper: { type: "lambertian", reflectance: 0.6 } },
-    label_types: { standard: { threshold: 0.02 } },
-    transceiver_types: { wide: { emission: { type: "sin2theta", peak: 1 } } },
-    fixtures: [
-      {
-        type: "gondola",
-        id: "A1",
-        at: [1.2, 2.1],
-        length: 3,
-        depth: 0.8,
-        height: 1.6,
-        material: "paper",
-        shelves: [0.5, 1.1],
-        stocking: 0.7,
-        labels: { type: "standard", spacing: 0.7 },
-      },
-    ],
-    transceivers: { list },
-  };
-  writeFileSync(join(folder, "store.json"), JSON.stringify(store, null, 2));
-}
 
 async function openPlans({ page }) {
   await page.click("#tab-plans");
@@ -51,7 +24,7 @@ const textOf = ({ page }, selector) =>
 
 testPlanner(
   "plans: units are planned, certified, selected and handed over",
-  { store: "thesis", prepare: small, smoke: true },
+  { store: "thesis", prepare: smallShop(), smoke: true },
   async (tab, { tools }) => {
     await openPlans(tab);
     await tab.page.click("#panel-plans .primary");
@@ -98,12 +71,22 @@ testPlanner(
     await tab.page.click("text=Compare the two");
     await tab.page.waitForSelector("dialog >> text=The plans are the same.");
     await tab.press("Escape");
+    // The archive has the shop and both plans, and leaves nothing behind.
+    const [download] = await Promise.all([
+      tab.page.waitForEvent("download"),
+      tab.page.click("text=Save the project as a zip file"),
+    ]);
+    const list = spawnSync("python3", ["-m", "zipfile", "--list", await download.path()], { encoding: "utf8" }).stdout;
+    for (const file of ["store.json", "plan/report.html", "plan/signal.h5", "again/placement.json"])
+      check(list.includes(`/${file} `), `${file} is not in the archive:\n${list}`);
+    check(!list.includes(".shelfbeam"), "the archive has hidden files");
+    equal(existsSync(join(folder, ".shelfbeam", "project.zip")), false);
   },
 );
 
 testPlanner(
   "plans: a plan that is cancelled keeps its best units",
-  { store: "thesis", prepare: small },
+  { store: "thesis", prepare: smallShop() },
   async (tab) => {
     await openPlans(tab);
     await tab.page.evaluate(() =>
@@ -125,3 +108,36 @@ testPlanner("plans: a shop that cannot be planned says why", { store: null, keep
   await tab.until(() => document.querySelector("#panel-plans").innerText.includes("Give fixtures labels first."));
   equal(await tab.page.$eval("#panel-plans .primary", ({ disabled }) => disabled), true);
 });
+
+const changing = {
+  people: [{ area: "room", number: { uniform: [2, 3] }, size: [0.5, 0.3, 1.75], material: "paper" }],
+  stocking: { uniform: [0.4, 1] },
+};
+
+for (const dark of [false, true])
+  testPlanner(
+    `plans: axe has no findings, ${dark ? "dark" : "light"}`,
+    { store: "thesis", prepare: smallShop(changing), dark, smoke: dark },
+    async (tab, { axe }) => {
+      const { page } = tab;
+      const clean = async (when) => equal(await findings(tab, axe), [], when);
+      await openPlans(tab);
+      await page.evaluate(() => {
+        for (const details of document.querySelectorAll("#panel-plans details")) details.open = true;
+      });
+      await clean("the question");
+      await page.click('#panel-plans [value="at_most"]', { force: true });
+      await clean("the question for at most K units");
+      await page.click('#panel-plans [value="all"]', { force: true });
+      await page.click("#panel-plans .primary");
+      await wait(tab, () => window.shelfbeamPlanner.planner.plans.active?.progress);
+      await clean("a plan runs");
+      await wait(tab, hasEnded);
+      await tab.until(() => document.querySelector('[data-key="state-next"]') !== null);
+      await clean("the result");
+      await page.click('[data-key="state-next"]');
+      await tab.until(() => document.querySelector(".plan-result").innerText.includes("State 1 of"));
+      await clean("a state");
+      await tab.picture(`plans-${dark ? "dark" : "light"}`);
+    },
+  );

@@ -4,6 +4,7 @@ import { button, element } from "../../panel/dom";
 import type { Planner } from "../planner";
 import { isObject } from "../document/json";
 import { text } from "../text";
+import { archiveOf } from "./archive";
 import { PlanList } from "./list";
 import { Question } from "./question";
 import { Result } from "./result";
@@ -25,7 +26,11 @@ export class PlanPanel {
     private readonly planner: Planner,
     address: string,
   ) {
-    this.start = button(text.plans.start, () => this.begin(), { class: "primary", title: text.plans.start_says });
+    this.start = button(text.plans.start, () => this.begin(), {
+      class: "primary",
+      title: text.plans.start_says,
+      "data-key": "plan-start",
+    });
     this.variation = new Variation(planner);
     this.running = new Running(planner);
     this.result = new Result(planner, address);
@@ -40,6 +45,7 @@ export class PlanPanel {
       this.running.root,
       this.result.root,
       this.list.root,
+      archiveOf(planner, address),
     );
     this.root.addEventListener("change", () => this.update());
   }
