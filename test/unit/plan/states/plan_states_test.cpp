@@ -77,6 +77,21 @@ TEST(PlanStates, NamesTheChangesThatTakeLabels) {
   EXPECT_EQ(objects.lower_bound, found.sample_lower_bound);
 }
 
+// The row of a cause is the plan for a shop from which all other causes are left out.
+TEST(PlanStates, RowsAreThePlansWithoutTheOtherChanges) {
+  const KnownStates::Pallets pallets{{{0, 0}, {0.15, 0.15}, {0.06, 0}}};
+  const StatesOptions options{.sample = 20, .certifies = false};
+  const Availability both = KnownStates(pallets, R"("unit_power_db": 0.1,)").plan(1, options).availability;
+  const Availability objects = KnownStates(pallets).plan(1, options).availability;
+  ASSERT_EQ(both.alone.size(), 2U);
+  const CauseAlone& row = both.alone.front();
+  EXPECT_EQ(row.cause, "objects");
+  EXPECT_EQ(row.taken, objects.alone.front().taken);
+  EXPECT_EQ(row.units, objects.sample.units);
+  EXPECT_EQ(row.lower_bound, objects.sample_lower_bound);
+  EXPECT_GT(row.units, both.alone[1].units) << "the other change needs fewer";
+}
+
 TEST(PlanStates, NamesTheChangeThatAloneTakesALabelFromAllCandidates) {
   const KnownStates shop({{{0, 0}, {1, 1}, {0, 0}}}, R"("unit_power_db": 0.1,)");
   const Availability found = shop.plan(1, {.sample = 20, .certifies = false}).availability;
