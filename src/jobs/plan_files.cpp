@@ -39,6 +39,7 @@ void write(const fs::path& folder, const PlanFolder* own, const PlanContents& co
 void add_report(AtomicFolder& files, const ReportInput& input) {
   files.add(labels_name).write(labels_csv(input));
   files.add(placement_table_name).write(placement_csv(input));
+  files.add(bill_name).write(bill_csv(input));
   files.add(mounting_table_name).write(mounting_csv(input));
   files.add(mounting_drawing_name).write(mounting_dxf(input));
   files.add(report_name).write(report_html(input));

@@ -19,6 +19,7 @@ inline constexpr auto placement_name = "placement.json";
 inline constexpr auto store_name = "store.json";
 inline constexpr auto labels_name = "labels.csv";
 inline constexpr auto placement_table_name = "placement.csv";
+inline constexpr auto bill_name = "bill.csv";
 inline constexpr auto mounting_table_name = "mounting.csv";
 inline constexpr auto mounting_drawing_name = "mounting.dxf";
 inline constexpr auto verification_name = "verification.csv";
@@ -27,8 +28,9 @@ inline constexpr auto run_name = "run.json";
 inline constexpr auto states_checkpoint_name = "states.checkpoint";  ///< of an interrupted run
 /// The files of a plan. The first is blamed first: without it, no other is known.
 inline constexpr std::array plan_file_names{
-    placement_name,       store_name,          signal_name,           verification_name, labels_name,
-    placement_table_name, mounting_table_name, mounting_drawing_name, report_name,       run_name};
+    placement_name,        store_name,           signal_name, verification_name,
+    labels_name,           placement_table_name, bill_name,   mounting_table_name,
+    mounting_drawing_name, report_name,          run_name};
 
 /// The folder of a plan during a run, which no other run can use.
 class PlanFolder {

@@ -21,7 +21,7 @@ namespace {
 FileHashes expect_unchanged(const std::filesystem::path& folder, const PlanRecord& record,
                             const PlanJournal& journal) {
   FileHashes found;
-  for (const char* name : {placement_name, labels_name, placement_table_name, mounting_table_name,
+  for (const char* name : {placement_name, labels_name, placement_table_name, bill_name, mounting_table_name,
                            mounting_drawing_name, report_name}) {
     const std::filesystem::path file = folder / name;
     const auto status = std::filesystem::symlink_status(file);

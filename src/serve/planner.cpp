@@ -199,7 +199,7 @@ struct Planner::State {
       edit(request, std::move(change.ops));
       return {{"revision", project.revision()}, {"units", change.ids}};
     } else if (verb == "plan_enter") {
-      enter(request.number("plan"));
+      enter(request.number("plan"), request.json.value("alternative", ""));
     } else if (verb == "undo") {
       project.undo();
     } else if (verb == "redo") {
@@ -218,9 +218,9 @@ struct Planner::State {
     if (project.edit(request.text("label"), list, request.json.value("join", false))) ops = std::move(list);
   }
 
-  // Selects the units of a plan.
-  void enter(std::uint64_t plan) {
-    Planning::Selection selection = planning.selection(plan, shop.json(), shop.draft());
+  // Selects the units of a plan, or of one of its alternatives.
+  void enter(std::uint64_t plan, const std::string& alternative = {}) {
+    Planning::Selection selection = planning.selection(plan, alternative, shop.json(), shop.draft());
     if (project.edit(selection.label, selection.ops)) ops = std::move(selection.ops);
     planning.note_entered(plan);
   }

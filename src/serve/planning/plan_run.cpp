@@ -42,10 +42,26 @@ PlanRun run_of(const Json& json) {
   return run;
 }
 
+void RunProgress::take_bounds(double new_incumbent, double new_bound, bool is_maximum) {
+  constexpr double rounding = 1e-9;
+  const double sign = is_maximum ? -1 : 1;
+  const bool stays = bound && sign * (*bound - new_bound) > 0 && sign * (new_incumbent - *bound) >= -rounding;
+  incumbent = new_incumbent;
+  if (!stays) bound = new_bound;
+}
+
+Json placement_in(const std::filesystem::path& folder) {
+  constexpr std::uint64_t max_bytes = 512 << 20;
+  // Objects keep the order of their keys, so that many names would take quadratic time.
+  const auto is_kept = [](int depth, Json::parse_event_t event, const Json& value) {
+    return depth != 1 || event != Json::parse_event_t::key || value != "label_names";
+  };
+  return Json::parse(read_file(folder / jobs::placement_name, max_bytes), is_kept);
+}
+
 Json result_in(const std::filesystem::path& folder) {
-  constexpr std::uint64_t max_placement = 256 << 20;
   try {
-    const Json json = Json::parse(read_file(folder / jobs::placement_name, max_placement));
+    const Json json = placement_in(folder);
     const auto certificate = json.find("certificate"), states = json.find("states");
     Json bound = json.at("count_lower_bound");
     if (certificate != json.end()) bound = certificate->at("count_lower_bound");

@@ -46,6 +46,10 @@ struct RunProgress {
   std::string task, detail;
   std::optional<double> share, seconds_left, incumbent, bound;
   std::vector<std::string> selected;  ///< ids
+
+  /// Of a placement or a proof. A later one begins with a bound of its own: the best one stays as long as no
+  /// incumbent contradicts it. `is_maximum`: the bound is an upper one.
+  void take_bounds(double new_incumbent, double new_bound, bool is_maximum);
 };
 
 /// A plan that was asked for in the planner, or that the folder of the project has.
@@ -79,6 +83,9 @@ struct PlanRun {
 Json to_json(const PlanRun& run);
 /// Throws nlohmann::json::exception.
 PlanRun run_of(const Json& json);
+
+/// The placement.json of a folder without the names of the labels. Throws InputError and Json::exception.
+Json placement_in(const std::filesystem::path& folder);
 
 /// The result of a plan in a folder as the event `result`, without a sentence, by its placement.json. Null if
 /// that is none.

@@ -194,6 +194,8 @@ void PlanRuns::end() {
 void PlanRuns::look() {
   if (Clock::now() - looked_ < std::chrono::seconds(1)) return;
   looked_ = Clock::now();
+  constexpr auto longest_look = std::chrono::milliseconds(50);
+  bool has_found = false;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
     if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
@@ -215,8 +217,10 @@ void PlanRuns::look() {
     known->begun = known->ended = utc_text(
         fs::file_time_type::clock::to_sys(fs::last_write_time(entry.path() / jobs::placement_name, error)));
     changed_.push_back(known->id);
-    return save();
+    has_found = true;
+    if (Clock::now() - looked_ > longest_look) break;
   }
+  if (has_found) return save();
   // A plan whose folder is gone.
   const auto gone = std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) {
     return !run.is_active() && run.written != 0 && written_in(folder_ / run.folder) == 0;

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 
 #include "jobs/plan_folder.hpp"
@@ -21,8 +20,6 @@ namespace shelfbeam::serve {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::uint64_t max_plan_file = 512 << 20;
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -81,10 +78,10 @@ std::optional<Json> Planning::answer(const Request& request, const Json& store, 
 }
 
 Json Planning::placement_of(const PlanRun& run) const {
-  const fs::path file = folder_ / run.folder / jobs::placement_name;
-  if (!is_plain_file(file)) throw InputError(run.folder, "has no plan", "start another plan");
+  if (!is_plain_file(folder_ / run.folder / jobs::placement_name))
+    throw InputError(run.folder, "has no plan", "start another plan");
   try {
-    return Json::parse(read_file(file, max_plan_file));
+    return placement_in(folder_ / run.folder);
   } catch (const Json::exception&) {
     throw InputError(run.folder, "has a placement.json that is not valid", "start another plan");
   }
@@ -93,7 +90,7 @@ Json Planning::placement_of(const PlanRun& run) const {
 // Its placement.json, and the numbers of the labels in its lists, as far as the shop has them now.
 Json Planning::details(const PlanRun& run, const Draft& draft) const {
   Json plan = placement_of(run);
-  for (const char* key : {"files", "label_names", "sensitivity", "scenarios"}) plan.erase(key);
+  for (const char* key : {"files", "sensitivity", "scenarios"}) plan.erase(key);
   const LabelNumbers numbers(draft);
   Json unreachable = Json::array();
   for (const Json& one : plan.value("unreachable", Json::array())) unreachable.push_back(one.at("label"));
@@ -107,9 +104,11 @@ Json Planning::details(const PlanRun& run, const Draft& draft) const {
   return {{"details", std::move(plan)}, {"indices", std::move(indices)}};
 }
 
-Planning::Selection Planning::selection(std::uint64_t id, const Json& store, const Draft& draft) {
+Planning::Selection Planning::selection(std::uint64_t id, const std::string& alternative, const Json& store,
+                                        const Draft& draft) const {
   const PlanRun& run = runs_.at(id);
-  const Json selected = run.selected();
+  const Json selected =
+      alternative.empty() ? run.selected() : placement_of(run)["alternatives"][alternative]["selected"];
   if (selected.empty()) throw InputError("plan", "has chosen no units", "start another plan");
   std::unordered_map<std::string_view, const Transceiver*> units;
   for (const Transceiver& unit : draft.scene.transceivers) units.emplace(unit.id, &unit);

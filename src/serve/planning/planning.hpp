@@ -28,13 +28,14 @@ class Planning {
   /// for another one. Throws InputError.
   std::optional<Json> answer(const Request& request, const Json& store, const Draft& draft);
 
-  /// The edit that selects the units of a plan, and the label of its step. Throws InputError if the shop does
-  /// not have a unit.
+  /// The edit that selects the units of a plan, or of one of its `alternatives`, and the label of its step.
+  /// Throws InputError if the shop does not have a unit.
   struct Selection {
     std::string label;
     std::vector<EditOp> ops;
   };
-  Selection selection(std::uint64_t id, const Json& store, const Draft& draft);
+  Selection selection(std::uint64_t id, const std::string& alternative, const Json& store,
+                      const Draft& draft) const;
 
   /// The event `plans` for a new page.
   Json everything(const Json& store, const Draft& draft, std::uint64_t revision);

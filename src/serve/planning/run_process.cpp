@@ -103,11 +103,15 @@ void RunProcess::report(Task task, double fraction, std::string_view detail) {
   now.share = known(progress.fraction);
   now.seconds_left = known(progress.seconds_left);
   has_changed_ = true;
+  const auto reported = std::exchange(reported_, {});
+  const bool is_of_plan = progress.task == Task::placing || progress.task == Task::placing_over_states ||
+                          progress.task == Task::proving;
+  if (reported && is_of_plan)
+    now.take_bounds(reported->first, reported->second, run_.plan.contains("at_most"));
 }
 
 void RunProcess::bounds(double incumbent, double lower_bound) {
-  run_.progress.incumbent = incumbent;
-  run_.progress.bound = lower_bound;
+  reported_ = {incumbent, lower_bound};
 }
 
 void RunProcess::selection(const std::vector<std::string>& ids) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "shelfbeam/base/control.hpp"
 
@@ -45,6 +46,7 @@ class RunProcess : ProgressSink {
   std::optional<jobs::PlanProcess> process_;
   jobs::ProgressStages stages_;
   std::chrono::steady_clock::time_point begun_;
+  std::optional<std::pair<double, double>> reported_;  // incumbent and bound, before their task
   bool is_cancelled_ = false, has_changed_ = false;
 };
 

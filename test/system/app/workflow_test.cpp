@@ -22,8 +22,8 @@ using test::names;
 using test::small_store;
 
 const std::vector<std::string> of_a_plan = {
-    "labels.csv",  "mounting.csv", "mounting.dxf", "placement.csv", "placement.json",
-    "report.html", "run.json",     "signal.h5",    "store.json",    "verification.csv"};
+    "bill.csv",    "labels.csv", "mounting.csv", "mounting.dxf", "placement.csv",   "placement.json",
+    "report.html", "run.json",   "signal.h5",    "store.json",   "verification.csv"};
 
 class Workflow : public test::ProgramTest {
  protected:

@@ -38,9 +38,12 @@ testPlanner(
     await tab.until(() => window.shelfbeamPlanner.planner.plans.runs[0].entered);
     equal(tab.server.json.transceivers.selected, placement.selected);
     check((await textOf(tab, ".plan-result .answer")).includes("with 99 % confidence"), "no answer");
-    check((await textOf(tab, ".plan-result dl")).includes("One unit fewer?"), "no alternatives");
+    await tab.until(() => document.querySelector(".plan-result dl")?.innerText.includes("One unit fewer?"));
+    await tab.page.click('[data-key="enter-one_more"]');
+    await tab.steps(2);
+    equal(tab.server.json.transceivers.selected, placement.alternatives.one_more.selected);
     // The same command on the shop as it was writes the same files.
-    await tab.press("Control+z");
+    await tab.press("Control+z", "Control+z");
     await tab.steps(0);
     equal(tab.server.text, tab.server.first);
     const again = join(folder, "again");

@@ -260,6 +260,7 @@ export interface PlansEvent {
 /** Another selection (docs/formats/placement.md, alternatives). */
 export interface PlanAlternative {
   count: number;
+  selected: string[];
   reached: number;
   reached_upper_bound: number;
   smallest_margin: number | null;

@@ -94,9 +94,9 @@ export class Plans {
     return this.document.ask("plan_forget", { plan: id }, label);
   }
 
-  /** Selects its units in the store. */
-  enter({ id }: PlanRun, label: string): Promise<unknown> {
-    return this.document.ask("plan_enter", { plan: id }, label);
+  /** Selects its units in the store, or those of one of its alternatives. */
+  enter({ id }: PlanRun, label: string, alternative?: string): Promise<unknown> {
+    return this.document.ask("plan_enter", { plan: id, ...(alternative ? { alternative } : {}) }, label);
   }
 
   /** Its result in detail; null if it cannot be read. The labels are those of the shop when it was asked for. */

@@ -14,10 +14,21 @@ const files = {
   report: "report.html",
   sheet: "mounting.csv",
   drawing: "mounting.dxf",
-  bill: "placement.csv",
+  bill: "bill.csv",
   labels: "labels.csv",
 } as const;
 const mostListed = 50;
+
+/** The first sentence is the answer; the others explain it. */
+function answerOf(words: string): HTMLElement[] {
+  const end = /[.:](?=\s+[A-Z])/.exec(words);
+  const first = end ? words.slice(0, end.index + 1) : words;
+  const rest = words.slice(first.length).trim();
+  return [
+    element("p", { class: "answer", text: first }),
+    ...(rest === "" ? [] : [element("p", { class: "note", text: rest })]),
+  ];
+}
 
 export class Result {
   readonly root = element("section", { class: "plan-result", hidden: true });
@@ -53,10 +64,10 @@ export class Result {
     replaceChildren(this.root, [
       element("h3", { text: run.folder }),
       element("p", { class: "note", text: questionText(run.plan) }),
-      element("p", { class: "answer", text: answer }),
+      ...answerOf(answer),
       ...this.remarks(run).map((remark) => element("p", { class: "note", text: remark })),
       ...this.buttons(run),
-      ...(details ? [...this.states(run, details), ...this.alternatives(details), ...this.labels(details)] : []),
+      ...(details ? [...this.states(run, details), ...this.alternatives(run, details), ...this.labels(details)] : []),
       ...(result?.event === "result" ? [this.files(run)] : []),
     ]);
   }
@@ -157,15 +168,27 @@ export class Result {
     ];
   }
 
-  private alternatives(details: PlanDetails): HTMLElement[] {
+  private alternatives(run: PlanRun, details: PlanDetails): HTMLElement[] {
     const rows = alternativesOf(details);
     if (rows.length === 0) return [];
+    const enter = (key: (typeof rows)[number]["key"]) => {
+      const { count = 0, selected = [] } = (key && details.details.alternatives?.[key]) ?? {};
+      if (key === null || selected.length === 0 || this.isInShop(selected)) return null;
+      const name = say(text.plans.enter_other, grouped(count));
+      return button(name, () => void this.planner.plans.enter(run, name, key), {
+        disabled: this.planner.document.locked !== null,
+        "data-key": `enter-${key}`,
+      });
+    };
     return [
       element("h4", { text: text.plans.what_if }),
       element(
         "dl",
         { class: "alternatives" },
-        ...rows.flatMap(([question, answer]) => [element("dt", { text: question }), element("dd", { text: answer })]),
+        ...rows.flatMap(({ question, answer, key }) => [
+          element("dt", { text: question }),
+          element("dd", {}, element("p", { text: answer }), enter(key)),
+        ]),
       ),
     ];
   }

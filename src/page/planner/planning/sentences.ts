@@ -53,18 +53,25 @@ export function phaseText({ state, progress, continued }: PlanRun): string {
   if (state === "waiting") return text.plans.states.waiting;
   if (state === "previewing") return text.plans.states.previewing;
   const tasks: Record<string, string> = text.plans.tasks;
-  const task = tasks[(progress?.task ?? "").replaceAll(" ", "_")] ?? text.plans.states.running;
+  const task = tasks[(progress?.task ?? "").replaceAll(" ", "_")] ?? text.plans.tasks.planning;
   return continued ? `${text.plans.states.continued} ${task}` : task;
 }
 
 const priceText = (price: PlanAlternative["price"]): string =>
   price ? say(text.plans.price, plain(price.new), price.currency ?? "").trim() : "";
 
-/** The answers to "what if": a question and an answer each. */
-export function alternativesOf({ details }: PlanDetails): [string, string][] {
+/** An answer to "what if". */
+interface WhatIf {
+  question: string;
+  answer: string;
+  /** The selection that it is about. */
+  key: "one_fewer" | "one_more" | "survives_failure" | null;
+}
+
+export function alternativesOf({ details }: PlanDetails): WhatIf[] {
   const { alternatives = {}, labels, count } = details;
   const { one_fewer, one_more, survives_failure, cannot_survive } = alternatives;
-  const rows: [string, string][] = [];
+  const rows: WhatIf[] = [];
   const withPrice = (sentence: string, of: PlanAlternative) =>
     of.price ? `${sentence} ${say(text.plans.costs, priceText(of.price))}` : sentence;
   if (one_fewer) {
@@ -76,19 +83,24 @@ export function alternativesOf({ details }: PlanDetails): [string, string][] {
         : one_fewer.proven || least === lost
           ? counted(text.plans.fewer_lost, lost)
           : say(text.plans.fewer_between, grouped(least), grouped(lost));
-    rows.push([text.plans.one_fewer, withPrice(sentence, one_fewer)]);
+    rows.push({ question: text.plans.one_fewer, answer: withPrice(sentence, one_fewer), key: "one_fewer" });
   }
   if (one_more) {
     const margin = one_more.smallest_margin === null ? "–" : significant(one_more.smallest_margin);
     const sentence = say(text.plans.more_gain, margin, grouped(one_more.secure), grouped(labels));
-    rows.push([text.plans.one_more, withPrice(sentence, one_more)]);
+    rows.push({ question: text.plans.one_more, answer: withPrice(sentence, one_more), key: "one_more" });
   }
   if (survives_failure) {
     const added = survives_failure.count - count;
     const sentence =
       added > 0 ? counted(text.plans.failure_units, survives_failure.count, String(added)) : text.plans.failure_now;
-    rows.push([text.plans.any_failure, withPrice(sentence, survives_failure)]);
-  } else if (cannot_survive) rows.push([text.plans.any_failure, text.plans.failure_never]);
+    rows.push({
+      question: text.plans.any_failure,
+      answer: withPrice(sentence, survives_failure),
+      key: "survives_failure",
+    });
+  } else if (cannot_survive)
+    rows.push({ question: text.plans.any_failure, answer: text.plans.failure_never, key: null });
   return rows;
 }
 

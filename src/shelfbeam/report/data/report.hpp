@@ -48,6 +48,9 @@ std::string labels_csv(const ReportInput& input);
 /// placement.csv: one row per chosen unit with the columns of the transceiver CSV and numbers of labels.
 std::string placement_csv(const ReportInput& input);
 
+/// bill.csv: one row per type and price of the chosen units, with quantities.
+std::string bill_csv(const ReportInput& input);
+
 /// mounting.csv: one row per chosen unit in walking order, with its distances to walls or fixtures.
 std::string mounting_csv(const ReportInput& input);
 

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/report/data/bill.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/messages/reasons.hpp"
 #include "shelfbeam/report/messages/recommendation.hpp"
@@ -22,56 +22,38 @@ std::string list(const Words& words, const char* key, const std::vector<std::str
 
 // The number of units and the price of every type.
 std::string shopping_list(const ReportData& data) {
-  struct Row {
-    std::size_t fresh = 0, pinned = 0, there = 0;
-  };
-  std::map<std::pair<std::string, double>, Row> rows;  // by type and price
-  for (const UnitOutcome& one : data.outcome.units) {
-    const TransceiverColumn& unit = data.transceiver(one.column);
-    Row& row = rows[{unit.type, unit.cost}];
-    (unit.installed ? row.there : row.fresh) += 1;
-    row.pinned += unit.pinned ? 1 : 0;
-  }
+  const Bill bill = bill_of(data.input, data.outcome);
   const std::optional<Price>& price = data.input.plan.placement.price;
-  const bool has_there =
-      std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.second.there > 0; });
-  const auto order_number_of = [&](const std::string& name) {
-    const TransceiverType* const type = unit_type(data.input.scene, name);
-    return type == nullptr ? std::string() : type->order_number;
-  };
-  const bool has_orders = std::any_of(
-      rows.begin(), rows.end(), [&](const auto& row) { return !order_number_of(row.first.first).empty(); });
+  const auto any = [&](const auto& has) { return std::any_of(bill.lines.begin(), bill.lines.end(), has); };
+  const bool has_there = any([](const BillLine& line) { return line.installed > 0; });
+  const bool has_orders = any([](const BillLine& line) { return !line.order_number.empty(); });
   std::vector<HtmlTable::Column> columns{{data.words.say("summary.buy.type"), false}};
   if (has_orders) columns.push_back({data.words.say("summary.buy.order"), false});
   columns.push_back({data.words.say("summary.buy.new")});
   if (has_there) columns.push_back({data.words.say("summary.buy.there")});
-  // Prices may come from another file than the types.
-  double sum = 0;
-  for (const auto& [key, row] : rows) sum += key.second * static_cast<double>(row.fresh);
-  const bool has_prices = price && std::abs(sum - price->to_spend) < 0.005;
-  if (has_prices) {
+  if (bill.has_prices) {
     columns.push_back({data.words.say("summary.buy.each")});
     columns.push_back({data.words.say("summary.buy.price")});
   }
   HtmlTable table(columns);
-  const auto add = [&](const std::string& name, const Row& row, const std::string& each, double amount) {
-    std::vector<std::string> cells{name};
-    if (has_orders) cells.push_back(order_number_of(name));
-    cells.push_back(row.pinned > 0 ? data.words.say("summary.buy.pinned", data.words.grouped(row.fresh),
-                                                    data.words.grouped(row.pinned))
-                                   : data.words.grouped(row.fresh));
-    if (has_there) cells.push_back(data.words.grouped(row.there));
-    if (has_prices) cells.insert(cells.end(), {each, money(data.words, amount, price)});
+  const auto add = [&](const BillLine& line, const std::string& each, double amount) {
+    std::vector<std::string> cells{line.type};
+    if (has_orders) cells.push_back(line.order_number);
+    cells.push_back(line.pinned > 0 ? data.words.say("summary.buy.pinned", data.words.grouped(line.fresh),
+                                                     data.words.grouped(line.pinned))
+                                    : data.words.grouped(line.fresh));
+    if (has_there) cells.push_back(data.words.grouped(line.installed));
+    if (bill.has_prices) cells.insert(cells.end(), {each, money(data.words, amount, price)});
     table.add_row(cells);
   };
-  Row all;
-  for (const auto& [key, row] : rows) {
-    add(key.first, row, money(data.words, key.second, price), key.second * static_cast<double>(row.fresh));
-    all.fresh += row.fresh;
-    all.pinned += row.pinned;
-    all.there += row.there;
+  BillLine all{.type = data.words.say("summary.buy.total")};
+  for (const BillLine& line : bill.lines) {
+    add(line, money(data.words, line.price, price), line.amount());
+    all.fresh += line.fresh;
+    all.pinned += line.pinned;
+    all.installed += line.installed;
   }
-  if (rows.size() > 1) add(data.words.say("summary.buy.total"), all, "", sum);
+  if (bill.lines.size() > 1) add(all, "", bill.amount);
   return fmt::format("<div>\n<h2>{}</h2>\n{}</div>\n", escape(data.words("summary.buy.title")), table.html());
 }
 

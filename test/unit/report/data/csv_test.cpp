@@ -213,5 +213,24 @@ TEST(LabelsCsv, LeavesFieldsEmptyWithoutASelection) {
   EXPECT_EQ(test::read_csv(placement_csv(kiosk.input)).size(), 1U);
 }
 
+TEST(BillCsv, CountsTheUnitsOfEachTypeAndPrice) {
+  Kiosk kiosk;
+  kiosk.placement.selected = {0, 1, 2};
+  for (const std::uint32_t j : {0U, 1U, 2U}) kiosk.matrix.transceivers[j].installed = j == 0;
+  for (const std::uint32_t j : {0U, 1U, 2U}) kiosk.matrix.transceivers[j].type = "wide";
+  kiosk.matrix.transceivers[1].cost = kiosk.matrix.transceivers[0].cost = 80;
+  kiosk.matrix.transceivers[2].cost = 95.5;
+  kiosk.placement.price = Price{"EUR", 255.5, 175.5};
+  EXPECT_EQ(bill_csv(kiosk.input),
+            "type,order_number,to_buy,installed,price_each,price,currency\n"
+            "wide,,1,1,80,80,EUR\n"
+            "wide,,1,0,95.5,95.5,EUR\n");
+  kiosk.placement.price->to_spend = 100;  // by other prices
+  EXPECT_EQ(bill_csv(kiosk.input),
+            "type,order_number,to_buy,installed,price_each,price,currency\n"
+            "wide,,1,1,,,\n"
+            "wide,,1,0,,,\n");
+}
+
 }  // namespace
 }  // namespace shelfbeam

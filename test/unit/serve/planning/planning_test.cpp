@@ -23,7 +23,8 @@ using test::expect_input_error;
 
 constexpr auto placement_of_plan =
     R"({"count": 2, "count_lower_bound": 1, "labels": 16, "selected": ["T0-0", "T3-2"], "complete": true,
-        "files": {}, "status": "optimal", "unreachable": [],
+        "files": {}, "status": "optimal", "unreachable": [], "label_names": {"A1-front-1-1": "first"},
+        "alternatives": {"one_more": {"count": 3, "selected": ["T0-0", "T1-1", "T3-2"]}},
         "certificate": {"count_lower_bound": 2, "missed": ["gone"], "undecided": ["A1-front-1-2", "A1-front-1-1"],
                         "not_verified_yet": []}})";
 
@@ -74,9 +75,36 @@ TEST_F(PlanningOfAShop, SendsFilesOfPlansAlone) {
   EXPECT_FALSE(planning_.document("plans/plan/report.html")) << "a link";
 }
 
+TEST_F(PlanningOfAShop, SelectsTheUnitsOfAnAlternative) {
+  poll();
+  const Planning::Selection more = planning_.selection(1, "one_more", shop_.json(), shop_.draft());
+  EXPECT_EQ(more.label, "plan: 3 units");
+  EXPECT_EQ(*more.ops.at(0).after, (Json{"T0-0", "T1-1", "T3-2"}));
+  for (const char* other : {"one_fewer", "survives_failure", "none"})
+    expect_input_error([&] { planning_.selection(1, other, shop_.json(), shop_.draft()); },
+                       "has chosen no units");
+}
+
+TEST(RunProgress, KeepsTheBestBoundUntilAnIncumbentContradictsIt) {
+  RunProgress now;
+  now.take_bounds(9, 4, false);
+  now.take_bounds(6, 6, false);
+  EXPECT_EQ(now.bound, 6);
+  now.take_bounds(6, 2, false);  // the proof begins anew
+  EXPECT_EQ(now.bound, 6);
+  now.take_bounds(5, 3, false);
+  EXPECT_EQ(now.bound, 3);
+  RunProgress labels;
+  labels.take_bounds(100, 180, true);
+  labels.take_bounds(120, 200, true);
+  EXPECT_EQ(labels.bound, 180);
+  labels.take_bounds(190, 200, true);
+  EXPECT_EQ(labels.bound, 200);
+}
+
 TEST_F(PlanningOfAShop, SelectsTheUnitsThatAreNotOnThePlanAnyway) {
   poll();
-  const Planning::Selection first = planning_.selection(1, shop_.json(), shop_.draft());
+  const Planning::Selection first = planning_.selection(1, "", shop_.json(), shop_.draft());
   EXPECT_EQ(first.label, "plan: 2 units");
   ASSERT_EQ(first.ops.size(), 1U);
   EXPECT_EQ(first.ops[0].path, "/transceivers/selected");
@@ -86,14 +114,15 @@ TEST_F(PlanningOfAShop, SelectsTheUnitsThatAreNotOnThePlanAnyway) {
   store["transceivers"]["pinned"] = {"T0-0"};
   store["transceivers"]["selected"] = {"T1-1"};
   read(store);
-  const Planning::Selection second = planning_.selection(1, shop_.json(), shop_.draft());
+  const Planning::Selection second = planning_.selection(1, "", shop_.json(), shop_.draft());
   EXPECT_EQ(*second.ops[0].before, Json{"T1-1"});
   EXPECT_EQ(*second.ops[0].after, Json{"T3-2"});
   store["transceivers"]["list"].erase(0);
   store["transceivers"].erase("pinned");
   read(store);
-  expect_input_error([&] { planning_.selection(1, shop_.json(), shop_.draft()); }, "does not have any more");
-  expect_input_error([&] { planning_.selection(2, shop_.json(), shop_.draft()); }, "not in the list");
+  expect_input_error([&] { planning_.selection(1, "", shop_.json(), shop_.draft()); },
+                     "does not have any more");
+  expect_input_error([&] { planning_.selection(2, "", shop_.json(), shop_.draft()); }, "not in the list");
 }
 
 TEST_F(PlanningOfAShop, NamesLabelsByTheirNumbers) {
