@@ -196,6 +196,7 @@ export interface PlanRequest {
 export interface PlanProgress {
   /** Of docs/formats/job.md. */
   task: string;
+  detail: string;
   share: number | null;
   seconds_left: number | null;
   /** Of the best selection so far, and its bound: units, labels or a price. */

@@ -8,7 +8,7 @@ import type { Planner } from "../planner";
 import { timeText } from "../side/history_list";
 import { say, text } from "../text";
 import { isActive } from "./plans";
-import { lineOf } from "./sentences";
+import { lineOf, questionText } from "./sentences";
 
 /** As `shelfbeam diff --json` prints it. */
 interface Difference {
@@ -92,11 +92,18 @@ export class PlanList {
     const { runs } = this.planner.plans;
     const [before, after] = [...this.marked].sort((a, b) => a - b);
     const name = (id: number) => runs.find((run) => run.id === id)?.folder ?? "";
+    const questions = runs
+      .filter(({ id }) => id === before || id === after)
+      .reverse()
+      .map(({ folder, plan }) => say(text.plans.question_of, folder, questionText(plan)));
     const body = element("div", { class: "content", role: "status" }, element("p", { text: text.plans.comparing }));
     openDialog(say(text.plans.difference, name(before), name(after)), "comparison", body);
     void this.planner.document
       .request<{ difference: Difference }>("difference", { before, after })
-      .then(({ difference }) => this.resultOf(difference))
+      .then(({ difference }) => [
+        ...questions.map((question) => element("p", { class: "note", text: question })),
+        ...this.resultOf(difference),
+      ])
       .catch((error: unknown) => [
         element("p", {
           class: "problem",

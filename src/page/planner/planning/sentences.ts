@@ -53,7 +53,9 @@ export function phaseText({ state, progress, continued }: PlanRun): string {
   if (state === "waiting") return text.plans.states.waiting;
   if (state === "previewing") return text.plans.states.previewing;
   const tasks: Record<string, string> = text.plans.tasks;
-  const task = tasks[(progress?.task ?? "").replaceAll(" ", "_")] ?? text.plans.tasks.planning;
+  const name = tasks[(progress?.task ?? "").replaceAll(" ", "_")] ?? text.plans.tasks.planning;
+  const selection = Number(/^plan (\d+)$/.exec(progress?.detail ?? "")?.[1] ?? 1);
+  const task = selection > 1 ? `${name} ${say(text.plans.another_selection, String(selection))}` : name;
   return continued ? `${text.plans.states.continued} ${task}` : task;
 }
 

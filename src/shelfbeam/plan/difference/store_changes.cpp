@@ -105,7 +105,8 @@ Elements transceivers_of(const Json& part) {
   std::map<std::string, std::size_t> position;
   for (std::size_t k = 0; k < elements.identities.size(); ++k) position[elements.identities[k].id] = k;
   for (const auto& [key, ids] : part.items()) {
-    if (key == "list" || !ids.is_array()) continue;
+    // Selected units are the answer of an earlier plan, and no part of the question.
+    if (key == "list" || key == "selected" || !ids.is_array()) continue;
     for (const Json& id : ids) {
       const auto [found, is_new] = position.emplace(id.get<std::string>(), elements.values.size());
       if (is_new) elements.add(found->first, Json::object());

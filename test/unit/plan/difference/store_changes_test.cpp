@@ -51,6 +51,14 @@ struct Case {
   std::vector<ValueChange> values;
 };
 
+TEST(StoreChanges, LeaveOutTheUnitsOfEarlierPlans) {
+  Json changed = store_file();
+  changed["transceivers"]["selected"] = {"T1"};
+  EXPECT_TRUE(changes_of(changed).empty());
+  changed["transceivers"]["pinned"] = {"T1"};
+  EXPECT_EQ(changes_of(changed).size(), 1U);
+}
+
 TEST(StoreChanges, FindEveryKindOfChange) {
   const auto cases = std::vector<Case>{{"name",
                                         [](Json& s) { s["name"] = "Shop"; },
