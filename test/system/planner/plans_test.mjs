@@ -132,7 +132,9 @@ for (const dark of [false, true])
       await page.click('#panel-plans [value="at_most"]', { force: true });
       await clean("the question for at most K units");
       await page.click('#panel-plans [value="all"]', { force: true });
-      await page.click("#panel-plans .primary");
+      await page.evaluate(() =>
+        window.shelfbeamPlanner.planner.plans.start({ states: 20, confidence: 0.9, budget: 3 }, "a short plan"),
+      );
       await wait(tab, () => window.shelfbeamPlanner.planner.plans.active?.progress);
       await clean("a plan runs");
       await wait(tab, hasEnded);
