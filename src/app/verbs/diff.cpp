@@ -77,6 +77,16 @@ void prepare_page(const DiffArguments& options, const fs::path& before, const fs
   expect_writable(options.output);
 }
 
+/// The names of two folders: their last parts if these tell them apart.
+std::pair<std::string, std::string> names_of(const fs::path& before, const fs::path& after) {
+  const auto last = [](const fs::path& folder) {
+    return fs::absolute(folder / ".").lexically_normal().parent_path();
+  };
+  const fs::path a = last(before), b = last(after);
+  if (a.parent_path() == b.parent_path()) return {a.filename().string(), b.filename().string()};
+  return {before.string(), after.string()};
+}
+
 void print_rows(const std::string& heading, const TextTable& rows, std::size_t left) {
   if (rows.size() < 2) return;
   if (!heading.empty()) fmt::print("{}\n", heading);
@@ -113,7 +123,8 @@ int run_diff(const DiffArguments& options) {
   };
   if (!options.output.empty()) {
     name_labels(words_of(second.scene));
-    write_file(options.output, difference_html({input, second.scene, before.string(), after.string()}));
+    const auto [first_name, second_name] = names_of(before, after);
+    write_file(options.output, difference_html({input, second.scene, first_name, second_name}));
   }
   if (options.common.json || !options.common.quiet) name_labels(english());
   if (options.common.json) {
