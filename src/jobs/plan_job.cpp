@@ -84,6 +84,16 @@ ExitCode code_of(const PlanRequest& request, const Plan& plan, bool is_imprecise
 
 }  // namespace
 
+std::optional<StoredSignals> given_signals(const PlanJob& job) {
+  if (!job.signal) return {};
+  try {
+    return read_given_signals(*job.signal);
+  } catch (const InputError&) {
+    if (!job.is_signal_optional) throw;
+    return {};
+  }
+}
+
 Store store_of(const PlanJob& job, const CancelToken* cancel) {
   Store store = read_store(job.store, {.allow_outside = job.allow_outside,
                                        .memory = job.plan.simulation.memory,
@@ -148,7 +158,7 @@ PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   expect_room_for_matrix(job.folder, scene, simulation, 2 * resolved.size() + least_report);
   if (watch.begun) watch.begun(scene, simulation);
   expect_no_warnings(scene, job.strict);
-  if (job.signal) inputs.signals = read_given_signals(*job.signal);
+  inputs.signals = given_signals(job);
   PlanEnd end;
   end.plan = plan_checked(store, scene, request, std::move(inputs),
                           {job.threads, watch.cancel, watch.progress}, name);

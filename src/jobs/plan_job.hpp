@@ -30,6 +30,7 @@ struct PlanJob {
   std::optional<CommunicationModel> model = {};
   /// Signals to reuse: a signal file, or the folder of a plan (read_given_signals).
   std::optional<std::filesystem::path> signal = {};
+  bool is_signal_optional = false;                  ///< signals that cannot be read are simulated
   std::vector<std::filesystem::path> sampled = {};  ///< parts of SampledStates; empty: none
   /// A folder of light operators: a first answer is asked for (run_first_answer).
   std::optional<std::filesystem::path> preview = {};
@@ -67,6 +68,9 @@ struct PlanEnd {
 
 /// The store of a job with its choice of units. Throws InputError.
 Store store_of(const PlanJob& job, const CancelToken* cancel);
+
+/// The signals that a job gives, if any. Throws InputError.
+std::optional<StoredSignals> given_signals(const PlanJob& job);
 
 /// Throws InputError if the scene has warnings and `strict` is set.
 void expect_no_warnings(const Scene& scene, bool strict);

@@ -221,6 +221,7 @@ void describe(Fields& f, PlanJob& job) {
   list(f, "without", job.without, "keys of `variation`, or `reflectances`: changes that are left out",
        read_cause, [](Cause cause) { return Json(key_of(cause)); });
   path(f, "signal", job.signal, "signals to reuse if they fit: a signal file, or the folder of a plan");
+  flag(f, "optional_signal", job.is_signal_optional, false, "signals that cannot be read are simulated");
   paths(f, "sampled", job.sampled, "outputs of `simulate --states N --for-plan`");
   path(f, "preview", job.preview,
        "a first answer, without a simulation and without files, by the light operators in this folder");

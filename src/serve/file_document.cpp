@@ -26,7 +26,8 @@ std::string_view media_type(std::string_view name) {
 
 }  // namespace
 
-std::optional<http::Document> document_of(const fs::path& file, bool is_report, std::uint64_t max_bytes) {
+std::optional<http::Document> document_of(const fs::path& file, bool is_report) {
+  constexpr std::uint64_t max_bytes = 512 << 20;
   if (!is_plain_file(file)) return {};
   try {
     return http::Document{std::string(media_type(file.filename().string())),

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -8,9 +7,8 @@
 
 namespace shelfbeam::serve {
 
-/// A file for a page; nothing if it is missing, is a link, or has more bytes. `is_report`: it has scripts
-/// of its own.
-std::optional<http::Document> document_of(const std::filesystem::path& file, bool is_report = false,
-                                          std::uint64_t max_bytes = 512 << 20);
+/// A file for a page; nothing if it is missing, is a link, or has more than 512 MiB. `is_report`: it has
+/// scripts of its own.
+std::optional<http::Document> document_of(const std::filesystem::path& file, bool is_report = false);
 
 }  // namespace shelfbeam::serve

@@ -21,9 +21,10 @@ namespace shelfbeam::jobs {
 namespace {
 
 std::optional<SignalMatrix> given_matrix(const PlanJob& job, const Scene& scene, const PathRules& wanted) {
-  if (!job.signal) return {};
   try {
-    auto fitting = fitting_signals(read_given_signals(*job.signal), scene, wanted);
+    auto signals = given_signals(job);
+    if (!signals) return {};
+    auto fitting = fitting_signals(std::move(*signals), scene, wanted);
     if (auto* matrix = std::get_if<SignalMatrix>(&fitting)) return std::move(*matrix);
   } catch (const InputError&) {
     // Previews answer in place of signals that cannot be read; the plan reports the error.

@@ -5,7 +5,6 @@
 
 #include "serve/errands/comparison.hpp"
 #include "serve/file_document.hpp"
-#include "serve/project/archive.hpp"
 
 namespace shelfbeam::serve {
 
@@ -20,9 +19,22 @@ constexpr auto archive_name = "project.zip";
 
 Errands::Errands(fs::path folder, const std::string& program)
     : folder_(std::move(folder)),
-      comparison_(program, "comparison", "the comparison"),
-      difference_(program, "difference", "the comparison"),
-      archive_(program, "archive", "the archive") {}
+      comparison_(program, "comparison", "the comparison with measurements"),
+      difference_(program, "difference", "the comparison of two plans"),
+      archive_(program, "archive", "the archive") {
+  remove_archives();
+}
+
+Errands::~Errands() {
+  remove_archives();
+}
+
+// Also what a program left that was killed while it packed.
+void Errands::remove_archives() const {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_ / ".shelfbeam", error))
+    if (entry.path().filename().string().starts_with(archive_name)) fs::remove(entry.path(), error);
+}
 
 bool Errands::begin(const Request& request, const PlanRuns& plans) {
   const std::string verb = request.text("do");
@@ -51,13 +63,10 @@ std::vector<LateReply> Errands::poll() {
   return replies;
 }
 
-std::optional<http::Document> Errands::document(std::string_view name) {
+std::optional<http::Document> Errands::document(std::string_view name) const {
   if (name == "difference") return document_of(own_file(difference_name), true);
-  if (name != "archive") return {};
-  auto archive = document_of(own_file(archive_name), false, max_archived_bytes);
-  std::error_code ignored;
-  fs::remove(own_file(archive_name), ignored);
-  return archive;
+  if (name == "archive") return document_of(own_file(archive_name));
+  return {};
 }
 
 }  // namespace shelfbeam::serve

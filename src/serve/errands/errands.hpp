@@ -19,16 +19,18 @@ class Errands {
  public:
   /// `folder`: of the project. `program`: shelfbeam.
   explicit Errands(std::filesystem::path folder, const std::string& program = jobs::own_program);
+  ~Errands();
 
   /// Begins the answer to one of these requests; returns false for another one. Throws InputError, also while
   /// an equal request is open.
   bool begin(const Request& request, const PlanRuns& plans);
   /// To be called often.
   std::vector<LateReply> poll();
-  /// The page of the last `difference`, or `archive`, once.
-  std::optional<http::Document> document(std::string_view name);
+  /// The page of the last `difference`, or the last `archive`.
+  std::optional<http::Document> document(std::string_view name) const;
 
  private:
+  void remove_archives() const;
   std::filesystem::path own_file(const char* name) const { return folder_ / ".shelfbeam" / name; }
 
   const std::filesystem::path folder_;

@@ -13,7 +13,7 @@ bool is_plain_file(const fs::path& path) {
 
 std::optional<fs::file_time_type> time_of_plan(const fs::path& folder) {
   const fs::path placement = folder / "placement.json";
-  if (!is_plain_file(placement) || !is_plain_file(folder / "signal.h5")) return {};
+  if (!is_plain_file(placement)) return {};
   std::error_code error;
   const fs::file_time_type time = fs::last_write_time(placement, error);
   return error ? std::nullopt : std::optional(time);
@@ -25,6 +25,7 @@ std::string newest_plan(const fs::path& folder) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
+    if (!is_plain_file(entry.path() / "signal.h5")) continue;
     const auto time = time_of_plan(entry.path());
     if (!time || (last && *time <= *last)) continue;
     newest = entry.path().filename().string();

@@ -1,8 +1,10 @@
 #include "serve/planning/plan_run.hpp"
 
+#include <cmath>
 #include <exception>
 #include <utility>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
@@ -21,6 +23,7 @@ Json to_json(const PlanRun& run) {
           {"written", run.written},
           {"continued", run.is_continued},
           {"entered", run.is_entered},
+          {"cancelled", run.is_cancelled},
           {"first", run.first},
           {"result", run.result}};
 }
@@ -29,6 +32,9 @@ PlanRun run_of(const Json& json) {
   PlanRun run;
   run.id = json.at("id");
   run.folder = json.at("folder");
+  const std::filesystem::path folder = run.folder;
+  if (run.folder.empty() || folder != folder.filename() || run.folder == "." || run.folder == "..")
+    throw InputError("plans.json", "names a folder outside the project");
   run.plan = json.at("plan");
   run.begun = json.at("begun");
   run.ended = json.at("ended");
@@ -37,6 +43,7 @@ PlanRun run_of(const Json& json) {
   run.written = json.at("written");
   run.is_continued = json.at("continued");
   run.is_entered = json.at("entered");
+  run.is_cancelled = json.value("cancelled", false);
   run.first = json.at("first");
   run.result = json.at("result");
   return run;
@@ -45,7 +52,11 @@ PlanRun run_of(const Json& json) {
 void RunProgress::take_bounds(double new_incumbent, double new_bound, bool is_maximum) {
   constexpr double rounding = 1e-9;
   const double sign = is_maximum ? -1 : 1;
-  const bool stays = bound && sign * (*bound - new_bound) > 0 && sign * (new_incumbent - *bound) >= -rounding;
+  // Where prices are minimised, they and then the numbers of units are reported.
+  const bool is_count = std::abs(new_incumbent - static_cast<double>(selected.size())) < rounding;
+  const bool is_other = std::exchange(counts_units, is_count) != is_count;
+  const bool stays =
+      bound && !is_other && sign * (*bound - new_bound) > 0 && sign * (new_incumbent - *bound) >= -rounding;
   incumbent = new_incumbent;
   if (!stays) bound = new_bound;
 }

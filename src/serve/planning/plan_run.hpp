@@ -46,9 +46,10 @@ struct RunProgress {
   std::string task, detail;
   std::optional<double> share, seconds_left, incumbent, bound;
   std::vector<std::string> selected;  ///< ids
+  bool counts_units = false;          ///< the bounds are numbers of units
 
-  /// Of a placement or a proof. A later one begins with a bound of its own: the best one stays as long as no
-  /// incumbent contradicts it. `is_maximum`: the bound is an upper one.
+  /// Of a placement or a proof. A later one begins with a bound of its own: the best one stays as long as it
+  /// answers the same question and no incumbent contradicts it. `is_maximum`: the bound is an upper one.
   void take_bounds(double new_incumbent, double new_bound, bool is_maximum);
 };
 
@@ -63,6 +64,7 @@ struct PlanRun {
   std::int64_t written = 0;            ///< time of its placement.json, ns; 0: not known
   bool is_continued = false;           ///< after an interruption of the program
   bool is_entered = false;             ///< its units were selected in the store
+  bool is_cancelled = false;           ///< it was asked to end with its results so far
   RunProgress progress = {};           ///< not kept
   Json first = nullptr;                ///< the first answer: the event `result`, with `selected`
   Json result = nullptr;               ///< the event `result` or `error`
@@ -81,7 +83,7 @@ struct PlanRun {
 
 /// The run without its progress.
 Json to_json(const PlanRun& run);
-/// Throws nlohmann::json::exception.
+/// Throws nlohmann::json::exception, and InputError for a folder that is none of the project.
 PlanRun run_of(const Json& json);
 
 /// The placement.json of a folder without the names of the labels. Throws InputError and Json::exception.

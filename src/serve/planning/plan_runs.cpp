@@ -25,6 +25,7 @@ namespace {
 
 constexpr std::uint64_t max_list = 64 << 20;
 constexpr auto list_name = "plans.json";
+constexpr int list_format = 1;
 
 // PlanRun::written of the plan in a folder.
 std::int64_t written_in(const fs::path& folder) {
@@ -61,41 +62,57 @@ PlanRuns::~PlanRuns() {
   }
 }
 
+// A run whose units are those in its folder.
+void PlanRuns::take_result(PlanRun& run, RunState state, Json result) {
+  run.state = state;
+  run.result = std::move(result);
+  run.written = written_in(folder_ / run.folder);
+  if (run.has_plan()) finished_.push_back(run.id);
+}
+
 // A run that has not ended for this list.
 void PlanRuns::take_up(PlanRun& run) {
-  const fs::path folder = folder_ / run.folder;
-  if (Json result = result_in(folder); result.is_object() && result["complete"] == true) {
-    run.state = RunState::done;
-    run.result = std::move(result);
-    run.written = written_in(folder);
-    if (run.has_plan()) finished_.push_back(run.id);
-    return;
-  }
+  Json result = result_in(folder_ / run.folder);
+  if (result.is_object() && result["complete"] == true)
+    return take_result(run, RunState::done, std::move(result));
+  if (run.is_cancelled) return take_result(run, RunState::stopped, std::move(result));
   run.is_continued = run.state != RunState::waiting;
   run.state = RunState::waiting;
 }
 
-// A damaged list does not prevent the project from opening: the plans themselves are in their folders.
+void PlanRuns::add_listed(const Json& entry) {
+  try {
+    PlanRun run = run_of(entry);
+    if (find(run.id) != nullptr) return;
+    if (run.is_active()) take_up(run);
+    last_id_ = std::max(last_id_, run.id);
+    runs_.push_back(std::move(run));
+  } catch (const std::exception&) {
+    // The plan itself is in its folder.
+  }
+}
+
+// A damaged list, or that of a later version, does not prevent the project from opening; it is kept.
 void PlanRuns::load() {
   const fs::path file = folder_ / ".shelfbeam" / list_name;
   if (!is_plain_file(file)) return;
   try {
     const Json json = Json::parse(read_file(file, max_list));
-    for (const Json& one : json.at("runs")) {
-      PlanRun run = run_of(one);
-      if (run.is_active()) take_up(run);
-      last_id_ = std::max(last_id_, run.id);
-      runs_.push_back(std::move(run));
+    if (json.at("format") == list_format) {
+      for (const Json& entry : json.at("runs")) add_listed(entry);
+      return;
     }
   } catch (const std::exception&) {
-    runs_.clear();
+    // as below
   }
+  std::error_code ignored;
+  fs::rename(file, file.string() + ".unreadable", ignored);
 }
 
 void PlanRuns::save() const {
   Json list = Json::array();
   for (const PlanRun& run : runs_) list.push_back(to_json(run));
-  const Json json{{"format", 1}, {"runs", std::move(list)}};
+  const Json json{{"format", list_format}, {"runs", std::move(list)}};
   write_file(folder_ / ".shelfbeam" / list_name,
              json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -140,9 +157,13 @@ const PlanRun* PlanRuns::find(std::uint64_t id) const {
 void PlanRuns::cancel(std::uint64_t id) {
   PlanRun& run = run_of_id(id);
   if (!run.is_active()) throw InputError("plan", "has ended already", "look at its result");
-  if (&run == active_) return process_->cancel();
-  run.state = RunState::stopped;
-  run.ended = present_time();
+  run.is_cancelled = true;
+  if (&run == active_) {
+    process_->cancel();
+  } else {
+    run.state = RunState::stopped;
+    run.ended = present_time();
+  }
   changed_.push_back(id);
   save();
 }
@@ -166,8 +187,17 @@ void PlanRuns::note_entered(std::uint64_t id) {
 void PlanRuns::begin(PlanRun& run, const std::string& shop) {
   active_ = &run;
   try {
-    if (run.is_continued && run.shop != shop)
+    if (run.is_continued && run.shop != shop) {
+      // The best units of the interruption are worth more than an error.
+      if (Json result = result_in(folder_ / run.folder); result.is_object()) {
+        take_result(run, RunState::stopped, std::move(result));
+        active_ = nullptr;
+        run.ended = present_time();
+        changed_.push_back(run.id);
+        return save();
+      }
       throw InputError("the shop", "has changed since the plan was interrupted", "start another plan");
+    }
     run.shop = shop;
     run.state = RunState::running;
     process_.emplace(run, folder_ / "store.json", newest_plan(folder_), program_);
@@ -201,12 +231,17 @@ void PlanRuns::look() {
     if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
     const std::string name = entry.path().filename().string();
     const std::int64_t written = written_in(entry.path());
+    const auto refused = refused_.find(name);
+    if (!is_utf8(name) || (refused != refused_.end() && refused->second == written)) continue;
     auto known =
         std::find_if(runs_.begin(), runs_.end(), [&](const PlanRun& run) { return run.folder == name; });
     if (written == 0 || (known != runs_.end() && (known->is_active() || known->written == written))) continue;
     const Json result = result_in(entry.path());
     if (known == runs_.end()) {
-      if (result.is_null() || !is_utf8(name)) continue;
+      if (result.is_null()) {
+        refused_[name] = written;
+        continue;
+      }
       known = runs_.insert(runs_.end(), {.id = ++last_id_, .folder = name});
     }
     known->plan = nullptr;
@@ -234,7 +269,7 @@ void PlanRuns::look() {
 std::vector<std::uint64_t> PlanRuns::poll(const std::function<const std::string&()>& shop) {
   if (process_) {
     // The process may have read the store before the change, or after it.
-    if (!process_->has_read() && active_->shop != shop()) {
+    if (process_->may_start_again() && active_->shop != shop()) {
       active_->shop = shop();
       process_->start();
     }

@@ -7,6 +7,7 @@
 #include <list>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "jobs/child.hpp"
@@ -57,7 +58,9 @@ class PlanRuns {
   std::string free_folder() const;
   void save() const;
   void load();
+  void add_listed(const Json& entry);
   void take_up(PlanRun& run);
+  void take_result(PlanRun& run, RunState state, Json result);
 
   const std::filesystem::path folder_;
   const std::string program_;
@@ -66,6 +69,7 @@ class PlanRuns {
   PlanRun* active_ = nullptr;
   std::optional<RunProcess> process_;
   std::vector<std::uint64_t> changed_, finished_;
+  std::unordered_map<std::string, std::int64_t> refused_;  // folders that are no plans, and their times
   Clock::time_point looked_{};
 };
 

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "shelfbeam/report/data/shop_states.hpp"
@@ -41,6 +43,14 @@ Json LabelNumbers::of(const Json& ids) const {
   return list;
 }
 
+Json LabelNumbers::with_ids(const Json& ids) const {
+  Json list = Json::array();
+  for (const Json& id : ids)
+    if (const auto found = numbers_.find(id.get<std::string>()); found != numbers_.end())
+      list.push_back({found->second, id});
+  return list;
+}
+
 Json states_of_plan(const std::filesystem::path& folder, const Json& placement, const Draft& draft) {
   Json result{{"shown", Json::array()}, {"availability", Json::array()}};
   const auto found = placement.find("states");
@@ -62,10 +72,13 @@ Json states_of_plan(const std::filesystem::path& folder, const Json& placement, 
   const double count = examined.empty() ? 0 : examined.back().at("states").get<double>();
   if (count == 0) return result;
   Json& availability = result["availability"];
-  const Json& misses = examined.back().at("missed");
+  std::unordered_map<std::string_view, double> misses;
+  for (const Label& label : scene.labels) misses.emplace(label.id, 0);
+  for (const auto& [id, number] : examined.back().at("missed").items())
+    if (const auto of_label = misses.find(id); of_label != misses.end()) of_label->second = number;
   for (const Label& label : draft.scene.labels) {
     const auto of_label = misses.find(label.id);
-    availability.push_back(of_label == misses.end() ? 1 : 1 - of_label->get<double>() / count);
+    availability.push_back(of_label == misses.end() ? Json() : Json(1 - of_label->second / count));
   }
   return result;
 }

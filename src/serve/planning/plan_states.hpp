@@ -17,6 +17,8 @@ class LabelNumbers {
   explicit LabelNumbers(const Draft& draft);
   /// Of those in a list of ids that the draft has.
   nlohmann::ordered_json of(const nlohmann::ordered_json& ids) const;
+  /// The same, each with its id: `[index, id]`.
+  nlohmann::ordered_json with_ids(const nlohmann::ordered_json& ids) const;
 
  private:
   std::unordered_map<std::string, std::size_t> numbers_;

@@ -92,16 +92,22 @@ Json Planning::details(const PlanRun& run, const Draft& draft) const {
   Json plan = placement_of(run);
   for (const char* key : {"files", "sensitivity", "scenarios"}) plan.erase(key);
   const LabelNumbers numbers(draft);
-  Json unreachable = Json::array();
-  for (const Json& one : plan.value("unreachable", Json::array())) unreachable.push_back(one.at("label"));
-  Json indices{{"unreachable", numbers.of(unreachable)}};
-  const auto add = [&](const char* part, const char* key) {
-    if (const auto found = plan.find(part); found != plan.end())
-      indices[key] = numbers.of(found->value(key, Json::array()));
+  Json labels = Json::object();
+  const auto ids_of = [](const Json& list) {
+    Json ids = Json::array();
+    for (const Json& one : list) ids.push_back(one.is_object() ? one.at("label") : one);
+    return ids;
   };
-  for (const char* key : {"missed", "undecided", "not_verified_yet"}) add("certificate", key);
-  add("states", "responsible");
-  return {{"details", std::move(plan)}, {"indices", std::move(indices)}};
+  const auto add = [&](const Json& part, const char* key) {
+    if (const auto found = part.find(key); found != part.end())
+      labels[key] = numbers.with_ids(ids_of(*found));
+  };
+  add(plan, "unreachable");
+  if (const auto found = plan.find("certificate"); found != plan.end())
+    for (const char* key : {"missed", "undecided", "not_verified_yet"}) add(*found, key);
+  if (const auto found = plan.find("states"); found != plan.end())
+    for (const char* key : {"lost", "responsible"}) add(*found, key);
+  return {{"details", std::move(plan)}, {"labels", std::move(labels)}};
 }
 
 Planning::Selection Planning::selection(std::uint64_t id, const std::string& alternative, const Json& store,
@@ -175,15 +181,17 @@ std::optional<http::Document> Planning::document(std::string_view name) const {
   name.remove_prefix(plans.size());
   const std::size_t slash = name.find('/');
   if (slash == std::string_view::npos) return {};
-  const std::string folder(name.substr(0, slash)), file(name.substr(slash + 1));
+  const std::string file(name.substr(slash + 1));
   const auto& names = jobs::plan_file_names;
-  const bool is_listed = std::any_of(runs_.all().begin(), runs_.all().end(),
-                                     [&](const PlanRun& run) { return run.folder == folder; });
+  const auto run = std::find_if(runs_.all().begin(), runs_.all().end(), [&](const PlanRun& one) {
+    return fmt::format("{}", one.id) == name.substr(0, slash);
+  });
   std::error_code ignored;
-  if (!is_listed || file == jobs::signal_name || std::find(names.begin(), names.end(), file) == names.end() ||
-      fs::symlink_status(folder_ / folder, ignored).type() != fs::file_type::directory)
+  if (run == runs_.all().end() || file == jobs::signal_name ||
+      std::find(names.begin(), names.end(), file) == names.end() ||
+      fs::symlink_status(folder_ / run->folder, ignored).type() != fs::file_type::directory)
     return {};
-  return document_of(folder_ / folder / file, file == jobs::report_name);
+  return document_of(folder_ / run->folder / file, file == jobs::report_name);
 }
 
 }  // namespace shelfbeam::serve

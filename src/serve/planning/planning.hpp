@@ -49,7 +49,7 @@ class Planning {
   void note_entered(std::uint64_t id) { runs_.note_entered(id); }
   const PlanRuns& runs() const { return runs_; }
 
-  /// A file of a plan, `plans/FOLDER/FILE`.
+  /// A file of a plan, `plans/ID/FILE`.
   std::optional<http::Document> document(std::string_view name) const;
 
  private:

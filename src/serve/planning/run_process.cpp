@@ -28,8 +28,11 @@ jobs::PlanJob job_of(const PlanRun& run, const std::filesystem::path& store) {
       if (request["constraints"].contains(key))
         for (Json& file : request["constraints"][key])
           file = (folder / std::filesystem::path(file.get<std::string>()).filename()).string();
-  const Json job{{"store", store.string()}, {"folder", (folder / run.folder).string()}, {"plan", request}};
-  return jobs::parse_plan_job(job.dump(), "plan");
+  jobs::PlanJob job = jobs::parse_plan_job(
+      Json{{"store", "store.json"}, {"folder", run.folder}, {"plan", request}}.dump(), "plan");
+  job.store = store;
+  job.folder = folder / run.folder;
+  return job;
 }
 
 }  // namespace
@@ -43,6 +46,7 @@ RunProcess::RunProcess(PlanRun& run, std::filesystem::path store, const std::str
     : run_(run), job_(job_of(run, store)), program_(std::move(program)) {
   const std::filesystem::path folder = store.parent_path();
   if (!signal.empty()) job_.signal = folder / signal;
+  job_.is_signal_optional = true;
   std::error_code ignored;
   job_.checkpoint.resume =
       std::filesystem::exists(checkpoint_path(folder / run.folder / jobs::signal_name), ignored);
@@ -55,13 +59,20 @@ void RunProcess::start() {
   run_.progress = {};
   stages_ = {};
   begun_ = std::chrono::steady_clock::now();
-  process_.emplace(job_, memory_limit(), program_);
-  process_->give_way();
   has_changed_ = true;
+  try {
+    process_.emplace(job_, memory_limit(), program_);
+    process_->give_way();
+  } catch (const std::exception& error) {
+    process_.reset();
+    run_.state = RunState::failed;
+    run_.result = Json::parse(jobs::line_of(jobs::error_of(error)));
+  }
 }
 
 void RunProcess::cancel() {
-  is_cancelled_ = true;
+  // A second signal would end the process without its results.
+  if (std::exchange(is_cancelled_, true) || !process_) return;
   process_->interrupt(patience_of_plan);
 }
 
@@ -106,8 +117,11 @@ void RunProcess::report(Task task, double fraction, std::string_view detail) {
   const auto reported = std::exchange(reported_, {});
   const bool is_of_plan = progress.task == Task::placing || progress.task == Task::placing_over_states ||
                           progress.task == Task::proving;
-  if (reported && is_of_plan)
-    now.take_bounds(reported->first, reported->second, run_.plan.contains("at_most"));
+  if (!reported || !is_of_plan) return;
+  // The placement over the states of a shop is another question than that for the shop as drawn.
+  if (std::exchange(bounded_, progress.task) == Task::placing && progress.task == Task::placing_over_states)
+    now.bound.reset();
+  now.take_bounds(reported->first, reported->second, run_.plan.contains("at_most"));
 }
 
 void RunProcess::bounds(double incumbent, double lower_bound) {

@@ -26,10 +26,11 @@ class RunProcess : ProgressSink {
 
   /// Ends the first answer at once, and the plan with its results so far.
   void cancel();
-  /// Starts, also again, with a store that has changed before it was read.
+  /// Starts, also again, with a store that has changed before it was read. A run whose process cannot be
+  /// started has failed.
   void start();
-  /// Whether the store was read. Precondition: the run is active.
-  bool has_read() const { return process_->has_read(); }
+  /// Whether a process is running that has not read the store yet.
+  bool may_start_again() const { return process_ && !is_cancelled_ && !process_->has_read(); }
   /// To be called often. Updates the run; returns whether it has changed. A run that is not active any more
   /// has no process.
   bool poll();
@@ -47,6 +48,7 @@ class RunProcess : ProgressSink {
   jobs::ProgressStages stages_;
   std::chrono::steady_clock::time_point begun_;
   std::optional<std::pair<double, double>> reported_;  // incumbent and bound, before their task
+  Task bounded_ = Task::placing;                       // the task of the last bounds
   bool is_cancelled_ = false, has_changed_ = false;
 };
 

@@ -27,21 +27,24 @@ bool is_omitted(const fs::path& path) {
 std::vector<fs::path> files_below(const fs::path& folder) {
   std::vector<fs::path> files;
   std::uint64_t bytes = 0;
-  for (auto entry = fs::recursive_directory_iterator(folder); entry != fs::recursive_directory_iterator();
-       ++entry) {
+  std::error_code error;
+  auto entry = fs::recursive_directory_iterator(folder, error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     if (is_omitted(entry->path())) {
       entry.disable_recursion_pending();
-    } else if (entry->symlink_status().type() == fs::file_type::regular) {
+    } else if (entry->symlink_status(error).type() == fs::file_type::regular) {
       files.push_back(entry->path().lexically_relative(folder));
-      bytes += entry->file_size();
+      bytes += entry->file_size(error);
     }
+    if (error) break;
   }
+  if (error) throw InputError(folder.string(), fmt::format("cannot be read: {}", error.message()));
   std::sort(files.begin(), files.end());
   if (bytes > max_archived_bytes)
     throw InputError(folder.string(),
                      fmt::format("has {:.3g} GB of files, which are too many for an archive",
                                  1e-9 * static_cast<double>(bytes)),
-                     "delete signals of old plans (signal.h5), or pack the folder with another program");
+                     "move plans that are not needed elsewhere, or pack the folder with another program");
   return files;
 }
 

@@ -7,7 +7,7 @@
 namespace shelfbeam::serve {
 
 /// Pages receive an archive as a whole.
-inline constexpr std::uint64_t max_archived_bytes = std::uint64_t{2} << 30;
+inline constexpr std::uint64_t max_archived_bytes = std::uint64_t{512} << 20;
 
 struct ArchiveSize {
   std::size_t files = 0;

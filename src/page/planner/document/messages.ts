@@ -243,6 +243,8 @@ export interface PlanRun {
   continued: boolean;
   /** Its units were selected in the store. */
   entered: boolean;
+  /** It was asked to end with its results so far. */
+  cancelled: boolean;
   /** A preview. */
   first: PlanResult | null;
   result: PlanResult | PlanFailure | null;
@@ -274,25 +276,26 @@ export interface PlanDetails {
   details: {
     count: number;
     labels: number;
-    status: string;
     alternatives?: {
       one_fewer?: PlanAlternative;
       one_more?: PlanAlternative;
       survives_failure?: PlanAlternative;
       cannot_survive?: boolean;
     };
-    price?: { new: number; currency: string | null };
-    /** Only of a shop that changes. */
+    /** Only of a shop that changes; earlier versions do not write the optional parts. */
     states?: {
-      shown_states: unknown[];
       /** Of the shop as drawn. */
       nominal: { units: number };
       /** Each cause alone: the labels that it takes from these units, and the number of units that it needs. */
-      alone: { cause: string; taken: string[]; units: number }[];
+      alone?: { cause: string; taken: string[]; units: number }[];
+      /** Labels that are missed in every state, with the causes each of which has this effect alone. */
+      lost?: { label: string; causes: string[] }[];
     };
   };
-  /** Indices of labels, by the list that has them. */
-  indices: Partial<Record<"missed" | "undecided" | "unreachable" | "not_verified_yet" | "responsible", number[]>>;
+  /** Indices and ids of labels, by the list that has them. */
+  labels: Partial<
+    Record<"missed" | "undecided" | "unreachable" | "not_verified_yet" | "responsible" | "lost", [number, string][]>
+  >;
 }
 
 /** The shop in one of the states that the report of a plan shows. */
@@ -309,8 +312,9 @@ export interface ShownState {
 
 export interface PlanStates {
   shown: ShownState[];
-  /** By label: the share of the states in which it is reached; empty if no plan was examined. */
-  availability: number[];
+  /** By label: the share of the states in which it is reached, null if the plan does not have it; empty if no plan was
+   * examined. */
+  availability: (number | null)[];
 }
 
 export type ServerEvent = ProjectEvent | ChangedEvent | WarningsEvent | LightEvent | PlansEvent;

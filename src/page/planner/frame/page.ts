@@ -219,10 +219,7 @@ export class Page {
     changes.listen(["document", "selection", "layers", "devices", "warnings"], () => this.rail.update());
     changes.listen(["selection"], () => objects.follow());
     changes.listen(["light"], () => objects.followUnits());
-    changes.listen(
-      ["plans", "document", "devices", "light", "status"],
-      () => this.rail.isOpen("plans") && plans.update(),
-    );
+    changes.listen(["plans", "light", "status"], () => this.rail.isOpen("plans") && plans.update());
     changes.listen(["proposed"], () => this.marks.update());
     changes.listen(["document", "warnings"], () => this.countProblems());
     changes.listen(["document", "selection", "devices", "warnings", "status", "tool", "presets"], () =>

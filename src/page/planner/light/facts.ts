@@ -64,10 +64,10 @@ function doubtText(doubts: number): string {
 
 export function lightFacts(planner: Planner, label: number): Fact[] {
   const { light, document } = planner;
-  const availability = planner.plans.states?.availability[label];
+  const availability = planner.plans.availability[label] ?? null;
   const level: Fact[] = [
     [text.light.facts.level, String(document.labels.state[label] + 1)],
-    ...(availability === undefined ? [] : [[text.light.facts.availability, percent(availability)] as Fact]),
+    ...(availability === null ? [] : [[text.light.facts.availability, percent(availability)] as Fact]),
   ];
   const { field } = light;
   if (!field?.requirement) return [...level, [text.light.facts.verdict, text.light.verdicts.unknown]];

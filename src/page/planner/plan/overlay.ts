@@ -75,12 +75,12 @@ export class Overlay {
     ];
   }
 
-  /** People and objects of a state of the shop, and the labels that are missed in it. */
+  /** Open labels of a plan; or people and objects of a state of the shop, and the labels that are missed in it. */
   private state(): Node[] {
     const { document, plans } = this.planner;
     const { state } = plans;
-    if (!state) return [];
-    const labels = state.missed.filter((index) => index < document.labels.count);
+    const labels = (state?.missed ?? plans.open).filter((index) => index < document.labels.count);
+    if (!state) return labels.flatMap((index) => this.dots(deviceItem(document.labels, index), "doubtful"));
     return [
       ...state.blocks.map((outline) => svg("path", { class: "state-block", d: pathOf(this.screen(outline), false) })),
       ...document.parts.all.flatMap((part) =>

@@ -90,7 +90,7 @@ export class PlanList {
   /** From the older plan to the newer one. */
   private openDifference(): void {
     const { runs } = this.planner.plans;
-    const [before, after] = [...this.marked].sort((a, b) => a - b);
+    const [after, before] = runs.map(({ id }) => id).filter((id) => this.marked.includes(id));
     const name = (id: number) => runs.find((run) => run.id === id)?.folder ?? "";
     const questions = runs
       .filter(({ id }) => id === before || id === after)

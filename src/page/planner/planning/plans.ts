@@ -14,6 +14,8 @@ export class Plans {
   proposed: ReadonlySet<number> = new Set();
   /** Of the plan that is shown, for a shop that changes. */
   states: PlanStates | null = null;
+  /** Labels of the plan that is shown that are missed or undecided: indices. */
+  open: readonly number[] = [];
   private stateIndex: number | null = null;
   private statesOf = "";
   private shop = "";
@@ -37,6 +39,10 @@ export class Plans {
   }
 
   show(id: number): void {
+    if (this.shown?.id !== id) {
+      this.forgetStates();
+      this.markOpen([]);
+    }
     this.chosen = id;
     this.changes.note("plans");
   }
@@ -44,6 +50,17 @@ export class Plans {
   /** Whether the shop is the one that was planned; null: unknown. */
   isOfThisShop({ shop }: PlanRun): boolean | null {
     return shop === "" || this.shop === "" ? null : shop === this.shop;
+  }
+
+  /** Changes with the shop. */
+  get shopNow(): string {
+    return this.shop;
+  }
+
+  /** By label of the present shop; empty if the plan that is shown is of another one. */
+  get availability(): readonly (number | null)[] {
+    const { shown, states } = this;
+    return shown && states && this.isOfThisShop(shown) !== false ? states.availability : [];
   }
 
   /** The state of the shop that the plan shows. */
@@ -72,6 +89,12 @@ export class Plans {
     if (this.statesOf !== wanted) return;
     this.states = states;
     this.changes.note("plans");
+  }
+
+  markOpen(labels: readonly number[]): void {
+    if (labels.length === 0 && this.open.length === 0) return;
+    this.open = labels;
+    this.changes.note("preview");
   }
 
   forgetStates(): void {
@@ -112,11 +135,15 @@ export class Plans {
     const before = this.runs;
     const kept = (all ?? before).filter(({ id }) => !remove.includes(id));
     const byId = new Map([...kept, ...set].map((run) => [run.id, run]));
-    this.runs = [...byId.values()].sort((a, b) => b.id - a.id);
+    const time = ({ begun, ended }: PlanRun) => ended || begun;
+    const order = (a: PlanRun, b: PlanRun) =>
+      Number(isActive(b)) - Number(isActive(a)) || time(b).localeCompare(time(a)) || b.id - a.id;
+    this.runs = [...byId.values()].sort(order);
     for (const { id } of [...(all ?? []), ...set]) this.known.delete(id);
     if (shop !== undefined) {
       if (shop !== this.shop) {
         this.known.clear(); // labels have other numbers
+        this.markOpen([]);
         this.forgetStates();
       }
       this.shop = shop;

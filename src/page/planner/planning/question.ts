@@ -37,6 +37,7 @@ export class Question {
       ],
       (goal) => this.choose(goal),
     );
+    this.share.input.required = this.units.input.required = true;
     this.share.input.value = "95";
     this.units.input.value = "8";
     this.changing.input.checked = true;

@@ -46,13 +46,19 @@ export class Result {
     if (!run) return;
     const onPlan = this.planner.light.units.map(({ id }) => id);
     const states = [plans.states?.shown.length, plans.stateNumber];
-    const version = JSON.stringify([run, plans.isOfThisShop(run), document.locked, onPlan, states]);
+    const version = JSON.stringify([run, plans.shopNow, document.locked, onPlan, states]);
     if (version === this.version) return;
     this.version = version;
     this.show(run, null);
-    if (run.result?.event !== "result") return;
+    if (run.result?.event !== "result") {
+      plans.forgetStates();
+      return;
+    }
     void plans.details(run).then((details) => {
-      if (this.version === version) this.show(run, details);
+      if (this.version !== version) return;
+      this.show(run, details);
+      const { missed = [], undecided = [], unreachable = [] } = details?.labels ?? {};
+      plans.markOpen([...missed, ...undecided, ...unreachable].map(([index]) => index));
     });
   }
 
@@ -79,6 +85,7 @@ export class Result {
       ...(result?.event === "result" && !result.complete ? [text.plans.incomplete] : []),
       ...(result?.event !== "result" && run.first ? [say(text.plans.first, summaryOf(run.first))] : []),
       ...(isSame === false ? [text.plans.shop_changed] : []),
+      ...(isSame === null && run.result?.event === "result" ? [text.plans.shop_unknown] : []),
     ];
   }
 
@@ -108,7 +115,7 @@ export class Result {
   }
 
   /** Between the plan for the shop as drawn and this one: what each change requires. */
-  private reasons({ nominal, alone }: NonNullable<PlanDetails["details"]["states"]>): HTMLElement[] {
+  private reasons({ nominal, alone = [] }: NonNullable<PlanDetails["details"]["states"]>): HTMLElement[] {
     if (alone.length === 0) return [];
     const names: Record<string, string> = text.plans.causes;
     const cells = (row: readonly string[], tag: "th" | "td") => row.map((cell) => element(tag, { text: cell }));
@@ -193,29 +200,38 @@ export class Result {
     ];
   }
 
-  private labels({ indices }: PlanDetails): HTMLElement[] {
-    return (["unreachable", "missed", "undecided", "responsible", "not_verified_yet"] as const).flatMap((kind) => {
-      const list = indices[kind] ?? [];
-      if (list.length === 0) return [];
-      const row = (index: number) => {
-        const name = this.planner.answers.now("label", index)?.id ?? say(text.numbered.label, String(index + 1));
-        return element(
-          "li",
-          {},
-          button(name, () => this.goTo(index), { class: "plain", "data-key": `open-${index}` }),
-        );
-      };
-      const all = button(text.plans.select_all, () => this.select(list), { "data-key": `select-${kind}` });
-      return [
-        element("h4", { text: counted(text.plans.open_labels[kind], list.length) }),
-        element("p", { class: "note", text: text.plans.remedies[kind] }),
-        all,
-        element("ul", { class: "light-list" }, ...list.slice(0, mostListed).map(row)),
-        ...(list.length > mostListed
-          ? [element("p", { class: "note", text: say(text.plans.more_labels, grouped(list.length - mostListed)) })]
-          : []),
-      ];
-    });
+  private labels({ details, labels }: PlanDetails): HTMLElement[] {
+    const causes: Record<string, string> = text.plans.causes;
+    const whyLost = new Map((details.states?.lost ?? []).map((one) => [one.label, one.causes]));
+    const why = (id: string) => {
+      const names = whyLost.get(id);
+      if (!names) return "";
+      return names.length === 0 ? text.plans.causes_together : names.map((name) => causes[name] ?? name).join(", ");
+    };
+    return (["unreachable", "missed", "undecided", "lost", "responsible", "not_verified_yet"] as const).flatMap(
+      (kind) => {
+        const list = labels[kind] ?? [];
+        if (list.length === 0) return [];
+        const row = ([index, id]: [number, string]) =>
+          element(
+            "li",
+            {},
+            button(id, () => this.goTo(index), { class: "plain", "data-key": `open-${kind}-${index}` }),
+            kind === "lost" ? element("small", { text: why(id) }) : null,
+          );
+        const indices = list.map(([index]) => index);
+        const all = button(text.plans.select_all, () => this.select(indices), { "data-key": `select-${kind}` });
+        return [
+          element("h4", { text: counted(text.plans.open_labels[kind], list.length) }),
+          element("p", { class: "note", text: text.plans.remedies[kind] }),
+          all,
+          element("ul", { class: "light-list" }, ...list.slice(0, mostListed).map(row)),
+          ...(list.length > mostListed
+            ? [element("p", { class: "note", text: say(text.plans.more_labels, grouped(list.length - mostListed)) })]
+            : []),
+        ];
+      },
+    );
   }
 
   private goTo(index: number): void {
@@ -230,7 +246,7 @@ export class Result {
   }
 
   private files(run: PlanRun): HTMLElement {
-    const path = (file: string) => new URL(`plans/${encodeURIComponent(run.folder)}/${file}`, this.address).href;
+    const path = (file: string) => new URL(`plans/${run.id}/${file}`, this.address).href;
     const link = (kind: keyof typeof files) => {
       const file = files[kind];
       const isReport = kind === "report";

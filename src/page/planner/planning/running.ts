@@ -58,7 +58,8 @@ export class Running {
     const { share = null, seconds_left: left = null } = run.progress ?? {};
     setText(this.name, run.folder);
     setText(this.asked, questionText(run.plan));
-    setText(this.phase, phaseText(run));
+    setText(this.phase, run.cancelled ? text.plans.ending : phaseText(run));
+    this.end.disabled = run.cancelled;
     const done = share === null ? null : Math.round(100 * share);
     this.progress.classList.toggle("unknown", done === null);
     if (done === null) this.progress.removeAttribute("aria-valuenow");
@@ -74,8 +75,6 @@ export class Running {
     const run = plans.active;
     if (!run) return;
     this.end.disabled = true;
-    void plans.cancel(run, text.plans.cancel).finally(() => {
-      this.end.disabled = false;
-    });
+    void plans.cancel(run, text.plans.cancel);
   }
 }

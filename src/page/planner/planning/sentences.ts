@@ -31,8 +31,8 @@ export function questionText(plan: PlanRequest | null): string {
 }
 
 /** "Between 9 and 11 units." Empty: nothing is known yet. */
-export function boundsText({ plan, progress }: PlanRun): string {
-  if (!progress || progress.incumbent === null || progress.count === 0) return "";
+export function boundsText({ plan, progress, state }: PlanRun): string {
+  if (state === "previewing" || !progress || progress.incumbent === null || progress.count === 0) return "";
   const { incumbent, bound, count } = progress;
   const rounding = 1e-6;
   if (plan?.at_most !== undefined) {

@@ -44,6 +44,18 @@ const usual = {
   scatter: 0.5, // dB
 };
 
+/** Whether a change is not left out by `variation.without`. */
+const isLeftIn = (json: Json, key: string): boolean => {
+  const without = valueAt(json, "/variation/without");
+  return !(Array.isArray(without) && without.includes(key));
+};
+const leaveIn = (edit: EditBuilder, key: string, isOn: boolean): void => {
+  const without = valueAt(edit.json, "/variation/without");
+  const others = Array.isArray(without) ? without.filter((one) => one !== key) : [];
+  const all = isOn ? others : [...others, key];
+  edit.set("/variation/without", all.length > 0 ? all : undefined);
+};
+
 const at = (json: Json, key: string): Json | undefined => valueAt(json, `/variation/${key}`);
 const isList = (value: Json | undefined): value is Json[] => Array.isArray(value) && value.length > 0;
 const doorsOf = (json: Json): Json[] => {
@@ -106,6 +118,19 @@ export class Variation {
           { path: "label_sensitivity_db", unit: "dB", factor: 1, most: 20 },
         ],
       },
+      objects: {
+        icon: "block",
+        isOn: (json) => isLeftIn(json, "objects"),
+        set: (edit, isOn) => leaveIn(edit, "objects", isOn),
+        numbers: [],
+        isPossible: (json) => isList(at(json, "objects")),
+      },
+      reflectance: {
+        icon: "problems",
+        isOn: (json) => isLeftIn(json, "reflectances"),
+        set: (edit, isOn) => leaveIn(edit, "reflectances", isOn),
+        numbers: [],
+      },
     };
     this.whole.input.addEventListener("change", () => this.change((edit) => this.setAll(edit, this.whole.isOn)));
     for (const [cause, row] of Object.entries(this.rows) as [Cause, Row][]) this.list.append(this.line(cause, row));
@@ -124,9 +149,10 @@ export class Variation {
     box.input.dataset.key = `varies-${cause}`;
     box.input.addEventListener("change", () => this.change((edit) => row.set(edit, box.isOn)));
     this.boxes.set(cause, box);
+    const names: Partial<Record<Cause, string[]>> = text.variation.numbers;
     const fields = row.numbers.map((number, k) => {
       const { path, unit, factor, most } = number;
-      const field = new NumberField(text.variation.numbers[cause][k], unit, { least: 0, most });
+      const field = new NumberField(names[cause]?.[k] ?? "", unit, { least: 0, most });
       field.input.dataset.key = `variation-${path}`;
       field.input.addEventListener("change", () => {
         const { value } = field;

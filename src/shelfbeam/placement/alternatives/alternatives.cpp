@@ -8,6 +8,7 @@
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/problem/progress_alone.hpp"
 
 namespace shelfbeam {
 
@@ -55,18 +56,6 @@ double margin_with(detail::LabelShares shares, std::uint32_t column, double shar
     return problem.redundant ? shares.sum - shares.largest : shares.sum;
   return problem.redundant ? shares.second : shares.largest;
 }
-
-// Passes progress on, but no incumbents, which are not those of the placement.
-class ProgressAlone final : public ProgressSink {
- public:
-  explicit ProgressAlone(ProgressSink* watcher) : watcher_(watcher) {}
-  void report(Task task, double fraction, std::string_view detail) override {
-    if (watcher_ != nullptr) watcher_->report(task, fraction, detail);
-  }
-
- private:
-  ProgressSink* watcher_;
-};
 
 std::optional<Alternative> one_more(const Placement& placement, const SignalTable& table) {
   const PlacementProblem& problem = placement.problem;

@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/math/order.hpp"
+#include "shelfbeam/placement/problem/progress_alone.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/reflectance_ends.hpp"
@@ -71,6 +72,8 @@ void CausesAlone::examine(std::span<const std::uint32_t> selected, const std::op
   std::vector<CauseAlone> rows;
   const std::vector<Part> parts = causes();
   Deadline deadline(place ? place->time_limit_s : 0);
+  ProgressAlone progress(control_.progress);
+  const RunControl control{control_.threads, control_.cancel, &progress};
   for (const Part& part : parts) {
     const StateSample states = sample(part);
     DecidingLabels deciding(states, table_, problem_);
@@ -86,7 +89,7 @@ void CausesAlone::examine(std::span<const std::uint32_t> selected, const std::op
       deciding.add_if([&](std::uint32_t i) { return outcome.missed[i] > 0; });
       SamplePlacement placed = place_on_sample(
           deciding, problem_, [&](auto labels) { return allowance(labels, states.count()); }, *place,
-          deadline, control_);
+          deadline, control);
       row.units = placed.selected.size();
       row.lower_bound = placed.lower_bound;
       row.unreachable = std::move(placed.unreachable);

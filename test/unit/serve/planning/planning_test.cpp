@@ -55,24 +55,24 @@ class PlanningOfAShop : public testing::Test {
 };
 
 TEST_F(PlanningOfAShop, SendsFilesOfPlansAlone) {
-  EXPECT_FALSE(planning_.document("plans/plan/report.html")) << "it is not in the list yet";
+  EXPECT_FALSE(planning_.document("plans/1/report.html")) << "it is not in the list yet";
   const Planning::News news = poll();
   ASSERT_TRUE(news.event);
   EXPECT_EQ(news.event->at("set")[0].at("folder"), "plan");
-  const auto report = planning_.document("plans/plan/report.html");
+  const auto report = planning_.document("plans/1/report.html");
   ASSERT_TRUE(report);
   EXPECT_TRUE(report->is_report);
   EXPECT_EQ(report->type, "text/html; charset=utf-8");
-  const auto sheet = planning_.document("plans/plan/mounting.csv");
+  const auto sheet = planning_.document("plans/1/mounting.csv");
   ASSERT_TRUE(sheet);
   EXPECT_FALSE(sheet->is_report);
-  for (const char* name : {"plans/plan/signal.h5", "plans/plan/other.txt", "plans/other/report.html",
-                           "plans/plan/labels.csv", "plans/plan", "plans/", "plans//report.html",
-                           "plans/plan/../../store.json", "plans/../plan/report.html", "difference", "scene"})
+  for (const char* name : {"plans/1/signal.h5", "plans/1/other.txt", "plans/2/report.html",
+                           "plans/1/labels.csv", "plans/1", "plans/", "plans//report.html",
+                           "plans/1/../../store.json", "plans/../1/report.html", "difference", "scene"})
     EXPECT_FALSE(planning_.document(name)) << name;
   fs::remove(folder_ / "plan" / "report.html");
   fs::create_symlink("/etc/passwd", folder_ / "plan" / "report.html");
-  EXPECT_FALSE(planning_.document("plans/plan/report.html")) << "a link";
+  EXPECT_FALSE(planning_.document("plans/1/report.html")) << "a link";
 }
 
 TEST_F(PlanningOfAShop, SelectsTheUnitsOfAnAlternative) {
@@ -100,6 +100,11 @@ TEST(RunProgress, KeepsTheBestBoundUntilAnIncumbentContradictsIt) {
   EXPECT_EQ(labels.bound, 180);
   labels.take_bounds(190, 200, true);
   EXPECT_EQ(labels.bound, 200);
+  RunProgress prices;
+  prices.selected = {"a", "b", "c"};
+  prices.take_bounds(3.3, 2.9, false);
+  prices.take_bounds(3, 2, false);  // numbers of units
+  EXPECT_EQ(prices.bound, 2);
 }
 
 TEST_F(PlanningOfAShop, SelectsTheUnitsThatAreNotOnThePlanAnyway) {
@@ -129,10 +134,13 @@ TEST_F(PlanningOfAShop, NamesLabelsByTheirNumbers) {
   poll();
   const Json found = answer({{"do", "plan_details"}, {"plan", 1U}});
   EXPECT_FALSE(found.at("details").contains("files"));
-  EXPECT_EQ(found.at("indices").at("missed"), Json::array());
+  EXPECT_FALSE(found.at("details").contains("label_names"));
+  EXPECT_EQ(found.at("labels").at("missed"), Json::array());
   std::vector<std::string> names;
-  for (const Json& index : found.at("indices").at("undecided"))
-    names.push_back(shop_.draft().scene.labels[index.get<std::size_t>()].id);
+  for (const Json& one : found.at("labels").at("undecided")) {
+    names.push_back(shop_.draft().scene.labels[one.at(0).get<std::size_t>()].id);
+    EXPECT_EQ(names.back(), one.at(1));
+  }
   EXPECT_EQ(names, (std::vector<std::string>{"A1-front-1-2", "A1-front-1-1"}));
   EXPECT_EQ(answer({{"do", "plan_states"}, {"plan", 1U}}).at("shown"), Json::array());
 }
