@@ -3,8 +3,9 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { check, equal } from "../viewer/check.mjs";
+import { check, equal, says } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
+import { smallShop } from "./small_shop.mjs";
 
 const has = (tab, selector) => tab.page.evaluate((of) => document.querySelector(of) !== null, selector);
 
@@ -123,3 +124,65 @@ testPlanner("values of a catalogue in another unit", { prepare: withCatalogue },
   await tab.steps(2);
   equal(tab.json.fixtures[0].size, undefined);
 });
+
+/** A rack against the wall and a free one with a height of its own; two presets for them, and one for counters. */
+function withPresets(folder) {
+  smallShop()(folder);
+  const file = join(folder, "store.json");
+  const { fixtures, ...store } = JSON.parse(readFileSync(file, "utf8"));
+  const { at: _, ...rack } = fixtures[0];
+  const presets = {
+    counter: { type: "box", size: [1, 0.6, 0.9], material: "paper" },
+    rack: { type: "gondola", depth: 0.5, height: 2, material: "paper", shelves: [0.5, 1.1], faces: ["front"] },
+    tall: { preset: "rack", shelves: [0.5, 1.1, 1.8] },
+  };
+  const others = [
+    { preset: "rack", id: "W1", against: { wall: 2, from: 1 }, length: 3, labels: rack.labels },
+    { preset: "rack", id: "R1", at: [1.2, 1], length: 2, height: 1.4 },
+  ];
+  writeFileSync(file, JSON.stringify({ presets, ...store, fixtures: [...fixtures, ...others] }, null, 2));
+}
+
+const presetsOffered = (tab) =>
+  tab.page.evaluate(() =>
+    [...document.querySelectorAll('[data-key="field/preset"] option')].map(({ textContent }) => textContent),
+  );
+
+testPlanner(
+  "presets of another kind are not offered, and none makes the store invalid",
+  {
+    store: null,
+    prepare: withPresets,
+    keeps: true,
+  },
+  async (tab) => {
+    const before = tab.server.text;
+    await tab.push("#tab-types");
+    await tab.click(2.5, 4.8);
+    equal(await tab.selected(), ["/fixtures/1"]);
+    await tab.until(() => document.querySelectorAll(".types kbd").length === 2);
+    check(!(await presetsOffered(tab)).includes("counter"), "not for shelving");
+    await tab.press("3");
+    check((await tab.text(".types kbd")) === "1" && tab.server.text === before, "there is no third one");
+    await tab.press("2");
+    await tab.steps(1);
+    equal(tab.json.fixtures[1].preset, "tall");
+    await tab.click(2, 1.2);
+    equal(await tab.selected(), ["/fixtures/2"]);
+    await tab.choose("field/preset", "tall");
+    await tab.until(() => document.querySelector(".notice")?.textContent.includes("Not done: tall for R1"));
+    await tab.steps(1);
+    equal(
+      [tab.json.fixtures[2].preset, await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.problems)],
+      ["rack", []],
+    );
+    await tab.fill("field/height", "2.1");
+    await tab.steps(2);
+    await tab.press("2");
+    await tab.steps(3);
+    equal(tab.json.fixtures[2].preset, "tall");
+    await tab.push('[data-key="/presets/tall"]');
+    equal((await presetsOffered(tab)).includes("tall"), false, "a preset does not begin with itself");
+    check((await presetsOffered(tab)).includes("rack"));
+  },
+);

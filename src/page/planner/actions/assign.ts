@@ -2,6 +2,7 @@
 
 import { EditBuilder } from "../document/edit";
 import { pointerTo } from "../document/json";
+import { withoutPlace } from "../document/messages";
 import type { TypeList } from "../elements/types";
 import { namesIn } from "../form/initial";
 import type { ElementKind, StoreElement } from "../elements/kinds";
@@ -22,34 +23,67 @@ const typesOf: Partial<Record<ElementKind, [TypeList, string]>> = {
   faces: ["transceiver_types", "type"],
 };
 
-/** The types that the selected elements can have; null if they have none in common. */
-function typesOfSelection(elements: readonly StoreElement[]): [TypeList, string] | null {
-  const lists = elements.map(({ kind }) => typesOf[kind]);
+/** The presets that fixtures can have: others have keys that a fixture of this type does not know. */
+export function presetsFor({ presets, document }: Planner, fixtures: readonly Pick<StoreElement, "value">[]): string[] {
+  const typeOf = (name: unknown) => presets.get(String(name))?.effective.type;
+  const [type, ...others] = fixtures.map(({ value }) => value.type ?? typeOf(value.preset));
+  if (type === undefined || others.some((other) => other !== type)) return [];
+  return namesIn(document.json, "presets", document.shared).filter((name) => typeOf(name) === type);
+}
+
+/** What number keys give the selection: the list of the types, the key that names one, and the types in their order. */
+interface Assigned {
+  list: TypeList;
+  key: string;
+  names: string[];
+}
+
+export function assignedTypes(planner: Planner): Assigned | null {
+  const { document, selected } = planner;
+  const isUnits = chosenUnits(planner).length > selected.length;
+  const lists = isUnits ? [typesOf.unit] : selected.map(({ kind }) => typesOf[kind]);
   const [first] = lists;
-  return first && lists.every((list) => list?.[0] === first[0]) ? first : null;
+  if (!first || lists.some((other) => other?.[0] !== first[0])) return null;
+  const [list, key] = first;
+  const names = list === "presets" ? presetsFor(planner, selected) : namesIn(document.json, list, document.shared);
+  return { list, key, names };
 }
 
 export const canAssign = (planner: Planner): boolean => planner.selected.length > 0 || chosenUnits(planner).length > 0;
 
-/** The list of the types that number keys give the selection; undefined: none. */
-export const assignedTypes = (planner: Planner): TypeList | undefined =>
-  chosenUnits(planner).length > 0 ? "transceiver_types" : typesOfSelection(planner.selected)?.[0];
-
 /** Gives the selected elements the type with this number in its list. */
 export function assignType(planner: Planner, index: number): void {
-  const elements = planner.selected;
+  const { document, selected } = planner;
   const units = chosenUnits(planner);
+  const types = assignedTypes(planner);
+  const name = types?.names[index];
+  if (!types || name === undefined) return;
   // Other candidates become entries of the list.
-  if (units.length > elements.length) {
-    const type = namesIn(planner.document.json, "transceiver_types", planner.document.shared)[index];
-    if (type !== undefined) void changeUnits(planner, units, say(text.edits.assign, "{0}", type), () => ({ type }));
-    return;
+  if (units.length > selected.length)
+    void changeUnits(planner, units, say(text.edits.assign, "{0}", name), () => ({ type: name }));
+  else if (types.list === "presets") void givePreset(planner, selected, name);
+  else {
+    const builder = new EditBuilder(document.json);
+    for (const { path } of selected) builder.set(pointerTo(path, types.key), name);
+    void document.edit({ label: say(text.edits.assign, namesOf(selected), name), ops: builder.ops });
   }
-  const types = typesOfSelection(elements);
-  if (!types) return;
-  const name = namesIn(planner.document.json, types[0], planner.document.shared)[index];
-  if (name === undefined) return;
-  const builder = new EditBuilder(planner.document.json);
-  for (const { path } of elements) builder.set(pointerTo(path, types[1]), name);
-  void planner.document.edit({ label: say(text.edits.assign, namesOf(elements), name), ops: builder.ops });
+}
+
+/** Gives fixtures a preset, or none. Values of their own may contradict it: then nothing changes. */
+export async function givePreset(
+  planner: Planner,
+  fixtures: readonly StoreElement[],
+  name: string | undefined,
+): Promise<void> {
+  const { document } = planner;
+  const wasValid = document.problems.length === 0;
+  const builder = new EditBuilder(document.json);
+  for (const { path } of fixtures) builder.set(pointerTo(path, "preset"), name);
+  const names = namesOf(fixtures);
+  const label =
+    name === undefined ? say(text.edits.change, text.fields.preset, names) : say(text.edits.assign, names, name);
+  const isDone = await document.edit({ label, ops: builder.ops });
+  const [problem] = document.problems;
+  if (!isDone || !wasValid || !problem || !(await document.undo())) return;
+  planner.say(say(text.notices.refused, label, withoutPlace(problem, document.file)), true);
 }

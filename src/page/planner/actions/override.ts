@@ -3,26 +3,36 @@
 import { EditBuilder } from "../document/edit";
 import type { Json } from "../document/json";
 import { contextOf, knowDetails, type Context } from "../elements/context";
+import type { StoreElement } from "../elements/kinds";
 import { nameOf } from "../elements/names";
 import { tidy } from "../geometry/units";
 import { times, unitAt } from "../geometry/vector";
 import { isOneSided } from "../make/run";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
+import { givePreset } from "./assign";
 import { turnTo } from "./move";
 
 /** The result gets the value of a field, undefined for that of the preset; false: it is a value like any other. */
-export function overrideOf(planner: Planner, fixture: Context) {
-  const { against, type } = fixture.effective;
+export function overrideOf(planner: Planner, fixtures: readonly StoreElement[], single: Context | null) {
   return (pointer: string, value: Json | undefined): boolean => {
-    if (against !== undefined) return false;
-    const number = value === undefined ? undefined : Number(value);
-    if (pointer === "/rotation_deg") void turnTo(planner, [fixture], number);
-    else if (pointer === "/depth" && (type === "gondola" || type === "freezer"))
-      void deepen(planner, fixture.path, number);
-    else return false;
-    return true;
+    if (pointer === "/preset") {
+      void givePreset(planner, fixtures, value === undefined ? undefined : String(value));
+      return true;
+    }
+    return single !== null && overridesPlace(planner, single, pointer, value);
   };
+}
+
+function overridesPlace(planner: Planner, fixture: Context, pointer: string, value: Json | undefined): boolean {
+  const { against, type } = fixture.effective;
+  const number = value === undefined ? undefined : Number(value);
+  if (against !== undefined) return false;
+  if (pointer === "/rotation_deg") void turnTo(planner, [fixture], number);
+  else if (pointer === "/depth" && (type === "gondola" || type === "freezer"))
+    void deepen(planner, fixture.path, number);
+  else return false;
+  return true;
 }
 
 /** Another depth, in the unit of the store. Shelving with a front alone keeps its back, others keep their middle. */

@@ -24,7 +24,7 @@ export interface FormContext {
   unfolded: Set<string>;
   /** `what`: the name of the field. */
   write: (what: string, write: Write) => void;
-  /** Takes the place of writing a value, for values that depend on others. */
+  /** Takes the place of writing a value, for values that depend on others; of several targets, that of the first. */
   override?: (pointer: string, value: Json | undefined) => boolean;
 }
 
@@ -99,7 +99,7 @@ export class Form {
 
   private set(what: string, pointer: string, next: (present: Json | undefined) => Json | undefined): void {
     const { targets, override, write } = this.context;
-    if (override && targets.length === 1 && override(pointer, next(presentAt(targets[0], pointer)))) return;
+    if (override?.(pointer, next(presentAt(targets[0], pointer)))) return;
     write(what, (builder, target) => {
       builder.set(target.path + pointer, next(presentAt(target, pointer)));
     });

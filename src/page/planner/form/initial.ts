@@ -14,6 +14,8 @@ export interface Surroundings {
   shared: SharedNames;
   unit: LengthUnit;
   part: Part | null;
+  /** Those that a fixture or preset can have. */
+  presets?: readonly string[];
 }
 
 /** The area of the room outside its zones. */

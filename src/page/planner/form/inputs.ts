@@ -328,7 +328,8 @@ function formName(type: FieldType): string {
 
 /** The control of a value without keys of its own. */
 export function leafInput(place: Place, type: FieldType, shown: Shown, commit: Commit): HTMLElement | null {
-  const names = (of: NameList) => namesIn(place.around.json, of, place.around.shared);
+  const { json, shared, presets } = place.around;
+  const names = (of: NameList) => (of === "presets" && presets ? [...presets] : namesIn(json, of, shared));
   switch (type.kind) {
     case "number":
       return numberInput(place, type, shown, commit);

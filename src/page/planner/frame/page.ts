@@ -216,7 +216,7 @@ export class Page {
     changes.listen(["document", "preview", "devices", "layers", "viewport", "tool"], () => this.showNames());
     changes.listen(["document", "tool"], () => this.space.update());
     changes.listen(["selection", "document", "tool"], () => this.space.showSelection());
-    changes.listen(["document", "selection", "layers", "devices", "warnings"], () => this.rail.update());
+    changes.listen(["document", "selection", "layers", "devices", "warnings", "presets"], () => this.rail.update());
     changes.listen(["selection"], () => objects.follow());
     changes.listen(["light"], () => objects.followUnits());
     changes.listen(["plans", "light", "status"], () => this.rail.isOpen("plans") && plans.update());

@@ -7,6 +7,7 @@ import { drawingPath } from "../backdrop/drawing";
 import { PicturePanel } from "../backdrop/panel";
 import type { IconName } from "../access/icons";
 import type { CommandId, Commands } from "../access/commands";
+import { presetsFor } from "../actions/assign";
 import { overrideOf } from "../actions/override";
 import { EditBuilder } from "../document/edit";
 import { isObject, splitPointer, valueAt, type Json, type JsonObject } from "../document/json";
@@ -31,7 +32,7 @@ import type { Item, Place } from "../view/selection";
 import { LabelLight } from "./label_light";
 import { placeRows } from "./place";
 import { ProfilePicture } from "./profile_picture";
-import { typeGroup } from "./type_group";
+import { basesFor, typeGroup } from "./type_group";
 import { deleteType, duplicateType } from "./type_list";
 
 /** More elements are shown without the values of their presets. */
@@ -147,13 +148,13 @@ export class Properties {
     targets: Target[],
     groups: readonly Group[],
     name: string,
-    more: Partial<FormContext> & { part?: FormContext["around"]["part"] } = {},
+    { override, ...around }: Partial<FormContext["around"] & Pick<FormContext, "override">> = {},
   ): HTMLElement {
     const { document } = this.planner;
     this.targets = targets;
     const context: FormContext = {
       targets,
-      around: { json: document.json, shared: document.shared, unit: document.unit, part: more.part ?? null },
+      around: { json: document.json, shared: document.shared, unit: document.unit, part: null, ...around },
       isDisabled: document.locked !== null,
       problems: this.problemsOf(targets),
       unfolded: this.unfolded,
@@ -162,7 +163,7 @@ export class Properties {
         for (const target of targets) write(builder, target);
         void document.edit({ label: say(text.edits.change, what, name), ops: builder.ops });
       },
-      override: more.override,
+      override,
     };
     return element("section", { class: "form" }, ...new Form(context).elementRows(groups));
   }
@@ -243,7 +244,10 @@ export class Properties {
         ? [
             this.form(targets, groups, name, {
               part: first.parts[0] ?? null,
-              override: single?.kind === "fixture" ? overrideOf(this.planner, single) : undefined,
+              ...(elements.every(({ kind }) => kind === "fixture") && {
+                override: overrideOf(this.planner, elements, single),
+                presets: presetsFor(this.planner, elements),
+              }),
             }),
           ]
         : []),
@@ -335,7 +339,7 @@ export class Properties {
       this.header(name, text.types.singular[kind], actions),
       element("div", { class: "whole", "data-field": "" }),
       ...(kind === "transceiver_types" ? this.profile.content(value) : []),
-      ...(group ? [this.form([target], [group], name)] : []),
+      ...(group ? [this.form([target], [group], name, { presets: basesFor(this.planner, name, value) })] : []),
     ];
   }
 

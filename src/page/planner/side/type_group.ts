@@ -1,9 +1,11 @@
 // The fields of a type of the project.
 
+import { presetsFor } from "../actions/assign";
 import { isObject, pointerTo, valueAt, type Json, type JsonObject } from "../document/json";
 import type { TypeList } from "../elements/types";
 import type { Group } from "../form/field";
 import { groupOfType } from "../form/schema";
+import type { Planner } from "../planner";
 
 /** The type of a preset, perhaps that of the preset that it begins with. */
 function fixtureTypeOf(json: Json, value: JsonObject): string {
@@ -13,6 +15,17 @@ function fixtureTypeOf(json: Json, value: JsonObject): string {
     found = typeof found.preset === "string" ? valueAt(json, pointerTo("/presets", found.preset)) : undefined;
   }
   return "gondola";
+}
+
+/** The presets with which a preset can begin: those of its type that do not begin with it. */
+export function basesFor(planner: Planner, name: string, value: JsonObject): string[] {
+  const { json } = planner.document;
+  const isBasedOn = (other: Json | undefined, depth = 0): boolean =>
+    other === name ||
+    (typeof other === "string" &&
+      depth < 20 &&
+      isBasedOn(valueAt(json, pointerTo("/presets", other, "preset")), depth + 1));
+  return presetsFor(planner, [{ value }]).filter((other) => !isBasedOn(other));
 }
 
 /** Null: the schema knows no such fields. */

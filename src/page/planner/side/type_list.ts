@@ -36,7 +36,9 @@ export class TypeLists {
           element(
             "ul",
             { class: "type-list" },
-            ...names.map((name, k) => this.row(list, name, list === assigned && k < 9 ? k + 1 : null)),
+            ...names.map((name) =>
+              this.row(list, name, list === assigned?.list ? digitOf(assigned.names.indexOf(name)) : null),
+            ),
           ),
         ];
       }),
@@ -62,6 +64,8 @@ export class TypeLists {
     );
   }
 }
+
+const digitOf = (index: number): number | null => (index >= 0 && index < 9 ? index + 1 : null);
 
 /** A copy of a type under the next free name. */
 export function duplicateType(planner: Planner, path: string): void {
