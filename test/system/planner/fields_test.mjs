@@ -167,6 +167,11 @@ testPlanner(
     await tab.press("2");
     await tab.steps(1);
     equal(tab.json.fixtures[1].preset, "tall");
+    // After a tool that does not begin, digits are not for presets.
+    await tab.press("n", "1");
+    says(await tab.text(".notice"), "does not stand against");
+    await tab.settle();
+    equal(tab.json.fixtures[1].preset, "tall");
     await tab.click(2, 1.2);
     equal(await tab.selected(), ["/fixtures/2"]);
     await tab.choose("field/preset", "tall");

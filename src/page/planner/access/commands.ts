@@ -27,6 +27,8 @@ export interface Command {
 export class Commands {
   private readonly byId = new Map<CommandId, Command>();
   private readonly byKey = new Map<string, Command[]>();
+  /** Why the tool whose key was pressed last did not begin: digits after it were meant for it. */
+  private refusedTool: string | null = null;
   /** Somebody presses the key of a command that is not enabled. */
   onRefused: (why: string) => void = () => {};
 
@@ -55,13 +57,23 @@ export class Commands {
     if (this.isEnabled(id)) this.get(id).run();
   }
 
+  /** A click begins something else. */
+  forgetRefusal(): void {
+    this.refusedTool = null;
+  }
+
   /** Runs the command of a key; false if there is none here. `isBusy`: only the view may change. */
   press(chord: string, place: { inField: boolean; inPlan: boolean; isBusy: boolean }): boolean {
     const here = (this.byKey.get(chord) ?? []).filter(
       ({ where }) => where === "everywhere" || (!place.inField && (where === "page" || place.inPlan)),
     );
+    if (this.refusedTool !== null && !place.inField && /^\d$/.test(chord)) {
+      this.onRefused(this.refusedTool);
+      return true;
+    }
+    this.refusedTool = null;
     if (place.isBusy && here.every(({ group }) => group !== "view")) return here.length > 0;
-    for (const { isEnabled, why, run } of here) {
+    for (const { group, isEnabled, why, run } of here) {
       if (isEnabled?.() ?? true) {
         run();
         break;
@@ -69,6 +81,7 @@ export class Commands {
       const reason = why?.() ?? null;
       if (reason === null) continue;
       this.onRefused(reason);
+      if (group === "draw") this.refusedTool = reason;
       break;
     }
     return here.length > 0;

@@ -62,6 +62,7 @@ export function listenToKeys(
     const place = { inField, inPlan, isBusy: gestures.isBusy };
     if (commands.press(chord, place) || commands.press(digitOf(event), place)) event.preventDefault();
   });
+  document.addEventListener("pointerdown", () => commands.forgetRefusal(), { capture: true });
   document.addEventListener("keyup", (event) => {
     if (event.key === " ") gestures.holdSpace(false);
   });
