@@ -191,3 +191,41 @@ testPlanner(
     check((await presetsOffered(tab)).includes("rack"));
   },
 );
+
+/** A row of counters, whose labels are a list of their preset. */
+function withCounters(folder) {
+  smallShop()(folder);
+  const file = join(folder, "store.json");
+  const store = JSON.parse(readFileSync(file, "utf8"));
+  const label = (x) => ({ id: `L${x}`, position: [x, -0.01, 0.8], normal: [0, -1, 0], type: "standard" });
+  store.presets = {
+    counter: { type: "box", size: [1, 0.6, 0.9], material: "paper", labels: [label(0.3), label(0.7)] },
+  };
+  store.fixtures.push({ preset: "counter", id: "C{n}", at: [1, 1, 0], repeat: { count: 2, step: [1.5, 0] } });
+  writeFileSync(file, JSON.stringify(store, null, 2));
+}
+
+testPlanner(
+  "a correction of an inherited label keeps the list and its other labels",
+  {
+    store: null,
+    prepare: withCounters,
+    keeps: true,
+  },
+  async (tab) => {
+    await tab.click(1.5, 1.3);
+    await tab.press("Enter"); // the row of this copy
+    equal(await tab.selected(), ["/fixtures/1"]);
+    await tab.fill("field/labels/0/position/2", "0.75");
+    await tab.steps(1);
+    const { labels } = tab.server.json.presets.counter;
+    equal(tab.json.fixtures[1].labels, [{ ...labels[0], position: [0.3, -0.01, 0.75] }, labels[1]]);
+    equal(await tab.page.evaluate(() => window.shelfbeamPlanner.planner.document.problems), []);
+    await tab.fill("field/labels/1/id", "M");
+    await tab.steps(2);
+    equal(
+      tab.json.fixtures[1].labels.map(({ id }) => id),
+      ["L0.3", "M"],
+    );
+  },
+);

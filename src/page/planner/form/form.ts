@@ -7,7 +7,7 @@ import { say, text } from "../text";
 import type { Field, FieldType, Group, Variant } from "./field";
 import { initialObject, initialValue, type Surroundings } from "./initial";
 import { leafInput, optionName, typeChoice, type Place } from "./inputs";
-import { inheritedAt, objectAt, presentAt, shownAt, type Shown, type Target } from "./targets";
+import { changedAt, inheritedAt, objectAt, presentAt, setIn, shownAt, type Shown, type Target } from "./targets";
 import { problemId } from "./problems";
 import { alternativeOf, commonFields, fieldsOf, optionOf, variantOf } from "./variants";
 
@@ -101,7 +101,7 @@ export class Form {
     const { targets, override, write } = this.context;
     if (override?.(pointer, next(presentAt(targets[0], pointer)))) return;
     write(what, (builder, target) => {
-      builder.set(target.path + pointer, next(presentAt(target, pointer)));
+      setIn(builder, target, pointer, next(presentAt(target, pointer)));
     });
   }
 
@@ -258,9 +258,7 @@ export class Form {
     if (targets.length !== 1) return [element("p", { class: "note", text: text.form.one_only })];
     const map = objectAt(target, pointer);
     const set = (key: string, value: Json | undefined) => {
-      this.context.write(place.label, (builder, { path }) => {
-        builder.set(pointerTo(path + pointer, key), value);
-      });
+      this.context.write(place.label, (builder, one) => setIn(builder, one, pointerTo(pointer, key), value));
     };
     const rows = Object.keys(map).map((key) => {
       const at = pointerTo(pointer, key);
@@ -319,9 +317,9 @@ export class Form {
         const kept = Object.entries(value).filter(([key]) => keys.includes(key) && key !== "type");
         const first = this.firstOf(group, index, value);
         for (const key of Object.keys(valueObject(target, pointer)))
-          if (!keys.includes(key) || key === "type") builder.set(pointerTo(target.path + pointer, key), undefined);
+          if (!keys.includes(key) || key === "type") setIn(builder, target, pointerTo(pointer, key), undefined);
         const all: JsonObject = { ...first, ...Object.fromEntries(kept) };
-        for (const [key, own] of Object.entries(all)) builder.set(pointerTo(target.path + pointer, key), own);
+        for (const [key, own] of Object.entries(all)) setIn(builder, target, pointerTo(pointer, key), own);
       });
     });
   }
@@ -349,11 +347,11 @@ export class Form {
       this.context.write(text.form.given_by, (builder, target) => {
         const own = valueObject(target, pointer);
         for (const key of removed)
-          if (own[key] !== undefined) builder.set(pointerTo(target.path + pointer, key), undefined);
+          if (own[key] !== undefined) setIn(builder, target, pointerTo(pointer, key), undefined);
         for (const { key, type } of variant.fields) {
           const isTurn = key === "rotation_deg" && keys.includes("at");
           if ((keys.includes(key) && own[key] === undefined) || isTurn)
-            builder.set(pointerTo(target.path + pointer, key), initialValue(type, key, this.context.around));
+            setIn(builder, target, pointerTo(pointer, key), initialValue(type, key, this.context.around));
         }
       });
     });
@@ -383,7 +381,7 @@ export class Form {
   }
 }
 
-const valueObject = ({ own }: Target, pointer: string): JsonObject => {
-  const found = pointer === "" ? own : valueAt(own, pointer);
+const valueObject = (target: Target, pointer: string): JsonObject => {
+  const found = changedAt(target, pointer);
   return isObject(found) ? found : {};
 };

@@ -1,6 +1,7 @@
 // The elements that a form edits, and the values that they have in common.
 
-import { equal, isObject, valueAt, type Json, type JsonObject } from "../document/json";
+import { EditBuilder } from "../document/edit";
+import { equal, isObject, pointerTo, tokensOf, valueAt, type Json, type JsonObject } from "../document/json";
 import type { Details } from "../document/messages";
 
 export interface Target {
@@ -31,8 +32,33 @@ function commonOf(values: readonly (Json | undefined)[]): { value: Json | undefi
   return { value: isMixed ? undefined : values[0], isMixed };
 }
 
-export const inheritedAt = ({ details }: Target, pointer: string): Json | undefined =>
-  details ? valueAt(details.inherited, pointer) : undefined;
+/** The outermost list in which a value lies; null: none. */
+function listAround(root: Json, pointer: string): string | null {
+  const tokens = tokensOf(pointer);
+  const count = tokens.findIndex((_, k) => Array.isArray(valueAt(root, pointerTo("", ...tokens.slice(0, k)))));
+  return count < 0 ? null : pointerTo("", ...tokens.slice(0, count));
+}
+
+/** A list of the element replaces that of its preset, so that its members inherit nothing. */
+export const inheritedAt = ({ own, details }: Target, pointer: string): Json | undefined =>
+  details && listAround(own, pointer) === null ? valueAt(details.inherited, pointer) : undefined;
+
+/** The value of the element itself, or of a list of its preset, which a change would copy as a whole. */
+export const changedAt = ({ own, effective }: Target, pointer: string): Json | undefined =>
+  valueAt(listAround(effective, pointer) === null ? own : effective, pointer);
+
+/** Sets or removes a value of an element. A change in a list of its preset makes a list of its own. */
+export function setIn(builder: EditBuilder, { path, effective }: Target, pointer: string, value: Json | undefined) {
+  const list = listAround(effective, pointer);
+  const isOwn = list === null || builder.get(path + list) !== undefined;
+  if (isOwn) {
+    builder.set(path + pointer, value);
+    return;
+  }
+  const copy = new EditBuilder(valueAt(effective, list) as Json);
+  copy.set(pointer.slice(list.length), value ?? undefined); // null, which removes a value of a preset, has no use there
+  builder.set(path + list, copy.json);
+}
 
 /** `fallback`: the default in the unit of the file. */
 export function shownAt(

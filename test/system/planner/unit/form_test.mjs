@@ -3,11 +3,12 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 
+import { EditBuilder } from "../../../../src/page/planner/document/edit";
 import { elementsOf } from "../../../../src/page/planner/elements/kinds";
 import { inUnit } from "../../../../src/page/planner/form/convert";
 import { initialObject, initialValue } from "../../../../src/page/planner/form/initial";
 import { groupOfElement, groupOfStore, groupOfType, measureOf } from "../../../../src/page/planner/form/schema";
-import { pointerOfPath, presentAt, shownAt } from "../../../../src/page/planner/form/targets";
+import { inheritedAt, pointerOfPath, presentAt, setIn, shownAt } from "../../../../src/page/planner/form/targets";
 import { alternativeOf, commonFields, fieldsOf, variantOf } from "../../../../src/page/planner/form/variants";
 import { unitNamed } from "../../../../src/page/planner/geometry/units";
 import { text } from "../../../../src/page/planner/text";
@@ -239,4 +240,26 @@ test("paths of problems lead to their fields", () => {
   assert.equal(pointerOfPath("fixtures[0].depth (preset 'run 1.33')"), "/fixtures/0/depth");
   assert.equal(pointerOfPath("room"), "/room");
   assert.equal(pointerOfPath("transceivers.grids[0].min[1]"), "/transceivers/grids/0/min/1");
+});
+
+test("a change in a list of a preset writes the whole list", () => {
+  const inherited = { labels: [{ height: 0.8, type: "a" }, { height: 0.9 }], sides: { inner: [{ x: 1 }] } };
+  const edited = (own, ...changes) => {
+    const builder = new EditBuilder({ fixtures: [own] });
+    const target = { path: "/fixtures/0", own, effective: { ...inherited, ...own }, details: { inherited } };
+    for (const [pointer, value] of changes) setIn(builder, target, pointer, value);
+    return builder.json.fixtures[0];
+  };
+  const both = [{ height: 0.75, type: "a" }, { height: 0.9 }];
+  assert.deepEqual(edited({}, ["/labels/0/height", 0.75]), { labels: both });
+  assert.deepEqual(edited({}, ["/labels/0/height", 0.75], ["/labels/1/height", 1]), {
+    labels: [both[0], { height: 1 }],
+  });
+  assert.deepEqual(edited({}, ["/labels/0/type", null]), { labels: [{ height: 0.8 }, { height: 0.9 }] });
+  assert.deepEqual(edited({}, ["/sides/inner/0/x", 2]), { sides: { inner: [{ x: 2 }] } });
+  assert.deepEqual(edited({ labels: [{ height: 1 }] }, ["/labels/0/height", 2]), { labels: [{ height: 2 }] });
+  assert.deepEqual(edited({}, ["/labels", []], ["/depth", 2]), { labels: [], depth: 2 });
+  const target = (own) => ({ path: "", own, effective: { ...inherited, ...own }, details: { inherited } });
+  assert.equal(inheritedAt(target({}), "/labels/0/type"), "a");
+  assert.equal(inheritedAt(target({ labels: [{ height: 1 }] }), "/labels/0/type"), undefined);
 });
