@@ -2,7 +2,7 @@
 
 import { readFileSync } from "node:fs";
 
-import { equal, says } from "../viewer/check.mjs";
+import { check, equal, says } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
 
 const { hints } = JSON.parse(readFileSync(new URL("../../../src/page/planner/english.json", import.meta.url), "utf8"));
@@ -38,6 +38,17 @@ testPlanner("what stands against a wall says so", { store: "market-hall" }, asyn
   await tab.page.focus(".surface");
   await tab.press("r");
   says(await tab.text(".notice"), "Dissolve it");
+});
+
+testPlanner("a tool of the plan says so in 3-D", {}, async (tab) => {
+  await tab.click(10, 9.85);
+  await tab.press("d");
+  for (const key of ["g", "n", "m"]) {
+    await tab.page.evaluate(() => window.shelfbeamPlanner.planner.say(""));
+    await tab.press(key);
+    says(await tab.text(".notice"), "Press D to leave 3-D");
+  }
+  check(await tab.isUntouched(), "nothing is drawn");
 });
 
 testPlanner("the end of the program is said, with what is not saved", { keeps: true }, async (tab) => {

@@ -166,6 +166,7 @@ function selectCommands({ planner, gestures }: Surroundings): Command[] {
     command("tools", "measure", ["M"], () => planner.setTool("measure"), {
       isOn: () => planner.tool === "measure",
       isEnabled: () => planner.isPlan,
+      why: () => text.why_not.space,
     }),
     command("tools", "measure_here", ["Enter"], () => gestures.setAtCross(), {
       where: "plan",
@@ -237,7 +238,8 @@ const drawCommands = ({ planner }: Surroundings): Command[] =>
     command("draw", `draw_${tool}`, drawKeys[tool], () => planner.setTool(tool), {
       isOn: () => planner.tool === tool,
       isEnabled: () => planner.isPlan && planner.document.locked === null && (tool !== "rows" || isRow(planner)),
-      why: () => (tool === "rows" ? text.draw.no_row : text.why_not.locked),
+      why: () =>
+        planner.document.locked ? text.why_not.locked : planner.isPlan ? text.draw.no_row : text.why_not.space,
     }),
   );
 
@@ -252,7 +254,10 @@ function isRow({ selected }: Planner): boolean {
 function pictureCommands({ planner, choosePicture, chooseTable, chooseFile }: Surroundings): Command[] {
   const { document, look } = planner;
   const hasPicture = () => planner.drawing !== null && document.locked === null;
-  const onPlan = { isEnabled: () => hasPicture() && planner.isPlan, why: () => text.why_not.picture };
+  const onPlan = {
+    isEnabled: () => hasPicture() && planner.isPlan,
+    why: () => (hasPicture() ? text.why_not.space : text.why_not.picture),
+  };
   const tool = (name: "scale" | "check" | "crop") => () => planner.setTool(name);
   const isOn = (name: "scale" | "check" | "crop") => () => planner.tool === name;
   return [
