@@ -229,3 +229,19 @@ testPlanner(
     );
   },
 );
+
+testPlanner("a typed value leaves the panel where it was scrolled to", { store: null, keeps: true }, async (tab) => {
+  await tab.press("g");
+  await tab.choose("tool/Preset", "wall shelving 1.25 m, 2.2 m high");
+  await tab.click(3, 14.8);
+  await tab.click(9, 14.8);
+  await tab.steps(1);
+  await tab.until(() => document.querySelector('[data-key="field/shelves"]')?.placeholder);
+  const place = () => tab.page.evaluate(() => document.querySelector(".properties").scrollTop);
+  await tab.page.evaluate(() => document.querySelector(".properties").scrollTo(0, 1e4));
+  const before = await place();
+  check(before > 0, "it can be scrolled");
+  await tab.fill("field/shelves", "0.4, 0.9");
+  await tab.steps(2);
+  equal(await place(), before);
+});

@@ -1,7 +1,7 @@
 // Elements with the keys of their presets and defaults, which only the server knows. Kept until the store changes.
 
 import type { Connection } from "./connection";
-import type { JsonObject } from "./json";
+import { isMoving, splitPointer, type EditOp, type JsonObject } from "./json";
 import type { Details } from "./messages";
 
 export class DetailsCache {
@@ -25,7 +25,13 @@ export class DetailsCache {
     return this.known.has(path);
   }
 
-  /** After a change of the places of elements. */
+  /** Elements keep what is known unless their places move: a panel that is empty for a moment loses its scroll position. */
+  follow(ops: readonly EditOp[]): void {
+    const lists = ops.filter(isMoving).map(({ path }) => `${splitPointer(path)[0]}/`);
+    const paths = [...this.known.keys(), ...this.asked.keys()];
+    if (paths.some((path) => lists.some((list) => path.startsWith(list)))) this.clear();
+  }
+
   clear(): void {
     this.forget();
     this.known.clear();

@@ -170,7 +170,7 @@ export class StoreDocument {
     return new Promise((done) => {
       const sent = { id: this.connection.nextId(), edit, preview, done };
       this.pending.push(sent);
-      if (edit.ops.some(isMoving)) this.details.clear();
+      this.details.follow(edit.ops);
       this.onMoved(placesAfter(edit.ops, before));
       this.showParts();
       this.changes.note("document", "preview", "status");
@@ -353,7 +353,8 @@ export class StoreDocument {
     if (event.ops && !own) {
       this.onMoved(this.placesAfter(event.ops, confirmedBefore));
     }
-    if (!event.ops || (!own && event.ops.some(isMoving))) this.details.clear();
+    if (!event.ops) this.details.clear();
+    else if (!own) this.details.follow(event.ops);
     const ofOthers = event.revision - this.revision - (event.tab === this.tab ? 1 : 0);
     this.revision = event.revision;
     this.onChanged(event.revision, event.ops ?? (event.json === undefined ? [] : null));
