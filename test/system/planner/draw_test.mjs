@@ -194,19 +194,28 @@ testPlanner("draw: rows of copies at a typed distance", {}, async (tab) => {
   await tab.click(22, 9);
   await tab.press("Escape");
   await tab.click(10, 9.85);
+  await tab.fill("field/depth", "0.9");
+  await tab.steps(1);
+  await tab.page.evaluate(() => document.querySelector(".properties").scrollTo(0, 1e4));
   await tab.press("n");
-  await tab.fill("tool/count", "3");
-  await tab.page.evaluate(() => document.querySelector(".surface").focus());
+  const isSeen = () => document.querySelector('[data-key="tool/count"]').getBoundingClientRect().top > 40;
+  check(await tab.page.evaluate(isSeen), "the panel scrolls to the number");
+  await tab.page.keyboard.type("3");
+  await tab.press("Enter");
   await tab.point(10, 8.5);
   await tab.page.keyboard.type("0.5");
   await tab.press("Tab");
   await tab.page.keyboard.type("-90");
   await tab.press("Enter");
-  await tab.steps(1);
+  await tab.steps(2);
   const { repeat } = tab.json.fixtures[2];
   equal([repeat.count, repeat.step], [3, [0, -0.5]]);
-  equal(await tab.labels(), ["Draw rows"]);
+  equal((await tab.labels())[1], "Draw rows");
+  await tab.press("n");
+  const number = () => document.querySelector('[data-key="tool/count"]')?.value ?? null;
+  equal(await tab.page.evaluate(number), "2", "not that of another row");
   await tab.press("Escape");
+  equal(await tab.page.evaluate(number), null, "the tool is left");
 });
 
 testPlanner("draw: what is typed is exact, and what is no length is refused", {}, async (tab) => {

@@ -2,6 +2,7 @@
 
 import type { Command } from "../access/commands";
 import { alignments } from "../elements/arrange";
+import { countField } from "../draw/panel";
 import { drawTools, isDrawTool, type DrawTool } from "../draw/tools";
 import type { Gestures } from "../gesture/gestures";
 import type { Planner } from "../planner";
@@ -233,15 +234,21 @@ const drawKeys: Record<DrawTool, string[]> = {
   faces: ["C"],
 };
 
-const drawCommands = ({ planner }: Surroundings): Command[] =>
-  drawTools.map((tool) =>
-    command("draw", `draw_${tool}`, drawKeys[tool], () => planner.setTool(tool), {
+const drawCommands = ({ planner, showField }: Surroundings): Command[] => {
+  const begin = (tool: DrawTool) => {
+    if (tool === "rows") planner.settings.set({ count: 2 }); // another row has another number
+    planner.setTool(tool);
+    if (tool === "rows") showField(countField);
+  };
+  return drawTools.map((tool) =>
+    command("draw", `draw_${tool}`, drawKeys[tool], () => begin(tool), {
       isOn: () => planner.tool === tool,
       isEnabled: () => planner.isPlan && planner.document.locked === null && (tool !== "rows" || isRow(planner)),
       why: () =>
         planner.document.locked ? text.why_not.locked : planner.isPlan ? text.draw.no_row : text.why_not.space,
     }),
   );
+};
 
 const isFixtures = ({ selected }: Planner) => selected.length > 0 && selected.every(({ kind }) => kind === "fixture");
 

@@ -14,6 +14,9 @@ import type { OpeningKind } from "./settings";
 import { modelOf, templateOf } from "./template";
 import type { DrawTool } from "./tools";
 
+/** The number of rows, which has the focus when the tool begins. */
+export const countField = "tool/count";
+
 /** Not the name of a preset. */
 const likeKey = "\0";
 
@@ -74,7 +77,7 @@ export class ToolPanel {
 
   private count(): HTMLElement {
     const { settings, document } = this.planner;
-    return this.fields.typed("count", {
+    const field = this.fields.typed("count", {
       shown: String(settings.now.count),
       read: (typed) => {
         const value = numberFrom(typed, "none", document.unit);
@@ -83,6 +86,10 @@ export class ToolPanel {
       },
       commit: (value) => settings.set({ count: Number(value) }),
     });
+    // Esc first takes a new text back.
+    field.addEventListener("keydown", ({ key }) => key === "Escape" && this.planner.setTool("select"));
+    field.dataset.field = countField;
+    return field;
   }
 
   private openings(opening: OpeningKind): HTMLElement {

@@ -38,3 +38,7 @@ export const formOf: Record<DrawTool, StrokeForm> = {
 };
 
 export const isDrawTool = (tool: string): tool is DrawTool => (drawTools as readonly string[]).includes(tool);
+
+/** Whether the next keys are for the plan; rows begin with their number. */
+export const beginsInPlan = (tool: string): boolean =>
+  tool === "scale" || tool === "check" || (isDrawTool(tool) && tool !== "rows");

@@ -19,7 +19,7 @@ import { Backdrop } from "../backdrop/backdrop";
 import { drawingPath } from "../backdrop/drawing";
 import { LengthField } from "../backdrop/length_field";
 import { EdgeFields } from "../draw/edge_fields";
-import { isDrawTool } from "../draw/tools";
+import { beginsInPlan } from "../draw/tools";
 import { Loupe } from "../backdrop/loupe";
 import { boundsOf, middleOf } from "../geometry/bounds";
 import { Gestures } from "../gesture/gestures";
@@ -280,7 +280,7 @@ export class Page {
     stage.setPlan(planner.isPlan);
     this.follow();
     // Arrow keys move the cross of a line, wherever its tool was chosen.
-    if (hadFocus || planner.tool === "scale" || planner.tool === "check" || isDrawTool(planner.tool)) this.focusPlan();
+    if (hadFocus || beginsInPlan(planner.tool)) this.focusPlan();
   }
 
   private focusPlan(): void {

@@ -97,7 +97,9 @@ export class Properties {
     this.update();
     const field = this.root.querySelector(`[data-field="${CSS.escape(pointer)}"]`);
     const controls = field?.querySelectorAll<HTMLElement>("input, select, button") ?? [];
-    [...controls].find((control) => control.checkVisibility())?.focus();
+    const control = [...controls].find((one) => one.checkVisibility());
+    control?.focus();
+    if (control instanceof HTMLInputElement) control.select();
   }
 
   /** A typed component of a place leaves the others as another tab made them. */
