@@ -8,7 +8,7 @@ import { parseLength, parseNumber } from "../geometry/lengths";
 import { stepped } from "../geometry/units";
 import { distance, dot, minus, plus, times, unitAt } from "../geometry/vector";
 import type { Planner } from "../planner";
-import type { Snapped } from "../snap/choice";
+import { faintReach, type Snapped } from "../snap/choice";
 import { text } from "../text";
 import { rowSteps } from "../make/run";
 import { finish, type Freedom } from "./finish";
@@ -88,7 +88,7 @@ function rowEnd(planner: Planner, { stroke, typed }: Drawing, end: Snapped): Sna
   const { document, snapping } = planner;
   const { unit } = document;
   const known = rowSteps(document.json).map((step) => step * unit.factor);
-  const same = known.find((step) => Math.abs(step - Math.abs(length)) <= snapping.reach);
+  const same = known.find((step) => Math.abs(step - Math.abs(length)) <= faintReach(snapping.reach));
   const whole = same ?? stepped(Math.abs(length) / unit.factor, unit) * unit.factor;
   const size = Math.sign(length) * (typed.length === "" ? whole : Math.hypot(...way));
   const at = plus(from, times(axis, size));

@@ -4,7 +4,7 @@ import type { Point } from "../document/messages";
 import { boundsOf, middleOf, rectangle, type Bounds } from "../geometry/bounds";
 import { nearestOn } from "../geometry/polygon";
 import { distance, minus, plus } from "../geometry/vector";
-import { joining, type Guide, type SnapKind } from "./choice";
+import { faintReach, joining, type Guide, type SnapKind } from "./choice";
 import { bodiesAround, gapGuides, gapsOf, intoFrame, outOfFrame } from "./gaps";
 import { tolerance } from "./lines";
 import type { Segment } from "./segments";
@@ -27,7 +27,6 @@ export interface Moved {
 
 const most = { near: 256, wide: 128, corners: 32 };
 const wide = 10; // times the reach
-const weak = 0.5; // the share of the reach of what does not touch
 const leastOverlap = 0.01; // m of sides that lie on each other
 
 /** A movement along one axis of the frame. `guides`: of the bounds after it. */
@@ -138,7 +137,7 @@ function stepAlong(neighbours: Neighbours, box: Bounds, axis: 0 | 1, reach: numb
   return (
     least(contacts(neighbours, box, axis), size, reach) ??
     least(gaps, size, reach) ??
-    least(alignments(neighbours, box, axis), size, weak * reach)
+    least(alignments(neighbours, box, axis), size, faintReach(reach))
   );
 }
 

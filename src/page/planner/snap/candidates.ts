@@ -2,7 +2,17 @@
 
 import type { Point } from "../document/messages";
 import { between, distance, dot, minus, plus, times } from "../geometry/vector";
-import { joining, ranks, slideOf, strainOf, type Candidate, type Guide, type Pull, type SnapKind } from "./choice";
+import {
+  faintReach,
+  joining,
+  ranks,
+  slideOf,
+  strainOf,
+  type Candidate,
+  type Guide,
+  type Pull,
+  type SnapKind,
+} from "./choice";
 import { crossingOf, nearestOf, passes, tolerance, type Line } from "./lines";
 import { lastEdges, type Surroundings } from "./pulls";
 import { fromOf, type SnapRequest } from "./request";
@@ -88,7 +98,16 @@ export function candidatesOf(around: Surroundings, request: SnapRequest): Candid
   });
   for (const pull of around.inferred)
     for (const { at, guides } of lengthPlaces(pull.line, request))
-      add({ kind: "length", at, rank: ranks.both.inferred, reach, guides: [...pull.guides(at), ...guides] }, 0);
+      add(
+        {
+          kind: "length",
+          at,
+          rank: ranks.both.inferred,
+          reach: faintReach(reach),
+          guides: [...pull.guides(at), ...guides],
+        },
+        0,
+      );
   return candidates.filter(({ at }) => !isAt(at, fromOf(request)));
 }
 
@@ -114,7 +133,7 @@ export function candidatesAlong(ray: Line, place: Point, around: Surroundings, r
   });
   const first = closingPoint(request);
   const lengths = lengthPlaces(ray, request).map(({ at, guides }) =>
-    onRay(at, "length", ranks.both.inferred, reach, guides),
+    onRay(at, "length", ranks.both.inferred, faintReach(reach), guides),
   );
   return [
     ...lengths,

@@ -63,6 +63,11 @@ export const ranks = {
   >,
 };
 
+/**
+ * m from which lines attract that have nothing at the pointer. Where a pixel is many centimetres, people would not notice
+ * that a remote corner moves what they trace.
+ */
+export const faintReach = (reach: number): number => Math.min(0.4 * reach, 0.1);
 /** m: ends that are nearer always join. */
 export const joining = 0.01;
 /** The part of the reach that a snap is kept beyond it, and that another one must be inside of it to replace it. */

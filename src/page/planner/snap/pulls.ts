@@ -2,7 +2,7 @@
 
 import type { Point } from "../document/messages";
 import { distance, unitAt } from "../geometry/vector";
-import { hysteresis, joining, strainOf, type Guide, type Pull, type SnapKind } from "./choice";
+import { faintReach, hysteresis, joining, strainOf, type Guide, type Pull, type SnapKind } from "./choice";
 import { gapPulls } from "./gaps";
 import { areParallel, lineAlong, lineOf, nearestOf, normalOf, passes, tolerance, type Line } from "./lines";
 import { fromOf, type SnapRequest } from "./request";
@@ -13,7 +13,7 @@ import type { Segment } from "./segments";
 const most = { near: 128, wide: 64, crossing: 24, inferred: 16, through: 8 };
 /** How many times farther corners may be to show extensions and alignments. */
 const wide = 20;
-/** The share of the reach of lines that have nothing at the pointer. */
+/** The share of the reach of lines through the corners of the drawing. */
 const weak = 0.5;
 /** The last edges to which new ones may be parallel or perpendicular, or as long as. */
 export const lastEdges = 3;
@@ -109,8 +109,9 @@ export function surroundingsOf(index: SegmentIndex, request: SnapRequest, place:
     ...index.near(place, Math.max((1 + hysteresis) * reach, 2 * joining), most.near),
     ...own.filter(isNear),
   ];
-  const beside = [...index.near(place, wide * reach, most.wide), ...own];
-  const corners = [...beside.flatMap((one) => [one.from, one.to]), ...drawn];
+  const beside = index.near(place, wide * reach, most.wide);
+  const corners = beside.flatMap((one) => [one.from, one.to]);
+  const faint = faintReach(reach);
   const lines = nearest(
     near.map((one) => ({ line: lineOf(one.from, one.to), kind: "line", reach, guides: () => [] })),
     most.crossing,
@@ -118,11 +119,13 @@ export function surroundingsOf(index: SegmentIndex, request: SnapRequest, place:
   const through = from && !isBox ? index.near(from, tolerance, most.through) : [];
   const ways = [...through.map(wayOf), ...lines.map(({ line }) => line.way)];
   const inferred = [
-    ...extensions(beside, reach),
+    ...extensions(beside, faint),
+    ...extensions(own, reach),
     ...(from && !isBox ? directions(from, ways, own.slice(-lastEdges), reach) : []),
     ...(from && !isBox ? straightOf(from, frame, reach) : []),
-    ...alignments(corners, place, frame, weak * reach),
-    ...(from && isBox ? gapPulls(index, from, place, frame, weak * reach) : []),
+    ...alignments(drawn, place, frame, weak * reach),
+    ...alignments(corners, place, frame, faint),
+    ...(from && isBox ? gapPulls(index, from, place, frame, faint) : []),
   ];
   return { near, lines, inferred: nearest(inferred, most.inferred) };
 }
