@@ -187,6 +187,13 @@ testPlanner("draw: like the last fixture, with the widths of the aisles", {}, as
   await tab.steps(3);
   const { preset, depth, length, rotation_deg } = last(tab.json.fixtures);
   equal([preset, depth, length, rotation_deg], ["row", 0.7, undefined, 270]);
+  await tab.press("Control+z");
+  await tab.steps(2);
+  equal(await tab.text('[data-key="tool/Preset"] option:checked'), "Like the last one", "undo keeps its corrections");
+  await tab.click(20, 16.5);
+  await tab.click(20, 4.6);
+  await tab.steps(3);
+  equal(last(tab.json.fixtures).depth, 0.7);
   await tab.press("Escape");
 });
 

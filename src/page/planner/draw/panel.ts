@@ -126,9 +126,10 @@ export class ToolPanel {
     const usable = presets.all.filter(({ effective }) => sizeOf(effective, document.unit) !== null);
     const template = templateOf(planner);
     const model = template && modelOf(planner);
+    const isThere = model !== null && namesIn(document.json, "fixtures").includes(model.id);
     if (usable.length === 0 && !model) return [element("p", { class: "note", text: text.draw.no_presets })];
     const like: [string, string][] = model
-      ? [[likeKey, say(text.draw.like, model.id)]]
+      ? [[likeKey, isThere ? say(text.draw.like, model.id) : text.draw.like_last]]
       : template
         ? []
         : [["", text.draw.choose]];

@@ -1,6 +1,7 @@
 // What the tools draw with: the values that were used last.
 
 import type { Changes } from "../changes";
+import type { JsonObject } from "../document/json";
 import type { Purpose } from "./materials";
 
 export type OpeningKind = "door" | "window" | "open";
@@ -81,7 +82,14 @@ const usual: Settings = {
   faceSpacing: 1,
 };
 
+/** A fixture that others are like. */
+export interface Model {
+  id: string;
+  value: JsonObject;
+}
+
 export class ToolSettings {
+  model: Model | null = null;
   private values = usual;
 
   constructor(private readonly changes: Changes) {}

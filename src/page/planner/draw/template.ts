@@ -4,6 +4,7 @@ import type { JsonObject } from "../document/json";
 import { withPreset } from "../elements/context";
 import { sizeOf, type Template } from "../make/run";
 import type { Planner } from "../planner";
+import type { Model } from "./settings";
 
 /** What belongs to one fixture alone. */
 const placed = new Set([
@@ -50,11 +51,13 @@ export function withDepth(template: Template, depth: number): Template {
   return { ...template, effective: { ...effective, size: [length, depth, height] } };
 }
 
-/** The fixture that the next one is like; null: it follows the chosen preset. */
-export function modelOf({ selected, settings }: Planner): { id: string; value: JsonObject } | null {
+/** The fixture that the next one is like: the selected one, or the last, also if undo has removed it; null: none. */
+export function modelOf({ selected, settings }: Planner): Model | null {
   const [model] = selected;
-  const isModel = settings.now.isLike && selected.length === 1 && model.kind === "fixture";
-  return isModel ? { id: String(model.value.id ?? ""), value: model.value } : null;
+  if (!settings.now.isLike) return null;
+  if (selected.length === 1 && model.kind === "fixture")
+    settings.model = { id: String(model.value.id ?? ""), value: model.value };
+  return settings.model;
 }
 
 export function templateOf(planner: Planner): Template | null {
