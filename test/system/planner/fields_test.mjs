@@ -245,3 +245,24 @@ testPlanner("a typed value leaves the panel where it was scrolled to", { store: 
   await tab.steps(2);
   equal(await place(), before);
 });
+
+testPlanner(
+  "two numbers beside a choice have room, and names that are cut off are hints",
+  { store: null, keeps: true },
+  async (tab) => {
+    await tab.press("g");
+    await tab.choose("tool/Preset", "gondola 1.25 m, double, 1.6 m high");
+    await tab.click(3, 8);
+    await tab.click(6, 8);
+    await tab.steps(1);
+    await tab.press("n");
+    await tab.click(4.5, 10.2);
+    await tab.steps(2);
+    await tab.until(() => document.querySelector('[data-key="field/repeat/step/1"]') !== null);
+    const width = (key) => tab.page.evaluate((of) => document.querySelector(`[data-key="${of}"]`).clientWidth, key);
+    for (const key of ["field/repeat/step/0", "field/repeat/step/1"]) check((await width(key)) > 60, key);
+    await tab.page.hover('[data-key="field/preset"]');
+    const title = () => document.querySelector('[data-key="field/preset"]').title;
+    equal(await tab.page.evaluate(title), "gondola 1.25 m, double, 1.6 m high");
+  },
+);

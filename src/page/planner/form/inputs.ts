@@ -360,3 +360,18 @@ export function leafInput(place: Place, type: FieldType, shown: Shown, commit: C
       return null;
   }
 }
+
+/** Also of a text that stands for no value, whose message must stay. */
+export const isTyping = (field: HTMLElement): boolean =>
+  (field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement) &&
+  field.dataset.shown !== undefined &&
+  (field.value.trim() !== field.dataset.shown || field.ariaInvalid === "true");
+
+/** Chosen names that are cut off can be read as a hint. */
+export function nameFully(panel: HTMLElement): void {
+  panel.addEventListener("pointerover", ({ target }) => {
+    if (!(target instanceof HTMLSelectElement)) return;
+    const around = target.parentElement?.closest<HTMLElement>("[title]")?.title;
+    target.title = [target.selectedOptions[0]?.text, around].filter(Boolean).join("\n");
+  });
+}

@@ -20,6 +20,7 @@ import { nameOf, namesOf } from "../elements/names";
 import type { Group } from "../form/field";
 import type { TypeList } from "../elements/types";
 import { Form, type FormContext } from "../form/form";
+import { isTyping, nameFully } from "../form/inputs";
 import { showProblems } from "../form/problems";
 import { groupOfElement, groupOfStore } from "../form/schema";
 import { pointerOfPath, type Target } from "../form/targets";
@@ -60,6 +61,7 @@ export class Properties {
     this.light = new LabelLight(planner);
     planner.changes.listen(["light"], () => this.light.update());
     this.units = new UnitPanel(planner, commands);
+    nameFully(this.root);
     this.root.addEventListener("focusout", () => {
       if (this.isStale) setTimeout(() => this.update());
     });
@@ -382,12 +384,6 @@ function follow(list: { path: string }[], place: Place): void {
   });
   list.splice(0, list.length, ...moved);
 }
-
-/** Also of a text that stands for no value, whose message must stay. */
-const isTyping = (field: HTMLElement): boolean =>
-  (field instanceof HTMLInputElement || field instanceof HTMLTextAreaElement) &&
-  field.dataset.shown !== undefined &&
-  (field.value.trim() !== field.dataset.shown || field.ariaInvalid === "true");
 
 const sourceOf = ({ path, device }: Extract<Item, { kind: "device" }>) =>
   path === null ? "of_file" : device === "unit" ? "of_candidates" : "of_element";
