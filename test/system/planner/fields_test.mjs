@@ -266,3 +266,15 @@ testPlanner(
     equal(await tab.page.evaluate(title), "gondola 1.25 m, double, 1.6 m high");
   },
 );
+
+testPlanner(
+  "types: materials come first, and those of a catalogue say where they are changed",
+  { store: null, keeps: true },
+  async (tab) => {
+    await tab.push("#tab-types");
+    equal(await tab.text(".types h3"), "Materials");
+    await tab.push('[data-key="/materials/steel"]');
+    says(await tab.text(".notice"), "steel comes from a catalogue (catalogue.json)");
+    equal(await tab.text(".properties .subtitle"), "Store");
+  },
+);

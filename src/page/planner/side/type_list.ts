@@ -10,7 +10,8 @@ import type { TypeList } from "../elements/types";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 
-const lists: TypeList[] = ["presets", "label_types", "transceiver_types", "materials"];
+/** Presets come last, because there are many. */
+const lists: TypeList[] = ["materials", "label_types", "transceiver_types", "presets"];
 
 export class TypeLists {
   private readonly sections = element("div", {});
@@ -48,15 +49,18 @@ export class TypeLists {
   /** `digit`: the key that gives the type to the selection. */
   private row(list: TypeList, name: string, digit: number | null): HTMLElement {
     const path = pointerTo("", list, name);
-    const isOwn = valueAt(this.planner.document.json, path) !== undefined;
-    const isOpen = this.planner.typePath === path && this.planner.selection.items.length === 0;
+    const { planner } = this;
+    const { json } = planner.document;
+    const isOwn = valueAt(json, path) !== undefined;
+    const isOpen = planner.typePath === path && planner.selection.items.length === 0;
+    const files = [valueAt(json, "/catalogues") ?? []].flat().join(", ");
+    const why = isOwn ? undefined : say(text.types.of_catalogue, name, files);
     return element(
       "li",
       {},
-      button(name, () => this.planner.openType(path), {
-        class: "plain",
-        disabled: !isOwn,
-        title: isOwn ? undefined : text.types.of_catalogue,
+      button(name, () => (why === undefined ? planner.openType(path) : planner.say(why, true)), {
+        class: isOwn ? "plain" : "plain shared",
+        title: why,
         "aria-pressed": String(isOpen),
         "data-key": path,
       }),
