@@ -205,8 +205,8 @@ CLI::App* add_plan(CLI::App& app, PlanArguments* options) {
       "  shelfbeam plan store.json -o plan --confidence 99.9% --budget 1800\n"
       "  shelfbeam plan store.json -o plan --threads 8 --resume\n"
       "Writes report.html (start here), mounting.csv and mounting.dxf (for the fitter),\n"
-      "bill.csv, placement.csv, labels.csv, verification.csv, placement.json, signal.h5,\n"
-      "the resolved store.json, and run.json (times).");
+      "bill.csv, placement.csv, labels.csv, verification.csv, placement.json,\n"
+      "signal.h5, the resolved store.json, and run.json (times).");
   return verb;
 }
 

@@ -30,7 +30,7 @@ TEST_F(ExitCode, OneIfInfeasible) {
   folder.write("greedy.json", store.dump());
   const std::string out = told("plan @greedy.json -o @plan --samples 320", 1);
   EXPECT_NE(out.find("\nNo selection reaches all 17 labels, with 99 % confidence"), std::string::npos) << out;
-  EXPECT_EQ(names(folder / "plan").size(), 10u);
+  EXPECT_EQ(names(folder / "plan").size(), 11u);
   const std::string report = bytes("plan/report.html");
   EXPECT_NE(report.find("No selection reaches all 17 labels"), std::string::npos);
   told("report @plan");
