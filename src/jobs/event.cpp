@@ -92,14 +92,24 @@ void EventProgress::report(Task task, double fraction, std::string_view detail) 
   const Progress progress =
       stages_.update(task, fraction, detail, std::chrono::duration<double>(now - begun_).count());
   if (progress.task != task) next_ = {};  // of a step
-  if (shown_ != progress.task) bounds_ = {};
+  if (shown_ && shown_->task != progress.task) {
+    // The last incumbent of a task is its result.
+    if (has_unwritten_bounds_) write(*shown_);
+    bounds_ = {};
+  }
+  has_unwritten_bounds_ = has_unwritten_bounds_ || next_.incumbent || next_.lower || next_.selected;
   if (next_.incumbent) bounds_.incumbent = next_.incumbent;
   if (next_.lower) bounds_.lower = next_.lower;
   if (next_.selected) bounds_.selected = std::move(next_.selected);
   next_ = {};
-  shown_ = progress.task;
+  shown_ = progress;
   if (written_ && now - *written_ < pause) return;
   written_ = now;
+  write(progress);
+}
+
+void EventProgress::write(const Progress& progress) {
+  has_unwritten_bounds_ = false;
   const auto known = [](double value) { return value < 0 ? Json(nullptr) : Json(value); };
   Json json{{"event", "progress"},
             {"task", to_text(progress.task)},

@@ -61,12 +61,15 @@ class EventProgress : public ProgressSink {
     std::optional<std::vector<std::string>> selected;
   };
 
+  void write(const Progress& progress);
+
   Write write_;
   ProgressStages stages_;
   Clock::time_point begun_ = Clock::now();
   std::optional<Clock::time_point> written_;
   Bounds bounds_, next_;  ///< of the task that is shown, and of the next report
-  std::optional<Task> shown_;
+  std::optional<Progress> shown_;
+  bool has_unwritten_bounds_ = false;  ///< of the task that is shown
   std::vector<std::string> written_selection_;
 };
 

@@ -57,6 +57,8 @@ RunProcess::RunProcess(PlanRun& run, std::filesystem::path store, const std::str
 void RunProcess::start() {
   run_.state = job_.preview ? RunState::previewing : RunState::running;
   run_.progress = {};
+  withheld_.reset();
+  selected_.clear();
   stages_ = {};
   begun_ = std::chrono::steady_clock::now();
   has_changed_ = true;
@@ -117,19 +119,39 @@ void RunProcess::report(Task task, double fraction, std::string_view detail) {
   const auto reported = std::exchange(reported_, {});
   const bool is_of_plan = progress.task == Task::placing || progress.task == Task::placing_over_states ||
                           progress.task == Task::proving;
-  if (!reported || !is_of_plan) return;
+  if (!is_of_plan) {
+    // A later placement has ended with more units: the earlier ones are not enough.
+    if (withheld_) take(*std::exchange(withheld_, {}));
+    return;
+  }
   // The placement over the states of a shop is another question than that for the shop as drawn.
-  if (std::exchange(bounded_, progress.task) == Task::placing && progress.task == Task::placing_over_states)
+  if (std::exchange(bounded_, progress.task) == Task::placing && progress.task == Task::placing_over_states) {
     now.bound.reset();
-  now.take_bounds(reported->first, reported->second, run_.plan.contains("at_most"));
+    now.incumbent.reset();
+  }
+  if (!reported) return;
+  // Every placement begins with a quick selection.
+  const double sign = run_.plan.contains("at_most") ? -1 : 1;
+  if (now.incumbent && sign * (reported->value - *now.incumbent) > 0) {
+    withheld_ = reported;
+  } else {
+    withheld_.reset();
+    take(*reported);
+  }
+}
+
+void RunProcess::take(const Incumbent& found) {
+  run_.progress.selected = found.selected;
+  run_.progress.take_bounds(found.value, found.bound, run_.plan.contains("at_most"));
 }
 
 void RunProcess::bounds(double incumbent, double lower_bound) {
-  reported_ = {incumbent, lower_bound};
+  reported_ = {incumbent, lower_bound, selected_};
 }
 
 void RunProcess::selection(const std::vector<std::string>& ids) {
-  run_.progress.selected = ids;
+  selected_ = ids;
+  if (reported_) reported_->selected = ids;
 }
 
 }  // namespace shelfbeam::serve
