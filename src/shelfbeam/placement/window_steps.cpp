@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <vector>
 
 #include "shelfbeam/placement/search_state.hpp"
@@ -43,8 +42,8 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
     if (state.limits.step_limit) options.max_nodes = 1 + *state.limits.step_limit / steps_per_node;
     options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
     options.without = state.useless;
-    std::copy_if(state.rows.begin(), state.rows.end(), std::back_inserter(options.rows),
-                 [](const BoundRow& row) { return row.is_plain(); });
+    options.rows = state.rows;
+    std::erase_if(options.rows, [](const BoundRow& row) { return !row.is_plain(); });
     const double bound =
         window_mip_bound(state.table, state.problem, state.first_cost, options, backend, state.control);
     state.raise_open(bound, BoundProof::solver);
