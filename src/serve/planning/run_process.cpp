@@ -41,7 +41,7 @@ void expect_request(const PlanRun& run) {
   job_of(run, "store.json");
 }
 
-RunProcess::RunProcess(PlanRun& run, std::filesystem::path store, const std::string& signal,
+RunProcess::RunProcess(PlanRun& run, const std::filesystem::path& store, const std::string& signal,
                        std::string program)
     : run_(run), job_(job_of(run, store)), program_(std::move(program)) {
   const std::filesystem::path folder = store.parent_path();

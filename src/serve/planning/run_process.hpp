@@ -22,7 +22,8 @@ class RunProcess : ProgressSink {
  public:
   /// `store`: the store file. `signal`: the folder of an earlier plan, whose signals are reused if they fit;
   /// empty: none. Throws InputError for a request that is none.
-  RunProcess(PlanRun& run, std::filesystem::path store, const std::string& signal, std::string program);
+  RunProcess(PlanRun& run, const std::filesystem::path& store, const std::string& signal,
+             std::string program);
 
   /// Ends the first answer at once, and the plan with its results so far.
   void cancel();
