@@ -8,9 +8,15 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
+#include "jobs/event.hpp"
 #include "jobs/plan_folder.hpp"
 
 namespace shelfbeam::serve {
+
+void PlanRun::fail(const std::exception& error) {
+  state = RunState::failed;
+  result = Json::parse(jobs::line_of(jobs::error_of(error)));
+}
 
 Json to_json(const PlanRun& run) {
   return {{"id", run.id},

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -69,6 +70,8 @@ struct PlanRun {
   Json first = nullptr;                ///< the first answer: the event `result`, with `selected`
   Json result = nullptr;               ///< the event `result` or `error`
 
+  /// It has ended with an error.
+  void fail(const std::exception& error);
   bool is_active() const { return state <= RunState::running; }
   /// It has ended, and has chosen units.
   bool has_plan() const {

@@ -203,8 +203,7 @@ void PlanRuns::begin(PlanRun& run, const std::string& shop) {
     process_.emplace(run, folder_ / "store.json", newest_plan(folder_), program_);
   } catch (const std::exception& error) {
     process_.reset();
-    run.result = Json::parse(jobs::line_of(jobs::error_of(error)));
-    run.state = RunState::failed;
+    run.fail(error);
     end();
   }
   changed_.push_back(run.id);

@@ -35,19 +35,17 @@ LabelNumbers::LabelNumbers(const Draft& draft) {
   for (std::size_t i = 0; i < draft.scene.labels.size(); ++i) numbers_.emplace(draft.scene.labels[i].id, i);
 }
 
-Json LabelNumbers::of(const Json& ids) const {
-  Json list = Json::array();
-  for (const Json& id : ids)
-    if (const auto found = numbers_.find(id.get<std::string>()); found != numbers_.end())
-      list.push_back(found->second);
-  return list;
-}
-
 Json LabelNumbers::with_ids(const Json& ids) const {
   Json list = Json::array();
   for (const Json& id : ids)
     if (const auto found = numbers_.find(id.get<std::string>()); found != numbers_.end())
       list.push_back({found->second, id});
+  return list;
+}
+
+Json LabelNumbers::of(const Json& ids) const {
+  Json list = Json::array();
+  for (const Json& one : with_ids(ids)) list.push_back(one[0]);
   return list;
 }
 

@@ -67,8 +67,7 @@ void RunProcess::start() {
     process_->give_way();
   } catch (const std::exception& error) {
     process_.reset();
-    run_.state = RunState::failed;
-    run_.result = Json::parse(jobs::line_of(jobs::error_of(error)));
+    run_.fail(error);
   }
 }
 
@@ -131,12 +130,13 @@ void RunProcess::report(Task task, double fraction, std::string_view detail) {
   }
   if (!reported) return;
   // Every placement begins with a quick selection.
+  Incumbent found{reported->first, reported->second, selected_};
   const double sign = run_.plan.contains("at_most") ? -1 : 1;
-  if (now.incumbent && sign * (reported->value - *now.incumbent) > 0) {
-    withheld_ = reported;
+  if (now.incumbent && sign * (found.value - *now.incumbent) > 0) {
+    withheld_ = std::move(found);
   } else {
     withheld_.reset();
-    take(*reported);
+    take(found);
   }
 }
 
@@ -146,12 +146,11 @@ void RunProcess::take(const Incumbent& found) {
 }
 
 void RunProcess::bounds(double incumbent, double lower_bound) {
-  reported_ = {incumbent, lower_bound, selected_};
+  reported_ = {incumbent, lower_bound};
 }
 
 void RunProcess::selection(const std::vector<std::string>& ids) {
   selected_ = ids;
-  if (reported_) reported_->selected = ids;
 }
 
 }  // namespace shelfbeam::serve

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
@@ -42,6 +43,7 @@ class RunProcess : ProgressSink {
     std::vector<std::string> selected = {};
   };
 
+  void take(const Incumbent& found);
   void end(const jobs::JobEnd& end);
   void report(Task task, double fraction, std::string_view detail) override;
   void bounds(double incumbent, double lower_bound) override;
@@ -53,11 +55,10 @@ class RunProcess : ProgressSink {
   std::optional<jobs::PlanProcess> process_;
   jobs::ProgressStages stages_;
   std::chrono::steady_clock::time_point begun_;
-  void take(const Incumbent& found);
-
-  std::optional<Incumbent> reported_, withheld_;  // before its task; worse than that of an earlier placement
-  std::vector<std::string> selected_;             // of the last incumbent
-  Task bounded_ = Task::placing;                  // the task of the last bounds
+  std::optional<std::pair<double, double>> reported_;  // incumbent and bound, before their task
+  std::vector<std::string> selected_;                  // of the last incumbent
+  std::optional<Incumbent> withheld_;                  // worse than that of an earlier placement
+  Task bounded_ = Task::placing;                       // the task of the last bounds
   bool is_cancelled_ = false, has_changed_ = false;
 };
 

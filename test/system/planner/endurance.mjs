@@ -9,6 +9,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
+import { randomFrom } from "./random.mjs";
 import { serve } from "./server.mjs";
 import { smallShop } from "./small_shop.mjs";
 
@@ -19,12 +20,7 @@ const rounds = Number(givenRounds);
 const inRound = { gestures: 40, placements: 2 };
 const growth = 1.1;
 
-let state = 1;
-/** Numbers in 0..1 (a linear congruential generator). */
-function random() {
-  state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-  return state / 4294967296;
-}
+const random = randomFrom(1);
 
 /** The memory of a process that is its own, in MB. */
 function memoryOf(pid) {

@@ -2,19 +2,9 @@
 
 import { check, equal } from "../viewer/check.mjs";
 import { testPlanner } from "./opened.mjs";
+import { randomFrom } from "./random.mjs";
 
 const edits = 40; // of each tab
-
-/** Numbers in 0..1 (mulberry32). */
-function randomFrom(seed) {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
-    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
-  };
-}
 
 /** Some are listed twice, because they shall happen more often. */
 const keys = [

@@ -25,7 +25,7 @@ export class DetailsCache {
     return this.known.has(path);
   }
 
-  /** Elements keep what is known unless their places move: a panel that is empty for a moment loses its scroll position. */
+  /** Keeps the details of elements whose paths stay, because a panel that is empty for a moment loses its scroll position. */
   follow(ops: readonly EditOp[]): void {
     const lists = ops.filter(isMoving).map(({ path }) => `${splitPointer(path)[0]}/`);
     const paths = [...this.known.keys(), ...this.asked.keys()];

@@ -18,7 +18,8 @@ export class Plans {
   open: readonly number[] = [];
   private stateIndex: number | null = null;
   private statesOf = "";
-  private shop = "";
+  /** Identifies the present shop. */
+  shop = "";
   /** The plan that is shown; null: the newest. */
   private chosen: number | null = null;
   private readonly known = new Map<number, Promise<PlanDetails | null>>();
@@ -50,11 +51,6 @@ export class Plans {
   /** Whether the shop is the one that was planned; null: unknown. */
   isOfThisShop({ shop }: PlanRun): boolean | null {
     return shop === "" || this.shop === "" ? null : shop === this.shop;
-  }
-
-  /** Changes with the shop. */
-  get shopNow(): string {
-    return this.shop;
   }
 
   /** By label of the present shop; empty if the plan that is shown is of another one. */

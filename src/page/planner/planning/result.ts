@@ -46,7 +46,7 @@ export class Result {
     if (!run) return;
     const onPlan = this.planner.light.units.map(({ id }) => id);
     const states = [plans.states?.shown.length, plans.stateNumber];
-    const version = JSON.stringify([run, plans.shopNow, document.locked, onPlan, states]);
+    const version = JSON.stringify([run, plans.shop, document.locked, onPlan, states]);
     if (version === this.version) return;
     this.version = version;
     this.show(run, null);

@@ -1,6 +1,7 @@
 #include "shelfbeam/report/data/bill.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -12,10 +13,10 @@
 
 namespace shelfbeam {
 
-Bill bill_of(const ReportInput& input, const Outcome& outcome) {
+Bill bill_of(const ReportInput& input) {
   std::map<std::pair<std::string, double>, BillLine> lines;
-  for (const UnitOutcome& one : outcome.units) {
-    const TransceiverColumn& unit = input.matrix.transceivers[one.column];
+  for (const std::uint32_t column : input.plan.placement.selected) {
+    const TransceiverColumn& unit = input.matrix.transceivers[column];
     BillLine& line = lines[{unit.type, unit.cost}];
     (unit.installed ? line.installed : line.fresh) += 1;
     line.pinned += unit.pinned ? 1 : 0;
@@ -36,7 +37,7 @@ Bill bill_of(const ReportInput& input, const Outcome& outcome) {
 }
 
 std::string bill_csv(const ReportInput& input) {
-  const Bill bill = bill_of(input, outcome_of(input.matrix, input.plan.placement));
+  const Bill bill = bill_of(input);
   const auto text = [&](std::string_view field) { return csv_field(field, input.safe_csv); };
   const std::string currency = bill.has_prices ? text(input.plan.placement.price->currency) : "";
   std::string csv = "type,order_number,to_buy,installed,price_each,price,currency\n";

@@ -4,14 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/report/data/outcome.hpp"
 #include "shelfbeam/report/data/report.hpp"
 
 namespace shelfbeam {
 
 /// The chosen units of one type at one price.
 struct BillLine {
-  std::string type, order_number;
+  std::string type = {}, order_number = {};
   double price = 0;           ///< of one unit
   std::size_t fresh = 0;      ///< units to buy
   std::size_t pinned = 0;     ///< of these, chosen by the user
@@ -26,7 +25,6 @@ struct Bill {
   double amount = 0;            ///< of the units to buy
 };
 
-/// `outcome`: of the placement.
-Bill bill_of(const ReportInput& input, const Outcome& outcome);
+Bill bill_of(const ReportInput& input);
 
 }  // namespace shelfbeam

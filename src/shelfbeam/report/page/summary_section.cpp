@@ -22,7 +22,7 @@ std::string list(const Words& words, const char* key, const std::vector<std::str
 
 // The number of units and the price of every type.
 std::string shopping_list(const ReportData& data) {
-  const Bill bill = bill_of(data.input, data.outcome);
+  const Bill bill = bill_of(data.input);
   const std::optional<Price>& price = data.input.plan.placement.price;
   const auto any = [&](const auto& has) { return std::any_of(bill.lines.begin(), bill.lines.end(), has); };
   const bool has_there = any([](const BillLine& line) { return line.installed > 0; });
