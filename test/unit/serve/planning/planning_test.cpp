@@ -139,7 +139,7 @@ TEST_F(PlanningOfAShop, NamesLabelsByTheirNumbers) {
   std::vector<std::string> names;
   for (const Json& one : found.at("labels").at("undecided")) {
     names.push_back(shop_.draft().scene.labels[one.at(0).get<std::size_t>()].id);
-    EXPECT_EQ(names.back(), one.at(1));
+    EXPECT_EQ(names.back(), one.at(1).get<std::string>());
   }
   EXPECT_EQ(names, (std::vector<std::string>{"A1-front-1-2", "A1-front-1-1"}));
   EXPECT_EQ(answer({{"do", "plan_states"}, {"plan", 1U}}).at("shown"), Json::array());
