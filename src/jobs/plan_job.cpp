@@ -28,6 +28,7 @@ namespace {
 void expect_own_folder(const fs::path& folder, const fs::path& file, const std::string& resolved) {
   std::error_code missing;
   const auto home = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::exists(file)) return;  // a store in memory
   if (fs::equivalent(folder, home, missing) && read_file(file) != resolved)
     throw InputError(folder.string(), "is the folder of the store file; a plan needs a folder of its own",
                      "choose another folder for the plan");
@@ -94,15 +95,19 @@ std::optional<StoredSignals> given_signals(const PlanJob& job) {
   }
 }
 
+Store with_choice(Store store, const PlanJob& job) {
+  for (const std::string& unit : job.units.pinned) store.pinned.push_back({unit, job.store.string()});
+  for (const std::string& unit : job.units.excluded) store.excluded.push_back({unit, job.store.string()});
+  leave_out(store, job.without);
+  return store;
+}
+
 Store store_of(const PlanJob& job, const CancelToken* cancel) {
   Store store = read_store(job.store, {.allow_outside = job.allow_outside,
                                        .memory = job.plan.simulation.memory,
                                        .file_size = job.file_size.value_or(StoreLimits{}.file_size),
                                        .cancel = cancel});
-  for (const std::string& unit : job.units.pinned) store.pinned.push_back({unit, job.store.string()});
-  for (const std::string& unit : job.units.excluded) store.excluded.push_back({unit, job.store.string()});
-  leave_out(store, job.without);
-  return store;
+  return with_choice(std::move(store), job);
 }
 
 void expect_no_warnings(const Scene& scene, bool strict) {
@@ -127,7 +132,10 @@ void expect_room_for_matrix(const fs::path& folder, const Scene& scene, const Si
 
 PlanEnd run_plan(const PlanJob& job, const JobWatch& watch) {
   const RunClock clock;
-  Store store = store_of(job, watch.cancel);
+  return run_plan(job, store_of(job, watch.cancel), watch, clock);
+}
+
+PlanEnd run_plan(const PlanJob& job, Store store, const JobWatch& watch, const RunClock& clock) {
   PlanRequest request = job.plan;
   if (job.selection) store = with_candidates_of(*job.selection, std::move(store));
   const Scene scene = make_inspected_scene(store);

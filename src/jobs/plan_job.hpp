@@ -15,6 +15,7 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 #include "jobs/exit_code.hpp"
+#include "jobs/run_file.hpp"
 
 namespace shelfbeam::jobs {
 
@@ -66,6 +67,9 @@ struct PlanEnd {
   bool is_imprecise = false;  ///< the requested relative error was not reached, and no certificate covers it
 };
 
+/// A store with the choice of units of a job, and without the causes that it leaves out. Throws InputError.
+Store with_choice(Store store, const PlanJob& job);
+
 /// The store of a job with its choice of units. Throws InputError.
 Store store_of(const PlanJob& job, const CancelToken* cancel);
 
@@ -84,5 +88,8 @@ void expect_room_for_matrix(const std::filesystem::path& folder, const Scene& sc
 /// writes the results so far; an interrupted run never replaces a finished plan. Throws InputError,
 /// OutputError, and Interrupted before there is a result.
 PlanEnd run_plan(const PlanJob& job, const JobWatch& watch);
+
+/// The same for a store with_choice that need not be a file. `job.store` names it in errors.
+PlanEnd run_plan(const PlanJob& job, Store store, const JobWatch& watch, const RunClock& clock);
 
 }  // namespace shelfbeam::jobs

@@ -1,6 +1,6 @@
 #include "app/text/flags.hpp"
 
-#include <map>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,44 +11,13 @@
 namespace shelfbeam::app {
 
 std::string with_flags(std::string_view message, std::span<const Setting> settings) {
-  static const std::map<Setting, std::string_view> flags{
-      {Setting::memory, "--memory"},
-      {Setting::files_outside, "--allow-outside"},
-      {Setting::resumption, "--resume"},
-      {Setting::requirement, "--threshold"},
-      {Setting::forbidden_pairs, "--forbid"},
-      {Setting::share, "--share"},
-      {Setting::units, "--at-most"},
-      {Setting::share_of_labels, "--reach"},
-      {Setting::failure, "--survive-failure"},
-      {Setting::estimator, "--estimator"},
-      {Setting::strategy, "--strategy"},
-      {Setting::direct_light, "--direct"},
-      {Setting::bounces, "--max-bounces"},
-      {Setting::strictness, "--strict"},
-      {Setting::overwriting, "--overwrite"},
-      {Setting::overwriting_with_reuse, "--overwrite, --signal"},
-      {Setting::part, "--part"},
-      {Setting::reading, "--read-as"},
-      {Setting::heuristic, "--heuristic"},
-      {Setting::lengths, "--by-length"},
-      {Setting::relative_error, "--relative-error"},
-      {Setting::curve, "--curve"},
-      {Setting::sensitivity, "--sensitivity"},
-      {Setting::objective, "--objective"},
-      {Setting::availability, "--availability"},
-      {Setting::all_at_once, "--all-at-once"},
-      {Setting::mean_missed, "--mean-missed"},
-      {Setting::sampled, "--sampled"},
-      {Setting::budget, "--budget"},
-      {Setting::time_limit, "--time-limit"},
-      {Setting::solver, "--solver"},
-      {Setting::pinned, "--pin"},
-      {Setting::excluded, "--exclude"},
-      {Setting::without, "--without"}};
-  std::vector<std::string_view> named;
-  for (const Setting setting : settings)
-    if (const auto found = flags.find(setting); found != flags.end()) named.push_back(found->second);
+  std::vector<std::string> named;
+  for (const Setting setting : settings) {
+    if (setting == Setting::overwriting_with_reuse)
+      named.emplace_back("--overwrite, --signal");
+    else if (const std::string_view name = to_text(setting); !name.empty())
+      named.push_back(fmt::format("--{}", name));
+  }
   return named.empty() ? std::string(message) : fmt::format("{} ({})", message, fmt::join(named, ", "));
 }
 

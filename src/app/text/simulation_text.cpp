@@ -67,47 +67,4 @@ std::string describe(const SimulationSummary& summary, bool follows_decision) {
                                                 summary.seconds_to_halve));
 }
 
-nlohmann::ordered_json to_json(const SimulationSummary& summary) {
-  nlohmann::ordered_json errors = nlohmann::ordered_json::array();
-  for (const ErrorQuantiles& e : summary.errors)
-    errors.push_back({{"above", e.above},
-                      {"entries", e.entries},
-                      {"flagged", e.flagged},
-                      {"median", e.median},
-                      {"p90", e.p90},
-                      {"p99", e.p99}});
-  nlohmann::ordered_json unmet;
-  if (summary.unmet_error) {
-    unmet = {{"error", *summary.unmet_error},
-             {"entries", summary.unmet},
-             {"out_of_reach", summary.out_of_reach},
-             {"worst", nlohmann::ordered_json::array()}};
-    for (const UnmetEntry& entry : summary.worst_unmet)
-      unmet["worst"].push_back({{"label", entry.label},
-                                {"transceiver", entry.source},
-                                {"relative_error", entry.relative_error},
-                                {"flagged", entry.is_flagged},
-                                {"out_of_reach", entry.is_out_of_reach}});
-  }
-  nlohmann::ordered_json asked;
-  if (summary.requested_samples) asked = *summary.requested_samples;
-  return {{"labels", summary.labels},
-          {"transceivers", summary.candidates},
-          {"complete", summary.complete},
-          {"samples", {summary.min_samples, summary.max_samples}},
-          {"asked", asked},
-          {"batches", {summary.min_batches, summary.max_batches}},
-          {"resumed_batches", summary.resumed_batches},
-          {"rays", summary.rays},
-          {"shadow_rays",
-           {{"connections", summary.shadow_rays.connections},
-            {"traced", summary.shadow_rays.traced},
-            {"occluded", summary.shadow_rays.occluded}}},
-          {"seconds", summary.seconds},
-          {"rays_per_second", static_cast<double>(summary.rays) / summary.seconds},
-          {"relative_errors", errors},
-          {"unmet", unmet},
-          {"seconds_to_halve_the_errors", summary.seconds_to_halve}};
-}
-
 }  // namespace shelfbeam::app

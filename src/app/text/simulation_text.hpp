@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "shelfbeam/transport/run/simulation_summary.hpp"
 
 namespace shelfbeam::app {
@@ -11,6 +9,5 @@ namespace shelfbeam::app {
 /// A few lines: size, effort and errors of the simulation. If a certificate decides where more samples are
 /// taken, they say so instead of predicting the time for smaller errors.
 std::string describe(const SimulationSummary& summary, bool follows_decision = false);
-nlohmann::ordered_json to_json(const SimulationSummary& summary);
 
 }  // namespace shelfbeam::app

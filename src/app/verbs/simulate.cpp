@@ -15,7 +15,6 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
-#include "shelfbeam/plan/states/reflectance_ends.hpp"
 #include "shelfbeam/report/messages/light.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
@@ -34,6 +33,7 @@
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 #include "jobs/plan_job.hpp"
+#include "jobs/steps/simulation_step.hpp"
 
 namespace shelfbeam::app {
 
@@ -43,12 +43,11 @@ struct SimulateArguments {
   CommonOptions common;
   SimulationFlags simulation;
   std::filesystem::path store, output;
-  std::uint32_t states = 0;
-  std::size_t hard_labels = 1000;
+  jobs::WantedStates wanted;
   std::optional<std::uint64_t> state;
   std::vector<Cause> without;
   Share part;
-  bool for_plan = false, allow_outside = false, strict = false;
+  bool allow_outside = false, strict = false;
 };
 
 std::string part_text(const Share& part) {
@@ -63,12 +62,7 @@ int simulate_states_to_file(const SimulateArguments& options, const Store& store
     const RunControl control{options.common.threads, &cancel, progress.sink()};
     ResultLog log = log_of_states(simulation.checkpoint.path, scene.store_hash, simulation);
     try {
-      const StateRange range{.first = 0, .count = options.states};
-      signals = options.for_plan
-                    ? simulate_planning_states(with_reflectances_for_states(store, store),
-                                               with_reflectances_for_states(store, scene), simulation, range,
-                                               log, control)
-                    : simulate_states(store, scene, simulation, range, options.hard_labels, log, control);
+      signals = jobs::simulate_wanted(store, scene, simulation, options.wanted, log, control);
     } catch (const Interrupted&) {
       log.flush();
       if (!options.common.quiet)
@@ -89,13 +83,6 @@ int simulate_states_to_file(const SimulateArguments& options, const Store& store
   return done;
 }
 
-// By way of its file, so that the simulation of the file has the same bytes.
-Scene exported_state(const Store& store, const Scene& nominal, const SimulateArguments& options) {
-  const Store state = StoreStates(store, nominal, options.common.seed).state(*options.state);
-  const std::string text = resolved_store_json(state, make_scene(state));
-  return make_scene(parse_store(text, state.file, options.store.parent_path(), {.cancel = state.cancel}));
-}
-
 int run_simulate(const SimulateArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   std::optional<EndAtOnce> reading(stopped_early);
@@ -104,10 +91,12 @@ int run_simulate(const SimulateArguments& options) {
                                            .memory = options.simulation.memory,
                                            .output = options.output,
                                            .cancel = &cancel});
-  if (options.states == 0 && !options.state) expect_no_goal({}, options.without);
+  if (options.wanted.states == 0 && !options.state) expect_no_goal({}, options.without);
   leave_out(store, options.without);
   const Scene nominal = make_inspected_scene(store);
-  const Scene scene = options.state ? exported_state(store, nominal, options) : nominal;
+  const Scene scene =
+      options.state ? make_scene(jobs::store_in_state(store, nominal, options.common.seed, *options.state))
+                    : nominal;
   SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   simulation.part = options.part;
   reading.reset();
@@ -117,7 +106,7 @@ int run_simulate(const SimulateArguments& options) {
                                simulation);
   print_warnings(options.common, scene, simulation.rules().strategy);
   jobs::expect_no_warnings(scene, options.strict);
-  if (options.states > 0) return simulate_states_to_file(options, store, scene, simulation, cancel);
+  if (options.wanted.states > 0) return simulate_states_to_file(options, store, scene, simulation, cancel);
   SimulationSummary summary;
   {
     TerminalProgress progress(options.common.quiet);
@@ -126,7 +115,7 @@ int run_simulate(const SimulateArguments& options) {
   }
   if (options.common.json) {
     nlohmann::ordered_json json{{"signal", options.output.string()}};
-    json.update(to_json(summary));
+    json.update(jobs::to_json(summary));
     json["warnings"] = sentences(scene.warnings);
     json["found_by_chance"] = light_texts(english(), chance_light(scene, simulation.rules().strategy), scene);
     print_json(json);
@@ -153,18 +142,18 @@ void add_simulate(CLI::App& app, ChosenVerb& chosen) {
   first.require("-o,--output", options->output, a_path(), "Signal file (HDF5) to write");
   add_simulation_options(*verb, options->simulation, DirectLight::sampled);
   add_layers(*verb, options->simulation);
-  auto* states = of_states.add("--states", options->states, whole_number("N", 1, 100'000),
+  auto* states = of_states.add("--states", options->wanted.states, whole_number("N", 1, 100'000),
                                "Simulate the shop in this many states of its 'variation', with few samples "
                                "each: their mean, their deviation, and the hardest labels in each");
   for (const char* other : {"--by-bounce", "--by-length", "--relative-error", "--time"})
     states->excludes(verb->get_option(other));
   of_states
-      .add("--hard-labels", options->hard_labels, whole_number("N", 1, 10'000'000),
+      .add("--hard-labels", options->wanted.hard_labels, whole_number("N", 1, 10'000'000),
            fmt::format("With --states: number of labels whose signals are kept for each state; default {}",
-                       options->hard_labels))
+                       options->wanted.hard_labels))
       ->needs(states);
   of_states
-      .add_flag("--for-plan", options->for_plan,
+      .add_flag("--for-plan", options->wanted.for_plan,
                 "With --states: simulate the states for 'plan --sampled', with all labels, their errors, and "
                 "reflectances at the low ends of their ranges")
       ->needs(states)

@@ -16,8 +16,6 @@
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/verify_states.hpp"
-#include "shelfbeam/plan/store/given_units.hpp"
-#include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
@@ -36,6 +34,7 @@
 #include "app/text/terminal.hpp"
 #include "app/verbs.hpp"
 #include "jobs/plan_job.hpp"
+#include "jobs/steps/verification_step.hpp"
 
 namespace shelfbeam::app {
 
@@ -57,14 +56,7 @@ struct VerifyArguments {
   bool allow_outside = false, safe_csv = false, overwrite = false;
 };
 
-struct Installation {
-  Store store;
-  Scene scene;  ///< its transceivers are the mounted units
-  PlacementProblem problem;
-};
-
-Installation load_installation(const VerifyArguments& options) {
-  const std::filesystem::path& units = options.placement;
+jobs::Installation load_installation(const VerifyArguments& options) {
   const CancelToken& cancel = cancel_on_signal();
   const EndAtOnce reading(stopped_early);
   Store store = read_store(options.store, {.allow_outside = options.allow_outside,
@@ -72,9 +64,11 @@ Installation load_installation(const VerifyArguments& options) {
                                            .output = options.output,
                                            .cancel = &cancel});
   leave_out(store, options.without);
-  const Scene scene = make_scene(with_candidates_of(units, store));
-  const Placement given = given_units(units, scene, options.store);
-  return {store, with_units(scene, given.selected), given.problem};
+  jobs::Installation installation = jobs::installation_of(store, options.placement, options.store);
+  PlacementProblem& problem = installation.problem;
+  problem.model = options.model.value_or(problem.model);
+  problem.redundant = problem.redundant || options.survive_failure;
+  return installation;
 }
 
 // A new name without the ending of a table is the folder of a report.
@@ -100,8 +94,8 @@ PlanJob job_of(const VerifyArguments& options) {
   return job;
 }
 
-int verify_in_states(const VerifyArguments& options, const Installation& installation,
-                     const PlacementProblem& problem, const SimulationOptions& simulation) {
+int verify_in_states(const VerifyArguments& options, const jobs::Installation& installation,
+                     const SimulationOptions& simulation) {
   const Scene& units = installation.scene;
   const SignalTable table = table_without_signals(units);
   Availability found;
@@ -109,11 +103,10 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
     TerminalProgress progress(options.common.quiet);
     const RunControl control{options.common.threads, &cancel_on_signal(), progress.sink()};
     const std::filesystem::path log_path = options.output.empty() ? "" : simulation.checkpoint.path;
-    const Scene scene = make_scene(installation.store);
-    ResultLog log = log_of_states(log_path, scene.store_hash, simulation);
+    ResultLog log = log_of_states(log_path, make_scene(installation.store).store_hash, simulation);
     const VerifyStatesOptions how{*options.states, options.goal, options.confidence, simulation};
     try {
-      found = verify_over_states(installation.store, scene, units, problem, how, log, control);
+      found = jobs::verify_in_states(installation, how, log, control);
     } catch (const Interrupted&) {
       log.flush();
       if (!options.common.quiet)
@@ -128,7 +121,7 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
     remove_checkpoint(simulation.checkpoint.path);
   }
   Placement mounted;
-  mounted.problem = problem;
+  mounted.problem = installation.problem;
   mounted.selected.resize(units.transceivers.size());
   std::iota(mounted.selected.begin(), mounted.selected.end(), 0U);
   if (options.common.json)
@@ -136,8 +129,7 @@ int verify_in_states(const VerifyArguments& options, const Installation& install
   else if (!options.common.quiet)
     fmt::print("{}\n{}", styled(Style::answer, availability_answer(found, mounted, table)),
                availability_details(found, mounted, table));
-  if (found.certified) return done;
-  return found.answer().keeps_to(found.goal, found.required) ? stopped_early : answer_is_no;
+  return jobs::exit_code_of(found);
 }
 
 int run_verify(const VerifyArguments& options) {
@@ -153,18 +145,15 @@ int run_verify(const VerifyArguments& options) {
                      "name a folder with --output");
   protect_input(options.output, options.store);
   if (!options.placement.empty()) protect_input(options.output, options.placement);
-  const Installation installation = load_installation(options);
+  const jobs::Installation installation = load_installation(options);
   if (options.states.value_or(0) > 0)
     expect_variation(installation.store);
   else
     expect_no_goal(options.goal, options.without);
-  PlacementProblem problem = installation.problem;
-  problem.model = options.model.value_or(problem.model);
-  problem.redundant = problem.redundant || options.survive_failure;
   if (!options.output.empty()) expect_writable(options.output);
   const SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   print_warnings(options.common, installation.scene, simulation.rules().strategy);
-  if (options.states.value_or(0) > 0) return verify_in_states(options, installation, problem, simulation);
+  if (options.states.value_or(0) > 0) return verify_in_states(options, installation, simulation);
   CertifiedPlan verified;
   {
     TerminalProgress progress(options.common.quiet);
@@ -174,7 +163,7 @@ int run_verify(const VerifyArguments& options) {
     certify_options.budget.seconds = options.budget_s;
     certify_options.simulation = simulation;
     certify_options.simulation.checkpoint = {};
-    verified = verify_installation(installation.scene, problem, certify_options, control);
+    verified = verify_installation(installation.scene, installation.problem, certify_options, control);
   }
   const Certificate& certificate = *verified.certificate;
   if (!options.output.empty())
@@ -184,8 +173,7 @@ int run_verify(const VerifyArguments& options) {
   else if (!options.common.quiet)
     fmt::print("{}\n", styled(Style::answer, with_effort(english(), certificate_sentence(english(), verified),
                                                          certificate.open)));
-  if (certificate.count(Verdict::missed) > 0) return answer_is_no;
-  return certificate.all_reached() ? done : stopped_early;
+  return jobs::exit_code_of(certificate);
 }
 
 }  // namespace

@@ -150,11 +150,15 @@ void expect_to_fit(const OperatorEffort& effort, const Scene& scene, const std::
 }
 
 PreviewResult run_preview(const PreviewJob& job, const RunControl& control) {
+  const Store store = read_store(job.store, {.allow_outside = job.allow_outside, .cancel = control.cancel});
+  return run_preview(job, make_scene(store), control);
+}
+
+PreviewResult run_preview(const PreviewJob& job, Scene shop, const RunControl& control) {
   const ThreadLimit allowed(control.threads);
   return with_threads(control.threads, [&] {
     PreviewResult result;
-    result.scene =
-        make_scene(read_store(job.store, {.allow_outside = job.allow_outside, .cancel = control.cancel}));
+    result.scene = std::move(shop);
     const Scene& scene = result.scene;
     WhatIf change;
     change.removed = job.removed;

@@ -47,4 +47,7 @@ void expect_to_fit(const OperatorEffort& effort, const Scene& scene, const std::
 /// its signals so far count.
 PreviewResult run_preview(const PreviewJob& job, const RunControl& control);
 
+/// The same for the scene of a store that need not be a file. `job.store` names it in errors.
+PreviewResult run_preview(const PreviewJob& job, Scene shop, const RunControl& control);
+
 }  // namespace shelfbeam::jobs

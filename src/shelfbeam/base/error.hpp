@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <stdexcept>
 #include <string>
+
+#include "shelfbeam/base/names.hpp"
 
 namespace shelfbeam {
 
@@ -44,6 +47,44 @@ enum class Setting {
   excluded,
   without
 };
+
+/// Short names of the settings ("max-bounces"), from which each caller makes its own; none and
+/// overwriting_with_reuse have none.
+template <>
+inline constexpr auto names_of<Setting> =
+    std::to_array<Named<Setting>>({{"memory", Setting::memory},
+                                   {"allow-outside", Setting::files_outside},
+                                   {"resume", Setting::resumption},
+                                   {"threshold", Setting::requirement},
+                                   {"forbid", Setting::forbidden_pairs},
+                                   {"share", Setting::share},
+                                   {"at-most", Setting::units},
+                                   {"reach", Setting::share_of_labels},
+                                   {"survive-failure", Setting::failure},
+                                   {"estimator", Setting::estimator},
+                                   {"strategy", Setting::strategy},
+                                   {"direct", Setting::direct_light},
+                                   {"max-bounces", Setting::bounces},
+                                   {"strict", Setting::strictness},
+                                   {"overwrite", Setting::overwriting},
+                                   {"part", Setting::part},
+                                   {"read-as", Setting::reading},
+                                   {"heuristic", Setting::heuristic},
+                                   {"by-length", Setting::lengths},
+                                   {"relative-error", Setting::relative_error},
+                                   {"curve", Setting::curve},
+                                   {"sensitivity", Setting::sensitivity},
+                                   {"objective", Setting::objective},
+                                   {"availability", Setting::availability},
+                                   {"all-at-once", Setting::all_at_once},
+                                   {"mean-missed", Setting::mean_missed},
+                                   {"sampled", Setting::sampled},
+                                   {"budget", Setting::budget},
+                                   {"time-limit", Setting::time_limit},
+                                   {"solver", Setting::solver},
+                                   {"pin", Setting::pinned},
+                                   {"exclude", Setting::excluded},
+                                   {"without", Setting::without}});
 
 /// Wrong input. The message states the location, the problem and a suggestion. It may quote any bytes of
 /// names and files: characters that are not printable, and bytes that are not UTF-8, are escaped in it
