@@ -30,6 +30,14 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cm
 install(FILES ${PROJECT_BINARY_DIR}/shelfbeamConfig.cmake ${PROJECT_BINARY_DIR}/shelfbeamConfigVersion.cmake
         DESTINATION ${config_dir} COMPONENT library)
 
+# The Python package, for the system's Python.
+if(TARGET shelfbeam_python)
+  set(python_dir lib/python3/dist-packages/shelfbeam)
+  install(TARGETS shelfbeam_python LIBRARY DESTINATION ${python_dir} COMPONENT python)
+  install(DIRECTORY src/python/shelfbeam/ DESTINATION ${python_dir} COMPONENT python
+          FILES_MATCHING PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+endif()
+
 # Manual pages of the program and of each verb, from --help.
 find_program(SHELFBEAM_HELP2MAN help2man)
 set(pages "")
@@ -52,6 +60,9 @@ set(CPACK_PACKAGE_CONTACT "The shelfbeam developers <shelfbeam@localhost>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program library)
+if(TARGET shelfbeam_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -62,6 +73,14 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libshelfbeam-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${PROJECT_DESCRIPTION}: headers and static library")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-shelfbeam)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-tqdm, python3-pandas, python3-xarray")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${PROJECT_DESCRIPTION}: Python module")
 set(shelfbeam_build_packages
   libembree-dev libtbb-dev libhdf5-dev libgeos-dev zlib1g-dev libfmt-dev)
 if(CBC_FOUND)

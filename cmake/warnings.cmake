@@ -3,7 +3,9 @@ add_library(shelfbeam_options INTERFACE)
 target_compile_options(shelfbeam_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
   # Results must not depend on whether the compiler contracts a*b+c.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Nothing replaces our functions in the Python module, so they may be inlined as in the program.
+  -fno-semantic-interposition)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 falsely reports overlapping copies in std::string's operator+ (GCC bug 105651).
   target_compile_options(shelfbeam_options INTERFACE -Wno-restrict)

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include "shelfbeam/math/vec3.hpp"
+
+namespace shelfbeam::python {
+
+/// A read-only array over memory that `owner` keeps alive.
+template <class T>
+pybind11::array view_of(const T* data, std::vector<pybind11::ssize_t> shape, const pybind11::handle& owner) {
+  pybind11::array_t<T> array(std::move(shape), data, owner);
+  array.attr("setflags")(pybind11::arg("write") = false);
+  return array;
+}
+
+/// An array with a copy of the values.
+template <class T>
+pybind11::array copy_of(const std::vector<T>& values) {
+  return pybind11::array(static_cast<pybind11::ssize_t>(values.size()), values.data());
+}
+
+inline pybind11::list numbers(const Vec3& v) {
+  pybind11::list list;
+  for (const double value : {v.x, v.y, v.z}) list.append(value);
+  return list;
+}
+
+/// Corners as pairs.
+inline pybind11::list corners(const Polygon& polygon) {
+  pybind11::list list;
+  for (const Vec2& p : polygon) list.append(pybind11::make_tuple(p[0], p[1]));
+  return list;
+}
+
+/// The ids of labels or units.
+template <class Members>
+pybind11::list ids_of(const Members& members) {
+  pybind11::list ids;
+  for (const auto& member : members) ids.append(member.id);
+  return ids;
+}
+
+}  // namespace shelfbeam::python

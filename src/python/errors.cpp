@@ -1,0 +1,45 @@
+#include <exception>
+#include <new>
+#include <string>
+
+#include "shelfbeam/base/error.hpp"
+
+#include "jobs/event.hpp"
+#include "python/bind.hpp"
+
+namespace py = pybind11;
+
+namespace shelfbeam::python {
+
+namespace {
+
+// The class and its attributes are those of shelfbeam/errors.py.
+void raise(const std::exception& error, const std::string& kind, const std::string& where, Setting setting) {
+  const jobs::JobError end = jobs::error_of(error);
+  const py::object made =
+      py::module_::import("shelfbeam.errors")
+          .attr("make")(kind, end.message, static_cast<int>(end.code), where, std::string(to_text(setting)));
+  PyErr_SetObject(py::type::of(made).ptr(), made.ptr());
+}
+
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const OutputError& error) {
+    raise(error, "output", error.where(), error.setting());
+  } catch (const InputError& error) {
+    raise(error, "input", error.where(), error.setting());
+  } catch (const Interrupted& stop) {
+    raise(stop, "interrupted", "", stop.setting());
+  } catch (const std::bad_alloc& error) {
+    raise(error, "memory", "", Setting::memory);
+  }
+}
+
+}  // namespace
+
+void bind_errors() {
+  py::register_exception_translator(translate);
+}
+
+}  // namespace shelfbeam::python

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/placement/answer/names.hpp"
+#include "shelfbeam/placement/io/placement_file.hpp"
+#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/spend.hpp"
+#include "shelfbeam/signal/tables/table_reading.hpp"
+
+#include "jobs/steps/placement_step.hpp"
+#include "python/arrays.hpp"
+#include "python/bind.hpp"
+#include "python/request.hpp"
+#include "python/work.hpp"
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+namespace shelfbeam::python {
+
+namespace {
+
+using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Columns = std::vector<std::uint32_t>;
+
+// Entries that are not finite or negative are refused as in a file.
+SignalTable table_of(const Values& signals, const std::vector<std::string>& labels,
+                     const std::vector<std::string>& units) {
+  SignalTable table;
+  for (const std::string& id : labels) table.labels.push_back({.id = id});
+  for (const std::string& id : units) table.transceivers.push_back({.id = id});
+  const auto at = signals.unchecked<2>();
+  table.row_begin = {0};
+  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
+    for (py::ssize_t j = 0; j < at.shape(1); ++j) {
+      const double signal = at(i, j);
+      if (!std::isfinite(signal) || signal < 0)
+        throw InputError("signals[" + std::to_string(i) + ", " + std::to_string(j) + "]",
+                         "is not a finite number from 0 on", "correct it");
+      if (signal > 0) table.entries.push_back({static_cast<std::uint32_t>(j), signal});
+    }
+    table.row_begin.push_back(table.entries.size());
+  }
+  return table;
+}
+
+// One value per member of a list of the table.
+template <class Members, class Set>
+void set_each(Members& members, const Values& values, const char* name, double least, const Set& set) {
+  const auto at = values.unchecked<1>();
+  if (static_cast<std::size_t>(at.shape(0)) != members.size())
+    throw InputError(
+        name, "has " + std::to_string(at.shape(0)) + " values instead of " + std::to_string(members.size()),
+        "give one for each");
+  for (py::ssize_t k = 0; k < at.shape(0); ++k) {
+    const double value = at(k);
+    if (!std::isfinite(value) || value < least)
+      throw InputError(name + ("[" + std::to_string(k) + "]"), "is not a finite number of this kind",
+                       "use a finite number that is not negative");
+    set(members[static_cast<std::size_t>(k)], value);
+  }
+}
+
+PlacementProblem problem_of(const Call& call, const SignalTable& table) {
+  return resolved(call.job.plan.problem, table);
+}
+
+jobs::PlacementQuestion question_of(const Call& call) {
+  return {call.job.plan.problem, call.job.plan.partial, call.job.plan.curve};
+}
+
+// The table with the choice of units and the constraints of a call.
+SignalTable chosen(const SignalTable& table, const Call& call) {
+  SignalTable copy = table;
+  call.job.units.apply(copy, "signals");
+  call.job.plan.constraints.apply(copy, "signals");
+  check_problem(copy, call.job.plan.problem);
+  return copy;
+}
+
+py::dict placed(const SignalTable& table, const std::string& options, const py::object& progress,
+                const std::vector<std::string>& start) {
+  const Call call(options, progress);
+  const auto [used, answer] = watched(call.threads(), progress, [&](const RunControl& control) {
+    SignalTable with = chosen(table, call);
+    PlaceOptions how = call.job.plan.place;
+    how.seed = call.job.plan.seed;
+    if (!start.empty()) {
+      Columns columns;
+      for (std::uint32_t j = 0; j < with.columns(); ++j)
+        if (std::find(start.begin(), start.end(), with.transceivers[j].id) != start.end())
+          columns.push_back(j);
+      how.start = jobs::start_of(std::move(columns), with, question_of(call), "start");
+    }
+    jobs::PlacementAnswer found = jobs::answer(with, question_of(call), how, control);
+    return std::pair(std::move(with), std::move(found));
+  });
+  py::list ids;
+  for (const std::uint32_t j : answer.selected) ids.append(used.transceivers[j].id);
+  using py::arg;
+  return py::dict(arg("status") = std::string(to_text(answer.status)),
+                  arg("has_selection") = answer.has_selection, arg("ids") = ids,
+                  arg("reached") = answer.reached, arg("value") = answer.value, arg("bound") = answer.bound,
+                  arg("json") = answer.json, arg("text") = answer.text,
+                  arg("code") = static_cast<int>(answer.code), arg("seconds") = answer.seconds,
+                  arg("steps") = steps_json(answer.steps));
+}
+
+py::dict checked(const SignalTable& table, const std::string& options, const Columns& selected) {
+  const Call call(options, py::none());
+  const PlacementProblem problem = problem_of(call, table);
+  const Check check = check_selection(table, problem, selected);
+  std::vector<double> requirement;
+  for (const SignalTable::Label& label : table.labels)
+    requirement.push_back(requirement_of(label, problem.model));
+  using py::arg;
+  return py::dict(arg("signal") = copy_of(check.signal), arg("requirement") = copy_of(requirement),
+                  arg("serving") = copy_of(check.serving), arg("missed") = copy_of(check.unmet),
+                  arg("allowed") = check.allowed(), arg("cost") = check.transceiver_cost);
+}
+
+}  // namespace
+
+void bind_placement(py::module_& module) {
+  py::class_<SignalTable>(module, "Table", "Signals with requirements and costs, the input of a placement.")
+      .def_static("of_array", table_of)
+      .def_static("of_signals",
+                  [](const std::shared_ptr<StoredSignals>& signals) {
+                    return make_signal_table(*signals, "signals");
+                  })
+      .def_static("read",
+                  [](const fs::path& path, const std::string& reading) {
+                    const auto form = from_text<TableReading>(reading);
+                    if (!form) throw InputError("read_as", "is unknown: " + reading, "use auto");
+                    const py::gil_scoped_release unlocked;
+                    return read_table(path, *form).table;
+                  })
+      .def_property_readonly("labels", [](const SignalTable& table) { return ids_of(table.labels); })
+      .def_property_readonly("units", [](const SignalTable& table) { return ids_of(table.transceivers); })
+      .def("set_requirement",
+           [](SignalTable& table, const Values& values) {
+             set_each(table.labels, values, "requirement", 0, [](SignalTable::Label& label, double value) {
+               label.requirement = label.single_requirement = value;
+             });
+           })
+      .def("set_costs",
+           [](SignalTable& table, const Values& values) {
+             set_each(table.transceivers, values, "costs", 0,
+                      [](SignalTable::Transceiver& unit, double value) { unit.cost = value; });
+           })
+      .def("set_weights",
+           [](SignalTable& table, const Values& values) {
+             set_each(table.labels, values, "weights", 0,
+                      [](SignalTable::Label& label, double value) { label.weight = value; });
+           })
+      .def("read_weights", [](SignalTable& table, const fs::path& path) { apply_weights(table, path); })
+      .def("read_selection",
+           [](const SignalTable& table, const fs::path& path) { return read_selection(path, table); })
+      .def("place", placed)
+      .def("check", checked);
+}
+
+}  // namespace shelfbeam::python

@@ -1,0 +1,145 @@
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "shelfbeam/plan/io/plan_file.hpp"
+#include "shelfbeam/plan/io/scene_table.hpp"
+#include "shelfbeam/plan/states/goal_rules.hpp"
+#include "shelfbeam/plan/sub_scene.hpp"
+#include "shelfbeam/report/messages/end_reason.hpp"
+#include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/terminal/placement_text.hpp"
+#include "shelfbeam/report/terminal/plan_text.hpp"
+#include "shelfbeam/report/text/words.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
+#include "shelfbeam/transport/states/simulate_states.hpp"
+
+#include "jobs/report_job.hpp"
+#include "jobs/steps/verification_step.hpp"
+#include "python/arrays.hpp"
+#include "python/bind.hpp"
+#include "python/request.hpp"
+#include "python/shop.hpp"
+#include "python/work.hpp"
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+namespace shelfbeam::python {
+
+namespace {
+
+using py::arg;
+
+// Cancelled, the results so far are in the folder, as those of the command line.
+py::dict planned(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress) {
+  const Call call(options, progress);
+  const jobs::PlanJob& job = call.job;
+  const jobs::PlanEnd end = watched(call.threads(), progress, [&](const RunControl& control) {
+    Store store = jobs::with_choice(shop->store, job);
+    store.cancel = control.cancel;
+    return jobs::run_plan(job, std::move(store), {.cancel = control.cancel, .progress = control.progress},
+                          {});
+  });
+  PlanText text = plan_text(end.plan, end.table);
+  return py::dict(arg("code") = static_cast<int>(end.code), arg("complete") = end.plan.complete,
+                  arg("kept") = end.is_kept, arg("answer") = text.answer, arg("open") = text.open,
+                  arg("details") = text.details);
+}
+
+// Mounted units: the ids, the file, or those that the store chooses.
+jobs::Installation installation(const Shop& shop, const jobs::PlanJob& job,
+                                const std::optional<std::vector<std::uint32_t>>& units,
+                                const CancelToken* cancel) {
+  Store store = shop.store;
+  store.cancel = cancel;
+  leave_out(store, job.without);
+  if (units) {
+    PlacementProblem problem = job.plan.problem;
+    problem.model = job.model.value_or(problem.model);
+    return {std::move(store), with_units(shop.scene, *units), problem};
+  }
+  const fs::path file = job.selection.value_or("");
+  jobs::Installation found = jobs::installation_of(std::move(store), file, job.store);
+  found.problem.model = job.model.value_or(found.problem.model);
+  found.problem.redundant = found.problem.redundant || job.plan.problem.redundant;
+  return found;
+}
+
+py::dict result(const Certificate& certificate, const CertifiedPlan& verified, const Scene& scene) {
+  py::list verdict;
+  std::vector<double> requirement, signal, error, lower, upper;
+  for (const LabelVerdict& label : certificate.labels) {
+    verdict.append(std::string(to_text(label.verdict)));
+    requirement.push_back(label.requirement);
+    signal.push_back(label.signal);
+    error.push_back(label.standard_error);
+    lower.push_back(label.lower);
+    upper.push_back(label.upper);
+  }
+  const std::string sentence =
+      with_effort(english(), certificate_sentence(english(), verified), certificate.open);
+  return py::dict(arg("code") = static_cast<int>(jobs::exit_code_of(certificate)), arg("answer") = sentence,
+                  arg("json") = certificate_json(certificate, table_without_signals(scene)),
+                  arg("units") = ids_of(scene.transceivers), arg("verdict") = verdict,
+                  arg("requirement") = copy_of(requirement), arg("signal") = copy_of(signal),
+                  arg("standard_error") = copy_of(error), arg("lower") = copy_of(lower),
+                  arg("upper") = copy_of(upper));
+}
+
+py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
+                  const std::optional<std::vector<std::uint32_t>>& units) {
+  const Call call(options, progress);
+  const jobs::PlanJob& job = call.job;
+  const SimulationOptions simulation = job.plan.simulation.options(job.plan.seed);
+  if (job.plan.states.value_or(0) > 0) {
+    const auto [found, mounted] = watched(call.threads(), progress, [&](const RunControl& control) {
+      jobs::Installation units_of_store = installation(*shop, job, units, control.cancel);
+      expect_variation(units_of_store.store);
+      const VerifyStatesOptions how{*job.plan.states, job.plan.goal, job.plan.confidence, simulation};
+      ResultLog log = log_of_states("", shop->scene.store_hash, simulation);
+      Availability availability = jobs::verify_in_states(units_of_store, how, log, control);
+      return std::pair(std::move(availability), std::move(units_of_store));
+    });
+    const SignalTable table = table_without_signals(mounted.scene);
+    Placement placement;
+    placement.problem = mounted.problem;
+    placement.selected = all_numbers(mounted.scene.transceivers.size());
+    return py::dict(arg("code") = static_cast<int>(jobs::exit_code_of(found)),
+                    arg("answer") = availability_answer(found, placement, table),
+                    arg("json") = availability_text(found, table),
+                    arg("units") = ids_of(mounted.scene.transceivers));
+  }
+  expect_no_goal(job.plan.goal, job.without);
+  const auto [found, scene] = watched(call.threads(), progress, [&](const RunControl& control) {
+    jobs::Installation mounted = installation(*shop, job, units, control.cancel);
+    CertifyOptions how;
+    how.confidence = job.plan.confidence;
+    how.budget.seconds = job.plan.budget_s;
+    how.simulation = simulation;
+    CertifiedPlan certified = verify_installation(mounted.scene, mounted.problem, how, control);
+    return std::pair(std::move(certified), std::move(mounted.scene));
+  });
+  return result(*found.certificate, found, scene);
+}
+
+}  // namespace
+
+void bind_plan(py::module_& module) {
+  module.def("plan", planned);
+  module.def("verify", verified);
+  module.def("rebuild_report", [](const fs::path& folder, bool safe_csv) {
+    const py::gil_scoped_release unlocked;
+    return jobs::rebuild_report(folder, safe_csv);
+  });
+}
+
+}  // namespace shelfbeam::python
