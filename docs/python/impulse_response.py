@@ -5,14 +5,15 @@ import sys
 import matplotlib.pyplot as plt
 import shelfbeam as sb
 
+pd = {"type": "pd", "ignore": ["label_in_mid_air"]}
 room = sb.Store(
     {
         "room": {"size": [5, 5, 3], "floor": "floor", "ceiling": "wall", "walls": "wall"},
         "materials": {"wall": sb.material(0.8), "floor": sb.material(0.3)},
         "label_types": {"pd": {"threshold": 0.01}},
         "labels": [
-            {"id": "below", "position": [2.5, 2.5, 0.85], "normal": [0, 0, 1], "type": "pd"},
-            {"id": "corner", "position": [0.5, 0.5, 0.85], "normal": [0, 0, 1], "type": "pd"},
+            {"id": "below", "position": [2.5, 2.5, 0.85], "normal": [0, 0, 1], **pd},
+            {"id": "corner", "position": [0.5, 0.5, 0.85], "normal": [0, 0, 1], **pd},
         ],
     }
 )

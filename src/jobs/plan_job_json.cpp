@@ -184,7 +184,10 @@ void describe(Fields& f, TableConstraints& c) {
 
 void describe(Fields& f, AvailabilityGoal& goal) {
   name(f, "rule", goal.rule, AvailabilityRule::labels, "`labels`, `shop` or `misses`");
-  number(f, "value", goal.value, {}, "share of the states, or mean number of missed labels");
+  const Limits limits = goal.rule == AvailabilityRule::labels ? Limits{0.5, 0.9999}
+                        : goal.rule == AvailabilityRule::shop ? Limits{0.01, 0.9999}
+                                                              : Limits{};
+  number(f, "value", goal.value, limits, "share of the states, or mean number of missed labels");
 }
 
 void describe(Fields& f, PlanRequest& r) {

@@ -7,7 +7,6 @@ namespace shelfbeam::python {
 // Each function adds the classes and functions of one subject to the module. docs/python.md and the package
 // shelfbeam document them; _core.pyi has their types.
 void bind_errors();
-void bind_progress(pybind11::module_& module);
 void bind_scene(pybind11::module_& module);
 void bind_signals(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);

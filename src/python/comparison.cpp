@@ -50,7 +50,8 @@ py::dict compared(const std::shared_ptr<StoredSignals>& signals, const fs::path&
   });
   const ComparisonInput input{*signals, found.pairs, found.comparison, measured.filename().string(),
                               "signals"};
-  return py::dict(arg("json") = comparison_json(input, found.pairs.size()).dump(),
+  constexpr std::size_t listed = 5;  // as the command line
+  return py::dict(arg("json") = comparison_json(input, listed).dump(),
                   arg("statements") = comparison_statements(english(), found.comparison),
                   arg("csv") = comparison_csv(input), arg("html") = comparison_html(english(), input));
 }

@@ -33,6 +33,12 @@ void translate(std::exception_ptr thrown) {
     raise(stop, "interrupted", "", stop.setting());
   } catch (const std::bad_alloc& error) {
     raise(error, "memory", "", Setting::memory);
+  } catch (const py::error_already_set&) {
+    throw;
+  } catch (const py::builtin_exception&) {
+    throw;
+  } catch (const std::exception& error) {
+    raise(error, "internal", "", Setting::none);
   }
 }
 

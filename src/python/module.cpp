@@ -9,7 +9,6 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of the package shelfbeam, which is the interface.";
   module.attr("__version__") = std::string(shelfbeam::program_version());
   bind_errors();
-  bind_progress(module);
   bind_scene(module);
   bind_signals(module);
   bind_simulation(module);

@@ -19,10 +19,11 @@
 #include "shelfbeam/placement/problem/spend.hpp"
 #include "shelfbeam/signal/tables/table_reading.hpp"
 
+#include "jobs/plan_job_json.hpp"
 #include "jobs/steps/placement_step.hpp"
+#include "jobs/steps/scenarios.hpp"
 #include "python/arrays.hpp"
 #include "python/bind.hpp"
-#include "python/request.hpp"
 #include "python/work.hpp"
 
 namespace py = pybind11;
@@ -42,6 +43,7 @@ SignalTable table_of(const Values& signals, const std::vector<std::string>& labe
   for (const std::string& id : labels) table.labels.push_back({.id = id});
   for (const std::string& id : units) table.transceivers.push_back({.id = id});
   const auto at = signals.unchecked<2>();
+  const py::gil_scoped_release unlocked;
   table.row_begin = {0};
   for (py::ssize_t i = 0; i < at.shape(0); ++i) {
     for (py::ssize_t j = 0; j < at.shape(1); ++j) {
@@ -73,38 +75,38 @@ void set_each(Members& members, const Values& values, const char* name, double l
   }
 }
 
-PlacementProblem problem_of(const Call& call, const SignalTable& table) {
-  return resolved(call.job.plan.problem, table);
+PlacementProblem problem_of(const jobs::PlanJob& job, const SignalTable& table) {
+  return resolved(job.plan.problem, table);
 }
 
-jobs::PlacementQuestion question_of(const Call& call) {
-  return {call.job.plan.problem, call.job.plan.partial, call.job.plan.curve};
+jobs::PlacementQuestion question_of(const jobs::PlanJob& job) {
+  return {job.plan.problem, job.plan.partial, job.plan.curve};
 }
 
 // The table with the choice of units and the constraints of a call.
-SignalTable chosen(const SignalTable& table, const Call& call) {
+SignalTable chosen(const SignalTable& table, const jobs::PlanJob& job) {
   SignalTable copy = table;
-  call.job.units.apply(copy, "signals");
-  call.job.plan.constraints.apply(copy, "signals");
-  check_problem(copy, call.job.plan.problem);
+  job.units.apply(copy, "signals");
+  job.plan.constraints.apply(copy, "signals");
+  check_problem(copy, job.plan.problem);
   return copy;
 }
 
 py::dict placed(const SignalTable& table, const std::string& options, const py::object& progress,
                 const std::vector<std::string>& start) {
-  const Call call(options, progress);
-  const auto [used, answer] = watched(call.threads(), progress, [&](const RunControl& control) {
-    SignalTable with = chosen(table, call);
-    PlaceOptions how = call.job.plan.place;
-    how.seed = call.job.plan.seed;
+  const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
+  const auto [used, answer] = watched(job.threads, progress, [&](const RunControl& control) {
+    SignalTable with = chosen(table, job);
+    PlaceOptions how = job.plan.place;
+    how.seed = job.plan.seed;
     if (!start.empty()) {
       Columns columns;
       for (std::uint32_t j = 0; j < with.columns(); ++j)
         if (std::find(start.begin(), start.end(), with.transceivers[j].id) != start.end())
           columns.push_back(j);
-      how.start = jobs::start_of(std::move(columns), with, question_of(call), "start");
+      how.start = jobs::start_of(std::move(columns), with, question_of(job), "start");
     }
-    jobs::PlacementAnswer found = jobs::answer(with, question_of(call), how, control);
+    jobs::PlacementAnswer found = jobs::answer(with, question_of(job), how, control);
     return std::pair(std::move(with), std::move(found));
   });
   py::list ids;
@@ -115,13 +117,14 @@ py::dict placed(const SignalTable& table, const std::string& options, const py::
                   arg("reached") = answer.reached, arg("value") = answer.value, arg("bound") = answer.bound,
                   arg("json") = answer.json, arg("text") = answer.text,
                   arg("code") = static_cast<int>(answer.code), arg("seconds") = answer.seconds,
-                  arg("steps") = steps_json(answer.steps));
+                  arg("lacks_curve") = answer.lacks_curve, arg("steps") = steps_json(answer.steps));
 }
 
 py::dict checked(const SignalTable& table, const std::string& options, const Columns& selected) {
-  const Call call(options, py::none());
-  const PlacementProblem problem = problem_of(call, table);
-  const Check check = check_selection(table, problem, selected);
+  const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
+  const PlacementProblem problem = problem_of(job, table);
+  const Check check =
+      watched(0, py::none(), [&](const RunControl&) { return check_selection(table, problem, selected); });
   std::vector<double> requirement;
   for (const SignalTable::Label& label : table.labels)
     requirement.push_back(requirement_of(label, problem.model));
@@ -138,14 +141,16 @@ void bind_placement(py::module_& module) {
       .def_static("of_array", table_of)
       .def_static("of_signals",
                   [](const std::shared_ptr<StoredSignals>& signals) {
+                    const py::gil_scoped_release unlocked;
                     return make_signal_table(*signals, "signals");
                   })
       .def_static("read",
-                  [](const fs::path& path, const std::string& reading) {
+                  [](const std::vector<fs::path>& files, const std::string& reading) {
                     const auto form = from_text<TableReading>(reading);
                     if (!form) throw InputError("read_as", "is unknown: " + reading, "use auto");
-                    const py::gil_scoped_release unlocked;
-                    return read_table(path, *form).table;
+                    ReadTable read = watched(
+                        0, py::none(), [&](const RunControl&) { return jobs::read_scenarios(files, *form); });
+                    return std::pair(std::move(read.table), sentences(read.warnings));
                   })
       .def_property_readonly("labels", [](const SignalTable& table) { return ids_of(table.labels); })
       .def_property_readonly("units", [](const SignalTable& table) { return ids_of(table.transceivers); })

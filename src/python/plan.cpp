@@ -10,23 +10,26 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/plan/io/plan_file.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/report/messages/end_reason.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/terminal/coverage_text.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/report/terminal/plan_text.hpp"
 #include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
+#include "jobs/plan_job_json.hpp"
 #include "jobs/report_job.hpp"
 #include "jobs/steps/verification_step.hpp"
 #include "python/arrays.hpp"
 #include "python/bind.hpp"
-#include "python/request.hpp"
 #include "python/shop.hpp"
 #include "python/work.hpp"
 
@@ -41,18 +44,28 @@ using py::arg;
 
 // Cancelled, the results so far are in the folder, as those of the command line.
 py::dict planned(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress) {
-  const Call call(options, progress);
-  const jobs::PlanJob& job = call.job;
-  const jobs::PlanEnd end = watched(call.threads(), progress, [&](const RunControl& control) {
-    Store store = jobs::with_choice(shop->store, job);
-    store.cancel = control.cancel;
-    return jobs::run_plan(job, std::move(store), {.cancel = control.cancel, .progress = control.progress},
-                          {});
-  });
+  const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
+  jobs::PlanEnd end;
+  try {
+    do_watched(job.threads, progress, [&](const RunControl& control) {
+      Store store = jobs::with_choice(shop->store, job);
+      store.cancel = control.cancel;
+      end =
+          jobs::run_plan(job, std::move(store), {.cancel = control.cancel, .progress = control.progress}, {});
+    });
+  } catch (py::error_already_set& stop) {
+    const fs::path kept = end.elsewhere.value_or(end.is_kept ? fs::path() : job.folder);
+    if (!end.answer.empty() && !kept.empty() && py::hasattr(stop.value(), "add_note"))
+      stop.value().attr("add_note")("the plan so far is in " + kept.string());
+    throw;
+  }
   PlanText text = plan_text(end.plan, end.table);
+  if (end.plan.certificate) text.answer = with_effort(english(), text.answer, end.plan.certificate->open);
   return py::dict(arg("code") = static_cast<int>(end.code), arg("complete") = end.plan.complete,
-                  arg("kept") = end.is_kept, arg("answer") = text.answer, arg("open") = text.open,
-                  arg("details") = text.details);
+                  arg("imprecise") = end.is_imprecise, arg("answer") = text.answer, arg("open") = text.open,
+                  arg("details") = text.details +
+                                   describe(end.plan.alternatives, end.plan.placement, end.table) +
+                                   describe(end.plan.curve, end.table));
 }
 
 // Mounted units: the ids, the file, or those that the store chooses.
@@ -63,9 +76,14 @@ jobs::Installation installation(const Shop& shop, const jobs::PlanJob& job,
   store.cancel = cancel;
   leave_out(store, job.without);
   if (units) {
-    PlacementProblem problem = job.plan.problem;
+    // The question is that of a file with these units, and so are its random numbers.
+    PlacementProblem problem;
     problem.model = job.model.value_or(problem.model);
-    return {std::move(store), with_units(shop.scene, *units), problem};
+    problem.redundant = job.plan.problem.redundant;
+    Scene mounted = with_units(shop.scene, *units);
+    if (distinct_positions(positions_of(mounted.transceivers)).count < units->size())
+      throw InputError("selection", "has two units at one mounting point", "choose one of them");
+    return {std::move(store), std::move(mounted), problem};
   }
   const fs::path file = job.selection.value_or("");
   jobs::Installation found = jobs::installation_of(std::move(store), file, job.store);
@@ -87,21 +105,20 @@ py::dict result(const Certificate& certificate, const CertifiedPlan& verified, c
   }
   const std::string sentence =
       with_effort(english(), certificate_sentence(english(), verified), certificate.open);
-  return py::dict(arg("code") = static_cast<int>(jobs::exit_code_of(certificate)), arg("answer") = sentence,
-                  arg("json") = certificate_json(certificate, table_without_signals(scene)),
-                  arg("units") = ids_of(scene.transceivers), arg("verdict") = verdict,
-                  arg("requirement") = copy_of(requirement), arg("signal") = copy_of(signal),
-                  arg("standard_error") = copy_of(error), arg("lower") = copy_of(lower),
-                  arg("upper") = copy_of(upper));
+  return py::dict(
+      arg("code") = static_cast<int>(jobs::exit_code_of(certificate)), arg("answer") = sentence,
+      arg("json") = certificate_json(certificate, table_without_signals(scene)),
+      arg("csv") = verification_csv(certificate, scene), arg("units") = ids_of(scene.transceivers),
+      arg("verdict") = verdict, arg("requirement") = copy_of(requirement), arg("signal") = copy_of(signal),
+      arg("standard_error") = copy_of(error), arg("lower") = copy_of(lower), arg("upper") = copy_of(upper));
 }
 
 py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
                   const std::optional<std::vector<std::uint32_t>>& units) {
-  const Call call(options, progress);
-  const jobs::PlanJob& job = call.job;
+  const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   const SimulationOptions simulation = job.plan.simulation.options(job.plan.seed);
   if (job.plan.states.value_or(0) > 0) {
-    const auto [found, mounted] = watched(call.threads(), progress, [&](const RunControl& control) {
+    const auto [found, mounted] = watched(job.threads, progress, [&](const RunControl& control) {
       jobs::Installation units_of_store = installation(*shop, job, units, control.cancel);
       expect_variation(units_of_store.store);
       const VerifyStatesOptions how{*job.plan.states, job.plan.goal, job.plan.confidence, simulation};
@@ -116,10 +133,11 @@ py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options,
     return py::dict(arg("code") = static_cast<int>(jobs::exit_code_of(found)),
                     arg("answer") = availability_answer(found, placement, table),
                     arg("json") = availability_text(found, table),
+                    arg("csv") = availability_csv(found, mounted.scene),
                     arg("units") = ids_of(mounted.scene.transceivers));
   }
   expect_no_goal(job.plan.goal, job.without);
-  const auto [found, scene] = watched(call.threads(), progress, [&](const RunControl& control) {
+  const auto [found, scene] = watched(job.threads, progress, [&](const RunControl& control) {
     jobs::Installation mounted = installation(*shop, job, units, control.cancel);
     CertifyOptions how;
     how.confidence = job.plan.confidence;
@@ -136,10 +154,7 @@ py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options,
 void bind_plan(py::module_& module) {
   module.def("plan", planned);
   module.def("verify", verified);
-  module.def("rebuild_report", [](const fs::path& folder, bool safe_csv) {
-    const py::gil_scoped_release unlocked;
-    return jobs::rebuild_report(folder, safe_csv);
-  });
+  module.def("rebuild_report", jobs::rebuild_report, py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace shelfbeam::python

@@ -18,10 +18,10 @@
 #include "shelfbeam/transport/operator/light_operator.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 
+#include "jobs/plan_job_json.hpp"
 #include "jobs/preview/preview_job.hpp"
 #include "python/arrays.hpp"
 #include "python/bind.hpp"
-#include "python/request.hpp"
 #include "python/shop.hpp"
 #include "python/work.hpp"
 
@@ -61,12 +61,13 @@ auto in_arena(unsigned threads, const py::object& progress, const Work& work) {
   });
 }
 
-std::shared_ptr<ShopLight> make_light(const std::shared_ptr<Shop>& shop, std::uint64_t seed, bool coarse,
-                                      unsigned threads, const py::object& progress) {
+std::shared_ptr<ShopLight> make_light(const std::shared_ptr<Shop>& shop, const std::string& options,
+                                      bool coarse, const py::object& progress) {
+  const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   const OperatorEffort effort = coarse ? coarse_operator : usual_effort(shop->scene.labels.size());
   jobs::expect_to_fit(effort, shop->scene, shop->store.file, "use a machine with more memory");
-  return in_arena(threads, progress, [&](const RunControl& control) {
-    return std::make_shared<ShopLight>(shop, seed, effort, control);
+  return in_arena(job.threads, progress, [&](const RunControl& control) {
+    return std::make_shared<ShopLight>(shop, job.plan.seed, effort, control);
   });
 }
 
@@ -88,21 +89,21 @@ std::shared_ptr<StoredSignals> matrix_of(const ShopLight& light, unsigned thread
 
 py::dict what_if_of(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
                     const py::dict& change) {
-  const Call call(options, progress);
+  const jobs::PlanJob request = jobs::parse_plan_job(options, "options");
   jobs::PreviewJob job;
-  job.store = call.job.store;
-  job.seed = call.job.plan.seed;
+  job.store = request.store;
+  job.seed = request.plan.seed;
   job.plan = change["plan"].cast<fs::path>();
-  job.added = change["add"].cast<std::vector<std::string>>();
+  job.added = change["unit"].cast<std::vector<std::string>>();
   job.moved = change["move"].cast<std::vector<std::string>>();
   job.removed = change["remove"].cast<std::vector<std::string>>();
   job.refine_s = change["refine"].cast<std::optional<double>>();
   job.coarse = change["coarse"].cast<bool>();
-  const jobs::PreviewResult found = watched(call.threads(), progress, [&](const RunControl& control) {
+  const jobs::PreviewResult found = watched(request.threads, progress, [&](const RunControl& control) {
     return jobs::run_preview(job, shop->scene, control);
   });
   return py::dict(arg("json") = preview_json(found.what_if, found.scene).dump(),
-                  arg("answer") = preview_answer(found.what_if),
+                  arg("answer") = preview_answer(found.what_if), arg("not_kept") = found.not_kept,
                   arg("remarks") = preview_remarks(found.what_if, found.scene));
 }
 

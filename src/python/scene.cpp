@@ -13,7 +13,9 @@
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/report/data/report.hpp"
 #include "shelfbeam/scene/glb/scene_glb.hpp"
+#include "shelfbeam/scene/states/store_states.hpp"
 
+#include "jobs/plan_job_json.hpp"
 #include "jobs/steps/simulation_step.hpp"
 #include "python/arrays.hpp"
 #include "python/bind.hpp"
@@ -63,6 +65,19 @@ py::list problems_of(const std::string& text, const std::string& name, const fs:
   return list_of(findings);
 }
 
+std::shared_ptr<Shop> state_of(const Shop& shop, const std::string& options, std::uint64_t k) {
+  const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
+  return watched(0, py::none(), [&](const RunControl& control) {
+    Store store = shop.store;
+    store.cancel = control.cancel;
+    leave_out(store, job.without);
+    Store state = jobs::store_in_state(store, shop.scene, job.plan.seed, k);
+    Scene scene = make_scene(state);
+    state.cancel = nullptr;
+    return std::make_shared<Shop>(Shop{std::move(state), std::move(scene)});
+  });
+}
+
 py::dict scene_labels(const Scene& scene) {
   py::list id, type, position, normal, requirement;
   for (const Label& label : scene.labels) {
@@ -108,6 +123,7 @@ py::list materials_of(const Scene& scene) {
 }  // namespace
 
 void bind_scene(py::module_& module) {
+  const py::call_guard<py::gil_scoped_release> unlocked;
   py::class_<Shop, std::shared_ptr<Shop>>(module, "Scene", "A store, checked and frozen.")
       .def_static("parse", parsed)
       .def_property_readonly("name", [](const Shop& shop) { return shop.scene.name; })
@@ -146,14 +162,12 @@ void bind_scene(py::module_& module) {
                                return view_of(reinterpret_cast<const std::uint32_t*>(materials.data()),
                                               {static_cast<py::ssize_t>(materials.size())}, self);
                              })
-      .def("resolved", [](const Shop& shop) { return resolved_store_json(shop.store, shop.scene); })
-      .def("state",
-           [](const Shop& shop, std::uint64_t seed, std::uint64_t k) {
-             const py::gil_scoped_release unlocked;
-             const Store state = jobs::store_in_state(shop.store, shop.scene, seed, k);
-             return resolved_store_json(state, make_scene(state));
-           })
-      .def("svg", [](const Shop& shop, bool with_ids) { return floor_plan_svg(shop.scene, with_ids); })
+      .def(
+          "resolved", [](const Shop& shop) { return resolved_store_json(shop.store, shop.scene); }, unlocked)
+      .def("state", state_of)
+      .def(
+          "svg", [](const Shop& shop, bool with_ids) { return floor_plan_svg(shop.scene, with_ids); },
+          unlocked)
       .def("glb", [](const Shop& shop) { return py::bytes(scene_glb(shop.scene)); });
   module.def("problems_of", problems_of);
   module.def("plain_json",

@@ -10,6 +10,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
@@ -17,9 +19,9 @@
 #include "shelfbeam/transport/run/simulate.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
+#include "jobs/plan_job_json.hpp"
 #include "jobs/steps/simulation_step.hpp"
 #include "python/bind.hpp"
-#include "python/request.hpp"
 #include "python/shop.hpp"
 #include "python/work.hpp"
 
@@ -30,13 +32,35 @@ namespace shelfbeam::python {
 
 namespace {
 
-// Options of `simulate` that a job does not have.
+// Options of `simulate` that a job does not have. The package checks which of them go together.
 struct Extras {
   bool by_bounce = false;
   std::optional<double> by_length;
   std::optional<std::uint32_t> lengths;
   jobs::WantedStates states;
   std::optional<std::vector<std::uint32_t>> labels, units;  // numbers; none: all
+
+  explicit Extras(const py::dict& more) {
+    read(more, "by_bounce", by_bounce);
+    read(more, "by_length", by_length);
+    read(more, "lengths", lengths);
+    read(more, "states", states.states);
+    read(more, "hard_labels", states.hard_labels);
+    read(more, "for_plan", states.for_plan);
+    read(more, "labels", labels);
+    read(more, "units", units);
+  }
+
+ private:
+  template <class T>
+  static void read(const py::dict& more, const char* key, T& value) {
+    if (!more.contains(key) || more[key].is_none()) return;
+    try {
+      value = more[key].cast<T>();
+    } catch (const py::cast_error&) {
+      throw InputError(key, "has a value of another kind: " + std::string(py::repr(more[key])), "correct it");
+    }
+  }
 };
 
 struct Simulated {
@@ -44,22 +68,22 @@ struct Simulated {
   std::string summary;  // JSON; empty for states
 };
 
-SimulationOptions options_of(const Call& call, const Extras& extras, const fs::path& output) {
-  SimulationRequest request = call.job.plan.simulation;
+SimulationOptions options_of(const jobs::PlanJob& job, const Extras& extras, const fs::path& output) {
+  SimulationRequest request = job.plan.simulation;
   request.default_direct = DirectLight::sampled;
   request.by_bounce = extras.by_bounce;
   request.by_length = extras.by_length;
   request.lengths = extras.lengths;
-  CheckpointOptions checkpoint = call.job.checkpoint;
+  CheckpointOptions checkpoint = job.checkpoint;
   if (!output.empty()) checkpoint.path = checkpoint_path(output);
-  return request.options(call.job.plan.seed, std::move(checkpoint));
+  return request.options(job.plan.seed, std::move(checkpoint));
 }
 
-Simulated simulate_states_of(const Shop& shop, const Call& call, const SimulationOptions& options,
+Simulated simulate_states_of(const Shop& shop, const jobs::PlanJob& job, const SimulationOptions& options,
                              const Extras& extras, const fs::path& output, const RunControl& control) {
   Store store = shop.store;
   store.cancel = control.cancel;
-  leave_out(store, call.job.without);
+  leave_out(store, job.without);
   ResultLog log = log_of_states(options.checkpoint.path, shop.scene.store_hash, options);
   try {
     auto signals = std::make_shared<StoredSignals>(
@@ -75,11 +99,14 @@ Simulated simulate_states_of(const Shop& shop, const Call& call, const Simulatio
   }
 }
 
-Simulated simulate_shop(const Shop& shop, const Call& call, const Extras& extras, const fs::path& output,
-                        const RunControl& control) {
-  jobs::expect_no_warnings(shop.scene, call.job.strict);
-  const SimulationOptions options = options_of(call, extras, output);
-  if (extras.states.states > 0) return simulate_states_of(shop, call, options, extras, output, control);
+Simulated simulate_shop(const Shop& shop, const jobs::PlanJob& job, const Extras& extras,
+                        const fs::path& output, const RunControl& control) {
+  jobs::expect_no_warnings(shop.scene, job.strict);
+  const SimulationOptions options = options_of(job, extras, output);
+  if (extras.states.states == 0) expect_no_goal({}, job.without);
+  std::unique_ptr<OutputLock> lock;
+  if (!output.empty()) lock = jobs::reserve_output(output, job.store, shop.scene, options);
+  if (extras.states.states > 0) return simulate_states_of(shop, job, options, extras, output, control);
   if (!output.empty()) {
     const SimulationSummary summary = simulate_to_file(shop.scene, options, output, control);
     return {std::make_shared<StoredSignals>(read_signal_file(output)), jobs::to_json(summary).dump()};
@@ -101,21 +128,10 @@ Simulated simulate_shop(const Shop& shop, const Call& call, const Extras& extras
 
 py::tuple simulated(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
                     const py::dict& more, const fs::path& output) {
-  const Call call(options, progress);
-  const auto value = [&]<class T>(const char* key, T& to) {
-    if (more.contains(key) && !more[key].is_none()) to = more[key].cast<T>();
-  };
-  Extras extras;
-  value("by_bounce", extras.by_bounce);
-  value("by_length", extras.by_length);
-  value("lengths", extras.lengths);
-  value("states", extras.states.states);
-  value("hard_labels", extras.states.hard_labels);
-  value("for_plan", extras.states.for_plan);
-  value("labels", extras.labels);
-  value("units", extras.units);
-  Simulated result = watched(call.threads(), progress, [&](const RunControl& control) {
-    return simulate_shop(*shop, call, extras, output, control);
+  const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
+  const Extras extras(more);
+  Simulated result = watched(job.threads, progress, [&](const RunControl& control) {
+    return simulate_shop(*shop, job, extras, output, control);
   });
   return py::make_tuple(std::move(result.signals), std::move(result.summary));
 }

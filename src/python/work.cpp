@@ -6,9 +6,9 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
-#include "jobs/progress.hpp"
-#include "python/bind.hpp"
+#include "jobs/event.hpp"
 
 namespace py = pybind11;
 
@@ -16,50 +16,21 @@ namespace shelfbeam::python {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-// A state of the work, as the callback gets it.
-struct CallProgress {
-  std::string task, detail;
-  std::optional<double> fraction, seconds_left, incumbent, lower_bound;
-};
-
-std::optional<double> if_known(double value) {
-  return value < 0 ? std::nullopt : std::optional(value);
-}
-
-// The latest state, for another thread.
-class LatestProgress : public ProgressSink {
+// The latest line of events, for another thread.
+class LatestLine {
  public:
-  void report(Task task, double fraction, std::string_view detail) override {
+  void put(std::string_view line) {
     const std::lock_guard lock(mutex_);
-    const double now = std::chrono::duration<double>(Clock::now() - begun_).count();
-    const jobs::Progress shown = stages_.update(task, fraction, detail, now);
-    latest_.task = std::string(to_text(shown.task));
-    latest_.detail = shown.detail;
-    latest_.fraction = if_known(shown.fraction);
-    latest_.seconds_left = if_known(shown.seconds_left);
-    is_new_ = true;
+    line_ = line;
   }
-  void bounds(double incumbent, double lower_bound) override {
+  std::optional<std::string> take() {
     const std::lock_guard lock(mutex_);
-    latest_.incumbent = incumbent;
-    latest_.lower_bound = lower_bound;
-    is_new_ = true;
-  }
-  std::optional<CallProgress> take() {
-    const std::lock_guard lock(mutex_);
-    if (!is_new_ || latest_.task.empty()) return {};
-    is_new_ = false;
-    return latest_;
+    return std::exchange(line_, std::nullopt);
   }
 
  private:
   std::mutex mutex_;
-  jobs::ProgressStages stages_;
-  CallProgress latest_;
-  bool is_new_ = false;
-  Clock::time_point begun_ = Clock::now();
+  std::optional<std::string> line_;
 };
 
 // A thread that does some work once.
@@ -107,12 +78,15 @@ void do_watched(unsigned threads, const py::object& progress,
                 const std::function<void(const RunControl&)>& work) {
   constexpr std::chrono::milliseconds between_looks{20};
   CancelToken cancel;
-  LatestProgress latest;
-  const RunControl control{threads, &cancel, progress.is_none() ? nullptr : &latest};
+  LatestLine latest;
+  jobs::EventProgress events([&](std::string_view line) { latest.put(line); });
+  const RunControl control{threads, &cancel, progress.is_none() ? nullptr : &events};
+  const auto pass_on = [&] {
+    if (const auto line = latest.take()) progress(*line);
+  };
   const auto look = [&] {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (progress.is_none()) return;
-    if (const auto state = latest.take()) progress(*state);
+    pass_on();
   };
   std::optional<py::error_already_set> raised;
   {
@@ -132,21 +106,7 @@ void do_watched(unsigned threads, const py::object& progress,
     if (!raised) worker.rethrow();
   }
   if (raised) throw std::move(*raised);
-  if (!progress.is_none())
-    if (const auto state = latest.take()) progress(*state);
-}
-
-void bind_progress(py::module_& module) {
-  py::class_<CallProgress>(module, "Progress", "The state of a long call.")
-      .def_readonly("task", &CallProgress::task)
-      .def_readonly("detail", &CallProgress::detail)
-      .def_readonly("fraction", &CallProgress::fraction)
-      .def_readonly("seconds_left", &CallProgress::seconds_left)
-      .def_readonly("incumbent", &CallProgress::incumbent)
-      .def_readonly("lower_bound", &CallProgress::lower_bound)
-      .def("__repr__", [](const CallProgress& state) {
-        return "<Progress: " + state.task + (state.detail.empty() ? "" : ", " + state.detail) + ">";
-      });
+  pass_on();
 }
 
 }  // namespace shelfbeam::python

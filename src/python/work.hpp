@@ -12,8 +12,8 @@
 namespace shelfbeam::python {
 
 /// Does `work` on a thread of its own, without the interpreter's lock. Meanwhile, passes the progress on to
-/// `progress` (None, or a callable that gets a Progress), and looks for signals. On Ctrl-C, or if `progress`
-/// raises, cancels the work, waits for its end, and raises. Requires the lock.
+/// `progress` (None, or a callable that gets lines of EventProgress), and looks for signals. On Ctrl-C, or if
+/// `progress` raises, cancels the work, waits for its end, and raises. Requires the lock.
 void do_watched(unsigned threads, const pybind11::object& progress,
                 const std::function<void(const RunControl&)>& work);
 

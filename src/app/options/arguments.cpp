@@ -92,15 +92,4 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   runs.add_flag("--json", options.json, "Print the summary as JSON");
 }
 
-void protect_input(const std::filesystem::path& output, const std::filesystem::path& input) {
-  std::error_code missing;
-  if (std::filesystem::equivalent(output, input, missing))
-    throw InputError(output.string(), "is also the input and would be overwritten",
-                     "choose another name for the output");
-}
-
-void expect_writable(const std::filesystem::path& output) {
-  const AtomicFile probe(output);
-}
-
 }  // namespace shelfbeam::app

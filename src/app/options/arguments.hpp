@@ -115,10 +115,4 @@ void finish_verb(CLI::App& verb, ChosenVerb& chosen, const std::shared_ptr<Argum
   verb.callback([options, run, &chosen] { chosen = [options, run] { return run(*options); }; });
 }
 
-/// Throws InputError if the output would overwrite the input.
-void protect_input(const std::filesystem::path& output, const std::filesystem::path& input);
-
-/// Throws InputError if the output cannot be written, before any long work begins.
-void expect_writable(const std::filesystem::path& output);
-
 }  // namespace shelfbeam::app

@@ -1,8 +1,6 @@
 #include "app/options/placement_options.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,43 +12,14 @@
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/signal/constraints/conflicts.hpp"
-#include "shelfbeam/signal/constraints/stack_tables.hpp"
 #include "shelfbeam/signal/tables/formats.hpp"
 
 #include "app/options/arguments.hpp"
+#include "jobs/steps/scenarios.hpp"
 
 namespace shelfbeam::app {
 
 namespace {
-
-using Path = std::filesystem::path;
-
-/// The last `parts` components of a path, or the whole path.
-std::string tail(const Path& path, std::ptrdiff_t parts) {
-  const std::ptrdiff_t all = std::distance(path.begin(), path.end());
-  Path result;
-  for (auto part = std::next(path.begin(), all - std::min(all, parts)); part != path.end(); ++part)
-    result /= *part;
-  return result.string();
-}
-
-/// The shortest tail of paths[k] that no other path has; empty if every tail is shared.
-std::string distinct_tail(const std::vector<Path>& paths, std::size_t k) {
-  std::ptrdiff_t max_parts = 0;
-  for (const Path& path : paths) max_parts = std::max(max_parts, std::distance(path.begin(), path.end()));
-  for (std::ptrdiff_t parts = 1; parts <= max_parts; ++parts) {
-    std::string name = tail(paths[k], parts);
-    const auto has_it = [&](const Path& other) { return tail(other, parts) == name; };
-    if (std::count_if(paths.begin(), paths.end(), has_it) == 1) return name;
-  }
-  return {};
-}
-
-std::string names_of(const std::vector<std::filesystem::path>& files) {
-  std::string names;
-  for (const auto& file : files) names += (names.empty() ? "" : ", ") + file.string();
-  return names;
-}
 
 std::string objective_help() {
   std::string help = "Objective in addition to the number of transceivers.";
@@ -102,37 +71,14 @@ void add_partial_options(CLI::App& verb, PartialQuestion& question) {
       ->excludes(at_most);
 }
 
-std::vector<std::string> scenario_names(const std::vector<Path>& files) {
-  std::vector<Path> whole, bare;
-  for (const Path& file : files) {
-    whole.push_back(file.lexically_normal());
-    bare.push_back(whole.back().parent_path() / whole.back().stem());
-  }
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    std::string name = distinct_tail(bare, k);
-    if (name.empty()) name = distinct_tail(whole, k);
-    names.push_back(name.empty() ? whole[k].stem().string() : name);
-  }
-  return names;
-}
-
 void PlacementInput::keep(const std::filesystem::path& output) const {
   for (const auto& file : signals) protect_input(output, file);
   protect_constraints(output, constraints);
 }
 
 ReadTable PlacementInput::table(const PlacementProblem& problem) const {
-  const std::vector<std::string> scenario = scenario_names(signals);
-  std::vector<NamedTable> scenarios;
-  std::vector<Finding> warnings;
-  for (std::size_t k = 0; k < signals.size(); ++k) {
-    ReadTable read = read_table(signals[k], reading);
-    scenarios.push_back({scenario[k], signals[k].string(), std::move(read.table)});
-    warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
-  }
-  SignalTable table = stack_tables(std::move(scenarios));
-  const std::string name = names_of(signals);
+  auto [table, warnings] = jobs::read_scenarios(signals, reading);
+  const std::string name = jobs::names_of_files(signals);
   if (threshold > 0) set_requirement(table, threshold);
   units.apply(table, name);
   constraints.apply(table, name);

@@ -71,7 +71,7 @@ void add_layers(CLI::App& verb, SimulationRequest& request) {
   simulation.add("--by-length", request.by_length, positive_number("METRES"),
                  "With uniform: also store one matrix per step of the path length, in metres");
   simulation
-      .add("--lengths", request.lengths, whole_number("N", 1, 10000),
+      .add("--lengths", request.lengths, whole_number("N", 1, SimulationRequest::max_lengths),
            fmt::format("Number of steps of --by-length; default {}; the last step includes all longer paths",
                        SimulationRequest::default_lengths))
       ->needs("--by-length");

@@ -100,10 +100,7 @@ int run_simulate(const SimulateArguments& options) {
   SimulationOptions simulation = options.simulation.options(options.common.seed, options.output);
   simulation.part = options.part;
   reading.reset();
-  const OutputLock lock(options.output, options.output.string());
-  expect_writable(options.output);
-  jobs::expect_room_for_matrix(options.output.has_parent_path() ? options.output.parent_path() : ".", scene,
-                               simulation);
+  const auto lock = jobs::reserve_output(options.output, options.store, scene, simulation);
   print_warnings(options.common, scene, simulation.rules().strategy);
   jobs::expect_no_warnings(scene, options.strict);
   if (options.wanted.states > 0) return simulate_states_to_file(options, store, scene, simulation, cancel);

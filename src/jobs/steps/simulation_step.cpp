@@ -9,7 +9,18 @@
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/transport/states/simulate_states.hpp"
 
+#include "jobs/plan_job.hpp"
+
 namespace shelfbeam::jobs {
+
+std::unique_ptr<OutputLock> reserve_output(const std::filesystem::path& output,
+                                           const std::filesystem::path& store, const Scene& scene,
+                                           const SimulationOptions& options) {
+  protect_input(output, store);
+  expect_writable(output);
+  expect_room_for_matrix(output.has_parent_path() ? output.parent_path() : ".", scene, options);
+  return std::make_unique<OutputLock>(output, output.string());
+}
 
 Store store_in_state(const Store& store, const Scene& nominal, std::uint64_t seed, std::uint64_t k) {
   const Store state = StoreStates(store, nominal, seed).state(k);

@@ -2,10 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/checkpoint/result_log.hpp"
@@ -21,6 +24,12 @@ struct WantedStates {
   std::size_t hard_labels = 1000;
   bool for_plan = false;  ///< simulate_planning_states, with reflectances at the low ends of their ranges
 };
+
+/// Reserves the signal file of a simulation. Throws InputError if it is the store file or another process
+/// uses it, OutputError if it cannot be written or the disk has no room.
+std::unique_ptr<OutputLock> reserve_output(const std::filesystem::path& output,
+                                           const std::filesystem::path& store, const Scene& scene,
+                                           const SimulationOptions& options);
 
 /// The store of state k, from the text that 'inspect --state' writes, so that the simulation of this text has
 /// the same bytes. Throws InputError without a section "variation".

@@ -6,11 +6,12 @@ certifies the plan with independent samples, and writes the report. docs/python.
 names and defaults of the command line. Lengths are in m, signals in W/m².
 """
 
-from ._core import __version__, Progress
+from ._core import __version__
 from .comparison import Comparison, compare
-from .errors import Error, InputError, Interrupted, OutOfMemory, OutputError
+from .errors import Error, InputError, Interrupted, OutOfMemory, OutputError, ShelfbeamWarning
 from .impulse import ImpulseResponse, impulse_response
 from .parts import Emitter, cosine, glass, material
+from .options import Progress
 from .placement import Evaluation, Placement, evaluate, place
 from .plans import Plan, Verification, plan, verify
 from .preview import Column, LightOperator, WhatIf, what_if
@@ -19,7 +20,7 @@ from .store import Problem, Scene, Store
 
 __all__ = [
     "Column", "Comparison", "Emitter", "Error", "Evaluation", "ImpulseResponse", "InputError", "Interrupted",
-    "LightOperator", "OutOfMemory", "OutputError", "Placement", "Plan", "Problem", "Progress", "Scene", "Signals",
-    "StateSignals", "Store", "Verification", "WhatIf", "__version__", "compare", "cosine", "evaluate", "glass",
-    "impulse_response", "material", "place", "plan", "simulate", "verify", "what_if",
+    "LightOperator", "OutOfMemory", "OutputError", "Placement", "Plan", "Problem", "Progress", "Scene",
+    "ShelfbeamWarning", "Signals", "StateSignals", "Store", "Verification", "WhatIf", "__version__", "compare",
+    "cosine", "evaluate", "glass", "impulse_response", "material", "place", "plan", "simulate", "verify", "what_if",
 ]  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import html
 import json
 import os
 import tempfile
@@ -11,15 +12,18 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from . import _core
-from .errors import InputError
+from .errors import InputError, expect
 from .options import Path
 from .placement import Placement, Selection
+from .results import Result
 from .signals import Signals
+from .tables import selected_numbers
 
+_LEAST, _MOST = 0.5, 0.9999  # of the confidence
 _CSV, _PAGE = "comparison.csv", "comparison.html"
 
 
-class Comparison:
+class Comparison(Result):
     """The factor between measured and simulated signals (docs/methods/comparison.md)."""
 
     def __init__(self, found: dict[str, Any]) -> None:
@@ -43,28 +47,39 @@ class Comparison:
         """What `shelfbeam compare --json` prints."""
         return dict(self._content)
 
+    def _repr_html_(self) -> str:
+        return f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="700"></iframe>'
+
     def __repr__(self) -> str:
         return f"<Comparison: {self.statements[0]}>"
 
 
 def compare(signals: Signals, measured: Path | Mapping[str, Sequence[Any]],
-            placement: Selection | None = None, *, confidence: float = 0.95) -> Comparison:  # fmt: skip
+            placement: Selection | Path | None = None, *, confidence: float = 0.95) -> Comparison:  # fmt: skip
     """Fits the factor between measurements and signals, and finds outliers (`shelfbeam compare`).
 
     `measured`: a CSV with the columns label, transceiver, signal, and optionally error, or a mapping of these names to
     sequences, such as a pandas.DataFrame. Without `transceiver`, the units of `placement` were on at once.
     """
+    expect(_LEAST <= confidence <= _MOST, f"is not from {_LEAST} to {_MOST}", "confidence")
     units = placement.ids if isinstance(placement, Placement) else placement
-    columns = [] if units is None else signals.unit_numbers(units)
+    if isinstance(units, os.PathLike):
+        columns = _core.Table.of_signals(signals._core).read_selection(units)
+    else:
+        columns = [] if units is None else selected_numbers(units, signals.units["id"].tolist())
     if isinstance(measured, (str, os.PathLike)):
         return Comparison(_core.compare(signals._core, measured, columns, confidence))
     names = [name for name in ("label", "transceiver", "signal", "error") if name in measured]
-    if "label" not in names or "signal" not in names:
-        raise InputError("measured: has no 'label' and 'signal': add them", 2, "measured")
+    expect({"label", "signal"} <= set(names), "has no 'label' and 'signal': add them", "measured")
+    expect(len({len(measured[name]) for name in names}) == 1, "has columns of different lengths", "measured")
     with tempfile.TemporaryDirectory() as folder:
         path = FilePath(folder) / "measured.csv"
         with path.open("w", newline="", encoding="utf-8") as file:
             rows = csv.writer(file)
             rows.writerow(names)
             rows.writerows(zip(*(measured[name] for name in names)))
-        return Comparison(_core.compare(signals._core, path, columns, confidence))
+        try:
+            return Comparison(_core.compare(signals._core, path, columns, confidence))
+        except InputError as error:
+            text, where = (text.replace(str(path), "measured") for text in (str(error), error.where))
+            raise InputError(text, error.code, where, error.setting) from None

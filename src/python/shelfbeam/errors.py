@@ -1,4 +1,8 @@
-"""The exceptions of the package. Their text is the sentence of the command line, with keywords instead of flags."""
+"""Exceptions and warnings. Their text is the sentence of the command line, with keywords instead of flags."""
+
+import sys
+import warnings
+from types import FrameType
 
 
 class Error(Exception):
@@ -31,13 +35,33 @@ class Interrupted(Error):
     """The work was stopped before it had a result. Ctrl-C raises KeyboardInterrupt instead."""
 
 
+class ShelfbeamWarning(UserWarning):
+    """Implausible values of a store, ids that a spreadsheet has changed, or a precision that was not reached."""
+
+
+def warn(sentence: str) -> None:
+    """Warns at the line of the caller of the package."""
+    level = 2
+    frame: FrameType | None = sys._getframe(1)
+    while frame is not None and frame.f_globals.get("__name__", "").startswith(f"{__package__}."):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(sentence, ShelfbeamWarning, stacklevel=level)
+
+
+def expect(condition: bool, problem: str, keyword: str) -> None:
+    """Raises InputError about a keyword unless the condition holds."""
+    if not condition:
+        raise InputError(f"{keyword}: {problem}", _WRONG_INPUT, keyword, keyword)
+
+
 _KINDS: dict[str, type[Error]] = {
     "input": InputError,
     "output": OutputError,
     "memory": OutOfMemory,
     "interrupted": Interrupted,
+    "internal": Error,
 }
-_OUT_OF_MEMORY = 5
+_WRONG_INPUT, _OUT_OF_MEMORY = 2, 5
 
 
 def make(kind: str, message: str, code: int, where: str, setting: str) -> Error:

@@ -9,7 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import expect
 from .options import Path
+from .results import Result
 from .signals import simulate
 from .store import Scene, Store, scene_of
 from .tables import Chosen, Records
@@ -19,7 +21,7 @@ _MOST_STEPS = 10000
 
 
 @dataclass(frozen=True, repr=False)
-class ImpulseResponse:
+class ImpulseResponse(Result):
     """The signal of labels from units over time; bin k contains paths from k to k + 1 times `step` long."""
 
     labels: Records
@@ -56,7 +58,7 @@ class ImpulseResponse:
     def bandwidth_MHz(self) -> NDArray[np.float64]:
         """The lowest frequency at which |H(f)|² is half of |H(0)|² (Kahn and Barry 1997), labels x units.
 
-        Infinite where no frequency below the limit of the bins, c / (2 step), has it.
+        Infinite where no frequency below the limit of the bins, c / (2 step), has it; nan without a signal.
         """
         count = 1 << max(16, int(self.response.shape[2] - 1).bit_length() + 3)
         frequency = np.fft.rfftfreq(count, self.step / _METRES_PER_NS * 1e-3)  # MHz
@@ -66,6 +68,8 @@ class ImpulseResponse:
             below = np.flatnonzero(power < power[0] / 2)
             if len(below):
                 result[place] = frequency[below[0]]
+            elif power[0] == 0:
+                result[place] = math.nan
         return result
 
     def _moment(self, values: NDArray[Any]) -> NDArray[np.float64]:
@@ -84,14 +88,18 @@ def impulse_response(shop: Store | Scene | Path, labels: Chosen | None = None,
                      **keywords: Any) -> ImpulseResponse:  # fmt: skip
     """The impulse response between labels and units, by the paper's estimator with layers by path length.
 
-    `step`: length of a bin (m). `max_length`: of the longest path apart (m); default: (max_bounces + 1) times the
-    diagonal of the scene, up to 10000 bins. `keywords`: further ones of `simulate`.
+    `step`: length of a bin (m). `max_length`: length up to which paths have bins of their own (m); default:
+    (max_bounces + 1) times the diagonal of the scene. There are at most 10000 bins. `keywords`: further ones of
+    `simulate`. Raises InputError.
     """
     scene = scene_of(shop)
+    expect(math.isfinite(step) and step > 0, "is not a length above 0", "step")
     if max_length is None:
         low, high = scene.bounds
         max_length = float((max_bounces + 1) * np.linalg.norm(high - low))
-    bins = min(_MOST_STEPS, math.ceil(max_length / step))
+    bins = math.ceil(max_length / step)
+    least = max_length / _MOST_STEPS
+    expect(1 <= bins <= _MOST_STEPS, f"makes {bins} bins: use a step from {least:.3g} m on, or a max_length", "step")
     signals = simulate(scene, labels=labels, units=units, by_length=step, lengths=bins, max_bounces=max_bounces,
                        samples=samples, **keywords)  # fmt: skip
     mean, error = (np.stack(layers, axis=2) for layers in zip(*signals.by_length))

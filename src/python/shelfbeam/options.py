@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
+import re
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
-from ._core import Progress
-from .errors import InputError
+from .errors import expect, make
 
-ProgressOption = bool | Callable[[Progress], None] | None
+ProgressOption = bool | Callable[["Progress"], None] | None
 Path = str | os.PathLike[str]
 
 # The key in a job (docs/formats/job.md) of each keyword.
@@ -56,7 +58,7 @@ _LISTS = {"costs", "forbid", "pin", "exclude", "without", "sampled"}
 
 
 def options(store: str = "store", folder: Path = ".", **keywords: Any) -> str:
-    """The job of keywords; those that are None or False have their defaults."""
+    """The job of keywords; None and False mean the default."""
     job: dict[str, Any] = {"store": store, "folder": os.fspath(folder)}
     for keyword, value in keywords.items():
         if value is None or value is False and keyword != "certificate":
@@ -64,24 +66,43 @@ def options(store: str = "store", folder: Path = ".", **keywords: Any) -> str:
         if keyword in _LISTS:
             value = [os.fspath(one) for one in as_list(value)]
         elif keyword == "memory":
-            value = int(value)
+            value = size_in_bytes(value)
         elif isinstance(value, os.PathLike):
             value = os.fspath(value)
         *sections, key = _KEYS.get(keyword, keyword).split(".")
         part = job
         for section in sections:
             part = part.setdefault(section, {})
-        part[key] = value.item() if hasattr(value, "item") else value
+        part[key] = value
+    return to_json(job)
+
+
+def to_json(document: Any, indent: int | None = None) -> str:
+    """JSON of a document that may contain NumPy values."""
+
+    def plain(value: Any) -> Any:
+        if hasattr(value, "tolist"):
+            return value.tolist()
+        raise TypeError(f"{value!r} is not a value of JSON")
+
     try:
-        return json.dumps(job)
-    except TypeError as error:
-        raise InputError(f"a keyword has a value of an unknown type: {error}", 2) from None
+        return json.dumps(document, ensure_ascii=False, indent=indent, default=plain)
+    except (TypeError, ValueError) as error:
+        raise make("input", str(error), 2, "", "") from None
+
+
+def size_in_bytes(size: float | str) -> int:
+    """A number, or a text such as "4G" or "500M"."""
+    found = re.fullmatch(r"\s*(\d+(?:\.\d+)?)\s*([KMGT]?)(i?)B?\s*", str(size), re.IGNORECASE)
+    expect(found is not None, f"{size!r} is not a size such as 4G or 500M", "memory")
+    assert found is not None
+    base = 1024 if found[3] else 1000
+    return int(float(found[1]) * base ** (" KMGT".index(found[2].upper()) if found[2] else 0))
 
 
 def problem(model: str | None, weighted: bool, lexicographic: bool, **keywords: Any) -> dict[str, Any]:
     """The keywords of a placement problem."""
-    if weighted and lexicographic:
-        raise InputError("weighted excludes lexicographic: use one of them (weighted)", 2, "weighted", "weighted")
+    expect(not (weighted and lexicographic), "excludes lexicographic: use one of them", "weighted")
     combination = "weighted" if weighted else "lexicographic" if lexicographic else None
     return {"plan_model": model, "combination": combination, **keywords}
 
@@ -90,8 +111,7 @@ def goal(availability: float | None, all_at_once: float | None, mean_missed: flo
     """The goal for a shop that changes."""
     rules = {"labels": availability, "shop": all_at_once, "misses": mean_missed}
     given = [{"rule": rule, "value": value} for rule, value in rules.items() if value is not None]
-    if len(given) > 1:
-        raise InputError("availability, all_at_once and mean_missed exclude one another: use one of them", 2)
+    expect(len(given) < 2, "excludes all_at_once and mean_missed: use one of them", "availability")
     return given[0] if given else None
 
 
@@ -100,33 +120,58 @@ def as_list(value: Path | Iterable[Any]) -> list[Any]:
     return [value] if isinstance(value, (str, os.PathLike)) else list(value)
 
 
-def callback(progress: ProgressOption) -> Callable[[Progress], None] | None:
-    """The callable that gets the progress: for True, a bar of tqdm if it is installed, or lines on standard error."""
+@dataclass(frozen=True)
+class Progress:
+    """The state of a long call. A value that is not known is None."""
+
+    task: str
+    detail: str
+    fraction: float | None  #: of the task that is done
+    seconds_left: float | None
+    incumbent: float | None  #: value of the best placement so far
+    lower_bound: float | None  #: proven on the value
+
+    @classmethod
+    def of(cls, line: str) -> Progress:
+        """A line of events (docs/formats/job.md)."""
+        event = json.loads(line)
+        names = {"task": "task", "detail": "detail", "share": "fraction", "seconds_left": "seconds_left",
+                 "incumbent": "incumbent", "lower_bound": "lower_bound"}  # fmt: skip
+        return cls(**{name: event[key] for key, name in names.items()})
+
+
+@contextlib.contextmanager
+def lines_of(progress: ProgressOption) -> Iterator[Callable[[str], None] | None]:
+    """The callable that gets lines of events: for True, it shows a bar of tqdm, or a line per task without tqdm."""
     if progress is None or progress is False:
-        return None
-    if callable(progress):
-        return progress
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        return _Lines()
-    bar = tqdm(total=100, bar_format="{desc}: {percentage:3.0f}% |{bar}| {elapsed}<{remaining}")
-
-    def show(state: Progress) -> None:
-        bar.set_description_str(f"{state.task} {state.detail}".strip(), refresh=False)
-        bar.n = round(100 * (state.fraction or 0))
-        bar.refresh()
-
-    return show
+        yield None
+    elif callable(progress):
+        show = progress
+        yield lambda line: show(Progress.of(line))
+    else:
+        try:
+            from tqdm.auto import tqdm  # noqa: PLC0415: optional
+        except ImportError:
+            tasks = _Tasks()
+            yield lambda line: tasks.show(Progress.of(line))
+            return
+        with tqdm(total=100, bar_format="{desc}: {percentage:3.0f}% |{bar}| {elapsed}<{remaining}") as bar:
+            yield lambda line: _show(bar, Progress.of(line))
 
 
-class _Lines:
+def _show(bar: Any, state: Progress) -> None:
+    bar.set_description_str(f"{state.task} {state.detail}".strip(), refresh=False)
+    bar.n = round(100 * (state.fraction or 0))
+    bar.refresh()
+
+
+class _Tasks:
     """Progress as one line per task."""
 
     def __init__(self) -> None:
         self._task = ""
 
-    def __call__(self, state: Progress) -> None:
+    def show(self, state: Progress) -> None:
         if state.task != self._task:
             self._task = state.task
             print(f"{state.task} ...", file=sys.stderr)

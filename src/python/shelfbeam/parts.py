@@ -27,7 +27,7 @@ class Emitter:
 
     @classmethod
     def from_ldt(cls, path: Path, flux: float, **keys: Any) -> Emitter:
-        """The shape of a EULUMDAT file, scaled to `flux` (W)."""
+        """The shape of an EULUMDAT file, scaled to `flux` (W)."""
         return cls._from_file("eulumdat", path, flux, keys)
 
     @classmethod

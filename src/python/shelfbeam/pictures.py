@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import expect
+
 if TYPE_CHECKING:
     from .signals import Signals
 
@@ -26,14 +28,17 @@ def coverage(signals: Signals, selection: Any, z: float | None, unit: str, ax: A
     found = evaluate(signals, selection, **problem)
     position = signals.labels["position"]
     shown = np.ones(len(position), dtype=bool) if z is None else np.isclose(position[:, 2], z, atol=0.005)
-    if not shown.any():
-        raise ValueError(f"there are no labels at z = {z} m; heights: {np.unique(position[:, 2].round(3)).tolist()}")
-    value, name = (found.margin_db, "margin (dB)") if unit == "dB" else (found.signal, "signal (W/m²)")
+    expect(
+        bool(shown.any()), f"there are no labels at {z} m; heights: {np.unique(position[:, 2].round(3)).tolist()}", "z"
+    )
+    values = {"dB": (found.margin_db, "margin (dB)"), "W/m2": (found.signal, "signal (W/m²)")}
+    expect(unit in values, f"is {unit!r} instead of dB or W/m2", "unit")
+    value, name = values[unit]
     figure = None if ax is not None else pyplot.figure(figsize=(7, 5), layout="constrained")
     ax = ax if figure is None else figure.add_subplot()
     x, y, colour = position[shown, 0], position[shown, 1], value[shown]
     finite = np.where(np.isfinite(colour), colour, np.nanmin(colour[np.isfinite(colour)], initial=0))
-    filled = _on_grid(x, y)
+    filled = _is_plane(signals.labels["normal"][shown]) and _on_grid(x, y)
     if filled:
         marks = ax.tricontourf(x, y, finite, levels=20, cmap="viridis")
     else:
@@ -49,18 +54,18 @@ def coverage(signals: Signals, selection: Any, z: float | None, unit: str, ax: A
     return ax.figure
 
 
-def placement_html(answer: str, signals: Signals | None, ids: Sequence[str]) -> str:
+def placement_html(answer: str, signals: Signals | None, selection: Any) -> str:
     """The answer, and the floor plan with the units and the labels coloured by margin."""
     picture = ""
-    if signals is not None and len(ids):
-        picture = _svg(signals, ids)
+    if signals is not None and len(list(selection)):
+        picture = _svg(signals, selection)
     return f"<p>{html.escape(answer)}</p>{picture}"
 
 
-def _svg(signals: Signals, ids: Sequence[str]) -> str:
+def _svg(signals: Signals, selection: Any) -> str:
     from .placement import evaluate  # noqa: PLC0415: needs this module
 
-    found = evaluate(signals, ids)
+    found = evaluate(signals, selection)
     labels, units = signals.labels["position"], signals.units["position"][found.selected]
     outlines = _outlines(signals)
     every = np.concatenate([labels[:, :2], units[:, :2], *(np.array(one) for one in outlines)])
@@ -82,7 +87,7 @@ def _svg(signals: Signals, ids: Sequence[str]) -> str:
         u, v = at(x, y)
         parts.append(f'<path d="M{u:.1f} {v - 7:.1f}l6 11h-12z" fill="#1f4e9c" stroke="#fff"/>')
         parts.append(f'<text x="{u + 8:.1f}" y="{v:.1f}" font-size="11">{html.escape(str(id))}</text>')
-    width, height = 20 + 580 * (x1 - x0) / size, 20 + 580 * (y1 - y0) / size
+    width, height = 80 + 580 * (x1 - x0) / size, 20 + 580 * (y1 - y0) / size
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
         f'font-family="sans-serif">{"".join(parts)}</svg>'
@@ -95,6 +100,11 @@ def _outlines(signals: Signals) -> list[Any]:
     room = signals.scene.room_outline
     fixtures = [corners for _, corners, _ in signals.scene.outlines if len(corners) > 1]
     return ([room] if room else []) + fixtures
+
+
+def _is_plane(normals: NDArray[Any]) -> bool:
+    """Whether all labels face the same way; those on both sides of shelves have nothing between them."""
+    return bool(np.allclose(normals, normals[0]))
 
 
 def _on_grid(x: NDArray[Any], y: NDArray[Any]) -> bool:

@@ -13,18 +13,31 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, pictures
-from .errors import InputError
-from .options import Path, ProgressOption, as_list, callback, options, problem
+from .errors import expect, warn
+from .options import Path, ProgressOption, as_list, lines_of, options, problem
+from .results import Result
 from .signals import Signals
-from .tables import Chosen, decibels, numbers
+from .tables import Chosen, decibels, floats, selected_numbers
 
-Source = Signals | ArrayLike | Path
+Source = Signals | ArrayLike | Path | Sequence[Path]
 
 
-class Placement:
-    """The answer of `place`: the selection, and the proven bound."""
+@dataclass(frozen=True, repr=False)
+class Question:
+    """What a placement was asked, which `evaluate` and `verify` ask again."""
 
-    def __init__(self, answer: dict[str, Any], unit_ids: Sequence[str], signals: Signals | None) -> None:
+    signals: Signals | None
+    model: str
+    survive_failure: bool
+    requirement: NDArray[np.float64] | None  #: instead of those of the signals
+    costs: NDArray[np.float64] | None
+    at_most: int | None
+
+
+class Placement(Result):
+    """The answer of `place`: the selection, the proven bound, and the question that it answers."""
+
+    def __init__(self, answer: dict[str, Any], unit_ids: Sequence[str], question: Question) -> None:
         self.ids: list[str] = answer["ids"]  #: of the chosen units
         places = {id: number for number, id in enumerate(unit_ids)}
         self.selected: NDArray[np.intp] = np.array(
@@ -39,7 +52,7 @@ class Placement:
         self.seconds: float = answer["seconds"]
         self.steps: list[dict[str, Any]] = json.loads(answer["steps"])  #: record of the search
         self.text: str = answer["text"]  #: the lines that the command line prints
-        self.signals = signals
+        self.question = question
         self._json: str = answer["json"]
 
     @property
@@ -48,9 +61,9 @@ class Placement:
         return len(self.ids)
 
     @property
-    def lower_bound(self) -> float:
-        """The same as `bound`."""
-        return self.bound
+    def lower_bound(self) -> float | None:
+        """`bound`, if it is a lower one; None with `at_most`."""
+        return None if self.question.at_most else self.bound
 
     @property
     def proven(self) -> bool:
@@ -76,14 +89,14 @@ class Placement:
         return f"<Placement: {self.text.strip().splitlines()[0]}>"
 
     def _repr_html_(self) -> str:
-        return pictures.placement_html(self.text.strip().splitlines()[0], self.signals, self.ids)
+        return pictures.placement_html(self.text.strip().splitlines()[0], self.question.signals, self)
 
 
 Selection = Placement | Chosen
 
 
 @dataclass(frozen=True, repr=False)
-class Evaluation:
+class Evaluation(Result):
     """The labels with a selection, computed in double precision from the matrix alone."""
 
     selected: list[int]  #: columns
@@ -128,26 +141,25 @@ def place(signals: Source, *, requirement: ArrayLike | None = None, threshold: f
           progress: ProgressOption = None) -> Placement:  # fmt: skip
     """The fewest or cheapest units that reach all labels, with a proven bound (`shelfbeam place`).
 
-    `signals`: of a simulation, an m x n array, or the file of a matrix. An array needs its `requirement`, one number or
-    one per label (W/m²); `threshold` is the same for all. `model`: "cooperative", signals add up (3.5), or
-    "non-cooperative", one unit alone must reach a label. `at_most` and `reach` ask for the most labels with so many
-    units, and for the fewest units that reach a share of them. `costs` and `weights`: one per unit and per label, or
-    CSV files. `pin` and `exclude`: ids or patterns. `start`: a selection to begin with.
+    `signals`: of a simulation, an m x n array, the file of a matrix, or several files, each a scenario. An array needs
+    its `requirement`, one number or one per label (W/m²); `threshold` is the same for all. `model`: "cooperative",
+    signals add up (3.5), or "non-cooperative", one unit alone must reach a label. `at_most` reaches as many labels as
+    possible with at most so many units, `reach` a share of the labels with as few units as possible. `costs` and
+    `weights`: one per unit and per label, or CSV files. `pin` and `exclude`: ids or patterns. `start`: a selection to
+    begin with, or its placement.json. Ties go to the largest minimum margin. Raises InputError.
     """
-    table = _table(signals, threshold if threshold is not None else requirement, read_as)
-    if weights is not None:
-        if at_most is None and reach is None and not curve:
-            raise InputError(
-                "weights apply only if some labels may be missed: add at_most, reach or curve", 2, "weights"
-            )
-        if isinstance(weights, (str, os.PathLike)):
-            table.read_weights(weights)
-        else:
-            table.set_weights(np.asarray(weights, dtype=np.float64))
-    files = costs
-    if costs is not None and not _are_paths(costs):
-        table.set_costs(np.asarray(costs, dtype=np.float64))
-        files = None
+    partial = at_most is not None or reach is not None
+    expect(weights is None or partial or curve, "apply only if some labels may be missed: add at_most, reach or curve",
+           "weights")  # fmt: skip
+    expect(not (curve and partial), "excludes at_most and reach: use one of them", "curve")
+    table = _table(signals, requirement, threshold, read_as)
+    if isinstance(weights, (str, os.PathLike)):
+        table.read_weights(weights)
+    elif weights is not None:
+        table.set_weights(floats(weights, "weights"))
+    prices = None if costs is None or _are_paths(costs) else floats(costs, "costs")
+    if prices is not None:
+        table.set_costs(prices)
     begin = []
     if start is not None:
         file = _file_of(start, table)
@@ -155,45 +167,66 @@ def place(signals: Source, *, requirement: ArrayLike | None = None, threshold: f
         begin = [table.units[number] for number in chosen]
     job = options(
         **problem(model, weighted, lexicographic, objective=objective, share=share, survive_failure=survive_failure),
-        at_most=at_most, reach=reach, curve=curve, costs=files, min_spacing=min_spacing, forbid=forbid,
-        pin=as_list(pin) or None, exclude=as_list(exclude) or None, solver=solver, backend=backend,
+        at_most=at_most, reach=reach, curve=curve, costs=costs if prices is None else None, min_spacing=min_spacing,
+        forbid=forbid, pin=as_list(pin) or None, exclude=as_list(exclude) or None, solver=solver, backend=backend,
         time_limit=time_limit, seed=seed, threads=threads or None,
     )  # fmt: skip
-    answer = table.place(job, callback(progress), begin)
-    return Placement(answer, table.units, signals if isinstance(signals, Signals) else None)
+    with lines_of(progress) as lines:
+        answer = table.place(job, lines, begin)
+    given = threshold if threshold is not None else requirement
+    question = Question(signals if isinstance(signals, Signals) else None, model, survive_failure,
+                        None if given is None else floats(given, "requirement"), prices, at_most)  # fmt: skip
+    return Placement(answer, table.units, question)
 
 
 def evaluate(signals: Source, selection: Selection, *, requirement: ArrayLike | None = None,
-             threshold: float | None = None, model: str = "cooperative",
-             survive_failure: bool = False) -> Evaluation:  # fmt: skip
-    """The labels that a selection reaches: ids, numbers, a mask, or a `Placement`."""
-    table = _table(signals, threshold if threshold is not None else requirement)
+             threshold: float | None = None, model: str | None = None, survive_failure: bool | None = None,
+             costs: ArrayLike | None = None) -> Evaluation:  # fmt: skip
+    """The labels that a selection reaches: ids, numbers, a mask, or a `Placement`.
+
+    Of a `Placement`, the keywords have the values with which it was made. Raises InputError.
+    """
+    asked = selection.question if isinstance(selection, Placement) else None
+    if requirement is None and threshold is None and asked is not None:
+        requirement = asked.requirement
+    if costs is None and asked is not None:
+        costs = asked.costs
+    table = _table(signals, requirement, threshold)
+    if costs is not None:
+        table.set_costs(floats(costs, "costs"))
     selected = _columns(selection, table.units)
-    job = options(**problem(model, False, False, survive_failure=survive_failure))
+    model = model or (asked.model if asked else "cooperative")
+    failure = survive_failure if survive_failure is not None else bool(asked and asked.survive_failure)
+    job = options(**problem(model, False, False, survive_failure=failure))
     return Evaluation(selected, **table.check(job, selected))
 
 
-def _table(signals: Source, requirement: ArrayLike | None, read_as: str = "auto") -> _core.Table:
+def _table(
+    signals: Source, requirement: ArrayLike | None, threshold: float | None, read_as: str = "auto"
+) -> _core.Table:
+    expect(requirement is None or threshold is None, "excludes threshold: use one of them", "requirement")
+    given = requirement if threshold is None else threshold
     if isinstance(signals, Signals):
         table = _core.Table.of_signals(signals._core)
-    elif isinstance(signals, (str, os.PathLike)):
-        table = _core.Table.read(signals, read_as)
+    elif _are_paths(signals):
+        table, remarks = _core.Table.read(as_list(signals), read_as)  # type: ignore[arg-type]
+        for remark in remarks:
+            warn(remark)
     else:
-        array = np.asarray(signals, dtype=np.float64)
-        if array.ndim != 2:  # noqa: PLR2004
-            raise InputError(f"the signals have {array.ndim} dimensions instead of 2, labels x units", 2, "signals")
-        if requirement is None:
-            raise InputError("an array has no requirements: give requirement (requirement)", 2, "", "requirement")
+        array = floats(signals, "signals")
+        expect(array.ndim == 2, f"have {array.ndim} dimensions instead of 2, labels x units", "signals")  # noqa: PLR2004
+        expect(given is not None, "is missing: an array of signals has none", "requirement")
         labels, units = ([f"{kind}{k + 1}" for k in range(n)] for kind, n in zip("LT", array.shape))
         table = _core.Table.of_array(array, labels, units)
-    if requirement is not None:
-        values = np.asarray(requirement, dtype=np.float64)
+    if given is not None:
+        values = floats(given, "requirement")
+        expect(values.ndim < 2, "has more than one dimension", "requirement")  # noqa: PLR2004
         table.set_requirement(np.full(len(table.labels), values) if values.ndim == 0 else values)
     return table
 
 
 def _columns(selection: Any, units: Sequence[str]) -> list[int]:
-    return sorted(numbers(selection.ids if isinstance(selection, Placement) else selection, units, "unit"))
+    return selected_numbers(selection.ids if isinstance(selection, Placement) else selection, units)
 
 
 def _file_of(start: Any, table: _core.Table) -> FilePath | None:
@@ -202,7 +235,7 @@ def _file_of(start: Any, table: _core.Table) -> FilePath | None:
     return None
 
 
-def _are_paths(costs: Any) -> bool:
-    if isinstance(costs, (str, os.PathLike)):
+def _are_paths(values: Any) -> bool:
+    if isinstance(values, (str, os.PathLike)):
         return True
-    return isinstance(costs, Sequence) and bool(costs) and all(isinstance(one, (str, os.PathLike)) for one in costs)
+    return isinstance(values, Sequence) and bool(values) and all(isinstance(one, (str, os.PathLike)) for one in values)

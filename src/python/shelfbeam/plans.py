@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
 import tempfile
-from collections.abc import Sequence
+import weakref
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from pathlib import Path as FilePath
 from typing import Any
@@ -15,26 +17,28 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, pictures
-from .errors import InputError
-from .options import Path, ProgressOption, as_list, callback, goal, options, problem
+from .errors import InputError, expect, warn
+from .options import Path, ProgressOption, as_list, goal, lines_of, options, problem
 from .placement import Placement, Selection
+from .results import Result
 from .signals import Signals
-from .store import Scene, Store, scene_of
-from .tables import decibels, numbers
+from .store import Scene, Store, name_of, scene_of
+from .tables import decibels, selected_numbers
 
 _FINISHED = "placement.json"
+_ASSUMED_ERROR = 0.2  # of reflectances without a given range
 
 
-class Plan:
+class Plan(Result):
     """The folder of a plan (docs/formats/report.md), from `plan` or from `shelfbeam plan`."""
 
-    def __init__(self, folder: Path, outcome: dict[str, Any] | None = None, keep: Any = None) -> None:
+    def __init__(self, folder: Path, outcome: dict[str, Any] | None = None) -> None:
         self.folder = FilePath(folder)
-        self._keep = keep  # removes a temporary folder with the last reference to the plan
         outcome = outcome or {}
         self.code: int | None = outcome.get("code")  #: exit code of the command line; None for a plan that was read
         self.answer: str = outcome.get("answer", "")  #: the first line that the command line prints
-        self.details: str = outcome.get("details", "")  #: further lines
+        self.open: str = outcome.get("open", "")  #: the part of the question that is open
+        self.details: str = outcome.get("details", "")  #: the selection, its proof and alternatives
 
     @classmethod
     def read(cls, folder: Path) -> Plan:
@@ -100,13 +104,15 @@ class Plan:
         return f"<Plan: {self.answer or f'{self.count} units in {self.folder}'}>"
 
     def _repr_html_(self) -> str:
+        self.signals.scene = self.signals.scene or self.store.scene()
         return pictures.placement_html(self.answer or repr(self)[1:-1], self.signals, self.ids)
 
 
-class Verification:
+class Verification(Result):
     """The labels that mounted units reach, from independent samples, or from states of a shop that changes."""
 
-    def __init__(self, found: dict[str, Any]) -> None:
+    def __init__(self, found: dict[str, Any], scene: Scene) -> None:
+        self.scene = scene
         self.units: list[str] = found["units"]  #: ids
         self.answer: str = found["answer"]  #: the sentence of the command line
         self.code: int = found["code"]  #: exit code: 0 all reached, 1 some missed, 3 undecided
@@ -120,6 +126,7 @@ class Verification:
         self.lower: NDArray[np.float64] = found.get("lower", nothing)  #: one-sided limits
         self.upper: NDArray[np.float64] = found.get("upper", nothing)
         self._json: str = found["json"]
+        self._csv: str = found["csv"]
 
     @property
     def margin_db(self) -> NDArray[np.float64]:
@@ -130,6 +137,10 @@ class Verification:
         """What `shelfbeam verify --json` prints."""
         content: dict[str, Any] = json.loads(self._json)
         return content
+
+    def save(self, path: Path) -> None:
+        """Writes verification.csv (docs/formats/report.md), the same bytes as `shelfbeam verify -o`."""
+        _core.write_text(self._csv, path)
 
     def __repr__(self) -> str:
         return f"<Verification: {self.answer}>"
@@ -146,44 +157,67 @@ def plan(shop: Store | Scene | Path, output: Path | None = None, *, samples: int
          min_spacing: float | None = None, forbid: Path | Sequence[Path] | None = None,
          pin: str | Sequence[str] = (), exclude: str | Sequence[str] = (), solver: str = "auto",
          backend: str | None = None, time_limit: float = 60, certificate: bool = True, confidence: float = 0.99,
-         budget: float = 600, curve: bool = False, sensitivity: bool = False, reflectance_error: float = 0.2,
+         budget: float = 600, curve: bool = False, sensitivity: bool = False, reflectance_error: float | None = None,
          states: int | None = None, availability: float | None = None, all_at_once: float | None = None,
          mean_missed: float | None = None, without: str | Sequence[str] = (),
          sampled: Path | Sequence[Path] | None = None, seed: int = 1, threads: int = 0,
-         memory: float | None = None, resume: bool = False, checkpoint_interval: float | None = None,
+         memory: float | str | None = None, resume: bool = False, checkpoint_interval: float | None = None,
          overwrite: bool = False, strict: bool = False, safe_csv: bool = False,
          progress: ProgressOption = None) -> Plan:  # fmt: skip
     """Simulates, places, certifies and reports (`shelfbeam plan`), also a shop that changes.
 
     `output`: the folder of the plan, whose files are the same bytes as those of the command line; without, a temporary
     folder that lives as long as the plan. `signal`: signals to reuse if they fit. `certificate` is False for
-    `--no-certificate`. Ctrl-C keeps the results so far in `output`, from which `resume` continues.
+    `--no-certificate`; `reflectance_error` (0.2) applies to `sensitivity`. Ctrl-C keeps the results so far in the
+    folder, which a note of the KeyboardInterrupt names; with `output`, `resume` continues. Raises InputError and
+    OutputError.
     """
+    expect(reflectance_error is None or sensitivity, "has no effect without sensitivity", "reflectance_error")
+    expect(output is not None or not (resume or overwrite or checkpoint_interval), "have no effect without output",
+           "resume, overwrite, checkpoint_interval")  # fmt: skip
     scene = scene_of(shop)
-    keep = tempfile.TemporaryDirectory(prefix="shelfbeam-") if output is None else None
-    folder = FilePath(keep.name) / "plan" if keep else FilePath(os.fspath(output or ""))
-    scratch = None
-    if isinstance(signal, Signals):
-        scratch = tempfile.TemporaryDirectory(prefix="shelfbeam-")
-        signal.save(FilePath(scratch.name) / "signal.h5")
-        signal = FilePath(scratch.name) / "signal.h5"
-    if isinstance(signal, Plan):
-        signal = signal.folder
-    job = options(
-        name_of(shop), folder, samples=samples, relative_error=relative_error, above=above, max_samples=max_samples,
-        time=time, estimator=estimator, direct=direct, strategy=strategy, heuristic=heuristic, max_bounces=max_bounces,
-        signal=signal, at_most=at_most, reach=reach,
-        **problem(model, weighted, lexicographic, objective=objective, share=share, survive_failure=survive_failure),
-        costs=costs, min_spacing=min_spacing, forbid=forbid, pin=as_list(pin) or None,
-        exclude=as_list(exclude) or None, solver=solver, backend=backend, time_limit=time_limit,
-        certificate=certificate, confidence=confidence, budget=budget, curve=curve,
-        reflectance_error=reflectance_error if sensitivity else None, states=states,
-        goal=goal(availability, all_at_once, mean_missed), without=as_list(without) or None, sampled=sampled, seed=seed,
-        threads=threads or None, memory=memory, resume=resume, checkpoint_interval=checkpoint_interval,
-        overwrite=overwrite, strict=strict, safe_csv=safe_csv,
-    )  # fmt: skip
-    outcome = _core.plan(scene._core, job, callback(progress))
-    return Plan(folder, outcome, keep)
+    folder = FilePath(tempfile.mkdtemp(prefix="shelfbeam-")) / "plan" if output is None else FilePath(output)
+    if sensitivity and reflectance_error is None:
+        reflectance_error = _ASSUMED_ERROR
+    with _file_of(signal) as file, lines_of(progress) as lines:
+        job = options(
+            name_of(shop), folder, samples=samples, relative_error=relative_error, above=above,
+            max_samples=max_samples, time=time, estimator=estimator, direct=direct, strategy=strategy,
+            heuristic=heuristic, max_bounces=max_bounces, signal=file, at_most=at_most, reach=reach,
+            **problem(model, weighted, lexicographic, objective=objective, share=share,
+                      survive_failure=survive_failure),
+            costs=costs, min_spacing=min_spacing, forbid=forbid, pin=as_list(pin) or None,
+            exclude=as_list(exclude) or None, solver=solver, backend=backend, time_limit=time_limit,
+            certificate=certificate, confidence=confidence, budget=budget, curve=curve,
+            reflectance_error=reflectance_error, states=states,
+            goal=goal(availability, all_at_once, mean_missed), without=as_list(without) or None, sampled=sampled,
+            seed=seed, threads=threads or None, memory=memory, resume=resume,
+            checkpoint_interval=checkpoint_interval, overwrite=overwrite, strict=strict, safe_csv=safe_csv,
+        )  # fmt: skip
+        try:
+            outcome = _core.plan(scene._core, job, lines)
+        except Exception:
+            if output is None:
+                shutil.rmtree(folder.parent, ignore_errors=True)
+            raise
+    made = Plan(folder, outcome)
+    if output is None:
+        weakref.finalize(made, shutil.rmtree, folder.parent, ignore_errors=True)
+    if outcome["imprecise"]:
+        warn("some entries have not reached the relative error")
+    return made
+
+
+@contextlib.contextmanager
+def _file_of(signal: Signals | Plan | Path | None) -> Iterator[Path | None]:
+    """Signals as a file, which may be temporary."""
+    if not isinstance(signal, Signals):
+        yield signal.folder if isinstance(signal, Plan) else signal
+        return
+    with tempfile.TemporaryDirectory(prefix="shelfbeam-") as folder:
+        file = FilePath(folder) / "signal.h5"
+        signal.save(file)
+        yield file
 
 
 def verify(shop: Store | Scene | Path, selection: Selection | Plan | Path | None = None, *,
@@ -193,13 +227,14 @@ def verify(shop: Store | Scene | Path, selection: Selection | Plan | Path | None
            samples: int | None = None, relative_error: float | None = None, above: float | None = None,
            max_samples: int | None = None, time: float | None = None, estimator: str | None = None,
            direct: str | None = None, strategy: str | None = None, heuristic: str | None = None,
-           max_bounces: int | None = None, seed: int = 1, threads: int = 0, memory: float | None = None,
-           progress: ProgressOption = None) -> Verification:  # fmt: skip
+           max_bounces: int | None = None, seed: int = 1, threads: int = 0,
+           memory: float | str | None = None, progress: ProgressOption = None) -> Verification:  # fmt: skip
     """Verifies with independent samples which labels units reach (`shelfbeam verify`).
 
     `selection`: ids or numbers of candidates, a `Placement`, a `Plan`, a placement.json, or a CSV of mounted units;
-    default: the units that the store chooses. With `states`, in so many fresh states of a shop that changes. All
-    verdicts hold together with the confidence.
+    default: the units that the store chooses. `model` and `survive_failure` are those of a `Placement`, `Plan` or
+    placement.json by default. With `states`, in so many fresh states of a shop that changes. All verdicts hold together
+    with the confidence, for the requirements of the store. Raises InputError.
     """
     scene = scene_of(shop)
     file: Path | None = None
@@ -209,8 +244,13 @@ def verify(shop: Store | Scene | Path, selection: Selection | Plan | Path | None
     elif isinstance(selection, os.PathLike) or isinstance(selection, str) and FilePath(selection).is_file():
         file = selection
     elif selection is not None:
-        ids = selection.ids if isinstance(selection, Placement) else selection
-        chosen = sorted(numbers(ids, scene.units["id"].tolist(), "unit"))
+        ids: Any = selection
+        if isinstance(selection, Placement):
+            ids = selection.ids
+            model = model or selection.question.model
+            survive_failure = survive_failure or selection.question.survive_failure
+        chosen = selected_numbers(ids, scene.units["id"].tolist())
+        expect(bool(chosen), "has no units", "selection")
         model = model or "cooperative"
     job = options(
         name_of(shop), selection=file, model=model, survive_failure=survive_failure, confidence=confidence,
@@ -219,11 +259,5 @@ def verify(shop: Store | Scene | Path, selection: Selection | Plan | Path | None
         max_samples=max_samples, time=time, estimator=estimator, direct=direct, strategy=strategy,
         heuristic=heuristic, max_bounces=max_bounces, seed=seed, threads=threads or None, memory=memory,
     )  # fmt: skip
-    return Verification(_core.verify(scene._core, job, callback(progress), chosen))
-
-
-def name_of(shop: Store | Scene | Path) -> str:
-    """The name of a store in messages."""
-    if isinstance(shop, Scene):
-        return "store"
-    return shop.name if isinstance(shop, Store) else os.fspath(shop)
+    with lines_of(progress) as lines:
+        return Verification(_core.verify(scene._core, job, lines, chosen), scene)

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from .options import Path, ProgressOption, as_list, callback, options
-from .plans import Plan, name_of
+from .options import Path, ProgressOption, as_list, lines_of, options
+from .plans import Plan
+from .results import Result
 from .signals import Signals
-from .store import Scene, Store, scene_of
+from .store import Scene, Store, name_of, scene_of
 
 
 class Column(NamedTuple):
@@ -32,7 +33,9 @@ class LightOperator:
                  progress: ProgressOption = None) -> None:  # fmt: skip
         self.scene = scene_of(shop)
         self._threads = threads
-        self._core = _core.LightOperator.make(self.scene._core, seed, coarse, threads, callback(progress))
+        job = options(name_of(shop), seed=seed, threads=threads or None)
+        with lines_of(progress) as lines:
+            self._core = _core.LightOperator.make(self.scene._core, job, coarse, lines)
 
     def column(self, position: Sequence[float], axis: Sequence[float] = (0, 0, -1), type: str = "") -> Column:
         """The signals from a unit at a position (m). `type`: needed if the candidates have several."""
@@ -41,7 +44,8 @@ class LightOperator:
 
     def signals(self, progress: ProgressOption = None) -> Signals:
         """Previews of the whole signal matrix."""
-        return Signals(self._core.matrix(self._threads, callback(progress)), self.scene)
+        with lines_of(progress) as lines:
+            return Signals(self._core.matrix(self._threads, lines), self.scene)
 
     @property
     def nbytes(self) -> int:
@@ -52,12 +56,13 @@ class LightOperator:
         return f"<LightOperator of {self.scene!r}: {self.nbytes / 1e6:.0f} MB>"
 
 
-class WhatIf:
+class WhatIf(Result):
     """The labels if units are added, moved or removed."""
 
     def __init__(self, found: dict[str, Any]) -> None:
         self.answer: str = found["answer"]  #: one sentence
         self.remarks: str = found["remarks"]
+        self.not_kept: str = found["not_kept"]  #: why the light operator could not be kept for the next preview
         self._content: dict[str, Any] = json.loads(found["json"])
 
     def to_dict(self) -> dict[str, Any]:
@@ -69,19 +74,20 @@ class WhatIf:
 
 
 def what_if(shop: Store | Scene | Path, *, plan: Plan | Path | None = None,
-            add: str | Sequence[str] = (), move: str | Sequence[str] = (),
+            unit: str | Sequence[str] = (), move: str | Sequence[str] = (),
             remove: str | Sequence[str] = (), refine: float | None = None, coarse: bool = False,
             seed: int = 1, threads: int = 0, progress: ProgressOption = None) -> WhatIf:  # fmt: skip
     """Previews added, moved and removed units (`shelfbeam preview`).
 
-    `plan`: whose units stay, instead of those that the store selects. A unit to add is "x,y,z[,ax,ay,az][,type]", to
-    move "ID,x,y,z[,ax,ay,az][,type]", both in m. `refine` (s) simulates the added units without bias.
+    `plan`: whose units stay, instead of those that the store selects. `unit` adds "x,y,z[,ax,ay,az][,type]", `move`
+    takes "ID,x,y,z[,ax,ay,az][,type]", both in m. `refine` (s) simulates the added units without bias.
     """
     folder = plan.folder if isinstance(plan, Plan) else plan
-    change = {"plan": folder or "", "add": as_list(add), "move": as_list(move), "remove": as_list(remove),
+    change = {"plan": folder or "", "unit": as_list(unit), "move": as_list(move), "remove": as_list(remove),
               "refine": refine, "coarse": coarse}  # fmt: skip
     job = options(name_of(shop), seed=seed, threads=threads or None)
-    return WhatIf(_core.what_if(scene_of(shop)._core, job, callback(progress), change))
+    with lines_of(progress) as lines:
+        return WhatIf(_core.what_if(scene_of(shop)._core, job, lines, change))
 
 
 def unit_text(position: Sequence[float], axis: Sequence[float] = (0, 0, -1), type: str = "") -> str:

@@ -12,8 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core, pictures
-from .options import Path, ProgressOption, callback, options
-from .store import Scene, Store, scene_of
+from .errors import expect, warn
+from .options import Path, ProgressOption, as_list, lines_of, options
+from .results import Result, plain
+from .store import Scene, Store, name_of, scene_of
 from .tables import Chosen, Records, numbers, records
 
 if TYPE_CHECKING:
@@ -23,7 +25,7 @@ Layer = NDArray[np.float32]
 
 
 @dataclass(frozen=True, repr=False)
-class StateSignals:
+class StateSignals(Result):
     """The signals of a changing shop in its states, multiplied by the relative sensitivities of the labels."""
 
     count: int  #: of states
@@ -36,7 +38,7 @@ class StateSignals:
         return f"<StateSignals: {self.count} states, {len(self.labels)} labels>"
 
 
-class Signals:
+class Signals(Result):
     """The signal matrix M of a scene: m labels x n candidates (2.14), in W/m² for labels with a cosine response.
 
     All arrays are read-only views of the memory of the simulation, without a copy.
@@ -45,7 +47,7 @@ class Signals:
     def __init__(self, core: _core.Signals, scene: Scene | None = None, summary: str = "") -> None:
         self._core = core
         self.scene = scene
-        #: Effort and errors of the simulation, as `shelfbeam simulate --json` prints them.
+        #: Effort and errors of the simulation, with the keys that `shelfbeam simulate --json` prints.
         self.summary: dict[str, Any] = json.loads(summary) if summary else {}
         self.mean: Layer = core.mean
         self.standard_error: Layer = core.standard_error  #: of `mean`, from independent batches
@@ -164,6 +166,11 @@ class Signals:
                 coordinates[f"{dimension}_{name}"] = (dimension, table["position"][:, axis], {"units": "m"})
         return xarray.Dataset(data, coordinates, {"seed": self.seed, "estimator": self.estimator})
 
+    def to_dict(self) -> dict[str, Any]:
+        """Labels, units, mean, standard error and direct part as lists, and the summary of the simulation."""
+        names = ("labels", "units", "mean", "standard_error", "direct", "summary")
+        return {name: plain(getattr(self, name)) for name in names}
+
     def __repr__(self) -> str:
         rows, columns = self.shape
         of_states = f", mean of {self.states.count} states" if self.states else ""
@@ -180,26 +187,38 @@ def simulate(shop: Store | Scene | Path, *, output: Path | None = None, samples:
              direct: str | None = None, strategy: str | None = None, heuristic: str | None = None,
              max_bounces: int | None = None, by_bounce: bool = False, by_length: float | None = None,
              lengths: int | None = None, labels: Chosen | None = None, units: Chosen | None = None,
-             states: int = 0, hard_labels: int = 1000, for_plan: bool = False, state: int | None = None,
-             without: Sequence[str] = (), seed: int = 1, threads: int = 0, memory: float | None = None,
+             states: int = 0, hard_labels: int | None = None, for_plan: bool = False, state: int | None = None,
+             without: str | Sequence[str] = (), seed: int = 1, threads: int = 0, memory: float | str | None = None,
              resume: bool = False, checkpoint_interval: float | None = None, strict: bool = False,
              progress: ProgressOption = None) -> Signals:  # fmt: skip
     """The signal of every label from every candidate, with standard errors (`shelfbeam simulate`).
 
     `samples` per label (default 10000), or `relative_error` of the entries above the share `above` (0.3) of their
-    requirement, or `time` (s) end the simulation. `by_bounce` and `by_length` (m) need the paper's estimator and
-    select it. `labels` and `units` restrict the simulation, without files. With `states`, the mean over random states
-    of a changing shop: `Signals.states` has the signals of the `hard_labels` hardest labels in each; `state` is one
-    of them. The result is the same for any number of threads. With `output`, the signal file is written, and an
-    interrupted simulation continues with `resume`.
+    requirement, or `time` (s) end the simulation. `by_length` (m) and `max_bounces`, with `by_bounce`, need the paper's
+    estimator and select it. `labels` and `units` restrict the simulation. With `states`, the result is the mean over
+    random states of a changing shop: `Signals.states` has the signals of the `hard_labels` (1000) hardest labels in
+    each. `state` simulates one of them. The result is the same for any number of threads. With `output`, the signal
+    file is written, and `resume` continues an interrupted simulation. Warns if the relative error was not reached.
+    Raises InputError for wrong or contradictory keywords and for a wrong store, and OutputError.
     """
+    part = labels is not None or units is not None
+    for name, given in (("relative_error", relative_error), ("time", time), ("by_bounce", by_bounce),
+                        ("by_length", by_length), ("labels", part), ("state", state is not None)):  # fmt: skip
+        expect(not (states and given), "excludes states: use one of them", name)
+    for name, given in (("hard_labels", hard_labels is not None), ("for_plan", for_plan)):
+        expect(bool(states) or not given, "has no effect without states", name)
+    expect(not (for_plan and hard_labels is not None), "has no effect with for_plan", "hard_labels")
+    expect(output is None or not part, "excludes labels and units: use one of them", "output")
+    for name, given in (("resume", resume), ("checkpoint_interval", checkpoint_interval is not None)):
+        expect(output is not None or not given, "has no effect without output", name)
+    left_out = as_list(without) or None
     scene = scene_of(shop)
     if state is not None:
-        scene = scene.state(state, seed).scene()
+        scene, left_out = scene.state(state, seed, left_out or ()), None
     job = options(
-        folder=".", samples=samples, relative_error=relative_error, above=above, max_samples=max_samples, time=time,
+        name_of(shop), samples=samples, relative_error=relative_error, above=above, max_samples=max_samples, time=time,
         estimator=estimator, direct=direct, strategy=strategy, heuristic=heuristic, max_bounces=max_bounces,
-        without=without or None, seed=seed, threads=threads or None, memory=memory, resume=resume,
+        without=left_out, seed=seed, threads=threads or None, memory=memory, resume=resume,
         checkpoint_interval=checkpoint_interval, strict=strict,
     )  # fmt: skip
     more: dict[str, Any] = {"by_bounce": by_bounce, "by_length": by_length, "lengths": lengths, "states": states,
@@ -208,5 +227,10 @@ def simulate(shop: Store | Scene | Path, *, output: Path | None = None, samples:
         more["labels"] = numbers(labels, scene.labels["id"].tolist(), "label")
     if units is not None:
         more["units"] = numbers(units, scene.units["id"].tolist(), "unit")
-    core, summary = _core.simulate(scene._core, job, callback(progress), more, output or "")
-    return Signals(core, scene, summary)
+    with lines_of(progress) as lines:
+        core, summary = _core.simulate(scene._core, job, lines, more, output or "")
+    signals = Signals(core, scene, summary)
+    if signals.summary.get("unmet"):
+        entries = signals.summary["unmet"]["entries"]
+        warn(f"{entries} entries have not reached the relative error")
+    return signals

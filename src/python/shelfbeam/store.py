@@ -14,12 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from .errors import InputError
-from .options import Path
+from .errors import InputError, expect, warn
+from .options import Path, options, to_json
 from .parts import Emitter, Material, material
+from .places import spaces
 from .tables import Records, records
 
 _FILES = ("file", "csv", "picture")
+_IN_THE_AIR = ["label_in_mid_air", "label_height", "label_sideways"]  # warnings that do not apply to receivers
 
 
 class Problem(NamedTuple):
@@ -63,7 +65,7 @@ class Scene:
 
     @property
     def warnings(self) -> list[Problem]:
-        """Values that a simulation accepts, but that are hardly intended."""
+        """Values that a simulation accepts, but that are probably not intended."""
         return [Problem(*one) for one in self._core.warnings]
 
     @property
@@ -113,13 +115,17 @@ class Scene:
         """The store without references: labels and candidates are listed, meshes and thresholds inlined."""
         return Store.parse(self._core.resolved())
 
-    def state(self, number: int, seed: int = 1) -> Store:
-        """A state of a changing shop: one draw of its variation, which depends on the store, number and seed only."""
-        return Store.parse(self._core.state(seed, number))
+    def state(self, number: int, seed: int = 1, without: Sequence[str] = ()) -> Scene:
+        """A state of a changing shop: one draw of its variation, which depends on the store, number and seed only.
 
-    def states(self, count: int, first: int = 0, seed: int = 1) -> Iterator[Store]:
-        """States one after another, as stores."""
-        return (self.state(number, seed) for number in range(first, first + count))
+        `without`: causes that are left out. `resolved` gives the state as a store.
+        """
+        expect(number >= 0, "is negative", "state")
+        return Scene(self._core.state(options(seed=seed, without=without or None), number))
+
+    def states(self, count: int, first: int = 0, seed: int = 1, without: Sequence[str] = ()) -> Iterator[Scene]:
+        """An iterator over states."""
+        return (self.state(number, seed, without) for number in range(first, first + count))
 
     def __repr__(self) -> str:
         name = f" {self.name!r}" if self.name else ""
@@ -144,8 +150,7 @@ class Store:
         self.name = name
         self.allow_outside = allow_outside
         # A text that was read, and its document: it gives errors their lines, until the document is edited.
-        self._text: str | None = None
-        self._parsed: Any = None
+        self._text, self._parsed = "", ""
 
     @classmethod
     def read(cls, path: Path, allow_outside: bool = False) -> Store:
@@ -155,6 +160,8 @@ class Store:
             text = file.read_text(encoding="utf-8-sig")
         except OSError as error:
             raise InputError(f"{file}: cannot be read: {error.strerror}", 2, str(file)) from None
+        except UnicodeDecodeError:
+            raise InputError(f"{file}: is not UTF-8", 2, str(file)) from None
         return cls.parse(text, file.parent, str(file), allow_outside)
 
     @classmethod
@@ -163,7 +170,7 @@ class Store:
         document = json.loads(_core.plain_json(text, name))
         store = cls({}, folder, name, allow_outside)
         store.document = document
-        store._text, store._parsed = text, copy.deepcopy(document)
+        store._text, store._parsed = text, to_json(document)
         return store
 
     @classmethod
@@ -196,9 +203,9 @@ class Store:
 
     def text(self) -> str:
         """The document as JSON."""
-        if self._text is not None and self.document == self._parsed:
+        if self._text and to_json(self.document) == self._parsed:
             return self._text
-        return json.dumps(self.document, ensure_ascii=False, indent=2) + "\n"
+        return to_json(self.document, 2) + "\n"
 
     def problems(self) -> list[Problem]:
         """All problems of the document; an empty list if `scene` accepts it."""
@@ -207,14 +214,17 @@ class Store:
 
     def scene(self) -> Scene:
         """Checks the document and freezes it. Raises InputError, which names the place."""
-        return Scene(_core.Scene.parse(self.text(), self.name, self.folder, self.allow_outside))
+        scene = Scene(_core.Scene.parse(self.text(), self.name, self.folder, self.allow_outside))
+        if scene.warnings:
+            others = len(scene.warnings) - 1
+            warn(scene.warnings[0].sentence + (f" (Scene.warnings has {others} more)" if others else ""))
+        return scene
 
     def save(self, path: Path) -> None:
         """Writes the store file. Names of files become relative to its folder."""
         file = FilePath(path)
         document = _with_files(self.document, lambda name: os.path.relpath(self.folder / name, file.parent))
-        text = json.dumps(document, ensure_ascii=False, indent=2) + "\n"
-        _core.write_text(text, file)
+        _core.write_text(to_json(document, 2) + "\n", file)
 
     def copy(self) -> Store:
         """A store to edit; this one stays."""
@@ -222,81 +232,75 @@ class Store:
 
     def bounds(self) -> NDArray[np.float64]:
         """The lowest and the highest corner of all surfaces (m), 2 x 3. Labels and candidates may be missing."""
-        probe = self.copy()
-        probe.document["label_types"] = {"probe": {"threshold": 1}}
-        probe.document["transceiver_types"] = {"probe": Emitter.lambertian(1).keys}
-        middle = {"position": [0, 0, 0.5], "type": "probe"}
-        for section in ("planogram", "measuring_planes", "variation"):
-            probe.document.pop(section, None)
-        probe.document["labels"] = [{"id": "probe", "normal": [0, 0, 1], **middle}]
-        probe.document["transceivers"] = {"list": [{"id": "probe", **middle}]}
-        for fixture in probe.document.get("fixtures", []):
-            fixture.pop("labels", None)
-        return probe.scene().bounds
+        return self._surfaces().bounds
 
     def add_emitter(self, emitter: Emitter) -> str:
         """Adds a transceiver type, and returns its name."""
-        self.document.setdefault("transceiver_types", {})[emitter.name] = copy.deepcopy(dict(emitter.keys))
+        self._add("transceiver_types", emitter.name, emitter.keys)
         return emitter.name
 
     def add_receivers(self, id: str, plane: float, spacing: float, threshold: float,
                       responsivity: Mapping[str, Any] | None = None, margin: float = 0,
                       area: Sequence[Sequence[float]] | None = None) -> None:  # fmt: skip
-        """Adds receivers that face upwards, on a grid at the height `plane` (m): a measuring plane.
+        """Adds receivers that face upwards, on a grid at the height `plane` (m).
 
         `threshold` is their requirement (W/m²), `area` the two corners of a rectangle; default: the bounds of all
-        surfaces. `margin` (m) is left out all around.
+        surfaces. `margin` (m) is left out all around. In a store without a room, such as one from a mesh, places within
+        furniture are left out, too.
         """
-        kind: dict[str, Any] = {"threshold": threshold}
-        if responsivity is not None:
-            kind["responsivity"] = dict(responsivity)
-        self.document.setdefault("label_types", {})[id] = kind
+        self._add(
+            "label_types", id, {"threshold": threshold, **({"responsivity": responsivity} if responsivity else {})}
+        )
         low, high = np.asarray(area, dtype=float) if area is not None else self.bounds()[:, :2]
         low, size = low + margin, high - low - 2 * margin
-        self.document.setdefault("measuring_planes", []).append(
-            {
-                "id": id,
-                "type": id,
-                "origin": [float(low[0]), float(low[1]), plane],
-                "axes": [[1, 0, 0], [0, 1, 0]],
-                "size": [float(size[0]), float(size[1])],
-                "spacing": spacing,
-            }
-        )
+        if "room" not in self.document:
+            kind: dict[str, Any] = {"normal": [0, 0, 1], "type": id, "ignore": _IN_THE_AIR}
+            self.document.setdefault("labels", []).extend(
+                {"id": f"{id}-{place}", "position": [x, y, plane], **kind}
+                for place, x, y, floor, ceiling in spaces(self._surfaces(), low, low + size, spacing)
+                if floor < plane < ceiling
+            )
+            return
+        grid = {"origin": [*low, plane], "axes": [[1, 0, 0], [0, 1, 0]], "size": size, "spacing": spacing}
+        self.document.setdefault("measuring_planes", []).append({"id": id, "type": id, **_plain(grid)})
 
     def add_candidates(self, emitters: Emitter | Sequence[Emitter], spacing: float,
                        area: str | Sequence[Sequence[float]] = "room", below_ceiling: float | None = None,
-                       z: float | None = None,
-                       axes: Sequence[Sequence[float]] = ((0, 0, -1),)) -> None:  # fmt: skip
+                       z: float | None = None, axes: Sequence[Sequence[float]] = ((0, 0, -1),)) -> None:  # fmt: skip
         """Adds candidates on a grid over an area: "room", the id of a zone, or a polygon.
 
-        Give their height by `z` or `below_ceiling` (m). Several emitters or axes at one point exclude one another. A
-        store without a room, such as one from a mesh, has the bounds of its surfaces as its room.
+        Give their height by `z` or `below_ceiling` (m). Several emitters or axes at one point exclude one another. In a
+        store without a room, such as one from a mesh, the area must be "room": the bounds of all surfaces. There, the
+        ceiling is the upper end of the highest space of at least half a metre, and points without one are left out.
         """
+        expect((z is None) != (below_ceiling is None), "excludes below_ceiling: give one of them", "z")
+        has_room = "room" in self.document
+        expect(has_room or isinstance(area, str) and area == "room", 'must be "room" in a store without a room', "area")
+        points: list[tuple[str, list[float]]] = []
+        if not has_room:
+            scene = self._surfaces()
+            low, high = scene.bounds[:, :2]
+            for place, x, y, _, ceiling in spaces(scene, low, high, spacing):
+                points.append((place, [x, y, ceiling - (below_ceiling or 0) if z is None else z]))
         units = self.document.setdefault("transceivers", {})
         for emitter in [emitters] if isinstance(emitters, Emitter) else emitters:
-            common: dict[str, Any] = {"type": self.add_emitter(emitter), "spacing": spacing}
-            if "room" in self.document or not isinstance(area, str):
-                common["area"] = area if isinstance(area, str) else [list(corner) for corner in area]
-                common["axes"] = [list(axis) for axis in axes]
-                if z is not None:
-                    common["z"] = z
-                else:
-                    common["below_ceiling"] = below_ceiling
-                units.setdefault("areas", []).append(common)
-                continue
-            low, high = self.bounds()
-            level = z if z is not None else high[2] - (below_ceiling or 0)
-            for axis in axes:
-                grid: dict[str, Any] = {"axis": list(axis), "z": float(level)}
-                grid["min"], grid["max"] = (low[:2] + spacing / 2).tolist(), (high[:2] - spacing / 2).tolist()
-                units.setdefault("grids", []).append({**common, **grid})
+            name = self.add_emitter(emitter)
+            if has_room:
+                members: dict[str, Any] = {"type": name, "area": area, "spacing": spacing, "axes": axes}
+                members["z" if z is not None else "below_ceiling"] = z if z is not None else below_ceiling
+                units.setdefault("areas", []).append(_plain(members))
+            for number, axis in enumerate(axes if points else ()):
+                aim = f"/a{number + 1}" if len(axes) > 1 else ""
+                units.setdefault("list", []).extend(
+                    {"id": f"{name}-{place}{aim}", "position": position, "axis": list(axis), "type": name}
+                    for place, position in points
+                )
 
     def with_people(self, number: float, size: Sequence[float] = (0.5, 0.3, 1.75),
                     reflectance: Material = "dyed_textile") -> Store:  # fmt: skip
         """A copy in which people (Poisson, `number` on average) walk through the room in every state."""
         store = self.copy()
-        store.document["materials"]["people"] = material(reflectance)
+        store._add("materials", "people", material(reflectance))
         area: Any = "room"
         if "room" not in store.document:
             (x0, y0), (x1, y1) = self.bounds()[:, :2].tolist()
@@ -304,6 +308,28 @@ class Store:
         people = {"area": area, "number": {"poisson": number}, "size": list(size), "material": "people"}
         store.document.setdefault("variation", {}).setdefault("people", []).append(people)
         return store
+
+    def _add(self, section: str, name: str, keys: Mapping[str, Any]) -> None:
+        """Adds a named member; the same member may be there already."""
+        members = self.document.setdefault(section, {})
+        member = copy.deepcopy(dict(keys))
+        taken = name in members and to_json(members[name]) != to_json(member)
+        expect(not taken, f"{section} has another member {name!r}: use another name", "name")
+        members[name] = member
+
+    def _surfaces(self) -> Scene:
+        """The scene with a label and a unit in place of those of the document."""
+        probe = self.copy()
+        for section in ("planogram", "measuring_planes", "variation"):
+            probe.document.pop(section, None)
+        for fixture in probe.document.get("fixtures", []):
+            fixture.pop("labels", None)
+        low: dict[str, Any] = {"position": [0, 0, 0.5], "type": "probe"}
+        probe.document["label_types"] = {"probe": {"threshold": 1}}
+        probe.document["transceiver_types"] = {"probe": Emitter.lambertian(1).keys}
+        probe.document["labels"] = [{"id": "probe", "normal": [0, 0, 1], **low}]
+        probe.document["transceivers"] = {"list": [{"id": "probe", **low}]}
+        return Scene(_core.Scene.parse(probe.text(), self.name, self.folder, self.allow_outside))
 
     def __repr__(self) -> str:
         title = self.document.get("name") or self.name
@@ -318,6 +344,18 @@ def scene_of(shop: Store | Scene | Path) -> Scene:
     if isinstance(shop, Scene):
         return shop
     return (shop if isinstance(shop, Store) else Store.read(shop)).scene()
+
+
+def name_of(shop: Store | Scene | Path) -> str:
+    """The name of a store in messages."""
+    if isinstance(shop, Scene):
+        return "store"
+    return shop.name if isinstance(shop, Store) else os.fspath(shop)
+
+
+def _plain(members: Mapping[str, Any]) -> Any:
+    """Without NumPy values."""
+    return json.loads(to_json(members))
 
 
 def _with_files(part: Any, rename: Any) -> Any:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .errors import InputError
+from .errors import expect, make
 
 Records = NDArray[np.void]
 # Ids or numbers of labels or units, a mask, or records of a table.
@@ -38,27 +38,39 @@ def records(columns: Mapping[str, Sequence[Any]]) -> Records:
 
 def numbers(chosen: Chosen, ids: Sequence[str], kind: str) -> list[int]:
     """The numbers of chosen members of a table, in their order."""
-    if isinstance(chosen, (str, int, np.integer)):
+    if isinstance(chosen, np.void):
+        chosen = [str(chosen["id"])]
+    elif isinstance(chosen, (str, int, np.integer)):
         chosen = [chosen]
-    array = np.asarray(chosen if isinstance(chosen, np.ndarray) else list(chosen))
-    if array.dtype.names is not None:
-        array = np.atleast_1d(array["id"])
-    if array.dtype == np.bool_:
-        if array.shape != (len(ids),):
-            raise InputError(f"the mask has the shape {array.shape} instead of ({len(ids)},)", 2, kind)
-        return [int(k) for k in np.flatnonzero(array)]
-    if array.dtype.kind in "iu":
-        for k in array:
-            if not 0 <= k < len(ids):
-                raise InputError(f"there is no {kind} {k}: they are numbered from 0 to {len(ids) - 1}", 2, kind)
-        return [int(k) for k in array]
+    members = chosen["id"] if isinstance(chosen, np.ndarray) and chosen.dtype.names else chosen
+    members = members.tolist() if isinstance(members, np.ndarray) else list(members)
+    if members and all(isinstance(one, (bool, np.bool_)) for one in members):
+        expect(len(members) == len(ids), f"is a mask of {len(members)} values instead of {len(ids)}", kind)
+        return [k for k, one in enumerate(members) if one]
     places = {id: k for k, id in enumerate(ids)}
     found = []
-    for id in map(str, array.ravel()):
-        if id not in places:
-            raise InputError(f"there is no {kind} {id!r}", 2, kind)
-        found.append(places[id])
+    for one in members:
+        if isinstance(one, np.void):
+            one = str(one["id"])
+        number = places.get(one, -1) if isinstance(one, str) else int(one)
+        expect(0 <= number < len(ids), f"has no member {one!r}", kind)
+        found.append(number)
     return found
+
+
+def selected_numbers(chosen: Chosen, ids: Sequence[str]) -> list[int]:
+    """The columns of a selection, ascending."""
+    found = sorted(numbers(chosen, ids, "unit"))
+    expect(len(set(found)) == len(found), "lists a unit twice", "selection")
+    return found
+
+
+def floats(values: Any, name: str) -> NDArray[np.float64]:
+    """An array of numbers."""
+    try:
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise make("input", f"is not an array of numbers: {error}", 2, "", name) from None
 
 
 def decibels(ratio: Any) -> NDArray[np.float64]:

@@ -386,4 +386,15 @@ void make_output_folder(const fs::path& folder) {
   if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0) cannot_write(folder, system_reason());
 }
 
+void protect_input(const std::filesystem::path& output, const std::filesystem::path& input) {
+  std::error_code missing;
+  if (std::filesystem::equivalent(output, input, missing))
+    throw InputError(output.string(), "is also the input and would be overwritten",
+                     "choose another name for the output");
+}
+
+void expect_writable(const std::filesystem::path& output) {
+  const AtomicFile probe(output);
+}
+
 }  // namespace shelfbeam

@@ -105,6 +105,12 @@ void remove_abandoned(const std::filesystem::path& target);
 /// Writes `content` to `path` through an AtomicFile.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// Throws InputError if the output would overwrite the input.
+void protect_input(const std::filesystem::path& output, const std::filesystem::path& input);
+
+/// Throws InputError if the output cannot be written, before any long work begins.
+void expect_writable(const std::filesystem::path& output);
+
 /// Files of one folder that must be replaced together.
 class AtomicFolder {
  public:

@@ -18,17 +18,26 @@ import shelfbeam as sb
 
 ROOT = Path(__file__).parents[3]
 GALLERY = sorted((ROOT / "docs" / "python").glob("*.py"))
-SAMPLES, STATES = 256, 4
 
 
-def quickly(function):
-    """The same function with at most so many samples and states."""
+LIMITS = {"samples": 256, "states": 4, "time_limit": 1, "budget": 2}
+# The keywords that each function gets with at most these values.
+FUNCTIONS = {
+    "simulate": ["samples", "states"],
+    "impulse_response": ["samples"],
+    "place": ["time_limit"],
+    "verify": ["budget", "states"],
+    "plan": ["budget", "time_limit"],
+}
 
+
+def quickly(function, limited):
     def call(*positional, **keywords):
-        if "relative_error" not in keywords:
-            keywords["samples"] = min(keywords.get("samples", SAMPLES), SAMPLES)
-        if keywords.get("states"):
-            keywords["states"] = min(keywords["states"], STATES)
+        for name in limited:
+            if name != "states" and "relative_error" not in keywords or name in keywords:
+                keywords[name] = min(keywords.get(name, LIMITS[name]), LIMITS[name])
+        if "samples" in limited and not {"relative_error", "states"} & set(keywords):
+            keywords.setdefault("estimator", "uniform")  # has no radiance cache, which takes seconds
         return function(*positional, **keywords)
 
     return call
@@ -36,15 +45,9 @@ def quickly(function):
 
 @contextlib.contextmanager
 def few_samples():
-    exact = sb.place
-    functions = {
-        "simulate": quickly(sb.simulate),
-        "impulse_response": quickly(sb.impulse_response),
-        "place": lambda *positional, **keywords: exact(*positional, **{**keywords, "time_limit": 1}),
-    }
     with contextlib.ExitStack() as patches:
-        for name, function in functions.items():
-            patches.enter_context(mock.patch.object(sb, name, function))
+        for name, limited in FUNCTIONS.items():
+            patches.enter_context(mock.patch.object(sb, name, quickly(getattr(sb, name), limited)))
         yield
 
 

@@ -1,6 +1,9 @@
 #include "shelfbeam/transport/run/simulation_request.hpp"
 
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/memory.hpp"
@@ -21,6 +24,17 @@ SimulationOptions SimulationRequest::options(std::uint64_t seed, CheckpointOptio
                      "give one of them");
   expect_relative_error(above, "above");
   expect_relative_error(max_samples, "max_samples");
+  if (lengths && !by_length)
+    throw InputError("lengths", "has no effect without a step of the path length", "add one",
+                     Setting::lengths);
+  if (by_length && !(std::isfinite(*by_length) && *by_length > 0))
+    throw InputError("by_length", "is not a finite length above 0", "correct it", Setting::lengths);
+  if (lengths && (*lengths < 1 || *lengths > max_lengths))
+    throw InputError("lengths", fmt::format("is not from 1 to {}", max_lengths), "correct it",
+                     Setting::lengths);
+  if (by_bounce && !max_bounces)
+    throw InputError("by_bounce", "has no end without a maximum number of bounces", "add one",
+                     Setting::bounces);
   if (relative_error)
     options.relative_error = RelativeError{*relative_error, above.value_or(default_above),
                                            max_samples.value_or(RelativeError{}.max_samples)};

@@ -26,11 +26,11 @@ struct SimulationRequest {
   std::size_t memory = 0;  ///< bytes; 0: memory_limit()
 
   static constexpr double default_above = 0.3;
-  static constexpr std::uint32_t default_lengths = 64;
+  static constexpr std::uint32_t default_lengths = 64, max_lengths = 10000;
 
   /// Throws InputError, with the setting, for a value that has no effect.
   EstimatorKind kind() const;
-  /// Throws as `kind`.
+  /// Throws as `kind`, and for layers whose step or number is out of range.
   SimulationOptions options(std::uint64_t seed, CheckpointOptions checkpoint = {}) const;
 };
 

@@ -1,0 +1,196 @@
+"""Errors, warnings, progress and keywords of the Python package."""
+
+import inspect
+import json
+import re
+import signal
+import subprocess
+import sys
+import textwrap
+import unittest
+
+import numpy as np
+import shelfbeam as sb
+from support import FEW, ROOM, THESIS, InFolder, command
+
+
+class Conduct(InFolder):
+    def test_errors_have_codes_and_sentences(self):
+        file = self.folder / "store.json"
+        document = json.loads(json.dumps(ROOM))
+        document["label_types"]["pd"]["threshold"] = -1
+        file.write_text(json.dumps(document))
+        done = command("simulate", file, "-o", self.folder / "signal.h5", codes=(2,))
+        with self.assertRaises(sb.InputError) as caught:
+            sb.simulate(file)
+        self.assertEqual(done.stderr.strip(), f"error: {caught.exception}")
+        self.assertEqual(caught.exception.code, 2)
+        self.assertIn("store.json", caught.exception.where)
+        self.assertIsInstance(caught.exception, ValueError)
+
+    def test_a_keyword_is_named_in_an_error(self):
+        with self.assertRaises(sb.InputError) as caught:
+            sb.simulate(sb.Store(ROOM), max_bounces=3, estimator="reuse")
+        self.assertEqual(caught.exception.setting, "max_bounces")
+        self.assertIn("(max_bounces)", str(caught.exception))
+
+    def test_values_that_are_refused(self):
+        people, signals, twice = sb.Store(ROOM).with_people(2), sb.simulate(sb.Store(ROOM), **FEW), sb.Store(ROOM)
+        twice.document["transceivers"]["grids"] *= 2
+        file = self.folder / "store.json"
+        people.save(file)
+        text = file.read_text()
+        for call in (
+            lambda: sb.place([[1, float("nan")]], requirement=1),
+            lambda: sb.place([[1, 2]], requirement=[1, 2]),
+            lambda: sb.place([[1, 2]]),
+            lambda: sb.place([1, 2], requirement=1),
+            lambda: sb.place([[1, 2]], requirement=0),
+            lambda: sb.place([[1, 2]], requirement=1, model="both"),
+            lambda: sb.place([[1, 2]], requirement=1, weights=[1]),
+            lambda: sb.place([[1, 2]], requirement=1, costs=[1, -1]),
+            lambda: sb.evaluate([[1, 2]], ["T3"], requirement=1),
+            lambda: sb.evaluate([[1, 2]], [2], requirement=1),
+            lambda: sb.evaluate([[1, 2]], [0, 0], requirement=1),
+            lambda: sb.place([[1], [2, 3]], requirement=1),
+            lambda: sb.place([[1, 2]], requirement=1, threshold=1),
+            lambda: sb.place([[1, 2]], requirement=1, curve=True, at_most=1),
+            lambda: sb.place([[1, 2]], requirement=1, time_limit=float("nan")),
+            lambda: sb.verify(sb.Store(ROOM), [3, 3]),
+            lambda: sb.verify(sb.Store(ROOM), []),
+            lambda: sb.verify(twice, ["G1-1-1", "G2-1-1"]),
+            lambda: sb.verify(people, [0], states=5, availability=95),
+            lambda: sb.compare(signals, {"label": ["P-1-1"] * 3, "transceiver": ["G1-1-1"], "signal": [1] * 3}),
+            lambda: sb.compare(signals, {"label": ["none"], "transceiver": ["G1-1-1"], "signal": [1]}),
+            lambda: sb.compare(signals, {"label": ["P-1-1"], "signal": [1]}, confidence=95),
+            lambda: signals.plot_coverage([0], unit="db"),
+            lambda: sb.simulate(people, without="doors"),
+            lambda: sb.simulate(people, states=3, relative_error=0.1),
+            lambda: sb.simulate(people, states=2.5),
+            lambda: sb.simulate(people, hard_labels=3),
+            lambda: sb.simulate(sb.Store(ROOM), by_length=-1, **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), by_length=float("nan"), **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), by_length=1, lengths=0, **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), by_bounce=True, **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), lengths=3, **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), resume=True, **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), memory="much", **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), threads=-1, **FEW),
+            lambda: sb.simulate(file, output=file),
+            lambda: sb.simulate(file, output=self.folder / "no" / "signal.h5"),
+            lambda: sb.impulse_response(sb.Store(ROOM), step=0.0001),
+            lambda: sb.impulse_response(sb.Store(ROOM), step=0),
+            lambda: sb.plan(sb.Store(ROOM), reflectance_error=0.1),
+            lambda: sb.plan(sb.Store(ROOM), resume=True),
+            lambda: people.add_receivers("pd", plane=1, spacing=1, threshold=5),
+            lambda: people.add_candidates(sb.Emitter.lambertian(2, name="led"), spacing=1, z=2),
+            lambda: people.add_candidates(sb.Emitter.lambertian(2), spacing=1, z=2, below_ceiling=1),
+            lambda: people.scene().state(-1),
+            lambda: sb.LightOperator(people, threads=-1),
+            lambda: sb.simulate(sb.Store(ROOM), samples=3),
+            lambda: sb.simulate(sb.Store(ROOM), states=5),
+            lambda: sb.simulate(self.folder / "none.json"),
+            lambda: sb.Plan.read(self.folder),
+        ):
+            with self.assertRaises(sb.InputError) as caught:
+                call()
+            self.assertIn(caught.exception.code, (2, 3))
+        self.assertEqual(file.read_text(), text)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["store.json"])
+
+    def test_progress_and_its_errors(self):
+        seen = []
+        sb.simulate(THESIS, samples=1000, progress=seen.append)
+        self.assertIn("simulating", {state.task for state in seen})
+        self.assertTrue(all(state.fraction is None or 0 <= state.fraction <= 1 for state in seen))
+
+        def fail(state):
+            raise RuntimeError(state.task)
+
+        with self.assertRaises(RuntimeError):
+            sb.simulate(THESIS, samples=10**7, progress=fail)
+
+    def test_ctrl_c_ends_the_call(self):
+        script = textwrap.dedent(f"""
+            import sys, shelfbeam as sb
+            def ready(state):
+                print("ready", flush=True)
+            try:
+                sb.simulate({str(THESIS)!r}, samples=10**8, progress=ready)
+            except KeyboardInterrupt:
+                sys.exit(33)
+        """)
+        with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True) as process:
+            process.stdout.readline()
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 33)
+
+    def test_keywords_are_the_flags_of_the_command_line(self):
+        names = {"progress", "output", "no_certificate", "coarse", "refine"}
+        only_there = {"help", "json", "quiet", "allow_outside", "version", "color", "part"}
+        verbs = {"simulate": sb.simulate, "place": sb.place, "plan": sb.plan, "verify": sb.verify,
+                 "preview": sb.what_if, "compare": sb.compare}  # fmt: skip
+        only_here = {
+            "simulate": {"labels", "units"},
+            "place": {"requirement"},
+            "plan": {"certificate"},
+            "verify": {"selection"},
+            "preview": {"plan"},
+            "compare": {"measured"},
+        }
+        # Folders and files of `verify`; `--sampled` and others are named in the help of `simulate`.
+        files_only = {
+            "simulate": {"sampled"},
+            "verify": {"signal", "overwrite", "resume", "checkpoint_interval", "output", "safe_csv"},
+            "preview": {"from"},
+            "compare": {"safe_csv", "threads", "seed"},
+        }
+        for verb, function in verbs.items():
+            help_text = command(verb, "--help").stdout
+            flags = {flag.replace("-", "_") for flag in re.findall(r"^\s+(?:-\w, ?)?--([a-z][a-z-]+)", help_text, re.M)}
+            keywords = set(inspect.signature(function).parameters)
+            missing = flags - keywords - only_there - names - files_only.get(verb, set())
+            self.assertEqual(missing, set(), verb)
+            unknown = keywords - flags - names - only_here[verb] - {"shop", "signals"}
+            self.assertEqual(unknown - {"strict", "safe_csv"}, set(), verb)
+
+    def test_defaults_are_those_of_the_command_line(self):
+        text = re.sub(r"\s+", " ", command("plan", "--help").stdout + command("place", "--help").stdout)
+        for function in (sb.plan, sb.place, sb.verify):
+            for name, parameter in inspect.signature(function).parameters.items():
+                if isinstance(parameter.default, (int, float)) and not isinstance(parameter.default, bool):
+                    found = re.search(rf"--{name.replace('_', '-')} [A-Z][^-]*?default ([0-9.]+[0-9])", text)
+                    if found and name not in ("states", "seed", "threads"):
+                        self.assertEqual(float(found[1]), parameter.default, name)
+
+    def test_numpy_values_in_a_document(self):
+        store = sb.Store.parse(json.dumps(ROOM))
+        store.document["room"]["size"] = np.array([5.0, 4, 3])
+        store.document["label_types"]["pd"]["threshold"] = np.float32(0.5)
+        self.assertEqual(store.scene().labels["requirement"][0], 0.5)
+
+    def test_results_are_dictionaries_and_html(self):
+        signals = sb.simulate(sb.Store(ROOM), **FEW)
+        best = sb.place(signals)
+        results = [signals, best, sb.evaluate(signals, best), sb.verify(sb.Store(ROOM), best, budget=30)]
+        for result in results:
+            self.assertTrue(json.dumps(result.to_dict()))
+            self.assertIn("<", result._repr_html_())
+            self.assertTrue(repr(result).startswith("<"))
+
+    def test_warnings_name_the_line_of_the_caller(self):
+        dark = sb.Store(ROOM)
+        dark.document["materials"]["white"] = sb.material(0)
+        with self.assertWarns(sb.ShelfbeamWarning) as caught:
+            sb.simulate(dark, **FEW)
+        self.assertEqual(caught.filename, __file__)
+
+    def test_an_import_needs_numpy_alone(self):
+        script = "import sys, shelfbeam; print(sorted({'matplotlib', 'pandas', 'xarray', 'tqdm'} & set(sys.modules)))"
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+        self.assertEqual(done.stdout.strip(), "[]")
+
+
+if __name__ == "__main__":
+    unittest.main()
