@@ -54,6 +54,11 @@ def coverage(signals: Signals, selection: Any, z: float | None, unit: str, ax: A
     return ax.figure
 
 
+def fitted(svg: str) -> str:
+    """A drawing that is not wider than its place."""
+    return svg.replace("<svg ", '<svg style="max-width: 100%; height: auto" ', 1)
+
+
 def placement_html(answer: str, signals: Signals | None, selection: Any) -> str:
     """The answer, and the floor plan with the units and the labels coloured by margin."""
     picture = ""
@@ -88,7 +93,7 @@ def _svg(signals: Signals, selection: Any) -> str:
         parts.append(f'<path d="M{u:.1f} {v - 7:.1f}l6 11h-12z" fill="#1f4e9c" stroke="#fff"/>')
         parts.append(f'<text x="{u + 8:.1f}" y="{v:.1f}" font-size="11">{html.escape(str(id))}</text>')
     width, height = 80 + 580 * (x1 - x0) / size, 20 + 580 * (y1 - y0) / size
-    return (
+    return fitted(
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
         f'font-family="sans-serif">{"".join(parts)}</svg>'
     )

@@ -177,7 +177,7 @@ class Signals(Result):
         return f"<Signals: {rows} labels x {columns} candidates{of_states}; {self.estimator}, seed {self.seed}>"
 
     def _repr_html_(self) -> str:
-        picture = self.scene.svg() if self.scene else ""
+        picture = pictures.fitted(self.scene.svg()) if self.scene else ""
         return f"<p>{html.escape(repr(self)[1:-1])}</p>{picture}"
 
 

@@ -17,6 +17,7 @@ from . import _core
 from .errors import InputError, expect, warn
 from .options import Path, options, to_json
 from .parts import Emitter, Material, material
+from .pictures import fitted
 from .places import spaces
 from .tables import Records, records
 
@@ -134,7 +135,7 @@ class Scene:
         )
 
     def _repr_html_(self) -> str:
-        return self.svg()
+        return fitted(self.svg())
 
 
 class Store:
@@ -336,7 +337,7 @@ class Store:
         return f"<Store {title!r}: {', '.join(self.document)}>"
 
     def _repr_html_(self) -> str:
-        return self.scene().svg()
+        return fitted(self.scene().svg())
 
 
 def scene_of(shop: Store | Scene | Path) -> Scene:
