@@ -1,6 +1,6 @@
-# cmake -DWANTED=... -P cannot_run.cmake: replaces a test of the pages if the build has none. Counts as skipped, or as
-# an error if continuous integration (CI is set) requires the pages.
-set(why "this build has no pages: Node.js or its packages are missing, see the configuration")
+# cmake -DWANTED=... -DPART=... -P cannot_run.cmake: replaces a test of the pages or of the Python module if the build
+# has none. Counts as skipped, or as an error if continuous integration (CI is set) requires them.
+set(why "this build has no ${PART}: packages are missing, see the configuration")
 if(WANTED AND DEFINED ENV{CI})
   message(FATAL_ERROR "${why}")
 endif()
