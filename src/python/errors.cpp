@@ -45,7 +45,7 @@ void translate(std::exception_ptr thrown) {
 }  // namespace
 
 void bind_errors() {
-  py::register_exception_translator(translate);
+  py::register_local_exception_translator(translate);  // others have their own
 }
 
 }  // namespace shelfbeam::python

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -69,8 +70,8 @@ void set_each(Members& members, const Values& values, const char* name, double l
   for (py::ssize_t k = 0; k < at.shape(0); ++k) {
     const double value = at(k);
     if (!std::isfinite(value) || value < least)
-      throw InputError(name + ("[" + std::to_string(k) + "]"), "is not a finite number of this kind",
-                       "use a finite number that is not negative");
+      throw InputError(name + ("[" + std::to_string(k) + "]"), "is negative or not a finite number",
+                       "correct it");
     set(members[static_cast<std::size_t>(k)], value);
   }
 }
@@ -111,13 +112,21 @@ py::dict placed(const SignalTable& table, const std::string& options, const py::
   });
   py::list ids;
   for (const std::uint32_t j : answer.selected) ids.append(used.transceivers[j].id);
+  // Those of excluded units are as in the table.
+  std::map<std::string, double> price;
+  for (const SignalTable::Transceiver& unit : used.transceivers) price[unit.id] = unit.cost;
+  std::vector<double> costs;
+  for (const SignalTable::Transceiver& unit : table.transceivers) {
+    const auto found = price.find(unit.id);
+    costs.push_back(found == price.end() ? unit.cost : found->second);
+  }
   using py::arg;
   return py::dict(arg("status") = std::string(to_text(answer.status)),
                   arg("has_selection") = answer.has_selection, arg("ids") = ids,
                   arg("reached") = answer.reached, arg("value") = answer.value, arg("bound") = answer.bound,
                   arg("json") = answer.json, arg("text") = answer.text,
                   arg("code") = static_cast<int>(answer.code), arg("seconds") = answer.seconds,
-                  arg("lacks_curve") = answer.lacks_curve, arg("steps") = steps_json(answer.steps));
+                  arg("costs") = copy_of(costs), arg("steps") = steps_json(answer.steps));
 }
 
 py::dict checked(const SignalTable& table, const std::string& options, const Columns& selected) {

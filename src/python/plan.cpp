@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -17,7 +19,9 @@
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/report/messages/end_reason.hpp"
+#include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/signals.hpp"
 #include "shelfbeam/report/terminal/coverage_text.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/report/terminal/plan_text.hpp"
@@ -42,6 +46,27 @@ namespace {
 
 using py::arg;
 
+// The lines of the command line, with keywords instead of flags.
+py::dict result(const jobs::PlanJob& job, const jobs::PlanEnd& end) {
+  const Plan& plan = end.plan;
+  PlanText text = plan_text(plan, end.table);
+  if (plan.certificate) text.answer = with_effort(english(), text.answer, plan.certificate->open);
+  Remedy remedy = remedy_for(english(), plan);
+  for (const Setting setting : remedy.settings)
+    if (!to_text(setting).empty()) remedy.advice += fmt::format(" ({})", to_text(setting));
+  text.details += describe(plan.alternatives, plan.placement, end.table) + describe(plan.curve, end.table);
+  if (plan.sensitivity)
+    text.details += sensitivity_sentence(english(), *plan.sensitivity, end.table.rows()) + '\n';
+  const SimulationSummary& summary = plan.simulation.summary;
+  std::string given;
+  if (plan.signals)
+    given = signals_text(english(), *plan.signals, summary.labels, summary.candidates, job.signal->string());
+  return py::dict(arg("code") = static_cast<int>(end.code), arg("imprecise") = end.is_imprecise,
+                  arg("answer") = text.answer, arg("open") = remedy.after(text.open),
+                  arg("details") = text.details, arg("given") = given,
+                  arg("misfit") = plan.signals && std::holds_alternative<MisfitReason>(*plan.signals));
+}
+
 // Cancelled, the results so far are in the folder, as those of the command line.
 py::dict planned(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress) {
   const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
@@ -59,13 +84,7 @@ py::dict planned(const std::shared_ptr<Shop>& shop, const std::string& options, 
       stop.value().attr("add_note")("the plan so far is in " + kept.string());
     throw;
   }
-  PlanText text = plan_text(end.plan, end.table);
-  if (end.plan.certificate) text.answer = with_effort(english(), text.answer, end.plan.certificate->open);
-  return py::dict(arg("code") = static_cast<int>(end.code), arg("complete") = end.plan.complete,
-                  arg("imprecise") = end.is_imprecise, arg("answer") = text.answer, arg("open") = text.open,
-                  arg("details") = text.details +
-                                   describe(end.plan.alternatives, end.plan.placement, end.table) +
-                                   describe(end.plan.curve, end.table));
+  return result(job, end);
 }
 
 // Mounted units: the ids, the file, or those that the store chooses.
@@ -92,7 +111,7 @@ jobs::Installation installation(const Shop& shop, const jobs::PlanJob& job,
   return found;
 }
 
-py::dict result(const Certificate& certificate, const CertifiedPlan& verified, const Scene& scene) {
+py::dict verdicts(const Certificate& certificate, const CertifiedPlan& verified, const Scene& scene) {
   py::list verdict;
   std::vector<double> requirement, signal, error, lower, upper;
   for (const LabelVerdict& label : certificate.labels) {
@@ -146,7 +165,7 @@ py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options,
     CertifiedPlan certified = verify_installation(mounted.scene, mounted.problem, how, control);
     return std::pair(std::move(certified), std::move(mounted.scene));
   });
-  return result(*found.certificate, found, scene);
+  return verdicts(*found.certificate, found, scene);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -5,6 +6,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
@@ -72,6 +74,20 @@ py::dict unit_columns(const StoredSignals& signals) {
                   arg("cost") = cost, arg("installed") = installed, arg("pinned") = pinned);
 }
 
+// The same matrix with other means, for placements on them.
+std::shared_ptr<StoredSignals> with_mean(
+    const StoredSignals& signals, const py::array_t<float, py::array::c_style | py::array::forcecast>& mean) {
+  if (mean.ndim() != 2 || mean.shape(0) != signed_size(signals.rows()) ||
+      mean.shape(1) != signed_size(signals.columns()))
+    throw InputError("mean", "has another shape than the signals", "give one value per label and unit");
+  auto copy = std::make_shared<StoredSignals>(signals);
+  copy->mean.assign(mean.data(), mean.data() + mean.size());
+  for (const float value : copy->mean)
+    if (!std::isfinite(value) || value < 0)
+      throw InputError("mean", "has a value that is negative or not finite", "correct it");
+  return copy;
+}
+
 // Deviation between states, and the signals of the hardest labels: state x label x unit.
 py::object states_of(const py::object& self) {
   const auto& signals = self.cast<const StoredSignals&>();
@@ -106,6 +122,7 @@ void bind_signals(py::module_& module) {
              const py::gil_scoped_release unlocked;
              write_signal_file(signals, path);
            })
+      .def("with_mean", with_mean)
       .def_property_readonly("rows", [](const Signals& signals) { return signals.rows(); })
       .def_property_readonly("columns", [](const Signals& signals) { return signals.columns(); })
       .def_property_readonly("mean", array(&Signals::mean))

@@ -114,6 +114,8 @@ Simulated simulate_shop(const Shop& shop, const jobs::PlanJob& job, const Extras
   SimulationResult result;
   if (extras.labels || extras.units) {
     const auto or_all = [](const auto& chosen, std::size_t count) {
+      if (chosen && chosen->empty())
+        throw InputError("the simulation", "has no labels or no units", "choose some");
       return chosen ? *chosen : all_numbers(count);
     };
     const Scene part = sub_scene(shop.scene, or_all(extras.labels, shop.scene.labels.size()),

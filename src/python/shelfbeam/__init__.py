@@ -15,8 +15,9 @@ from .options import Progress
 from .placement import Evaluation, Placement, evaluate, place
 from .plans import Plan, Verification, plan, verify
 from .preview import Column, LightOperator, WhatIf, what_if
+from .scene import Problem, Scene
 from .signals import Signals, StateSignals, simulate
-from .store import Problem, Scene, Store
+from .store import Store
 
 __all__ = [
     "Column", "Comparison", "Emitter", "Error", "Evaluation", "ImpulseResponse", "InputError", "Interrupted",

@@ -14,10 +14,9 @@ from typing import Any
 from . import _core
 from .errors import InputError, expect
 from .options import Path
-from .placement import Placement, Selection
-from .results import Result
+from .placement import Selection, columns_of
 from .signals import Signals
-from .tables import selected_numbers
+from .tables import Result
 
 _LEAST, _MOST = 0.5, 0.9999  # of the confidence
 _CSV, _PAGE = "comparison.csv", "comparison.html"
@@ -55,18 +54,15 @@ class Comparison(Result):
 
 
 def compare(signals: Signals, measured: Path | Mapping[str, Sequence[Any]],
-            placement: Selection | Path | None = None, *, confidence: float = 0.95) -> Comparison:  # fmt: skip
+            placement: Selection | None = None, *, confidence: float = 0.95) -> Comparison:  # fmt: skip
     """Fits the factor between measurements and signals, and finds outliers (`shelfbeam compare`).
 
     `measured`: a CSV with the columns label, transceiver, signal, and optionally error, or a mapping of these names to
     sequences, such as a pandas.DataFrame. Without `transceiver`, the units of `placement` were on at once.
     """
     expect(_LEAST <= confidence <= _MOST, f"is not from {_LEAST} to {_MOST}", "confidence")
-    units = placement.ids if isinstance(placement, Placement) else placement
-    if isinstance(units, os.PathLike):
-        columns = _core.Table.of_signals(signals._core).read_selection(units)
-    else:
-        columns = [] if units is None else selected_numbers(units, signals.units["id"].tolist())
+    units = placement
+    columns = [] if units is None else columns_of(units, _core.Table.of_signals(signals._core))
     if isinstance(measured, (str, os.PathLike)):
         return Comparison(_core.compare(signals._core, measured, columns, confidence))
     names = [name for name in ("label", "transceiver", "signal", "error") if name in measured]

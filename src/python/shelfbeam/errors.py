@@ -64,9 +64,17 @@ _KINDS: dict[str, type[Error]] = {
 _WRONG_INPUT, _OUT_OF_MEMORY = 2, 5
 
 
+#: Keywords by the keys of a job, which errors of the compiled part name (options.py).
+KEYWORDS: dict[str, str] = {}
+
+
 def make(kind: str, message: str, code: int, where: str, setting: str) -> Error:
     """The exception for an error of the compiled part."""
     keyword = setting.replace("-", "_")
-    if keyword:
+    place, _, problem = message.removeprefix("options: ").partition(": ")
+    if message.startswith("options: ") and place in KEYWORDS:
+        keyword = KEYWORDS[place]
+        message = f"{keyword}: {problem}"
+    elif keyword:
         message = f"{message} ({keyword})"
     return _KINDS["memory" if code == _OUT_OF_MEMORY else kind](message, code, where, keyword)

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from .errors import expect
 from .options import Path
-from .results import Result
 from .signals import simulate
-from .store import Scene, Store, scene_of
-from .tables import Chosen, Records
+from .scene import Scene
+from .store import Store, scene_of
+from .tables import Chosen, Records, Result
 
 _METRES_PER_NS = 0.299792458
 _MOST_STEPS = 10000
@@ -84,16 +84,19 @@ class ImpulseResponse(Result):
 
 def impulse_response(shop: Store | Scene | Path, labels: Chosen | None = None,
                      units: Chosen | None = None, step: float = 0.25, max_bounces: int = 10,
-                     max_length: float | None = None, samples: int = 100000,
+                     max_length: float | None = None, samples: int | None = None,
                      **keywords: Any) -> ImpulseResponse:  # fmt: skip
     """The impulse response between labels and units, by the paper's estimator with layers by path length.
 
     `step`: length of a bin (m). `max_length`: length up to which paths have bins of their own (m); default:
-    (max_bounces + 1) times the diagonal of the scene. There are at most 10000 bins. `keywords`: further ones of
-    `simulate`. Raises InputError.
+    (max_bounces + 1) times the diagonal of the scene. There are at most 10000 bins. `samples` per label: 100000.
+    `keywords`: further ones of `simulate`. Raises InputError.
     """
     scene = scene_of(shop)
-    expect(math.isfinite(step) and step > 0, "is not a length above 0", "step")
+    for name, length in (("step", step), ("max_length", max_length)):
+        expect(length is None or math.isfinite(length) and length > 0, "is not a length above 0", name)
+    if samples is None and not {"relative_error", "time"} & set(keywords):
+        samples = 100_000
     if max_length is None:
         low, high = scene.bounds
         max_length = float((max_bounces + 1) * np.linalg.norm(high - low))

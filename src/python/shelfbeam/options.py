@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import contextlib
+import csv
 import json
 import os
 import re
 import sys
+import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from .errors import expect, make
+from .errors import KEYWORDS, expect, make
 
 ProgressOption = bool | Callable[["Progress"], None] | None
 Path = str | os.PathLike[str]
@@ -54,6 +56,8 @@ _KEYS = {
     "exclude": "excluded",
     "checkpoint_interval": "checkpoint_interval",
 }
+KEYWORDS.update({key: keyword for keyword, key in _KEYS.items()})
+KEYWORDS.update({"plan.problem.model": "model", "plan.goal.value": "availability, all_at_once or mean_missed"})
 _LISTS = {"costs", "forbid", "pin", "exclude", "without", "sampled"}
 
 
@@ -64,7 +68,11 @@ def options(store: str = "store", folder: Path = ".", **keywords: Any) -> str:
         if value is None or value is False and keyword != "certificate":
             continue
         if keyword in _LISTS:
-            value = [os.fspath(one) for one in as_list(value)]
+            value = as_list(value)
+            expect(
+                all(isinstance(one, (str, os.PathLike)) for one in value), "is not a list of texts or files", keyword
+            )
+            value = [os.fspath(one) for one in value]
         elif keyword == "memory":
             value = size_in_bytes(value)
         elif isinstance(value, os.PathLike):
@@ -86,7 +94,7 @@ def to_json(document: Any, indent: int | None = None) -> str:
         raise TypeError(f"{value!r} is not a value of JSON")
 
     try:
-        return json.dumps(document, ensure_ascii=False, indent=indent, default=plain)
+        return json.dumps(document, ensure_ascii=False, indent=indent, default=plain, allow_nan=False)
     except (TypeError, ValueError) as error:
         raise make("input", str(error), 2, "", "") from None
 
@@ -141,8 +149,28 @@ class Progress:
 
 
 @contextlib.contextmanager
+def pair_files(forbid: Any) -> Iterator[list[Path] | None]:
+    """Pairs of units as a CSV file; files stay as they are."""
+    if forbid is None or isinstance(forbid, (str, os.PathLike)):
+        yield None if forbid is None else [forbid]
+        return
+    members = list(forbid)
+    pairs = [one for one in members if not isinstance(one, (str, os.PathLike))]
+    if not pairs:
+        yield members
+        return
+    expect(len(pairs) == len(members) and all(len(pair) == 2 for pair in pairs), "mixes files and pairs", "forbid")  # noqa: PLR2004
+    with tempfile.TemporaryDirectory(prefix="shelfbeam-") as folder:
+        file = os.path.join(folder, "forbid.csv")
+        with open(file, "w", newline="", encoding="utf-8") as out:
+            csv.writer(out).writerows([("a", "b"), *pairs])
+        yield [file]
+
+
+@contextlib.contextmanager
 def lines_of(progress: ProgressOption) -> Iterator[Callable[[str], None] | None]:
     """The callable that gets lines of events: for True, it shows a bar of tqdm, or a line per task without tqdm."""
+    expect(progress is None or isinstance(progress, bool) or callable(progress), "is not callable", "progress")
     if progress is None or progress is False:
         yield None
     elif callable(progress):

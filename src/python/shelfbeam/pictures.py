@@ -21,7 +21,7 @@ _CLOSE_DB = 1.0
 def coverage(signals: Signals, selection: Any, z: float | None, unit: str, ax: Any,
              problem: Mapping[str, Any]) -> Any:  # fmt: skip
     """See Signals.plot_coverage."""
-    from matplotlib import pyplot  # type: ignore[import]  # noqa: PLC0415: optional
+    from matplotlib import pyplot  # noqa: PLC0415: optional
 
     from .placement import evaluate  # noqa: PLC0415: needs this module
 

@@ -6,7 +6,6 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
@@ -14,10 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core, pictures
 from .errors import expect, warn
-from .options import Path, ProgressOption, as_list, lines_of, options, problem
-from .results import Result
+from .options import Path, ProgressOption, as_list, lines_of, options, pair_files, problem
 from .signals import Signals
-from .tables import Chosen, decibels, floats, selected_numbers
+from .tables import Chosen, Result, decibels, floats, numbers, selected_numbers
 
 Source = Signals | ArrayLike | Path | Sequence[Path]
 
@@ -30,7 +28,7 @@ class Question:
     model: str
     survive_failure: bool
     requirement: NDArray[np.float64] | None  #: instead of those of the signals
-    costs: NDArray[np.float64] | None
+    costs: NDArray[np.float64]  #: of all units
     at_most: int | None
 
 
@@ -92,7 +90,7 @@ class Placement(Result):
         return pictures.placement_html(self.text.strip().splitlines()[0], self.question.signals, self)
 
 
-Selection = Placement | Chosen
+Selection = Placement | Chosen | Path
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,20 +131,22 @@ def place(signals: Source, *, requirement: ArrayLike | None = None, threshold: f
           read_as: str = "auto", model: str = "cooperative", survive_failure: bool = False, objective: str = "count",
           weighted: bool = False, lexicographic: bool = False, share: float | None = None,
           at_most: int | None = None, reach: float | None = None, curve: bool = False,
-          weights: ArrayLike | Path | None = None, start: Selection | Path | None = None,
+          weights: ArrayLike | Path | None = None, start: Selection | None = None,
           costs: ArrayLike | Path | Sequence[Path] | None = None, min_spacing: float | None = None,
-          forbid: Path | Sequence[Path] | None = None, pin: str | Sequence[str] = (),
-          exclude: str | Sequence[str] = (), solver: str = "auto", backend: str | None = None,
+          forbid: Path | Sequence[Path] | Sequence[tuple[str, str]] | None = None, pin: Chosen = (),
+          exclude: Chosen = (), solver: str = "auto", backend: str | None = None,
           time_limit: float = 60, seed: int = 1, threads: int = 0,
           progress: ProgressOption = None) -> Placement:  # fmt: skip
     """The fewest or cheapest units that reach all labels, with a proven bound (`shelfbeam place`).
 
     `signals`: of a simulation, an m x n array, the file of a matrix, or several files, each a scenario. An array needs
-    its `requirement`, one number or one per label (W/m²); `threshold` is the same for all. `model`: "cooperative",
-    signals add up (3.5), or "non-cooperative", one unit alone must reach a label. `at_most` reaches as many labels as
-    possible with at most so many units, `reach` a share of the labels with as few units as possible. `costs` and
-    `weights`: one per unit and per label, or CSV files. `pin` and `exclude`: ids or patterns. `start`: a selection to
-    begin with, or its placement.json. Ties go to the largest minimum margin. Raises InputError.
+    its `requirement`, one number or one per label (W/m²); `threshold` is the same for all. Of the signals of a
+    simulation, at most one option of a mounting point is chosen; `Signals.with_mean` keeps this for an array. `model`:
+    "cooperative", signals add up (3.5), or "non-cooperative", one unit alone must reach a label. `at_most` reaches as
+    many labels as possible with at most so many units, `reach` a share of the labels with as few units as possible.
+    `costs` and `weights`: one per unit and per label, or CSV files. `pin` and `exclude`: ids, patterns, numbers or a
+    mask. `forbid`: pairs of ids, or CSV files. `start`: a selection to begin with. Ties go to the largest minimum
+    margin. Raises InputError.
     """
     partial = at_most is not None or reach is not None
     expect(weights is None or partial or curve, "apply only if some labels may be missed: add at_most, reach or curve",
@@ -156,45 +156,44 @@ def place(signals: Source, *, requirement: ArrayLike | None = None, threshold: f
     if isinstance(weights, (str, os.PathLike)):
         table.read_weights(weights)
     elif weights is not None:
-        table.set_weights(floats(weights, "weights"))
+        table.set_weights(np.atleast_1d(floats(weights, "weights")))
     prices = None if costs is None or _are_paths(costs) else floats(costs, "costs")
     if prices is not None:
+        expect(prices.ndim == 1, "is not a list of numbers", "costs")
         table.set_costs(prices)
-    begin = []
-    if start is not None:
-        file = _file_of(start, table)
-        chosen = table.read_selection(file) if file else _columns(start, table.units)
-        begin = [table.units[number] for number in chosen]
-    job = options(
-        **problem(model, weighted, lexicographic, objective=objective, share=share, survive_failure=survive_failure),
-        at_most=at_most, reach=reach, curve=curve, costs=costs if prices is None else None, min_spacing=min_spacing,
-        forbid=forbid, pin=as_list(pin) or None, exclude=as_list(exclude) or None, solver=solver, backend=backend,
-        time_limit=time_limit, seed=seed, threads=threads or None,
-    )  # fmt: skip
-    with lines_of(progress) as lines:
+    begin = [] if start is None else [table.units[number] for number in columns_of(start, table)]
+    with pair_files(forbid) as files, lines_of(progress) as lines:
+        job = options(
+            **problem(model, weighted, lexicographic, objective=objective, share=share,
+                      survive_failure=survive_failure),
+            at_most=at_most, reach=reach, curve=curve, costs=costs if prices is None else None,
+            min_spacing=min_spacing, forbid=files, pin=_patterns(pin, table), exclude=_patterns(exclude, table),
+            solver=solver, backend=backend,
+            time_limit=time_limit, seed=seed, threads=threads or None,
+        )  # fmt: skip
         answer = table.place(job, lines, begin)
     given = threshold if threshold is not None else requirement
     question = Question(signals if isinstance(signals, Signals) else None, model, survive_failure,
-                        None if given is None else floats(given, "requirement"), prices, at_most)  # fmt: skip
+                        None if given is None else floats(given, "requirement"), answer["costs"], at_most)  # fmt: skip
     return Placement(answer, table.units, question)
 
 
 def evaluate(signals: Source, selection: Selection, *, requirement: ArrayLike | None = None,
              threshold: float | None = None, model: str | None = None, survive_failure: bool | None = None,
              costs: ArrayLike | None = None) -> Evaluation:  # fmt: skip
-    """The labels that a selection reaches: ids, numbers, a mask, or a `Placement`.
+    """The labels that a selection reaches: ids, numbers, a mask, a placement.json, a `Placement` or a `Plan`.
 
-    Of a `Placement`, the keywords have the values with which it was made. Raises InputError.
+    Of a `Placement` or a `Plan`, the keywords have the values with which it was made. Raises InputError.
     """
-    asked = selection.question if isinstance(selection, Placement) else None
+    asked: Question | None = getattr(selection, "question", None)
     if requirement is None and threshold is None and asked is not None:
         requirement = asked.requirement
-    if costs is None and asked is not None:
+    if costs is None and asked is not None and len(asked.costs):
         costs = asked.costs
     table = _table(signals, requirement, threshold)
     if costs is not None:
-        table.set_costs(floats(costs, "costs"))
-    selected = _columns(selection, table.units)
+        table.set_costs(np.atleast_1d(floats(costs, "costs")))
+    selected = columns_of(selection, table)
     model = model or (asked.model if asked else "cooperative")
     failure = survive_failure if survive_failure is not None else bool(asked and asked.survive_failure)
     job = options(**problem(model, False, False, survive_failure=failure))
@@ -214,7 +213,7 @@ def _table(
             warn(remark)
     else:
         array = floats(signals, "signals")
-        expect(array.ndim == 2, f"have {array.ndim} dimensions instead of 2, labels x units", "signals")  # noqa: PLR2004
+        expect(array.ndim == 2, f"has {array.ndim} dimensions instead of 2, labels x units", "signals")  # noqa: PLR2004
         expect(given is not None, "is missing: an array of signals has none", "requirement")
         labels, units = ([f"{kind}{k + 1}" for k in range(n)] for kind, n in zip("LT", array.shape))
         table = _core.Table.of_array(array, labels, units)
@@ -225,14 +224,22 @@ def _table(
     return table
 
 
-def _columns(selection: Any, units: Sequence[str]) -> list[int]:
-    return selected_numbers(selection.ids if isinstance(selection, Placement) else selection, units)
+def columns_of(selection: Any, table: _core.Table) -> list[int]:
+    """The columns of a selection, ascending; a text that is no id is the name of a placement.json."""
+    if hasattr(selection, "ids"):
+        selection = selection.ids
+    units = table.units
+    if isinstance(selection, os.PathLike) or isinstance(selection, str) and selection not in units:
+        return table.read_selection(selection)
+    return selected_numbers(selection, units)
 
 
-def _file_of(start: Any, table: _core.Table) -> FilePath | None:
-    if isinstance(start, os.PathLike) or isinstance(start, str) and start not in table.units:
-        return FilePath(start)
-    return None
+def _patterns(chosen: Chosen, table: _core.Table) -> list[str] | None:
+    """Ids and patterns as they are; numbers and masks as ids."""
+    if isinstance(chosen, str) or isinstance(chosen, (list, tuple)) and all(isinstance(one, str) for one in chosen):
+        return as_list(chosen) or None
+    units = table.units
+    return [units[number] for number in numbers(chosen, units, "pin or exclude")] or None
 
 
 def _are_paths(values: Any) -> bool:

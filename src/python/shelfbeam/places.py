@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 if TYPE_CHECKING:
-    from .store import Scene
+    from .scene import Scene
 
 _LEAST_SPACE = 0.5  # m
 
@@ -24,20 +25,35 @@ class Place(NamedTuple):
     ceiling: float
 
 
+def grid(low: NDArray[Any], high: NDArray[Any], spacing: float) -> Iterator[tuple[str, float, float]]:
+    """The middles of the cells over a rectangle, with their numbers, "column-row"."""
+    columns, rows = ([float(x) for x in np.arange(low[k] + spacing / 2, high[k], spacing)] for k in (0, 1))
+    for (i, x), (j, y) in itertools.product(enumerate(columns, 1), enumerate(rows, 1)):
+        yield f"{i}-{j}", x, y
+
+
+def covers(outline: Sequence[Sequence[float]], x: float, y: float) -> bool:
+    """Whether a point lies within a polygon."""
+    inside = False
+    for (x0, y0), (x1, y1) in zip(outline, [*outline[1:], outline[0]]):
+        if (y0 > y) != (y1 > y) and x < x0 + (y - y0) / (y1 - y0) * (x1 - x0):
+            inside = not inside
+    return inside
+
+
 def spaces(scene: Scene, low: NDArray[Any], high: NDArray[Any], spacing: float) -> list[Place]:
     """The middles of the cells over a rectangle above which there is a space of at least half a metre.
 
     The inside of solids is no space; but if there is no other, as within a room of faces that look outwards, it is.
     """
-    columns, rows = (np.arange(low[k] + spacing / 2, high[k], spacing).tolist() for k in (0, 1))
     places: dict[bool, list[Place]] = {True: [], False: []}
-    for (i, x), (j, y) in itertools.product(enumerate(columns, 1), enumerate(rows, 1)):
+    for number, x, y in grid(low, high, spacing):
         height, looks_up = _surfaces_above(scene, x, y)
         is_solid = ~looks_up[:-1] & looks_up[1:]
         for solid in (True, False):
             found = np.flatnonzero((np.diff(height) >= _LEAST_SPACE) & (is_solid == solid))
             if len(found):
-                places[solid].append(Place(f"{i}-{j}", x, y, float(height[found[-1]]), float(height[found[-1] + 1])))
+                places[solid].append(Place(number, x, y, float(height[found[-1]]), float(height[found[-1] + 1])))
     return places[False] or places[True]
 
 

@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 
 from . import _core, pictures
 from .errors import InputError, expect, warn
-from .options import Path, ProgressOption, as_list, goal, lines_of, options, problem
-from .placement import Placement, Selection
-from .results import Result
+from .options import Path, ProgressOption, as_list, goal, lines_of, options, pair_files, problem
+from .placement import Placement, Question, Selection
 from .signals import Signals
-from .store import Scene, Store, name_of, scene_of
-from .tables import decibels, selected_numbers
+from .scene import Scene
+from .store import Store, name_of, scene_of
+from .tables import Result, decibels, ids_of, selected_numbers
 
 _FINISHED = "placement.json"
 _ASSUMED_ERROR = 0.2  # of reflectances without a given range
@@ -54,6 +54,12 @@ class Plan(Result):
         return content
 
     @property
+    def question(self) -> Question:
+        """What the plan was asked."""
+        failure = bool(self._content.get("survives_failure"))
+        return Question(None, self._content["model"], failure, None, np.zeros(0), None)
+
+    @property
     def ids(self) -> list[str]:
         """Ids of the chosen units."""
         ids: list[str] = self._content["selected"]
@@ -76,7 +82,7 @@ class Plan(Result):
 
     @property
     def report(self) -> FilePath:
-        """The path of report.html."""
+        """The path of report.html, which exists as long as the plan."""
         return self.folder / "report.html"
 
     @property
@@ -90,6 +96,7 @@ class Plan(Result):
 
     def save(self, folder: Path) -> Plan:
         """A copy of the plan in a new folder."""
+        expect(not FilePath(folder).exists(), f"{folder} exists: name a new folder", "folder")
         shutil.copytree(self.folder, folder)
         return Plan.read(folder)
 
@@ -101,7 +108,7 @@ class Plan(Result):
         return iter(self.ids)
 
     def __repr__(self) -> str:
-        return f"<Plan: {self.answer or f'{self.count} units in {self.folder}'}>"
+        return f"<Plan: {self.answer or f'{self.count} transceivers, in {self.folder}'}>"
 
     def _repr_html_(self) -> str:
         self.signals.scene = self.signals.scene or self.store.scene()
@@ -154,7 +161,7 @@ def plan(shop: Store | Scene | Path, output: Path | None = None, *, samples: int
          reach: float | None = None, model: str = "cooperative", survive_failure: bool = False,
          objective: str = "count", weighted: bool = False, lexicographic: bool = False,
          share: float | None = None, costs: Path | Sequence[Path] | None = None,
-         min_spacing: float | None = None, forbid: Path | Sequence[Path] | None = None,
+         min_spacing: float | None = None, forbid: Path | Sequence[Path] | Sequence[tuple[str, str]] | None = None,
          pin: str | Sequence[str] = (), exclude: str | Sequence[str] = (), solver: str = "auto",
          backend: str | None = None, time_limit: float = 60, certificate: bool = True, confidence: float = 0.99,
          budget: float = 600, curve: bool = False, sensitivity: bool = False, reflectance_error: float | None = None,
@@ -179,14 +186,14 @@ def plan(shop: Store | Scene | Path, output: Path | None = None, *, samples: int
     folder = FilePath(tempfile.mkdtemp(prefix="shelfbeam-")) / "plan" if output is None else FilePath(output)
     if sensitivity and reflectance_error is None:
         reflectance_error = _ASSUMED_ERROR
-    with _file_of(signal) as file, lines_of(progress) as lines:
+    with _temporary(folder, output), _file_of(signal) as file, pair_files(forbid) as pairs, lines_of(progress) as lines:
         job = options(
             name_of(shop), folder, samples=samples, relative_error=relative_error, above=above,
             max_samples=max_samples, time=time, estimator=estimator, direct=direct, strategy=strategy,
             heuristic=heuristic, max_bounces=max_bounces, signal=file, at_most=at_most, reach=reach,
             **problem(model, weighted, lexicographic, objective=objective, share=share,
                       survive_failure=survive_failure),
-            costs=costs, min_spacing=min_spacing, forbid=forbid, pin=as_list(pin) or None,
+            costs=costs, min_spacing=min_spacing, forbid=pairs, pin=as_list(pin) or None,
             exclude=as_list(exclude) or None, solver=solver, backend=backend, time_limit=time_limit,
             certificate=certificate, confidence=confidence, budget=budget, curve=curve,
             reflectance_error=reflectance_error, states=states,
@@ -194,18 +201,26 @@ def plan(shop: Store | Scene | Path, output: Path | None = None, *, samples: int
             seed=seed, threads=threads or None, memory=memory, resume=resume,
             checkpoint_interval=checkpoint_interval, overwrite=overwrite, strict=strict, safe_csv=safe_csv,
         )  # fmt: skip
-        try:
-            outcome = _core.plan(scene._core, job, lines)
-        except Exception:
-            if output is None:
-                shutil.rmtree(folder.parent, ignore_errors=True)
-            raise
+        outcome = _core.plan(scene._core, job, lines)
     made = Plan(folder, outcome)
     if output is None:
         weakref.finalize(made, shutil.rmtree, folder.parent, ignore_errors=True)
     if outcome["imprecise"]:
         warn("some entries have not reached the relative error")
+    if outcome["misfit"]:
+        warn(outcome["given"])
     return made
+
+
+@contextlib.contextmanager
+def _temporary(folder: FilePath, output: Path | None) -> Iterator[None]:
+    """Removes a temporary folder after an error; after Ctrl-C, it has the results so far."""
+    try:
+        yield
+    except Exception:
+        if output is None:
+            shutil.rmtree(folder.parent, ignore_errors=True)
+        raise
 
 
 @contextlib.contextmanager
@@ -221,7 +236,7 @@ def _file_of(signal: Signals | Plan | Path | None) -> Iterator[Path | None]:
 
 
 def verify(shop: Store | Scene | Path, selection: Selection | Plan | Path | None = None, *,
-           confidence: float = 0.99, budget: float = 600, model: str | None = None, survive_failure: bool = False,
+           confidence: float = 0.99, budget: float = 600, model: str | None = None, survive_failure: bool | None = None,
            states: int | None = None, availability: float | None = None, all_at_once: float | None = None,
            mean_missed: float | None = None, without: str | Sequence[str] = (),
            samples: int | None = None, relative_error: float | None = None, above: float | None = None,
@@ -241,15 +256,16 @@ def verify(shop: Store | Scene | Path, selection: Selection | Plan | Path | None
     chosen: list[int] | None = None
     if isinstance(selection, Plan):
         file = selection.folder / _FINISHED
-    elif isinstance(selection, os.PathLike) or isinstance(selection, str) and FilePath(selection).is_file():
+    elif isinstance(selection, os.PathLike) or isinstance(selection, str) and selection not in scene.units["id"]:
         file = selection
     elif selection is not None:
         ids: Any = selection
         if isinstance(selection, Placement):
             ids = selection.ids
             model = model or selection.question.model
-            survive_failure = survive_failure or selection.question.survive_failure
-        chosen = selected_numbers(ids, scene.units["id"].tolist())
+            if survive_failure is None:
+                survive_failure = selection.question.survive_failure
+        chosen = selected_numbers(ids, ids_of(scene.units))
         expect(bool(chosen), "has no units", "selection")
         model = model or "cooperative"
     job = options(

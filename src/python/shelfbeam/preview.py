@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+import os
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -10,11 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from .errors import expect
 from .options import Path, ProgressOption, as_list, lines_of, options
 from .plans import Plan
-from .results import Result
 from .signals import Signals
-from .store import Scene, Store, name_of, scene_of
+from .tables import Result
+from .scene import Scene
+from .store import Store, name_of, scene_of
 
 
 class Column(NamedTuple):
@@ -83,6 +87,10 @@ def what_if(shop: Store | Scene | Path, *, plan: Plan | Path | None = None,
     takes "ID,x,y,z[,ax,ay,az][,type]", both in m. `refine` (s) simulates the added units without bias.
     """
     folder = plan.folder if isinstance(plan, Plan) else plan
+    expect(folder is None or isinstance(folder, (str, os.PathLike)), "is not a plan or a folder", "plan")
+    expect(refine is None or math.isfinite(refine) and refine > 0, "is not a time above 0", "refine")
+    for name, texts in (("unit", unit), ("move", move), ("remove", remove)):
+        expect(all(isinstance(one, str) for one in as_list(texts)), "is not a text such as x,y,z", name)
     change = {"plan": folder or "", "unit": as_list(unit), "move": as_list(move), "remove": as_list(remove),
               "refine": refine, "coarse": coarse}  # fmt: skip
     job = options(name_of(shop), seed=seed, threads=threads or None)

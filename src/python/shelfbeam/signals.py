@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import html
 import json
+import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,14 +16,15 @@ from numpy.typing import NDArray
 from . import _core, pictures
 from .errors import expect, warn
 from .options import Path, ProgressOption, as_list, lines_of, options
-from .results import Result, plain
-from .store import Scene, Store, name_of, scene_of
-from .tables import Chosen, Records, numbers, records
+from .scene import Scene
+from .store import Store, name_of, scene_of
+from .tables import Chosen, Records, Result, floats, ids_of, numbers, plain, records, some_numbers
 
 if TYPE_CHECKING:
     from .placement import Selection
 
 Layer = NDArray[np.float32]
+_MOST_STATES = 100_000
 
 
 @dataclass(frozen=True, repr=False)
@@ -66,6 +69,18 @@ class Signals(Result):
     def save(self, path: Path) -> None:
         """Writes the signal file, the same bytes as `shelfbeam simulate`."""
         self._core.write(path)
+
+    def with_mean(self, mean: Any) -> Signals:
+        """The same labels, units, costs and exclusions with other means, m x n: such as mean - 2 error, at least 0."""
+        return Signals(self._core.with_mean(floats(mean, "mean").astype(np.float32)), self.scene)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
+        return np.array(self.mean, dtype=dtype, copy=True) if copy or dtype is not None else self.mean
+
+    def __reduce__(self) -> Any:
+        with tempfile.TemporaryDirectory(prefix="shelfbeam-") as folder:
+            self.save(FilePath(folder) / "signal.h5")
+            return _from_bytes, ((FilePath(folder) / "signal.h5").read_bytes(), self.scene, self.summary)
 
     @property
     def error(self) -> Layer:
@@ -130,11 +145,11 @@ class Signals(Result):
 
     def label_numbers(self, chosen: Chosen) -> list[int]:
         """The rows of labels that are given by ids, numbers, a mask, or records."""
-        return numbers(chosen, self.labels["id"].tolist(), "label")
+        return numbers(chosen, ids_of(self.labels), "label")
 
     def unit_numbers(self, chosen: Chosen) -> list[int]:
         """The columns of units that are given by ids, numbers, a mask, or records."""
-        return numbers(chosen, self.units["id"].tolist(), "unit")
+        return numbers(chosen, ids_of(self.units), "unit")
 
     def plot_coverage(self, selection: Selection, z: float | None = None, unit: str = "dB", ax: Any = None,
                       **problem: Any) -> Any:  # fmt: skip
@@ -147,7 +162,7 @@ class Signals(Result):
 
     def to_pandas(self) -> Any:
         """The means as a pandas.DataFrame with the ids of labels and units."""
-        import pandas  # type: ignore[import]  # noqa: PLC0415: optional
+        import pandas  # noqa: PLC0415: optional
 
         return pandas.DataFrame(self.mean, index=self.labels["id"], columns=self.units["id"])
 
@@ -181,6 +196,14 @@ class Signals(Result):
         return f"<p>{html.escape(repr(self)[1:-1])}</p>{picture}"
 
 
+def _from_bytes(content: bytes, scene: Scene | None, summary: dict[str, Any]) -> Signals:
+    """Signals of a pickle."""
+    with tempfile.TemporaryDirectory(prefix="shelfbeam-") as folder:
+        file = FilePath(folder) / "signal.h5"
+        file.write_bytes(content)
+        return Signals(_core.Signals.read(file), scene, json.dumps(summary))
+
+
 def simulate(shop: Store | Scene | Path, *, output: Path | None = None, samples: int | None = None,
              relative_error: float | None = None, above: float | None = None,
              max_samples: int | None = None, time: float | None = None, estimator: str | None = None,
@@ -211,6 +234,8 @@ def simulate(shop: Store | Scene | Path, *, output: Path | None = None, samples:
     expect(output is None or not part, "excludes labels and units: use one of them", "output")
     for name, given in (("resume", resume), ("checkpoint_interval", checkpoint_interval is not None)):
         expect(output is not None or not given, "has no effect without output", name)
+    expect(hard_labels is None or hard_labels > 0, "is not above 0", "hard_labels")
+    expect(0 <= states <= _MOST_STATES, f"is not from 0 to {_MOST_STATES}", "states")
     left_out = as_list(without) or None
     scene = scene_of(shop)
     if state is not None:
@@ -224,9 +249,9 @@ def simulate(shop: Store | Scene | Path, *, output: Path | None = None, samples:
     more: dict[str, Any] = {"by_bounce": by_bounce, "by_length": by_length, "lengths": lengths, "states": states,
                             "hard_labels": hard_labels, "for_plan": for_plan}  # fmt: skip
     if labels is not None:
-        more["labels"] = numbers(labels, scene.labels["id"].tolist(), "label")
+        more["labels"] = some_numbers(labels, ids_of(scene.labels), "labels")
     if units is not None:
-        more["units"] = numbers(units, scene.units["id"].tolist(), "unit")
+        more["units"] = some_numbers(units, ids_of(scene.units), "units")
     with lines_of(progress) as lines:
         core, summary = _core.simulate(scene._core, job, lines, more, output or "")
     signals = Signals(core, scene, summary)

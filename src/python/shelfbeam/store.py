@@ -1,141 +1,28 @@
-"""Stores as documents that can be edited, and as frozen scenes."""
+"""Stores as documents that can be edited."""
 
 from __future__ import annotations
 
 import copy
+import html
 import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Mapping, Sequence
 from pathlib import Path as FilePath
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
 from .errors import InputError, expect, warn
-from .options import Path, options, to_json
+from .options import Path, to_json
 from .parts import Emitter, Material, material
 from .pictures import fitted
-from .places import spaces
-from .tables import Records, records
+from .places import covers, grid, spaces
+from .scene import Problem, Scene
 
 _FILES = ("file", "csv", "picture")
 _IN_THE_AIR = ["label_in_mid_air", "label_height", "label_sideways"]  # warnings that do not apply to receivers
-
-
-class Problem(NamedTuple):
-    """A problem of a store, or a warning about it (docs/formats/store/errors.md)."""
-
-    code: str
-    path: str  #: of the element in the document ("fixtures[3].depth")
-    sentence: str
-
-
-class Scene:
-    """A store, checked and frozen: the input of a simulation. Made by `Store.scene`."""
-
-    def __init__(self, core: _core.Scene) -> None:
-        self._core = core
-
-    @property
-    def name(self) -> str:
-        """The title of the store."""
-        return self._core.name
-
-    @property
-    def hash(self) -> str:
-        """Identifies the store in results."""
-        return self._core.hash
-
-    @property
-    def varies(self) -> bool:
-        """Whether the store has a section `variation`."""
-        return self._core.varies
-
-    @cached_property
-    def labels(self) -> Records:
-        """id, type, position (m), normal, requirement (W/m²) of each label."""
-        return records(self._core.labels())
-
-    @cached_property
-    def units(self) -> Records:
-        """id, type, position (m), axis, cost, installed, pinned of each candidate."""
-        return records(self._core.units())
-
-    @property
-    def warnings(self) -> list[Problem]:
-        """Values that a simulation accepts, but that are probably not intended."""
-        return [Problem(*one) for one in self._core.warnings]
-
-    @property
-    def bounds(self) -> NDArray[np.float64]:
-        """The lowest and the highest corner of all surfaces (m), 2 x 3."""
-        return np.array(self._core.bounds, dtype=np.float64)
-
-    @property
-    def vertices(self) -> NDArray[np.float64]:
-        """Corners of the triangles (m), v x 3, without a copy."""
-        return self._core.vertices
-
-    @property
-    def triangles(self) -> NDArray[np.uint32]:
-        """Numbers of the corners of each triangle, t x 3, without a copy."""
-        return self._core.triangles
-
-    @property
-    def triangle_materials(self) -> NDArray[np.uint32]:
-        """The number of the material of each triangle, in `materials`, without a copy."""
-        return self._core.triangle_materials
-
-    @property
-    def materials(self) -> list[str]:
-        """Names of the materials."""
-        return self._core.materials
-
-    @property
-    def outlines(self) -> list[tuple[str, list[tuple[float, float]], float]]:
-        """Id, corners in plan (m) and height (m) of each fixture and inner wall."""
-        return self._core.outlines()
-
-    @property
-    def room_outline(self) -> list[tuple[float, float]] | None:
-        """Corners of the room in plan (m); None without a room."""
-        return self._core.room_outline()
-
-    def svg(self, ids: bool = False) -> str:
-        """The floor plan."""
-        return self._core.svg(ids)
-
-    def glb(self) -> bytes:
-        """The 3-D model as binary glTF."""
-        return self._core.glb()
-
-    def resolved(self) -> Store:
-        """The store without references: labels and candidates are listed, meshes and thresholds inlined."""
-        return Store.parse(self._core.resolved())
-
-    def state(self, number: int, seed: int = 1, without: Sequence[str] = ()) -> Scene:
-        """A state of a changing shop: one draw of its variation, which depends on the store, number and seed only.
-
-        `without`: causes that are left out. `resolved` gives the state as a store.
-        """
-        expect(number >= 0, "is negative", "state")
-        return Scene(self._core.state(options(seed=seed, without=without or None), number))
-
-    def states(self, count: int, first: int = 0, seed: int = 1, without: Sequence[str] = ()) -> Iterator[Scene]:
-        """An iterator over states."""
-        return (self.state(number, seed, without) for number in range(first, first + count))
-
-    def __repr__(self) -> str:
-        name = f" {self.name!r}" if self.name else ""
-        return (
-            f"<Scene{name}: {len(self.labels)} labels, {len(self.units)} candidates, {len(self.triangles)} triangles>"
-        )
-
-    def _repr_html_(self) -> str:
-        return fitted(self.svg())
 
 
 class Store:
@@ -169,6 +56,7 @@ class Store:
     def parse(cls, text: str, folder: Path = ".", name: str = "store", allow_outside: bool = False) -> Store:
         """The text of a store file; files that it names are relative to `folder`."""
         document = json.loads(_core.plain_json(text, name))
+        expect(isinstance(document, dict), f"{name} is not an object of JSON", "store")
         store = cls({}, folder, name, allow_outside)
         store.document = document
         store._text, store._parsed = text, to_json(document)
@@ -232,8 +120,18 @@ class Store:
         return Store(self.document, self.folder, self.name, self.allow_outside)
 
     def bounds(self) -> NDArray[np.float64]:
-        """The lowest and the highest corner of all surfaces (m), 2 x 3. Labels and candidates may be missing."""
-        return self._surfaces().bounds
+        """The lowest and the highest corner of the room or, without one, of all surfaces (m), 2 x 3.
+
+        Labels and candidates may be missing.
+        """
+        self._expect_metres()
+        room = self.document.get("room")
+        if room is None:
+            return self._surfaces().bounds
+        corners = np.array(room["outline"] if "outline" in room else [[0, 0], room["size"][:2]], dtype=np.float64)
+        height = room["height"] if "outline" in room else room["size"][2]
+        tops = [point[2] for point in height] if isinstance(height, list) else [height]
+        return np.array([[*corners.min(axis=0), 0], [*corners.max(axis=0), max(tops)]])
 
     def add_emitter(self, emitter: Emitter) -> str:
         """Adds a transceiver type, and returns its name."""
@@ -246,24 +144,31 @@ class Store:
         """Adds receivers that face upwards, on a grid at the height `plane` (m).
 
         `threshold` is their requirement (W/m²), `area` the two corners of a rectangle; default: the bounds of all
-        surfaces. `margin` (m) is left out all around. In a store without a room, such as one from a mesh, places within
-        furniture are left out, too.
+        surfaces. `margin` (m) is left out all around. In a room with an outline, places beyond it are left out; in a
+        store without a room, such as one from a mesh, places within furniture.
         """
+        self._expect_metres()
+        expect(spacing > 0, "is not above 0", "spacing")
         self._add(
             "label_types", id, {"threshold": threshold, **({"responsivity": responsivity} if responsivity else {})}
         )
         low, high = np.asarray(area, dtype=float) if area is not None else self.bounds()[:, :2]
         low, size = low + margin, high - low - 2 * margin
-        if "room" not in self.document:
+        room = self.document.get("room")
+        if room is None or "outline" in room:
+            labels = self.document.setdefault("labels", [])
+            expect(isinstance(labels, list), "come from a CSV file: list them to add others", "labels")
+            expect(not any(label["id"].startswith(f"{id}-") for label in labels), f"{id!r} is taken", "id")
             kind: dict[str, Any] = {"normal": [0, 0, 1], "type": id, "ignore": _IN_THE_AIR}
-            self.document.setdefault("labels", []).extend(
-                {"id": f"{id}-{place}", "position": [x, y, plane], **kind}
-                for place, x, y, floor, ceiling in spaces(self._surfaces(), low, low + size, spacing)
-                if floor < plane < ceiling
-            )
+            if room is None:
+                found = spaces(self._surfaces(), low, low + size, spacing)
+                places = [(place, x, y) for place, x, y, floor, ceiling in found if floor < plane < ceiling]
+            else:
+                places = [one for one in grid(low, low + size, spacing) if covers(room["outline"], *one[1:])]
+            labels.extend({"id": f"{id}-{place}", "position": [x, y, plane], **kind} for place, x, y in places)
             return
-        grid = {"origin": [*low, plane], "axes": [[1, 0, 0], [0, 1, 0]], "size": size, "spacing": spacing}
-        self.document.setdefault("measuring_planes", []).append({"id": id, "type": id, **_plain(grid)})
+        cells = {"origin": [*low, plane], "axes": [[1, 0, 0], [0, 1, 0]], "size": size, "spacing": spacing}
+        self.document.setdefault("measuring_planes", []).append({"id": id, "type": id, **_plain(cells)})
 
     def add_candidates(self, emitters: Emitter | Sequence[Emitter], spacing: float,
                        area: str | Sequence[Sequence[float]] = "room", below_ceiling: float | None = None,
@@ -274,7 +179,9 @@ class Store:
         store without a room, such as one from a mesh, the area must be "room": the bounds of all surfaces. There, the
         ceiling is the upper end of the highest space of at least half a metre, and points without one are left out.
         """
-        expect((z is None) != (below_ceiling is None), "excludes below_ceiling: give one of them", "z")
+        self._expect_metres()
+        expect(spacing > 0, "is not above 0", "spacing")
+        expect((z is None) != (below_ceiling is None), "give exactly one of z and below_ceiling", "z")
         has_room = "room" in self.document
         expect(has_room or isinstance(area, str) and area == "room", 'must be "room" in a store without a room', "area")
         points: list[tuple[str, list[float]]] = []
@@ -290,10 +197,12 @@ class Store:
                 members: dict[str, Any] = {"type": name, "area": area, "spacing": spacing, "axes": axes}
                 members["z" if z is not None else "below_ceiling"] = z if z is not None else below_ceiling
                 units.setdefault("areas", []).append(_plain(members))
+            listed = units.setdefault("list", []) if points else []
+            group = 1 + len({unit["id"].split("-")[0] for unit in listed})
             for number, axis in enumerate(axes if points else ()):
                 aim = f"/a{number + 1}" if len(axes) > 1 else ""
-                units.setdefault("list", []).extend(
-                    {"id": f"{name}-{place}{aim}", "position": position, "axis": list(axis), "type": name}
+                listed.extend(
+                    {"id": f"M{group}-{place}{aim}", "position": position, "axis": list(axis), "type": name}
                     for place, position in points
                 )
 
@@ -304,18 +213,23 @@ class Store:
         store._add("materials", "people", material(reflectance))
         area: Any = "room"
         if "room" not in store.document:
-            (x0, y0), (x1, y1) = self.bounds()[:, :2].tolist()
+            x0, y0, _, x1, y1, _ = (float(value) for value in self.bounds().ravel())
             area = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
         people = {"area": area, "number": {"poisson": number}, "size": list(size), "material": "people"}
         store.document.setdefault("variation", {}).setdefault("people", []).append(people)
         return store
+
+    def _expect_metres(self) -> None:
+        expect(
+            self.document.get("units", "m") == "m", "of the store are not m: convert it, or edit the document", "units"
+        )
 
     def _add(self, section: str, name: str, keys: Mapping[str, Any]) -> None:
         """Adds a named member; the same member may be there already."""
         members = self.document.setdefault(section, {})
         member = copy.deepcopy(dict(keys))
         taken = name in members and to_json(members[name]) != to_json(member)
-        expect(not taken, f"{section} has another member {name!r}: use another name", "name")
+        expect(not taken, f"{name!r} is another member: use another name", section)
         members[name] = member
 
     def _surfaces(self) -> Scene:
@@ -337,7 +251,10 @@ class Store:
         return f"<Store {title!r}: {', '.join(self.document)}>"
 
     def _repr_html_(self) -> str:
-        return fitted(self.scene().svg())
+        try:
+            return fitted(self.scene().svg())
+        except InputError as error:
+            return f"<p>{html.escape(repr(self)[1:-1])}</p><p>{html.escape(str(error))}</p>"
 
 
 def scene_of(shop: Store | Scene | Path) -> Scene:

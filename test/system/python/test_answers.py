@@ -109,6 +109,28 @@ class Answers(InFolder):
         self.assertIn("even if any one unit fails", answer)
         self.assertIn("even if any one unit fails", sb.verify(sb.Store(ROOM), strong.ids, survive_failure=True).answer)
 
+    def test_other_means_keep_exclusions(self):
+        store = sb.Store(ROOM)
+        store.document["transceivers"]["grids"] *= 2  # two options of each mounting point
+        signals = sb.simulate(store, **FEW)
+        careful = signals.with_mean(np.maximum(signals.mean - 2 * signals.error, 0))
+        need = 0.6 * signals.mean.sum(axis=1).min()
+        best = sb.place(careful, threshold=need)
+        points = [tuple(one) for one in careful.units["position"][best.selected]]
+        self.assertEqual(len(set(points)), len(points))
+        self.assertFalse(sb.evaluate(careful, [0, 12]).allowed)
+
+    def test_choices_of_units(self):
+        signals = sb.simulate(sb.Store(ROOM), **FEW)
+        best = sb.place(signals, pin=[0], exclude=np.arange(12) > 9, forbid=[("G1-1-1", "G1-2-1")], costs=[2] * 12)
+        self.assertIn("G1-1-1", best.ids)
+        self.assertEqual(sb.evaluate(signals, best).cost, 2 * best.count)
+        plan = sb.plan(sb.Store(ROOM), survive_failure=True, certificate=False, **FEW)
+        self.assertEqual(
+            sb.evaluate(signals, plan).margin_db.min(),
+            sb.evaluate(signals, plan.folder / "placement.json", survive_failure=True).margin_db.min(),
+        )
+
     def test_files_of_a_placement(self):
         np.save(self.folder / "one.npy", self.ARRAY)
         np.save(self.folder / "two.npy", self.ARRAY[:, ::-1])

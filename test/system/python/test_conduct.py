@@ -2,12 +2,15 @@
 
 import inspect
 import json
+import pickle
 import re
 import signal
 import subprocess
 import sys
+import tempfile
 import textwrap
 import unittest
+from unittest import mock
 
 import numpy as np
 import shelfbeam as sb
@@ -73,6 +76,21 @@ class Conduct(InFolder):
             lambda: sb.simulate(sb.Store(ROOM), by_length=1, lengths=0, **FEW),
             lambda: sb.simulate(sb.Store(ROOM), by_bounce=True, **FEW),
             lambda: sb.simulate(sb.Store(ROOM), lengths=3, **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), labels=[], **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), units=np.zeros(12, bool), **FEW),
+            lambda: sb.simulate(sb.Store(ROOM), labels=[0, 0], **FEW),
+            lambda: sb.simulate(people, hard_labels=0, states=2),
+            lambda: sb.simulate(sb.Store(ROOM), progress="yes", **FEW),
+            lambda: sb.evaluate(signals, [1.9]),
+            lambda: sb.evaluate(signals, [None]),
+            lambda: sb.place(np.ma.masked_less([[0.4, 0.3]], 0.5), requirement=0.4),
+            lambda: sb.place([[1, 2]], requirement=1, costs=5),
+            lambda: sb.plan(sb.Store(ROOM), costs=[1, 2]),
+            lambda: sb.what_if(sb.Store(ROOM), unit="1,1,2", refine=-1),
+            lambda: sb.what_if(sb.Store(ROOM), unit=[(1, 1, 2)]),
+            lambda: sb.Store.parse("[1]"),
+            lambda: sb.impulse_response(sb.Store(ROOM), max_length=-1),
+            lambda: people.add_receivers("other", plane=1, spacing=0, threshold=5),
             lambda: sb.simulate(sb.Store(ROOM), resume=True, **FEW),
             lambda: sb.simulate(sb.Store(ROOM), memory="much", **FEW),
             lambda: sb.simulate(sb.Store(ROOM), threads=-1, **FEW),
@@ -163,6 +181,31 @@ class Conduct(InFolder):
                     found = re.search(rf"--{name.replace('_', '-')} [A-Z][^-]*?default ([0-9.]+[0-9])", text)
                     if found and name not in ("states", "seed", "threads"):
                         self.assertEqual(float(found[1]), parameter.default, name)
+
+    def test_a_value_out_of_range_names_its_keyword(self):
+        with self.assertRaises(sb.InputError) as caught:
+            sb.simulate(sb.Store(ROOM), samples=10)
+        self.assertEqual(caught.exception.setting, "samples")
+        self.assertTrue(str(caught.exception).startswith("samples: is 10"))
+
+    def test_exceptions_of_other_libraries_stay(self):
+        import contourpy  # noqa: PLC0415
+
+        with self.assertRaises(ValueError) as caught:
+            contourpy.contour_generator(z=np.zeros((3, 3))).filled(2, 1)
+        self.assertNotIsInstance(caught.exception, sb.Error)
+
+    def test_results_can_be_pickled(self):
+        signals = sb.simulate(sb.Store(ROOM), **FEW)
+        copy = pickle.loads(pickle.dumps(signals))
+        np.testing.assert_array_equal(copy, signals.mean)
+        self.assertEqual(copy.scene.hash, signals.scene.hash)
+        self.assertEqual(copy.summary, signals.summary)
+
+    def test_nothing_stays_after_an_error(self):
+        with mock.patch.object(tempfile, "tempdir", str(self.folder)), self.assertRaises(sb.InputError):
+            sb.plan(sb.Store(ROOM), memory="much")
+        self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_numpy_values_in_a_document(self):
         store = sb.Store.parse(json.dumps(ROOM))

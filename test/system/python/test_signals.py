@@ -53,6 +53,15 @@ class Stores(InFolder):
         self.assertEqual(scene.triangles.max(), len(scene.vertices) - 1)
         self.assertIn("<svg", scene._repr_html_())
 
+    def test_receivers_in_rooms_of_any_shape(self):
+        outline = [[100, 0], [110, 0], [110, 5], [105, 5], [105, 10], [100, 10]]
+        room = {"outline": outline, "height": 3, "floor": "grey", "ceiling": "white", "walls": "white"}
+        store = sb.Store({**ROOM, "room": room, "measuring_planes": [], "transceivers": {}})
+        store.add_receivers("q", plane=1, spacing=1, threshold=0.01)
+        store.add_candidates(sb.Emitter.lambertian(1), spacing=2, below_ceiling=0.1)
+        self.assertEqual(len(store.scene().labels), 75)
+        self.assertEqual(store.bounds().tolist(), [[100, 0, 0], [110, 10, 3]])
+
     def test_states_are_those_of_the_command_line(self):
         store = sb.Store(ROOM).with_people(2)
         file = self.folder / "store.json"

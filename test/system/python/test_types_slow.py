@@ -6,7 +6,8 @@ import subprocess
 import unittest
 from pathlib import Path
 
-PACKAGE = Path(__file__).parents[3] / "src" / "python"
+ROOT = Path(__file__).parents[3]
+PACKAGE = ROOT / "src" / "python"
 MYPY = shutil.which("mypy", path="/usr/bin")
 
 
@@ -14,7 +15,15 @@ MYPY = shutil.which("mypy", path="/usr/bin")
 class Types(unittest.TestCase):
     def test_sources(self):
         cache = Path(os.environ["SHELFBEAM_BUILD"]) / "python" / "mypy"
-        words = [MYPY, "--strict", "--cache-dir", str(cache), "shelfbeam"]
+        words = [
+            MYPY,
+            "--strict",
+            "--config-file",
+            str(ROOT / "pyproject.toml"),
+            "--cache-dir",
+            str(cache),
+            "shelfbeam",
+        ]
         done = subprocess.run(words, cwd=PACKAGE, capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
