@@ -1,6 +1,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "shelfbeam/base/error.hpp"
 
@@ -24,7 +25,7 @@ void raise(const std::exception& error, const std::string& kind, const std::stri
 
 void translate(std::exception_ptr thrown) {
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const OutputError& error) {
     raise(error, "output", error.where(), error.setting());
   } catch (const InputError& error) {
