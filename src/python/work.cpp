@@ -1,11 +1,9 @@
 #include "python/work.hpp"
 
 #include <chrono>
-#include <condition_variable>
-#include <exception>
+#include <future>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "jobs/event.hpp"
@@ -33,45 +31,6 @@ class LatestLine {
   std::optional<std::string> line_;
 };
 
-// A thread that does some work once.
-class Worker {
- public:
-  explicit Worker(const std::function<void()>& work)
-      : thread_([this, work] {
-          try {
-            work();
-          } catch (...) {
-            thrown_ = std::current_exception();
-          }
-          const std::lock_guard lock(mutex_);
-          has_ended_ = true;
-          ended_.notify_all();
-        }) {}
-  ~Worker() { thread_.join(); }
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
-
-  bool wait(std::chrono::milliseconds most) {
-    std::unique_lock lock(mutex_);
-    return ended_.wait_for(lock, most, [this] { return has_ended_; });
-  }
-  void wait() {
-    std::unique_lock lock(mutex_);
-    ended_.wait(lock, [this] { return has_ended_; });
-  }
-  // Precondition: it has ended.
-  void rethrow() const {
-    if (thrown_) std::rethrow_exception(thrown_);
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool has_ended_ = false;
-  std::exception_ptr thrown_;
-  std::thread thread_;  // the last member: it uses the others
-};
-
 }  // namespace
 
 void do_watched(unsigned threads, const py::object& progress,
@@ -91,8 +50,8 @@ void do_watched(unsigned threads, const py::object& progress,
   std::optional<py::error_already_set> raised;
   {
     const py::gil_scoped_release unlocked;
-    Worker worker([&] { work(control); });
-    while (!worker.wait(between_looks)) {
+    std::future<void> end = std::async(std::launch::async, [&] { work(control); });
+    while (end.wait_for(between_looks) != std::future_status::ready) {
       const py::gil_scoped_acquire locked;
       try {
         look();
@@ -102,8 +61,8 @@ void do_watched(unsigned threads, const py::object& progress,
         break;
       }
     }
-    worker.wait();
-    if (!raised) worker.rethrow();
+    end.wait();
+    if (!raised) end.get();  // throws as the work
   }
   if (raised) throw std::move(*raised);
   pass_on();
