@@ -71,7 +71,7 @@ int run_place(const PlaceArguments& options) {
     fmt::print("{}", with_effort(answer));
   else if (!options.common.quiet)
     fmt::print("{}", with_answer(answer.text));
-  if (answer.lacks_curve && !options.common.json && !options.common.quiet)
+  if (options.question.curve && !answer.has_selection && !options.common.json && !options.common.quiet)
     fmt::print("  {}; '--at-most K' reports the number of labels that K transceivers reach\n", no_curve);
   return answer.code;
 }

@@ -61,8 +61,8 @@ PlacementAnswer cover(const SignalTable& table, const PlacementQuestion& questio
                       const PlaceOptions& options, const RunControl& control) {
   Placement placement = place(table, question.problem, options, control);
   CoverageCurve curve;
-  const bool has_curve = question.curve && placement.has_selection();
-  if (has_curve) curve = add_curve(placement, table, options.time_limit_s, control);
+  if (question.curve && placement.has_selection())
+    curve = add_curve(placement, table, options.time_limit_s, control);
   std::string json = placement_json(placement, table, curve);
   std::string text = describe(placement, table) + describe(curve, table);
   const double value = placement.objective_value, bound = placement.lower_bound;
@@ -73,7 +73,6 @@ PlacementAnswer cover(const SignalTable& table, const PlacementQuestion& questio
   answer.bound = bound;
   answer.json = std::move(json);
   answer.text = std::move(text);
-  answer.lacks_curve = question.curve && !has_curve;
   if (!curve.is_complete) answer.code = stopped_early;
   return answer;
 }

@@ -31,7 +31,6 @@ struct PlacementAnswer {
   double bound = 0;                     ///< proven on the value: from below, or for reached labels from above
   std::string json, text;               ///< placement.json, and the same in a few lines
   ExitCode code = done;
-  bool lacks_curve = false;  ///< there is no curve without a placement
   std::vector<SearchStep> steps = {};
   double seconds = 0;
 };
