@@ -44,11 +44,12 @@ def covers(outline: Sequence[Sequence[float]], x: float, y: float) -> bool:
 def spaces(scene: Scene, low: NDArray[Any], high: NDArray[Any], spacing: float) -> list[Place]:
     """The middles of the cells over a rectangle above which there is a space of at least half a metre.
 
-    The inside of solids is no space; but if there is no other, as within a room of faces that look outwards, it is.
+    Space inside solids counts only if there is no other, as in a room whose faces look outwards.
     """
     places: dict[bool, list[Place]] = {True: [], False: []}
+    corners = scene.vertices[scene.triangles]
     for number, x, y in grid(low, high, spacing):
-        height, looks_up = _surfaces_above(scene, x, y)
+        height, looks_up = _surfaces_above(corners, x, y)
         is_solid = ~looks_up[:-1] & looks_up[1:]
         for solid in (True, False):
             found = np.flatnonzero((np.diff(height) >= _LEAST_SPACE) & (is_solid == solid))
@@ -57,9 +58,9 @@ def spaces(scene: Scene, low: NDArray[Any], high: NDArray[Any], spacing: float) 
     return places[False] or places[True]
 
 
-def _surfaces_above(scene: Scene, x: float, y: float) -> tuple[NDArray[Any], NDArray[Any]]:
+def _surfaces_above(corners: NDArray[Any], x: float, y: float) -> tuple[NDArray[Any], NDArray[Any]]:
     """The heights of the surfaces at a point of the plan, ascending, and whether each looks up."""
-    a, b, c = (scene.vertices[scene.triangles[:, k]] for k in range(3))
+    a, b, c = (corners[:, k] for k in range(3))
     u, v, p = b[:, :2] - a[:, :2], c[:, :2] - a[:, :2], np.array([x, y]) - a[:, :2]
     area = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -152,19 +152,23 @@ class Store:
         self._add(
             "label_types", id, {"threshold": threshold, **({"responsivity": responsivity} if responsivity else {})}
         )
-        low, high = np.asarray(area, dtype=float) if area is not None else self.bounds()[:, :2]
-        low, size = low + margin, high - low - 2 * margin
         room = self.document.get("room")
+        surfaces = self._surfaces() if room is None else None
+        bounds = surfaces.bounds if surfaces is not None else self.bounds()
+        low, high = np.asarray(area, dtype=float) if area is not None else bounds[:, :2]
+        low, size = low + margin, high - low - 2 * margin
         if room is None or "outline" in room:
             labels = self.document.setdefault("labels", [])
             expect(isinstance(labels, list), "come from a CSV file: list them to add others", "labels")
             expect(not any(label["id"].startswith(f"{id}-") for label in labels), f"{id!r} is taken", "id")
             kind: dict[str, Any] = {"normal": [0, 0, 1], "type": id, "ignore": _IN_THE_AIR}
-            if room is None:
-                found = spaces(self._surfaces(), low, low + size, spacing)
+            if surfaces is not None:
+                found = spaces(surfaces, low, low + size, spacing)
                 places = [(place, x, y) for place, x, y, floor, ceiling in found if floor < plane < ceiling]
             else:
-                places = [one for one in grid(low, low + size, spacing) if covers(room["outline"], *one[1:])]
+                places = [
+                    one for one in grid(low, low + size, spacing) if covers(self.document["room"]["outline"], *one[1:])
+                ]
             labels.extend({"id": f"{id}-{place}", "position": [x, y, plane], **kind} for place, x, y in places)
             return
         cells = {"origin": [*low, plane], "axes": [[1, 0, 0], [0, 1, 0]], "size": size, "spacing": spacing}
