@@ -8,7 +8,7 @@ import shelfbeam as sb
 
 
 def greedy(signal, requirement):
-    """Adds the unit that closes most of what is missing, until every label is reached."""
+    """Adds the unit with the largest gain until every label is reached."""
     missing, chosen = requirement.astype(float), []
     while missing.max() > 0:
         gain = np.minimum(signal, missing[:, None]).sum(axis=0)

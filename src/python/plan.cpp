@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -52,8 +53,11 @@ py::dict result(const jobs::PlanJob& job, const jobs::PlanEnd& end) {
   PlanText text = plan_text(plan, end.table);
   if (plan.certificate) text.answer = with_effort(english(), text.answer, plan.certificate->open);
   Remedy remedy = remedy_for(english(), plan);
-  for (const Setting setting : remedy.settings)
-    if (!to_text(setting).empty()) remedy.advice += fmt::format(" ({})", to_text(setting));
+  for (const Setting setting : remedy.settings) {
+    std::string keyword(to_text(setting));
+    std::replace(keyword.begin(), keyword.end(), '-', '_');
+    if (!keyword.empty()) remedy.advice += fmt::format(" ({})", keyword);
+  }
   text.details += describe(plan.alternatives, plan.placement, end.table) + describe(plan.curve, end.table);
   if (plan.sensitivity)
     text.details += sensitivity_sentence(english(), *plan.sensitivity, end.table.rows()) + '\n';

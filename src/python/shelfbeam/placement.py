@@ -225,7 +225,7 @@ def _table(
 
 
 def columns_of(selection: Any, table: _core.Table) -> list[int]:
-    """The columns of a selection, ascending; a text that is no id is the name of a placement.json."""
+    """The columns of a selection, ascending; a text other than an id names a placement.json."""
     if hasattr(selection, "ids"):
         selection = selection.ids
     units = table.units
