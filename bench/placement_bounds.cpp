@@ -18,7 +18,7 @@ void print_reduction(const SignalTable& table) {
   const PlacementProblem problem{.model = CommunicationModel::non_cooperative};
   const std::vector<double> ones(table.columns(), 1.0);
   detail::Reduction left;
-  const double seconds = wall_seconds([&] { left = detail::reduce_cover(table, problem, ones); });
+  const double seconds = wall_seconds([&] { left = detail::reduce_cover({table, problem}, ones); });
   std::size_t labels = 0, columns = 0;
   for (const detail::CoverPart& part : left.parts) {
     labels += part.labels.size();
@@ -33,14 +33,14 @@ void print_bound(const SignalTable& table, const milp::Backend& backend, double 
   const std::vector<double> ones(table.columns(), 1.0);
   detail::LpBound lp;
   const double seconds = wall_seconds([&] {
-    lp = detail::lp_bound(table, problem, ones, backend, {.time_limit_s = limit, .cuts = false}, {});
+    lp = detail::lp_bound({table, problem}, ones, backend, {.time_limit_s = limit, .cuts = false}, {});
   });
   fmt::print("  cooperative, {:<6} relaxation {:.4f} from {} of {} labels, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), lp.dual.bound, lp.labels.size(), table.rows(), seconds,
              lp.complete ? "" : ", stopped");
   detail::CountBound count;
   const double with_shares = wall_seconds(
-      [&] { count = detail::count_bound(table, problem, backend, {.time_limit_s = limit}, {}); });
+      [&] { count = detail::count_bound({table, problem}, backend, {.time_limit_s = limit}, {}); });
   fmt::print("  cooperative, {:<6} count at least {} with shares, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), count.count, with_shares, count.complete ? "" : ", stopped");
   std::fflush(stdout);

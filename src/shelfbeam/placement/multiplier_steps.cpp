@@ -14,7 +14,7 @@ namespace {
 // A cover uses the labels of its remainder, other problems choose theirs.
 std::vector<BoundRow> rows_of(SearchState& state) {
   std::vector<BoundRow> rows;
-  if (state.is_cover())
+  if (state.instance.is_cover())
     for (const CoverPart& part : state.reduction().parts)
       for (const std::uint32_t i : part.labels) rows.push_back({i});
   return rows;
@@ -24,7 +24,7 @@ MultiplierBound bound_of_open(SearchState& state, const Effort& effort, const Se
   MultiplierBoundOptions options;
   options.selections = open;
   options.known = state.incumbent.value();
-  options.step = state.bounds.step();
+  options.step = state.instance.bounds.step();
   options.max_steps = effort.steps;
   options.until = effort.until;
   options.rows = rows_of(state);
@@ -34,7 +34,7 @@ MultiplierBound bound_of_open(SearchState& state, const Effort& effort, const Se
     if (!selected.empty()) state.offer(selected);
     return state.incumbent.value();
   };
-  return multiplier_bound(state.table, state.problem, state.first_cost, options, heuristic, state.control);
+  return multiplier_bound(state.instance, state.instance.first_cost, options, heuristic, state.control);
 }
 
 }  // namespace
@@ -45,14 +45,14 @@ void raise_bound_by_multipliers(SearchState& state, const Effort& effort) {
   constexpr double enough = 0.8;
   for (int round = 0; round < max_rounds && !state.is_closed(); ++round) {
     const SelectionSet open = state.open_selections();
-    if (state.is_cover() && state.reduction().infeasible)
+    if (state.instance.is_cover() && state.reduction().infeasible)
       return state.raise_open(std::numeric_limits<double>::infinity(), BoundProof::dual);
     MultiplierBound found = bound_of_open(state, effort, open);
     state.raise_open(found.dual.bound, BoundProof::dual);
     state.rows = std::move(found.rows);
-    if (!state.exclude(found.dual) || !state.is_cover() || effort.is_over(state.control)) return;
-    const auto before = static_cast<double>(state.table.columns() - open.without.size());
-    const auto left = static_cast<double>(state.table.columns() - state.open_selections().without.size());
+    if (!state.exclude(found.dual) || !state.instance.is_cover() || effort.is_over(state.control)) return;
+    const auto before = static_cast<double>(state.instance.columns() - open.without.size());
+    const auto left = static_cast<double>(state.instance.columns() - state.open_selections().without.size());
     if (left > enough * before) return;
   }
 }
@@ -65,7 +65,7 @@ void bound_second_by_multipliers(SearchState& state, const Effort& effort) {
   options.max_steps = effort.steps;
   options.until = effort.until;
   state.raise_second(
-      multiplier_bound(state.table, state.problem, state.second->cost, options, {}, state.control).dual.bound,
+      multiplier_bound(state.instance, state.instance.second_cost, options, {}, state.control).dual.bound,
       BoundProof::dual);
 }
 

@@ -15,123 +15,175 @@
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/multiplier_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
-#include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/mip/mip.hpp"
 #include "shelfbeam/placement/place_by_spend.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
-#include "shelfbeam/placement/problem/bounds.hpp"
-#include "shelfbeam/placement/problem/checker.hpp"
-#include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
+using detail::Instance;
+using detail::Selection;
+using MaybeSelection = std::optional<Selection>;
+
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The labels that no selection reaches, regardless of the requirements of other labels.
-std::vector<Unreachable> unreachable_labels(const SignalTable& table, const PlacementProblem& problem) {
+std::vector<Unreachable> unreachable_labels(const Instance& instance) {
   // Sums in another order round differently if mounting points have options or a unit may fail. The search
   // decides labels within this distance of their requirement.
-  const double rounding = table.mounts.empty() && !problem.redundant ? 1 : 1 + 1e-12;
-  const Mounts mounts(table);
+  const double rounding = instance.table.mounts.empty() && !instance.problem.redundant ? 1 : 1 + 1e-12;
   std::vector<Unreachable> result;
-  for (std::uint32_t i = 0; i < table.rows(); ++i) {
-    const double requirement = requirement_of(table.labels[i], problem.model);
-    const double max_signal = mounts.max_signal(table.row(i), problem);
+  for (std::uint32_t i = 0; i < instance.rows(); ++i) {
+    const double requirement = instance.requirement(i);
+    const double max_signal = instance.mounts.max_signal(instance.row(i), instance.problem);
     if (!is_met(max_signal * rounding, requirement)) result.push_back({i, requirement, max_signal});
   }
   return result;
 }
 
-Placement infeasible(const SignalTable& table, const PlacementProblem& problem,
-                     std::vector<Unreachable> unreachable) {
+Placement infeasible(const Instance& instance, std::vector<Unreachable> unreachable) {
   Placement placement;
-  placement.problem = problem;
+  placement.problem = instance.problem;
   placement.status = Status::infeasible;
   placement.objective_value = placement.lower_bound = placement.count_lower_bound = infinite;
-  placement.unit_costs = label_costs(table, problem.objective).unit;
+  placement.unit_costs = label_costs(instance.table, instance.problem.objective).unit;
   placement.unreachable = std::move(unreachable);
   return placement;
 }
 
-using MaybeSelection = std::optional<std::vector<std::uint32_t>>;
-
-double value_of(const Check& check, const PlacementProblem& problem, std::size_t count) {
-  return problem.combination == Combination::weighted ? check.transceiver_cost + check.objective
-                                                      : static_cast<double>(count);
+/// Count or whole sum; infinite if the selection is not feasible.
+double value_of(const Instance& instance, const Selection& selected) {
+  const Check check = instance.check(selected);
+  if (!check.met()) return infinite;
+  return instance.is_weighted() ? check.transceiver_cost + check.objective
+                                : static_cast<double>(selected.size());
 }
 
 /// The cheaper feasible one of two selections, the first if both cost the same.
-MaybeSelection better_of(const SignalTable& table, const PlacementProblem& problem,
-                         const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) {
-  const Check of_first = check_selection(table, problem, first);
-  if (second.empty()) return of_first.met() ? MaybeSelection(first) : std::nullopt;
-  const Check of_second = check_selection(table, problem, second);
-  if (!of_second.met()) return of_first.met() ? MaybeSelection(first) : std::nullopt;
-  const bool is_cheaper =
-      value_of(of_second, problem, second.size()) < value_of(of_first, problem, first.size());
-  return is_cheaper || !of_first.met() ? second : first;
+MaybeSelection better_of(const Instance& instance, const Selection& first, const Selection& second) {
+  const double of_first = value_of(instance, first);
+  if (!second.empty() && value_of(instance, second) < of_first) return second;
+  return of_first < infinite ? MaybeSelection(first) : std::nullopt;
 }
 
-/// A selection with the bounds that need no search.
-Placement greedy_placement(const SignalTable& table, const PlacementProblem& problem,
-                           const MaybeSelection& selected) {
-  Placement placement = place_by_mip(table, problem, selected, {}, 0, {}).placement;
+/// A greedy selection with the bounds that need no search.
+Placement plain_placement(const Instance& instance, const MaybeSelection& selected) {
+  Placement placement = place_by_mip(instance, selected, {}, 0, {}).placement;
   placement.status = selected ? Status::feasible : Status::stopped;
   placement.solver = {Method::greedy};
   return placement;
 }
 
+/// The answer of a MIP back end alone, the next one if one fails.
+Placement solved_placement(const Instance& instance, const MaybeSelection& known,
+                           std::span<const milp::Backend> backends, const PlaceOptions& options,
+                           const Deadline& deadline, const RunControl& control) {
+  Placement placement;
+  for (const milp::Backend& backend : backends) {
+    MipResult answer = place_by_mip(instance, known, limited(backend.solve, options.step_limit),
+                                    deadline.seconds_left(), control);
+    placement = std::move(answer.placement);
+    placement.solver = {Method::mip, backend.full_name()};
+    if (!answer.solver_failed) break;
+  }
+  // Bounds above those without a search rest on the solver alone.
+  const Placement plain = plain_placement(instance, known);
+  if (placement.count_lower_bound > plain.count_lower_bound || placement.lower_bound > plain.lower_bound)
+    placement.bound_proof = BoundProof::solver;
+  return placement;
+}
+
 /// Lower bound on a sum of costs over selections of at least `min_count` units, by some multipliers; rounded
 /// up.
-double quick_bound(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-                   double known, std::size_t min_count, const PlaceOptions& options, const Deadline& deadline,
+double quick_bound(const Instance& instance, std::span<const double> cost, double known,
+                   std::size_t min_count, const PlaceOptions& options, const Deadline& deadline,
                    const RunControl& control) {
   constexpr std::uint64_t steps = 150;
-  const CostBounds bounds(table, cost);
+  const CostBounds bounds(instance.table, cost);
   detail::MultiplierBoundOptions quick;
   quick.selections.min_count = min_count;
   quick.known = known;
   quick.step = bounds.step();
   quick.max_steps = std::min(steps, options.step_limit.value_or(steps));
   if (!options.step_limit) quick.until = deadline.end();
-  return std::min(
-      known, bounds.rounded(detail::multiplier_bound(table, problem, cost, quick, {}, control).dual.bound));
+  return std::min(known,
+                  bounds.rounded(detail::multiplier_bound(instance, cost, quick, {}, control).dual.bound));
 }
 
 /// Raises bounds that the search has left low: all of them if it was not ours or had no time, and otherwise
 /// that of the count if a sum is minimised.
-void raise_neglected_bounds(Placement& placement, const SignalTable& table, const PlaceOptions& options,
+void raise_neglected_bounds(Placement& placement, const Instance& instance, const PlaceOptions& options,
                             double seconds_left, const RunControl& control) {
-  const PlacementProblem& problem = placement.problem;
-  const bool is_sum = problem.combination == Combination::weighted, is_open = placement.gap() > 0;
-  const bool is_count = !is_sum && problem.objective == Objective::count;
+  const bool is_sum = instance.is_weighted(), is_open = placement.gap() > 0;
+  const bool is_count = !is_sum && instance.problem.objective == Objective::count;
   const bool is_low = placement.bound_proof == BoundProof::trivial || options.solver == SolverChoice::mip;
-  const auto raise = [&](double& bound, double found) {
+  constexpr double least = 0.05, most = 0.5;  // s
+  const Deadline deadline(std::clamp(seconds_left, least, most));
+  const auto raise = [&](double& bound, std::span<const double> cost, double known, std::size_t min_count) {
+    const double found = quick_bound(instance, cost, known, min_count, options, deadline, control);
     if (!(found > bound)) return;
     bound = found;
     placement.bound_proof = is_count ? BoundProof::dual : std::max(placement.bound_proof, BoundProof::dual);
   };
-  constexpr double least = 0.05, most = 0.5;  // s
-  const Deadline deadline(std::clamp(seconds_left, least, most));
-  const std::vector<double> ones(table.columns(), 1.0);
   const auto count = static_cast<double>(placement.count());
   if (is_sum || (is_open && is_low))
-    raise(placement.count_lower_bound,
-          quick_bound(table, problem, ones, count, 0, options, deadline, control));
+    raise(placement.count_lower_bound, std::vector<double>(instance.columns(), 1.0), count, 0);
   if (is_count) {
     placement.lower_bound = placement.count_lower_bound;
   } else if (is_open && (is_low || (!is_sum && placement.count_lower_bound < count))) {
-    const std::vector<double> cost =
-        is_sum ? first_objective(table, problem) : objective_coefficients(table, problem);
-    const auto fewest = static_cast<std::size_t>(placement.count_lower_bound);
-    raise(placement.lower_bound,
-          quick_bound(table, problem, cost, placement.objective_value, fewest, options, deadline, control));
+    raise(placement.lower_bound, is_sum ? instance.first_cost : instance.second_cost,
+          placement.objective_value, static_cast<std::size_t>(placement.count_lower_bound));
   }
   const bool is_proven = is_sum || placement.count_lower_bound >= count;
   if (is_open && is_proven && placement.gap() <= 0) placement.status = Status::optimal;
+}
+
+/// The answer for a problem whose labels can be reached one by one.
+Placement placed(const Instance& instance, const PlaceOptions& options, const Deadline& deadline,
+                 std::vector<SearchStep>& steps, const RunControl& control) {
+  const auto backends = milp::backends_of(options.backend);
+  const bool without_mip = options.solver == SolverChoice::search;
+  const bool searches = without_mip || options.solver == SolverChoice::automatic;
+  const bool is_all = options.solver == SolverChoice::greedy;
+  // A search of a large table takes about a second to begin.
+  constexpr double share_of_greedy = 0.6, share_to_begin = 0.3, seconds_to_begin = 1;
+  const double after_greedy = is_all ? 0 : (1 - share_of_greedy) * options.time_limit_s;
+  Selection greedy;
+  MaybeSelection known;
+  detail::record_step(
+      steps, "greedy", [&] { return known ? value_of(instance, *known) : infinite; }, [] { return 0.0; },
+      [&] {
+        greedy = greedy_selection(
+            instance, detail::greedy_effort(options, deadline.seconds_left() - after_greedy), control);
+        known = better_of(instance, greedy, options.start);
+      });
+  if (!known && searches)
+    known = detail::first_selection(instance, greedy, 0.2 * deadline.seconds_left(), options.seed, control);
+  if (is_all) {
+    Placement placement = plain_placement(instance, known);
+    if (deadline.has_passed() || control.cancelled()) placement.status = Status::stopped;
+    return placement;
+  }
+  if (known && searches) {
+    if (deadline.seconds_left() < std::min(share_to_begin * options.time_limit_s, seconds_to_begin)) {
+      Placement placement = plain_placement(instance, known);
+      placement.status = Status::stopped;
+      return placement;
+    }
+    return detail::search_placement(
+        instance, *known, {backends, without_mip}, deadline.seconds_left(), options.seed, control,
+        {.proves = options.proves, .settles_ties = options.settles_ties, .step_limit = options.step_limit});
+  }
+  if (without_mip || (searches && instance.table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
+    Placement placement = plain_placement(instance, known);
+    placement.solver = {Method::search};
+    return placement;
+  }
+  return solved_placement(instance, known, backends, options, deadline, control);
 }
 
 }  // namespace
@@ -148,74 +200,24 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   if (problem.combination == Combination::spend)
     return detail::place_by_spend(table, problem, options, control);
   const auto start = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-  const auto left = [&] { return options.step_limit ? infinite : options.time_limit_s - elapsed(); };
+  constexpr double endless_s = 1e8;
+  const Deadline deadline(options.step_limit ? endless_s : options.time_limit_s);
   check_problem(table, problem);
   const ThreadLimit allowed(control.threads);
-  const auto backends = milp::backends_of(options.backend);
+  milp::backends_of(options.backend);  // throws for an unknown name
+  const Instance instance(table, problem);
 
-  Placement placement;
   std::vector<SearchStep> steps;
-  if (auto unreachable = unreachable_labels(table, problem); !unreachable.empty()) {
-    placement = infeasible(table, problem, std::move(unreachable));
-  } else {
-    const bool without_mip = options.solver == SolverChoice::search;
-    const bool searches = without_mip || options.solver == SolverChoice::automatic;
-    // A search of a large table takes about a second to begin.
-    constexpr double share_of_greedy = 0.6, share_to_begin = 0.3, seconds_to_begin = 1;
-    const bool is_all = options.solver == SolverChoice::greedy;
-    const double until = (is_all ? 1 : share_of_greedy) * options.time_limit_s;
-    std::vector<std::uint32_t> greedy;
-    MaybeSelection known;
-    const auto value = [&] {
-      return known ? value_of(check_selection(table, problem, *known), problem, known->size()) : infinite;
-    };
-    detail::record_step(
-        steps, "greedy", value, [] { return 0.0; },
-        [&] {
-          greedy =
-              greedy_selection(table, problem, detail::greedy_effort(options, until - elapsed()), control);
-          known = better_of(table, problem, greedy, options.start);
-        });
-    if (!known && searches)
-      known = detail::first_selection(table, problem, greedy, 0.2 * left(), options.seed, control);
-    if (options.solver == SolverChoice::greedy) {
-      placement = greedy_placement(table, problem, known);
-      if (left() <= 0 || control.cancelled()) placement.status = Status::stopped;
-    } else if (known && searches &&
-               left() < std::min(share_to_begin * options.time_limit_s, seconds_to_begin)) {
-      placement = greedy_placement(table, problem, known);
-      placement.status = Status::stopped;
-    } else if (known && searches) {
-      placement = detail::search_placement(
-          table, problem, *known, {backends, without_mip}, left(), options.seed, control,
-          {.proves = options.proves, .settles_ties = options.settles_ties, .step_limit = options.step_limit});
-    } else if (without_mip || (searches && table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
-      placement = greedy_placement(table, problem, known);
-      placement.solver = {Method::search};
-    } else {
-      for (const milp::Backend& backend : backends) {
-        MipResult answer =
-            place_by_mip(table, problem, known, limited(backend.solve, options.step_limit), left(), control);
-        placement = std::move(answer.placement);
-        placement.solver = {Method::mip, backend.full_name()};
-        if (!answer.solver_failed) break;
-      }
-      // Bounds above those without a search rest on the solver alone.
-      const Placement plain = greedy_placement(table, problem, known);
-      if (placement.count_lower_bound > plain.count_lower_bound || placement.lower_bound > plain.lower_bound)
-        placement.bound_proof = BoundProof::solver;
-    }
-  }
+  auto unreachable = unreachable_labels(instance);
+  Placement placement = unreachable.empty() ? placed(instance, options, deadline, steps, control)
+                                            : infeasible(instance, std::move(unreachable));
   if (placement.has_selection() && options.proves)
-    raise_neglected_bounds(placement, table, options, left(), control);
+    raise_neglected_bounds(placement, instance, options, deadline.seconds_left(), control);
   if (placement.has_selection() && has_prices(table)) placement.price = price_of(table, placement.selected);
   placement.steps.insert(placement.steps.begin(), steps.begin(), steps.end());
   placement.min_spacing = table.min_spacing;
   placement.forbidden_pairs = table.conflicts.size();
-  placement.seconds = elapsed();
+  placement.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return placement;
 }
 

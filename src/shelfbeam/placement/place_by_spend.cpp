@@ -129,9 +129,9 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   double known = unknown_spend;
+  const SignalTable priced = SpendOrder(table, known).priced(table);
   std::vector<std::uint32_t> start;
-  for (const auto& selected :
-       {greedy_selection(SpendOrder(table, known).priced(table), sum, effort, control), options.start})
+  for (const auto& selected : {greedy_selection({priced, sum}, effort, control), options.start})
     if (!selected.empty() && check_selection(table, problem, selected).met()) {
       const double price = price_of(table, selected).to_spend;
       if (price >= known) continue;

@@ -21,7 +21,7 @@ using State = const SearchState&;
 
 // Covers that are searched without a dense matrix.
 constexpr auto is_sparse = [](State state) {
-  return state.is_cover() && (state.is_weighted || !state.is_small());
+  return state.instance.is_cover() && (state.instance.is_weighted() || !state.is_small());
 };
 
 // `steps` are moves of the weighted local search; moves of the other walks take less time. Weighted exchanges
@@ -34,8 +34,7 @@ void improve(SearchState& state, const Effort& effort) {
   if (is_sparse(state))
     state.offer(
         cover_search(state.instance, state.reduction(), best, with_moves(10), state.seed, state.control));
-  else if (state.matrix && can_anneal(state.problem) &&
-           state.problem.model == CommunicationModel::cooperative)
+  else if (state.matrix && can_anneal(state.instance.problem) && state.instance.is_cooperative())
     state.offer(anneal(state.instance, *state.matrix, best, with_moves(state.is_small() ? 10 : 40),
                        state.seed, state.control));
   else if (state.matrix)
@@ -63,19 +62,19 @@ struct Step {
 constexpr auto always = [](State) { return true; };
 constexpr auto is_small = [](State state) { return state.is_small(); };
 constexpr auto is_large = [](State state) { return !state.is_small(); };
-constexpr auto is_small_whole = [](State state) { return state.is_small() && !state.is_cover(); };
-constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.is_cover(); };
-constexpr auto is_covering = [](State state) { return state.is_cover(); };
+constexpr auto is_small_whole = [](State state) { return state.is_small() && !state.instance.is_cover(); };
+constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.instance.is_cover(); };
+constexpr auto is_covering = [](State state) { return state.instance.is_cover(); };
 // Better selections exclude more columns, which pays if many are left.
 constexpr auto has_many_left = [](State state) {
   constexpr std::size_t many = 1000;
-  return state.is_cover() && state.table.columns() - state.useless.size() > many;
+  return state.instance.is_cover() && state.instance.columns() - state.useless.size() > many;
 };
 // Covers of many units that are counted, as in a hall: neighbouring units overlap, distant ones do not.
 constexpr auto may_have_windows = [](State state) {
   constexpr std::size_t enough = 200;
-  return state.is_cover() && !state.is_weighted && !state.is_small() &&
-         state.table.columns() - state.useless.size() >= enough;
+  return state.instance.is_cover() && !state.instance.is_weighted() && !state.is_small() &&
+         state.instance.columns() - state.useless.size() >= enough;
 };
 constexpr auto has_few_left = [](State state) { return !has_many_left(state); };
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
@@ -85,12 +84,13 @@ constexpr auto has_few_units = [](State state) {
   return state.is_small() || (has_tree(state) && state.incumbent.selected().size() < few);
 };
 constexpr auto is_large_whole_of_few = [](State state) {
-  return !state.is_small() && !state.is_cover() && has_few_units(state);
+  return !state.is_small() && !state.instance.is_cover() && has_few_units(state);
 };
 // Sums of many units: tree searches do not end, and the whole is too large for a MIP.
 constexpr auto may_have_window_mips = [](State state) {
-  return has_tree(state) && !has_few_units(state) && !state.is_cover() && !state.is_weighted &&
-         !state.problem.redundant && !state.solvers.only_linear && !state.fits_mip();
+  return has_tree(state) && !has_few_units(state) && !state.instance.is_cover() &&
+         !state.instance.is_weighted() && !state.instance.problem.redundant && !state.solvers.only_linear &&
+         !state.fits_mip();
 };
 constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
@@ -146,27 +146,27 @@ void run(std::span<const Step> steps, SearchState& state) {
 
 // Limits of the first local search: short if it gains little or moves are cheap.
 Effort opening(State state) {
-  const std::uint64_t moves = is_sparse(state) && state.is_weighted  ? 100
-                              : is_sparse(state) || state.is_small() ? 1'000
-                                                                     : 20'000;
+  const std::uint64_t moves = is_sparse(state) && state.instance.is_weighted() ? 100
+                              : is_sparse(state) || state.is_small()           ? 1'000
+                                                                               : 20'000;
   return {std::min(moves, state.limits.step_limit.value_or(any_steps)), state.deadline.end()};
 }
 
 Placement answer_of(State state, const PlacementProblem& problem) {
-  const SignalTable& table = state.table;
+  const Instance& instance = state.instance;
   Placement placement;
   placement.problem = problem;
-  placement.unit_costs = label_costs(table, problem.objective).unit;
+  placement.unit_costs = label_costs(instance.table, problem.objective).unit;
   placement.selected = state.incumbent.selected();
-  placement.objective_value = state.is_weighted || problem.objective != Objective::count
+  placement.objective_value = instance.is_weighted() || problem.objective != Objective::count
                                   ? state.incumbent.value_of(placement.selected)
                                   : static_cast<double>(placement.selected.size());
   placement.lower_bound =
       std::min(state.second ? state.second->lower_bound : state.incumbent.bound(), placement.objective_value);
   placement.count_lower_bound =
-      state.is_weighted ? static_cast<double>(std::max(trivial_count_bound(table, problem),
-                                                       state.bounds.fewest(placement.lower_bound)))
-                        : state.incumbent.bound();
+      instance.is_weighted() ? static_cast<double>(std::max(instance.trivial_count_bound(),
+                                                            instance.bounds.fewest(placement.lower_bound)))
+                             : state.incumbent.bound();
   placement.bound_proof = state.incumbent.proof();
   placement.solver = {Method::search, state.last_backend};
   return placement;
@@ -177,10 +177,10 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
   if (state.limits.proves) run(schedule, state);
-  if (state.limits.proves && !state.is_weighted && state.problem.objective != Objective::count) {
-    std::vector<double> cost = objective_coefficients(state.table, state.problem);
-    const CostBounds bounds(state.table, cost);
-    state.second = {std::move(cost), bounds, state.incumbent.value_of(state.incumbent.selected()),
+  if (state.limits.proves && !state.instance.is_weighted() &&
+      state.instance.problem.objective != Objective::count) {
+    const CostBounds bounds(state.instance.table, state.instance.second_cost);
+    state.second = {bounds, state.incumbent.value_of(state.incumbent.selected()),
                     bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound()))};
     if (state.incumbent.is_closed()) run(second_schedule, state);
   }
@@ -195,34 +195,32 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> first_selection(const SignalTable& table,
-                                                          const PlacementProblem& problem,
+std::optional<std::vector<std::uint32_t>> first_selection(const Instance& instance,
                                                           const std::vector<std::uint32_t>& start,
                                                           double time_limit_s, std::uint64_t seed,
                                                           const RunControl& control) {
-  if (table.rows() * table.columns() > SearchLimits{}.max_cells_of_local_search) return std::nullopt;
-  const SearchInstance instance(table, problem);
-  const SearchMatrix matrix(table, problem.model);
+  if (instance.rows() * instance.columns() > SearchLimits{}.max_cells_of_local_search) return std::nullopt;
+  const SearchMatrix matrix(instance);
   const auto own_seed = static_cast<std::uint32_t>(mix_key(seed, 1));
   const auto found =
       local_search(instance, matrix, start, {5000, Deadline(time_limit_s).end()}, own_seed, control);
-  return found && check_selection(table, problem, *found).met() ? found : std::nullopt;
+  return found && instance.check(*found).met() ? found : std::nullopt;
 }
 
-Placement search_placement(const SignalTable& table, const PlacementProblem& problem,
-                           const std::vector<std::uint32_t>& start, const Solvers& solvers,
-                           double time_limit_s, std::uint64_t seed, const RunControl& control,
-                           const SearchLimits& limits) {
+Placement search_placement(const Instance& instance, const std::vector<std::uint32_t>& start,
+                           const Solvers& solvers, double time_limit_s, std::uint64_t seed,
+                           const RunControl& control, const SearchLimits& limits) {
   const auto search_for = [&](const SignalTable& priced, const PlacementProblem& as) {
-    SearchState state(priced, as, start, solvers, time_limit_s, seed, control, limits);
-    return search(state, problem);
+    const Instance own(priced, as);
+    SearchState state(own, start, solvers, time_limit_s, seed, control, limits);
+    return search(state, instance.problem);
   };
   const auto answer = [&](const SignalTable& priced) {
-    if (!is_cover_of_sums(priced, problem)) return search_for(priced, problem);
+    if (!is_cover_of_sums(priced, instance.problem)) return search_for(priced, instance.problem);
     const auto needs_rule = [](const SignalTable::Label& label) {
       return label.single_requirement != label.requirement;
     };
-    PlacementProblem alone = problem;
+    PlacementProblem alone = instance.problem;
     alone.model = CommunicationModel::non_cooperative;
     if (std::none_of(priced.labels.begin(), priced.labels.end(), needs_rule))
       return search_for(priced, alone);
@@ -230,15 +228,15 @@ Placement search_placement(const SignalTable& table, const PlacementProblem& pro
     for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
     return search_for(cover, alone);
   };
-  const Check known = check_selection(table, problem, start);
+  const Check known = instance.check(start);
   const double max_cost = 2 * (known.objective + known.transceiver_cost);
   const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > max_cost; };
-  if (problem.combination == Combination::lexicographic || !(max_cost > 0) ||
-      std::none_of(table.transceivers.begin(), table.transceivers.end(), is_too_expensive))
-    return answer(table);
+  if (instance.problem.combination == Combination::lexicographic || !(max_cost > 0) ||
+      std::none_of(instance.table.transceivers.begin(), instance.table.transceivers.end(), is_too_expensive))
+    return answer(instance.table);
   // No selection as good as the known one contains a more expensive unit. Capping such prices keeps the other
   // prices from vanishing in the rounding.
-  SignalTable cheaper = table;
+  SignalTable cheaper = instance.table;
   for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, max_cost);
   return answer(cheaper);
 }

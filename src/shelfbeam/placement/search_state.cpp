@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/placement/mip/export_model.hpp"
-#include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/incumbent_report.hpp"
 
 namespace shelfbeam::detail {
@@ -25,27 +23,23 @@ std::vector<std::uint32_t> united(std::span<const std::uint32_t> a, std::span<co
 
 }  // namespace
 
-Incumbent::Incumbent(const SignalTable& table, const PlacementProblem& problem, const CostBounds& bounds,
-                     const Selection& start)
-    : table_(table),
-      problem_(problem),
-      bounds_(bounds),
-      is_weighted_(problem.combination == Combination::weighted) {
+Incumbent::Incumbent(const Instance& instance, const Selection& start) : instance_(instance) {
   accept(start);
-  const std::size_t count = trivial_count_bound(table, problem);
-  bound_ = is_weighted_ ? bounds.cheapest(count) : static_cast<double>(count);
+  const std::size_t count = instance.trivial_count_bound();
+  bound_ = instance.is_weighted() ? instance.bounds.cheapest(count) : static_cast<double>(count);
 }
 
 double Incumbent::value_of(const Selection& selected) const {
-  const Check check = check_selection(table_, problem_, selected);
-  return check.objective + (is_weighted_ ? check.transceiver_cost : 0);
+  const Check check = instance_.check(selected);
+  return check.objective + (instance_.is_weighted() ? check.transceiver_cost : 0);
 }
 
 // nullopt if the checker rejects the selection.
 std::optional<double> Incumbent::first_value(const Selection& selected) const {
-  const Check check = check_selection(table_, problem_, selected);
+  const Check check = instance_.check(selected);
   if (!check.met()) return std::nullopt;
-  return is_weighted_ ? check.objective + check.transceiver_cost : static_cast<double>(selected.size());
+  return instance_.is_weighted() ? check.objective + check.transceiver_cost
+                                 : static_cast<double>(selected.size());
 }
 
 bool Incumbent::accept(const Selection& selected) {
@@ -63,9 +57,10 @@ bool Incumbent::offer(const std::optional<Selection>& found) {
 }
 
 bool Incumbent::raise(double bound, BoundProof proof, std::string_view step) {
-  bound = bounds_.rounded(bound);
+  bound = instance_.bounds.rounded(bound);
   constexpr double gap = 1e-6;
-  if (proof == BoundProof::solver && bounds_.step() == 0 && !is_closed() && value_ - bound <= gap * value_) {
+  if (proof == BoundProof::solver && instance_.bounds.step() == 0 && !is_closed() &&
+      value_ - bound <= gap * value_) {
     solver_closed_ = true;
     proof_ = proof;
   }
@@ -85,23 +80,17 @@ std::string Incumbent::text() const {
   return fmt::format("best {:.6g}, bound {:.6g}, gap {:.1f} %", value_, bound_, gap);
 }
 
-SearchState::SearchState(const SignalTable& t, const PlacementProblem& q, const Selection& start,
-                         const Solvers& s, double time_limit_s, std::uint64_t own_seed, const RunControl& c,
-                         const SearchLimits& l)
-    : table(t),
-      problem(q),
+SearchState::SearchState(const Instance& of, const Selection& start, const Solvers& s, double time_limit_s,
+                         std::uint64_t own_seed, const RunControl& c, const SearchLimits& l)
+    : instance(of),
       solvers(s),
       limits(l),
       deadline(l.step_limit ? no_limit_s : time_limit_s),
       seed(static_cast<std::uint32_t>(mix_key(own_seed, 0))),
-      instance(t, q),
-      is_weighted(q.combination == Combination::weighted),
-      first_cost(first_objective(t, q)),
-      bounds(t, first_cost),
-      incumbent(t, q, bounds, start),
+      incumbent(of, start),
       watcher(c.progress),
       control{c.threads, c.cancel, c.progress == nullptr ? nullptr : this} {
-  if (t.rows() * t.columns() <= l.max_cells_of_local_search) matrix.emplace(t, q.model);
+  if (of.rows() * of.columns() <= l.max_cells_of_local_search) matrix.emplace(of);
   if (has_tree(0)) tree.emplace(instance, *matrix);
 }
 
@@ -132,13 +121,13 @@ Reduction SearchState::reduction_below(double cost) const {
 }
 
 Reduction SearchState::reduction_without(std::span<const std::uint32_t> columns) const {
-  std::vector<bool> pinned(table.conflicts.empty() ? 0 : table.columns(), false);
-  for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
-  return reduce_cover(table, problem, first_cost, pinned, [this] { return out_of_time(); }, columns);
+  std::vector<bool> pinned(instance.table.conflicts.empty() ? 0 : instance.columns(), false);
+  for (const auto& [a, b] : instance.table.conflicts) pinned[a] = pinned[b] = true;
+  return reduce_cover(instance, instance.first_cost, pinned, [this] { return out_of_time(); }, columns);
 }
 
 bool SearchState::exclude(const DualBound& dual) {
-  return exclude(useless_columns(dual, bounds.below(incumbent.value())));
+  return exclude(useless_columns(dual, instance.bounds.below(incumbent.value())));
 }
 
 bool SearchState::exclude(std::span<const std::uint32_t> columns) {
@@ -147,22 +136,22 @@ bool SearchState::exclude(std::span<const std::uint32_t> columns) {
   useless = std::move(all);
   // Few further columns are not worth another reduction.
   constexpr std::size_t part = 20;
-  if ((useless.size() - reduced_without_) * part < table.columns() - useless.size()) return false;
+  if ((useless.size() - reduced_without_) * part < instance.columns() - useless.size()) return false;
   reduction_.reset();
   return true;
 }
 
 SelectionSet SearchState::open_selections() {
-  if (!is_cover()) return {.without = useless};
+  if (!instance.is_cover()) return {.without = useless};
   SelectionSet open;
-  std::vector<bool> is_open(table.columns(), false);
+  std::vector<bool> is_open(instance.columns(), false);
   for (const std::uint32_t j : reduction().forced) {
     is_open[j] = true;
-    if (!table.transceivers[j].installed) open.with.push_back(j);
+    if (!instance.is_installed(j)) open.with.push_back(j);
   }
   for (const CoverPart& part : reduction().parts)
     for (const std::uint32_t j : part.columns) is_open[j] = true;
-  for (std::uint32_t j = 0; j < table.columns(); ++j)
+  for (std::uint32_t j = 0; j < instance.columns(); ++j)
     if (!is_open[j]) open.without.push_back(j);
   return open;
 }
@@ -172,7 +161,7 @@ void SearchState::report(Task stage, double, std::string_view detail) {
   watcher->bounds(incumbent.value(), incumbent.bound());
   if (reported_ != incumbent.selected()) {
     reported_ = incumbent.selected();
-    watcher->selection(ids_of(table, reported_));
+    watcher->selection(ids_of(instance.table, reported_));
   }
   watcher->report(Task::placing, -1, fmt::format("{}{} {}", incumbent.text(), below, detail));
 }

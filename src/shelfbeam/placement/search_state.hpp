@@ -15,6 +15,7 @@
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 #include "shelfbeam/placement/tree/tree_search.hpp"
 
@@ -26,15 +27,14 @@ inline constexpr double no_limit_s = 1e8;
 /// whole sum (weighted). Every selection has passed the checker, and no bound exceeds the value.
 class Incumbent {
  public:
-  /// `start` is a selection that the checker accepts; `bounds` belong to the first objective.
-  Incumbent(const SignalTable& table, const PlacementProblem& problem, const CostBounds& bounds,
-            const Selection& start);
+  /// `start` is a selection that the checker accepts.
+  Incumbent(const Instance& instance, const Selection& start);
 
   const Selection& selected() const { return selected_; }
   double value() const { return value_; }
   double bound() const { return bound_; }
   BoundProof proof() const { return proof_; }
-  bool is_closed() const { return solver_closed_ || value_ - bound_ <= bounds_.tolerance(value_); }
+  bool is_closed() const { return solver_closed_ || value_ - bound_ <= instance_.bounds.tolerance(value_); }
 
   /// The second objective (lexicographic), or the whole sum (weighted).
   double value_of(const Selection& selected) const;
@@ -56,10 +56,7 @@ class Incumbent {
  private:
   std::optional<double> first_value(const Selection& selected) const;
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
-  const CostBounds& bounds_;
-  bool is_weighted_;
+  const Instance& instance_;
   Selection selected_;
   double value_ = std::numeric_limits<double>::infinity();
   double bound_ = 0;
@@ -69,7 +66,6 @@ class Incumbent {
 
 /// The second objective of a lexicographic problem, at the minimum count.
 struct SecondObjective {
-  std::vector<double> cost;
   CostBounds bounds;
   double value;
   /// Lower bound at the minimum count; if that count is not proven, over all counts from its lower bound on.
@@ -82,21 +78,15 @@ struct SecondObjective {
 /// State shared by the steps of one search: problem, incumbent, bounds and remaining time. Reports incumbent
 /// and bound as progress, whichever method runs.
 struct SearchState final : ProgressSink {
-  SearchState(const SignalTable& table, const PlacementProblem& problem, const Selection& start,
-              const Solvers& solvers, double time_limit_s, std::uint64_t seed, const RunControl& control,
-              const SearchLimits& limits);
+  SearchState(const Instance& instance, const Selection& start, const Solvers& solvers, double time_limit_s,
+              std::uint64_t seed, const RunControl& control, const SearchLimits& limits);
   SearchState(const SearchState&) = delete;
 
-  const SignalTable& table;
-  const PlacementProblem& problem;
+  const Instance& instance;
   const Solvers& solvers;
   const SearchLimits& limits;
   Deadline deadline;
   std::uint32_t seed;
-  SearchInstance instance;
-  bool is_weighted;
-  std::vector<double> first_cost;      ///< cost of every column in the first objective
-  CostBounds bounds;                   ///< of first_cost
   std::optional<SearchMatrix> matrix;  ///< all rows, if the memory limit allows
   std::optional<TreeSearch> tree;      ///< starts with the rows and weights of the last LP
   Incumbent incumbent;
@@ -119,20 +109,20 @@ struct SearchState final : ProgressSink {
   /// A tree search may end within seconds.
   bool is_small() const {
     return incumbent.selected().size() <= limits.small_answer &&
-           table.entries.size() <= limits.max_mip_entries;
+           instance.table.entries.size() <= limits.max_mip_entries;
   }
-  /// `reduce_cover` applies.
-  bool is_cover() const { return problem.model == CommunicationModel::non_cooperative && !problem.redundant; }
-  bool fits_mip() const { return !solvers.only_linear && table.entries.size() <= limits.max_mip_entries; }
-  bool may_ask_mip() const { return fits_mip() || (!solvers.only_linear && is_cover()); }
+  bool fits_mip() const {
+    return !solvers.only_linear && instance.table.entries.size() <= limits.max_mip_entries;
+  }
+  bool may_ask_mip() const { return fits_mip() || (!solvers.only_linear && instance.is_cover()); }
   /// No selection better than the incumbent has more units.
   std::size_t max_better_count() const {
-    const double below = bounds.below(incumbent.value());
-    return is_weighted ? bounds.affordable(below) : incumbent.selected().size() - 1;
+    const double below = instance.bounds.below(incumbent.value());
+    return instance.is_weighted() ? instance.bounds.affordable(below) : incumbent.selected().size() - 1;
   }
   /// A tree search is suitable for selections of `units` units.
   bool has_tree(std::size_t units) const {
-    return matrix && table.rows() * table.columns() <= limits.max_cells_of_trees &&
+    return matrix && instance.rows() * instance.columns() <= limits.max_cells_of_trees &&
            units <= limits.max_units_of_trees;
   }
 
@@ -144,8 +134,9 @@ struct SearchState final : ProgressSink {
   }
   /// A bound that holds for `open_selections`.
   void raise_open(double bound, BoundProof proof) {
-    const double value = incumbent.value(), below = bounds.below(value);
-    raise(bound > below ? (bounds.sees_steps(value) ? value : std::max(below, incumbent.bound())) : bound,
+    const double value = incumbent.value(), below = instance.bounds.below(value);
+    raise(bound > below ? (instance.bounds.sees_steps(value) ? value : std::max(below, incumbent.bound()))
+                        : bound,
           proof);
   }
   /// Excludes the columns that this bound rules out, or these; true if enough of them are new for a

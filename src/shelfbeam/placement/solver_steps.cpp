@@ -51,30 +51,30 @@ void begin_tree_with(const LpBound& lp, SearchState& state) {
 }
 
 // The part as a table; transceivers have the given costs.
-SignalTable table_of(const SignalTable& table, std::span<const double> cost, const CoverPart& part,
+SignalTable table_of(const Instance& instance, std::span<const double> cost, const CoverPart& part,
                      const std::vector<bool>& is_out, std::vector<std::uint32_t>& columns) {
   SignalTable own;
-  std::vector<std::uint32_t> place(table.columns(), ~std::uint32_t{0});
+  std::vector<std::uint32_t> place(instance.columns(), ~std::uint32_t{0});
   for (const std::uint32_t j : part.columns) {
     if (is_out[j]) continue;
     place[j] = static_cast<std::uint32_t>(own.transceivers.size());
     columns.push_back(j);
-    own.transceivers.push_back(table.transceivers[j]);
+    own.transceivers.push_back(instance.table.transceivers[j]);
     own.transceivers.back().cost = cost[j];
     own.transceivers.back().installed = false;
   }
-  for (const auto& mount : table.mounts) {
+  for (const auto& mount : instance.table.mounts) {
     std::vector<std::uint32_t> options;
     for (const std::uint32_t j : mount)
       if (place[j] < own.columns()) options.push_back(place[j]);
     if (options.size() > 1) own.mounts.push_back(std::move(options));
   }
-  for (const auto& [a, b] : table.conflicts)
+  for (const auto& [a, b] : instance.table.conflicts)
     if (place[a] < own.columns() && place[b] < own.columns()) own.conflicts.emplace_back(place[a], place[b]);
   own.row_begin = {0};
   for (const std::uint32_t i : part.labels) {
-    own.labels.push_back(table.labels[i]);
-    for (const SignalEntry& entry : table.row(i))
+    own.labels.push_back(instance.table.labels[i]);
+    for (const SignalEntry& entry : instance.row(i))
       if (place[entry.transceiver] < own.columns())
         own.entries.push_back({place[entry.transceiver], entry.signal});
     own.row_begin.push_back(own.entries.size());
@@ -84,28 +84,28 @@ SignalTable table_of(const SignalTable& table, std::span<const double> cost, con
 
 // Solves the remainder of a cover part by part for a selection of cost up to `cutoff`. The bound is that of
 // selections of the remainder, and at most just above the cut-off. `selected` is not checked yet.
-Answer place_reduced(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-                     const Reduction& reduction, double cutoff, const SolveFunction& solve,
-                     double time_limit_s, const RunControl& control) {
+Answer place_reduced(const Instance& instance, std::span<const double> cost, const Reduction& reduction,
+                     double cutoff, const SolveFunction& solve, double time_limit_s,
+                     const RunControl& control) {
   const Deadline deadline(time_limit_s);
   Answer answer;
   std::vector<std::uint32_t> selected = reduction.forced;
   answer.bound = 0;
   for (const std::uint32_t j : reduction.forced) answer.bound += cost[j];
   bool is_whole = true;
-  std::vector<bool> is_out(table.columns(), false);
-  const Mounts mounts(table);
+  std::vector<bool> is_out(instance.columns(), false);
+  const Mounts& mounts = instance.mounts;
   for (const std::uint32_t j : reduction.forced)
     mounts.for_each_conflict(j, [&](std::uint32_t other) { is_out[other] = true; });
   for (const CoverPart& part : reduction.parts) {
     if (part.labels.empty()) continue;
     std::vector<std::uint32_t> columns;
-    const SignalTable own = table_of(table, cost, part, is_out, columns);
+    const SignalTable own = table_of(instance, cost, part, is_out, columns);
     PlacementProblem sum;
-    sum.model = problem.model;
+    sum.model = instance.problem.model;
     sum.combination = Combination::weighted;
     // The other parts cost at least their bounds so far, and at least nothing.
-    const MipResult best = place_by_mip(own, sum, std::nullopt, solve, deadline.seconds_left(), control,
+    const MipResult best = place_by_mip({own, sum}, std::nullopt, solve, deadline.seconds_left(), control,
                                         {.cutoff = cutoff - answer.bound});
     answer.failed = answer.failed || best.solver_failed;
     if (best.placement.status == Status::infeasible) {
@@ -139,8 +139,8 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
   constexpr std::uint64_t steps_per_node = 20;  // strong branching takes much longer than other steps
   std::optional<std::uint64_t> nodes = state.limits.step_limit;
   if (nodes) nodes = 1 + *nodes / steps_per_node;
-  return place_reduced(state.table, state.problem, state.first_cost, reduction, cutoff,
-                       limited(branch, nodes), effort.seconds_left(), state.control);
+  return place_reduced(state.instance, state.instance.first_cost, reduction, cutoff, limited(branch, nodes),
+                       effort.seconds_left(), state.control);
 }
 
 // Raises the bound by proofs that no selection costs little more: their trees are small, because reduced
@@ -150,7 +150,8 @@ void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
   double part = max_part;
   for (std::uint64_t tries = 0; tries < effort.steps && !state.is_closed(); ++tries) {
     const double bound = state.incumbent.bound(), gap = state.incumbent.value() - bound;
-    const double min_increment = state.bounds.step() > 0 ? 0.5 * state.bounds.step() : min_part * gap;
+    const double min_increment =
+        state.instance.bounds.step() > 0 ? 0.5 * state.instance.bounds.step() : min_part * gap;
     const double increment = std::max(min_increment, part * gap), cutoff = bound + increment;
     if (!(cutoff > bound) || effort.is_over(state.control)) return;
     const Answer answer = branch_reduced(state, state.reduction_below(cutoff), cutoff, effort);
@@ -166,16 +167,16 @@ void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
 
 Answer solve_reduced(SearchState& state, const Effort& effort) {
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    return place_reduced(state.table, state.problem, state.first_cost, state.reduction(),
-                         cutoff_of(state.bounds, state.incumbent.value()), solve, effort.seconds_left(),
-                         state.control);
+    return place_reduced(state.instance, state.instance.first_cost, state.reduction(),
+                         cutoff_of(state.instance.bounds, state.incumbent.value()), solve,
+                         effort.seconds_left(), state.control);
   });
 }
 
 // The label rows and cuts of the last relaxation are part of the model, the cuts as further rows.
 std::vector<milp::Row> cuts_of(const SearchState& state) {
   std::vector<milp::Row> cuts;
-  BoundRowReader reader(state.table, state.problem, state.max_better_count());
+  BoundRowReader reader(state.instance, state.max_better_count());
   for (const BoundRow& row : state.rows) {
     if (row.is_plain()) continue;
     milp::Row& cut = cuts.emplace_back();
@@ -189,12 +190,12 @@ std::vector<milp::Row> cuts_of(const SearchState& state) {
 }
 
 Answer solve_whole(SearchState& state, const Effort& effort) {
-  PlacementProblem first = state.problem;
-  if (!state.is_weighted) first.objective = Objective::count;
+  PlacementProblem first = state.instance.problem;
+  if (!state.instance.is_weighted()) first.objective = Objective::count;
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    const MipResult mip =
-        place_by_mip(state.table, first, std::nullopt, solve, effort.seconds_left(), state.control,
-                     {cutoff_of(state.bounds, state.incumbent.value()), state.useless, cuts_of(state)});
+    const MipResult mip = place_by_mip(
+        {state.instance.table, first}, std::nullopt, solve, effort.seconds_left(), state.control,
+        {cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless, cuts_of(state)});
     const bool is_empty = mip.placement.status == Status::infeasible;
     return Answer{.selected = mip.placement.selected,
                   .bound = is_empty ? milp::infinity : mip.placement.lower_bound,
@@ -216,20 +217,20 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
     bool failed = false;
   };
   const SelectionSet open = state.open_selections();
-  if (state.is_cover() && state.reduction().infeasible)
+  if (state.instance.is_cover() && state.reduction().infeasible)
     return state.raise_open(milp::infinity, BoundProof::dual);
-  const bool is_large = state.table.entries.size() > state.limits.max_small_lp_entries;
+  const bool is_large = state.instance.table.entries.size() > state.limits.max_small_lp_entries;
   // Clp is faster than HiGHS on large linear programs.
   const std::vector<milp::Backend> backends = is_large ? clp_first(state) : preferred(state);
   const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
     Relaxation relaxation;
     const LpBoundOptions options{
         .time_limit_s = effort.seconds_left(), .selections = open, .rows = state.rows};
-    if (state.is_weighted) {
-      relaxation = {lp_bound(state.table, state.problem, state.first_cost, backend, options, state.control)};
+    if (state.instance.is_weighted()) {
+      relaxation = {lp_bound(state.instance, state.instance.first_cost, backend, options, state.control)};
       state.raise_open(relaxation.dual.bound, BoundProof::dual);
     } else {
-      CountBound count = count_bound(state.table, state.problem, backend, options, state.control);
+      CountBound count = count_bound(state.instance, backend, options, state.control);
       state.raise_open(static_cast<double>(count.count), BoundProof::dual);
       relaxation = {std::move(count.relaxation)};
     }
@@ -245,7 +246,7 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
 void branch_on_remainder(SearchState& state, const Effort& effort) {
   if (state.relaxation) state.exclude(*state.relaxation);  // the incumbent may be better than at that time
   const Answer answer =
-      branch_reduced(state, state.reduction(), state.bounds.below(state.incumbent.value()), effort);
+      branch_reduced(state, state.reduction(), state.instance.bounds.below(state.incumbent.value()), effort);
   state.offer(answer.selected);
   state.raise_open(answer.bound, BoundProof::branches);
   if (!state.is_closed())
@@ -254,7 +255,7 @@ void branch_on_remainder(SearchState& state, const Effort& effort) {
 
 void solve_mip(SearchState& state, const Effort& effort) {
   if (!state.may_ask_mip()) return;
-  const Answer answer = state.is_cover() ? solve_reduced(state, effort) : solve_whole(state, effort);
+  const Answer answer = state.instance.is_cover() ? solve_reduced(state, effort) : solve_whole(state, effort);
   state.offer(answer.selected);
   state.raise_open(answer.bound, BoundProof::solver);
 }
@@ -262,7 +263,7 @@ void solve_mip(SearchState& state, const Effort& effort) {
 void bound_second_by_lp(SearchState& state, const Effort& effort) {
   const std::size_t count = state.incumbent.selected().size();
   const LpBound lp =
-      lp_bound(state.table, state.problem, state.second->cost, state.solvers.preferred.front(),
+      lp_bound(state.instance, state.instance.second_cost, state.solvers.preferred.front(),
                {.time_limit_s = effort.seconds_left(), .selections = {count, count}}, state.control);
   state.raise_second(lp.dual.bound, BoundProof::dual);
   begin_tree_with(lp, state);
@@ -272,10 +273,10 @@ void solve_mip_for_second(SearchState& state, const Effort& effort) {
   const Selection& best = state.incumbent.selected();
   const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
     const SecondObjective& second = *state.second;
-    CoverModel model(state.table, state.problem, solve, effort.seconds_left(), state.control,
+    CoverModel model(state.instance, solve, effort.seconds_left(), state.control,
                      {.cutoff = cutoff_of(second.bounds, second.value)});
-    const double known = check_selection(state.table, state.problem, best).objective;
-    return model.minimise(state.second->cost, known, best.size());
+    const double known = state.instance.check(best).objective;
+    return model.minimise({state.instance.second_cost, known, best.size(), best.size()});
   });
   state.offer_second(answer.selected);
   state.raise_second(answer.bound, BoundProof::solver);

@@ -11,7 +11,7 @@ namespace {
 // The proof of an exhausted tree search, after verification of its log.
 std::optional<BoundProof> strength_of(const Proof& proof, const SearchState& state) {
   if (proof.steps.size() > state.limits.max_checked_steps) return BoundProof::search;
-  switch (judge_proof(state.table, state.problem, proof, {state.deadline.end(), state.control})) {
+  switch (judge_proof(state.instance, proof, {state.deadline.end(), state.control})) {
     case ProofVerdict::holds:
       return BoundProof::log;
     case ProofVerdict::left_open:
@@ -63,11 +63,11 @@ Cheapest cheapest(const SearchState& state, std::size_t max_units, double betwee
 
 void raise_bound_by_tree(SearchState& state, const Effort& effort) {
   if (!state.has_tree(state.incumbent.selected().size())) return;
-  if (!state.is_weighted) return raise_count_bound(state, effort);
-  const std::size_t max_units = state.bounds.affordable(state.incumbent.value());
+  if (!state.instance.is_weighted()) return raise_count_bound(state, effort);
+  const std::size_t max_units = state.instance.bounds.affordable(state.incumbent.value());
   if (!state.has_tree(max_units)) return;
   const double value = state.incumbent.value();
-  const double between = 0.5 * (value + state.bounds.below(value));
+  const double between = 0.5 * (value + state.instance.bounds.below(value));
   const Cheapest found = cheapest(state, max_units, between, effort, *state.tree);
   state.offer(found.selected);
   if (found.proof) state.raise_open(found.lower_bound, *found.proof);
@@ -82,16 +82,17 @@ void search_second_by_tree(SearchState& state, const Effort& effort) {
 
 // No more expensive selection may win, except within the rounding of sums of prices such as 0.1 and 0.2.
 bool settle_ties(SearchState& state, const PlacementProblem& problem, const Selection& start) {
-  const std::size_t max_units = state.is_weighted ? state.bounds.affordable(state.incumbent.value())
-                                                  : state.incumbent.selected().size();
+  const std::size_t max_units = state.instance.is_weighted()
+                                    ? state.instance.bounds.affordable(state.incumbent.value())
+                                    : state.incumbent.selected().size();
   if (!state.has_tree(max_units) || state.out_of_time()) return false;
-  std::optional<SearchInstance> own_instance;
+  std::optional<Instance> own_instance;
   std::optional<SearchMatrix> own_matrix;
-  if (problem.model != state.problem.model) {
-    own_instance.emplace(state.table, problem);
-    own_matrix.emplace(state.table, problem.model);
+  if (problem.model != state.instance.problem.model) {
+    own_instance.emplace(state.instance.table, problem);
+    own_matrix.emplace(*own_instance);
   }
-  const SearchInstance& instance = own_instance ? *own_instance : state.instance;
+  const Instance& instance = own_instance ? *own_instance : state.instance;
   TreeGoal goal;
   goal.kind = TreeGoal::Kind::widest;
   goal.max_units = max_units;

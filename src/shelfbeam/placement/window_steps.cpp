@@ -15,7 +15,7 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   constexpr std::size_t units_per_window = 5;
   WindowBoundOptions options;
   options.known = state.incumbent.value();
-  options.step = state.bounds.step();
+  options.step = state.instance.bounds.step();
   options.max_work = effort.steps;
   options.until = effort.until;
   options.windows = state.incumbent.selected().size() / units_per_window;
@@ -23,7 +23,7 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
     state.offer(selected);
     return state.incumbent.value();
   };
-  const WindowBound found = window_bound(state.table, state.problem, state.first_cost, reduction, options,
+  const WindowBound found = window_bound(state.instance, state.instance.first_cost, reduction, options,
                                          clp_first(state).front(), heuristic, state.control);
   state.exclude(found.useless);
   state.raise_open(found.bound, BoundProof::branches);
@@ -37,7 +37,7 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
   state.last_backend = backend.full_name();
   while (!state.is_closed() && !effort.is_over(state.control)) {
     WindowMipOptions options;
-    options.goal = state.incumbent.bound() + above * state.bounds.step();
+    options.goal = state.incumbent.bound() + above * state.instance.bounds.step();
     options.until = effort.until;
     if (state.limits.step_limit) options.max_nodes = 1 + *state.limits.step_limit / steps_per_node;
     options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
@@ -45,7 +45,7 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
     options.rows = state.rows;
     std::erase_if(options.rows, [](const BoundRow& row) { return !row.is_plain(); });
     const double bound =
-        window_mip_bound(state.table, state.problem, state.first_cost, options, backend, state.control);
+        window_mip_bound(state.instance, state.instance.first_cost, options, backend, state.control);
     state.raise_open(bound, BoundProof::solver);
     if (bound < options.goal) return;
   }

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {

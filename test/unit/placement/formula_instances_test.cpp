@@ -62,11 +62,11 @@ TEST(FormulaInstances, AreNeitherReducedNorBoundedWell) {
   const std::pair<SignalTable, double> known[] = {{test::affine_lines(4), 27}, {test::cube_cycles(6), 48}};
   for (const auto& [table, bound] : known) {
     const std::vector<double> cost(table.columns(), 1.0);
-    const detail::Reduction reduction = detail::reduce_cover(table, covering, cost);
+    const detail::Reduction reduction = detail::reduce_cover({table, covering}, cost);
     ASSERT_EQ(reduction.parts.size(), 1U);
     EXPECT_EQ(reduction.parts[0].labels.size(), table.rows());
     EXPECT_EQ(reduction.parts[0].columns.size(), table.columns());
-    const detail::LpBound lp = detail::lp_bound(table, covering, cost, milp::backends().front(), {}, {});
+    const detail::LpBound lp = detail::lp_bound({table, covering}, cost, milp::backends().front(), {}, {});
     EXPECT_NEAR(lp.dual.bound, bound, 1e-6);
   }
 }

@@ -91,10 +91,10 @@ Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tab
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
     const PlacementProblem problem = random.next_problem();
-    const auto greedy = greedy_selection(table, problem);
+    const auto greedy = greedy_selection({table, problem});
     if (!check_selection(table, problem, greedy).met()) continue;
     compare(table, problem,
-            detail::search_placement(table, problem, greedy, {backends}, 0, 1, {.threads = 1}, limits),
+            detail::search_placement({table, problem}, greedy, {backends}, 0, 1, {.threads = 1}, limits),
             tally);
   }
   return tally;
@@ -151,10 +151,10 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
     const milp::Backend both[] = {bad, milp::backends().back()};
     const SignalTable table = random.next();
     const PlacementProblem problem = random.next_problem();
-    const auto greedy = greedy_selection(table, problem);
+    const auto greedy = greedy_selection({table, problem});
     if (!check_selection(table, problem, greedy).met()) continue;
     const Placement answer = detail::search_placement(
-        table, problem, greedy, {both}, 0, 1, {.threads = 1},
+        {table, problem}, greedy, {both}, 0, 1, {.threads = 1},
         {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
     compare(table, problem, answer, tally);
     by_the_next += answer.solver.backend == milp::backends().back().full_name();
@@ -171,11 +171,11 @@ TEST(PlacementSearch, AcceptsASolverWithinItsGap) {
     SignalTable table = random.next();
     for (auto& unit : table.transceivers) unit.cost = 1 + 1e-8 * random.real(0, 1), unit.installed = false;
     const PlacementProblem problem{coop, Objective::count, Combination::weighted};
-    const auto greedy = greedy_selection(table, problem);
+    const auto greedy = greedy_selection({table, problem});
     if (!check_selection(table, problem, greedy).met() || greedy.empty()) continue;
     const auto backends = milp::backends();
     const Placement answer = detail::search_placement(
-        table, problem, greedy, {backends}, 0, 1, {.threads = 1},
+        {table, problem}, greedy, {backends}, 0, 1, {.threads = 1},
         {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
     EXPECT_EQ(answer.status, Status::optimal);
     EXPECT_LT(answer.gap(), 1e-6);
@@ -207,9 +207,9 @@ TEST(PlacementSearch, FindsASelectionIfGreedyIsStuck) {
   SignalTable table = test::make_table(matrix, 6);
   table.conflicts = {{0, 4}, {1, 4}, {2, 4}, {3, 4}};
   for (const auto model : {coop, alone}) {
-    const auto greedy = greedy_selection(table, {model});
+    const auto greedy = greedy_selection({table, {model}});
     ASSERT_FALSE(check_selection(table, {model}, greedy).met());
-    const auto found = detail::first_selection(table, {model}, greedy, 10, 1, {});
+    const auto found = detail::first_selection({table, {model}}, greedy, 10, 1, {});
     ASSERT_TRUE(found);
     EXPECT_TRUE(check_selection(table, {model}, *found).met());
     const Placement answer = place(table, {model}, {});
@@ -217,7 +217,7 @@ TEST(PlacementSearch, FindsASelectionIfGreedyIsStuck) {
     EXPECT_EQ(answer.status, Status::optimal);
   }
   table.conflicts.emplace_back(0, 1);
-  EXPECT_FALSE(detail::first_selection(table, {coop}, {}, 10, 1, {}));
+  EXPECT_FALSE(detail::first_selection({table, {coop}}, {}, 10, 1, {}));
   EXPECT_EQ(place(table, {coop}, {}).status, Status::infeasible);
 }
 

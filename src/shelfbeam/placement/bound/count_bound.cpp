@@ -22,19 +22,18 @@ std::vector<BoundRow> rows_for(const LpBound& bound, std::size_t count) {
 
 }  // namespace
 
-CountBound count_bound(const SignalTable& table, const PlacementProblem& problem,
-                       const milp::Backend& backend, const LpBoundOptions& options,
+CountBound count_bound(const Instance& instance, const milp::Backend& backend, const LpBoundOptions& options,
                        const RunControl& control) {
   const Deadline deadline(options.time_limit_s);
-  const std::vector<double> ones(table.columns(), 1.0);
+  const std::vector<double> ones(instance.columns(), 1.0);
   CountBound result;
-  result.relaxation = lp_bound(table, problem, ones, backend, options, control);
+  result.relaxation = lp_bound(instance, ones, backend, options, control);
   result.complete = result.relaxation.complete;
   result.count = static_cast<std::size_t>(std::max(0.0, std::ceil(result.relaxation.dual.bound)));
-  if (problem.model != CommunicationModel::cooperative) return result;
+  if (!instance.is_cooperative()) return result;
 
   std::vector<BoundRow> rows = rows_for(result.relaxation, 0);
-  while (result.complete && result.count < table.columns()) {
+  while (result.complete && result.count < instance.columns()) {
     // Any bound above k proves k + 1; a bound less than 1e-6 above k may be rounding.
     const double enough = static_cast<double>(result.count) + 1e-6;
     LpBoundOptions limited = options;
@@ -42,9 +41,9 @@ CountBound count_bound(const SignalTable& table, const PlacementProblem& problem
     limited.enough = enough;
     limited.selections.max_count = result.count;
     limited.rows = std::move(rows);
-    const LpBound found = lp_bound(table, problem, ones, backend, limited, control);
+    const LpBound found = lp_bound(instance, ones, backend, limited, control);
     if (found.dual.bound < enough &&
-        !(found.complete && prove_count_exceeds(table, problem, backend, limited.selections, found,
+        !(found.complete && prove_count_exceeds(instance, backend, limited.selections, found,
                                                 deadline.seconds_left(), control))) {
       result.complete = found.complete;
       break;

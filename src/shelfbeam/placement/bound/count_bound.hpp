@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -16,8 +17,7 @@ struct CountBound {
 /// The LP bound on the count, rounded up to k, for the selections of `options`, which do not limit the count;
 /// `options.rows` are the first rows. While the LP bound for selections of at most k units exceeds
 /// k, which proves that there are none, or `prove_count_exceeds` proves it, k becomes k + 1.
-CountBound count_bound(const SignalTable& table, const PlacementProblem& problem,
-                       const milp::Backend& backend, const LpBoundOptions& options,
+CountBound count_bound(const Instance& instance, const milp::Backend& backend, const LpBoundOptions& options,
                        const RunControl& control);
 
 /// Proves by cases that every selection of `selections` has more than its maximum count of units, if `open`,
@@ -28,8 +28,8 @@ CountBound count_bound(const SignalTable& table, const PlacementProblem& problem
 ///
 /// Each case has its own LP bound and is divided again if required. Ends after 64 cases, at the time limit or
 /// when cancelled; false if nothing was proven.
-bool prove_count_exceeds(const SignalTable& table, const PlacementProblem& problem,
-                         const milp::Backend& backend, const SelectionSet& selections, const LpBound& open,
-                         double time_limit_s, const RunControl& control);
+bool prove_count_exceeds(const Instance& instance, const milp::Backend& backend,
+                         const SelectionSet& selections, const LpBound& open, double time_limit_s,
+                         const RunControl& control);
 
 }  // namespace shelfbeam::detail

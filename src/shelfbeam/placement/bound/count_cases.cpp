@@ -22,17 +22,16 @@ struct Split {
 
 class Cases {
  public:
-  Cases(const SignalTable& table, const PlacementProblem& problem, const milp::Backend& backend,
-        const SelectionSet& selections, double time_limit_s, const RunControl& control)
-      : table_(table),
-        problem_(problem),
+  Cases(const Instance& instance, const milp::Backend& backend, const SelectionSet& selections,
+        double time_limit_s, const RunControl& control)
+      : instance_(instance),
         backend_(backend),
         selections_(selections),
         enough_(static_cast<double>(selections.max_count) + 1e-6),
         deadline_(time_limit_s),
         control_(control),
-        cover_(table, problem, selections.max_count),
-        ones_(table.columns(), 1.0) {}
+        cover_(instance, selections.max_count),
+        ones_(instance.columns(), 1.0) {}
 
   // True if no selection without the columns `without` remains; `open` is the LP bound of these selections.
   bool close(const LpBound& open, const std::vector<std::uint32_t>& without) {
@@ -55,7 +54,7 @@ class Cases {
   // True if some label cannot be reached without these columns.
   bool is_empty(const LpBound& open, const std::vector<std::uint32_t>& without) const {
     constexpr double rounding = 1e-9;
-    std::vector<bool> is_out(table_.columns(), false);
+    std::vector<bool> is_out(instance_.columns(), false);
     for (const std::uint32_t j : without) is_out[j] = true;
     return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
       double outside = 0;
@@ -71,7 +70,7 @@ class Cases {
     control_.report(Task::bound, -1, fmt::format("at most {} units, case {}", selections_.max_count, cases_));
     SelectionSet selections = selections_;
     selections.without = without;
-    const LpBound bound = lp_bound(table_, problem_, ones_, backend_,
+    const LpBound bound = lp_bound(instance_, ones_, backend_,
                                    {.time_limit_s = left,
                                     .enough = enough_,
                                     .selections = std::move(selections),
@@ -85,11 +84,11 @@ class Cases {
 
   // The label with the largest multipliers for which some t satisfies 0.5 <= sum_{j: a_ij >= t} x_j <= 0.8.
   std::optional<Split> best_split(const LpBound& open) const {
-    std::vector<double> weight(table_.rows(), 0.0);
+    std::vector<double> weight(instance_.rows(), 0.0);
     for (std::size_t k = 0; k < open.rows.size(); ++k) weight[open.rows[k].label] += open.y[k];
     std::optional<Split> best;
     double max_weight = 0;
-    for (std::uint32_t label = 0; label < table_.rows(); ++label) {
+    for (std::uint32_t label = 0; label < instance_.rows(); ++label) {
       if (weight[label] <= max_weight) continue;
       std::optional<Split> split = halved(label, open.x);
       if (!split) continue;
@@ -123,8 +122,7 @@ class Cases {
     return split;
   }
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const Instance& instance_;
   const milp::Backend& backend_;
   const SelectionSet& selections_;
   double enough_;
@@ -137,12 +135,12 @@ class Cases {
 
 }  // namespace
 
-bool prove_count_exceeds(const SignalTable& table, const PlacementProblem& problem,
-                         const milp::Backend& backend, const SelectionSet& selections, const LpBound& open,
-                         double time_limit_s, const RunControl& control) {
+bool prove_count_exceeds(const Instance& instance, const milp::Backend& backend,
+                         const SelectionSet& selections, const LpBound& open, double time_limit_s,
+                         const RunControl& control) {
   constexpr double max_lacking = 0.5;
   if (open.dual.bound < static_cast<double>(selections.max_count) - max_lacking) return false;
-  return Cases(table, problem, backend, selections, time_limit_s, control).close(open, selections.without);
+  return Cases(instance, backend, selections, time_limit_s, control).close(open, selections.without);
 }
 
 }  // namespace shelfbeam::detail

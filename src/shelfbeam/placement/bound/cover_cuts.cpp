@@ -95,18 +95,17 @@ std::vector<BoundRow> max_violated(std::span<const std::uint32_t> labels, std::s
 
 }  // namespace
 
-std::vector<BoundRow> cover_cuts(const SignalTable& table, const PlacementProblem& problem,
-                                 std::span<const std::uint32_t> labels, std::span<const double> x,
-                                 std::size_t max_cuts) {
-  const CoverRows cover(table, problem);
+std::vector<BoundRow> cover_cuts(const Instance& instance, std::span<const std::uint32_t> labels,
+                                 std::span<const double> x, std::size_t max_cuts) {
+  const CoverRows cover(instance);
   return max_violated(labels, max_cuts, [&](std::uint32_t label) { return best_cover(label, cover, x); });
 }
 
-std::vector<BoundRow> share_cuts(const SignalTable& table, const PlacementProblem& problem,
-                                 std::size_t max_units, std::span<const std::uint32_t> labels,
-                                 std::span<const double> x, std::size_t max_cuts) {
+std::vector<BoundRow> share_cuts(const Instance& instance, std::size_t max_units,
+                                 std::span<const std::uint32_t> labels, std::span<const double> x,
+                                 std::size_t max_cuts) {
   if (max_units == 0) return {};
-  const CoverRows cover(table, problem, max_units);
+  const CoverRows cover(instance, max_units);
   return max_violated(labels, max_cuts,
                       [&](std::uint32_t label) { return best_share(label, cover, x, max_units); });
 }

@@ -23,25 +23,17 @@ Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& 
   return {std::move(options), min_cost};
 }
 
-/// The columns that are chosen in all selections.
-std::vector<bool> chosen_columns(const SignalTable& table, const SelectionSet& selections) {
-  std::vector<bool> chosen(table.columns());
-  for (std::size_t j = 0; j < table.columns(); ++j) chosen[j] = table.transceivers[j].installed;
-  for (const std::uint32_t j : selections.with) chosen[j] = true;
-  return chosen;
-}
-
 /// The mounting points without a chosen unit. Adds the chosen units to the bound and excludes the other
 /// options of their points.
-std::vector<Point> free_points(const SignalTable& table, const std::vector<bool>& chosen,
+std::vector<Point> free_points(const Instance& instance, const std::vector<bool>& chosen,
                                const std::vector<std::uint32_t>& without, DualBound& dual) {
   std::vector<Point> points;
-  std::vector<bool> shares(table.columns(), false), is_out(table.columns(), false);
+  std::vector<bool> shares(instance.columns(), false), is_out(instance.columns(), false);
   for (const std::uint32_t j : without) {
     is_out[j] = true;
     dual.if_chosen[j] = infinite;
   }
-  for (const auto& mount : table.mounts) {
+  for (const auto& mount : instance.table.mounts) {
     bool taken = false;
     for (const std::uint32_t j : mount) {
       shares[j] = true;
@@ -54,7 +46,7 @@ std::vector<Point> free_points(const SignalTable& table, const std::vector<bool>
       if (!is_out[j]) options.push_back(j);
     if (!taken && !options.empty()) points.push_back(make_point(std::move(options), dual.reduced_cost));
   }
-  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
     if (chosen[j])
       dual.bound += dual.reduced_cost[j];
     else if (!shares[j] && !is_out[j])
@@ -91,13 +83,12 @@ void take_points(std::vector<Point> points, std::size_t min_count, std::size_t m
 
 }  // namespace
 
-DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
-                     std::span<const BoundRow> rows, std::span<const double> y, std::span<const double> cost,
-                     const SelectionSet& selections) {
-  const std::size_t n = table.columns();
+DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
+                     std::span<const double> cost, const SelectionSet& selections) {
+  const std::size_t n = instance.columns();
   DualBound dual{0, std::vector<double>(n, 0.0), {}};
   std::vector<double> weight(n, 0.0);  // sum_i y_i a_ij
-  BoundRowReader reader(table, problem, selections.max_count);
+  BoundRowReader reader(instance, selections.max_count);
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (y[k] > 0 && std::isfinite(y[k]))
       dual.bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
@@ -113,8 +104,9 @@ DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
     return dual;
   }
 
-  const std::vector<bool> chosen = chosen_columns(table, selections);
-  std::vector<Point> points = free_points(table, chosen, selections.without, dual);
+  std::vector<bool> chosen = chosen_columns(instance, instance.installed);
+  for (const std::uint32_t j : selections.with) chosen[j] = true;
+  std::vector<Point> points = free_points(instance, chosen, selections.without, dual);
   const auto count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
   take_points(std::move(points), selections.min_count - std::min(selections.min_count, count),
               selections.max_count - std::min(selections.max_count, count), dual);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/problem/cover_rows.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -66,9 +67,8 @@ struct DualBound {
 /// their best option), at least the minimum count, and further negative ones up to the maximum. `if_chosen`
 /// is the same minimum with T_j = 1. Multipliers that are negative or not finite count as 0. Rounding errors
 /// are bounded by (rows + columns + 8) 2^-52 times the sum of the absolute terms.
-DualBound dual_bound(const SignalTable& table, const PlacementProblem& problem,
-                     std::span<const BoundRow> rows, std::span<const double> y, std::span<const double> cost,
-                     const SelectionSet& selections = {});
+DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
+                     std::span<const double> cost, const SelectionSet& selections = {});
 
 /// Reduced-cost fixing: the columns, ascending, that no selection of cost at most `worth` contains, because
 /// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is
@@ -78,10 +78,10 @@ std::vector<std::uint32_t> useless_columns(const DualBound& dual, double worth);
 /// Expands the inequalities of one table, slightly relaxed, by more than rounding errors.
 class BoundRowReader {
  public:
-  BoundRowReader(const SignalTable& table, const PlacementProblem& problem, std::size_t max_units)
-      : cover_(table, problem, max_units),
+  BoundRowReader(const Instance& instance, std::size_t max_units)
+      : cover_(instance, max_units),
         max_units_(static_cast<double>(max_units)),
-        taken_(table.columns(), false) {}
+        taken_(instance.columns(), false) {}
 
   /// Calls visit(column, coefficient), ascending, and returns the right-hand side; 0 if the inequality is
   /// empty.

@@ -20,21 +20,20 @@ constexpr double row_tolerance = 1e-6;
 
 class RowGeneration {
  public:
-  RowGeneration(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-                const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control)
+  RowGeneration(const Instance& instance, std::span<const double> cost, const milp::Backend& backend,
+                const LpBoundOptions& options, const RunControl& control)
       : deadline_(options.time_limit_s),
-        table_(table),
-        problem_(problem),
+        instance_(instance),
         cost_(cost),
         options_(options),
         control_(control),
-        reader_(table, problem, options.selections.max_count),
-        pricing_(table, problem, options.selections.max_count),
-        lp_(load(table, cost, backend, options)),
-        is_row_(table.rows(), false),
-        is_out_(table.columns(), false) {
+        reader_(instance, options.selections.max_count),
+        pricing_(instance, options.selections.max_count),
+        lp_(load(instance, cost, backend, options)),
+        is_row_(instance.rows(), false),
+        is_out_(instance.columns(), false) {
     for (const std::uint32_t j : options.selections.without) is_out_[j] = true;
-    result_.dual = dual_bound(table, problem, {}, {}, cost, options.selections);
+    result_.dual = dual_bound(instance, {}, {}, cost, options.selections);
   }
 
   LpBound run() {
@@ -57,16 +56,16 @@ class RowGeneration {
   // no multipliers.
   static bool limits_count(const LpBoundOptions& options) { return options.selections.min_count > 0; }
 
-  static std::unique_ptr<milp::LpSession> load(const SignalTable& table, std::span<const double> cost,
+  static std::unique_ptr<milp::LpSession> load(const Instance& instance, std::span<const double> cost,
                                                const milp::Backend& backend, const LpBoundOptions& options) {
     std::vector<milp::Column> columns;
-    for (std::size_t j = 0; j < table.columns(); ++j)
-      columns.push_back({cost[j], table.transceivers[j].installed ? 1.0 : 0.0, 1, false, {}});
+    for (std::uint32_t j = 0; j < instance.columns(); ++j)
+      columns.push_back({cost[j], instance.is_installed(j) ? 1.0 : 0.0, 1, false, {}});
     for (const std::uint32_t j : options.selections.without) columns[j].upper = 0;
     for (const std::uint32_t j : options.selections.with) columns[j].lower = 1;
     auto lp = backend.lp(columns);
     std::vector<milp::Row> rows;
-    for (const auto& mount : table.mounts) {
+    for (const auto& mount : instance.table.mounts) {
       milp::Row row{-milp::infinity, 1, {}, {}};
       for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
       rows.push_back(std::move(row));
@@ -76,7 +75,7 @@ class RowGeneration {
                     static_cast<double>(options.selections.max_count),
                     {},
                     {}};
-      for (std::uint32_t j = 0; j < table.columns(); ++j) row.entries.push_back({j, 1.0});
+      for (std::uint32_t j = 0; j < instance.columns(); ++j) row.entries.push_back({j, 1.0});
       rows.push_back(std::move(row));
     }
     if (!rows.empty()) lp->add_rows(rows);
@@ -105,7 +104,7 @@ class RowGeneration {
     if (solved.termination != milp::Termination::optimal) return false;
     ++result_.rounds;
     result_.x = std::move(solved.x);
-    const std::size_t first_row = table_.mounts.size() + (limits_count(options_) ? 1 : 0);
+    const std::size_t first_row = instance_.table.mounts.size() + (limits_count(options_) ? 1 : 0);
     std::vector<BoundRow> rows;
     std::vector<double> y;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -114,7 +113,7 @@ class RowGeneration {
       rows.push_back(rows_[k]);
       y.push_back(dual);
     }
-    DualBound dual = dual_bound(table_, problem_, rows, y, cost_, options_.selections);
+    DualBound dual = dual_bound(instance_, rows, y, cost_, options_.selections);
     if (dual.bound > result_.dual.bound) {
       result_.dual = std::move(dual);
       result_.rows = std::move(rows);
@@ -126,25 +125,24 @@ class RowGeneration {
 
   // Cuts are added only if no label row is violated: they cost more, and many would be useless.
   std::vector<BoundRow> violated_rows() {
-    const std::size_t max_cuts = 50 + table_.columns() / 4;
+    const std::size_t max_cuts = 50 + instance_.columns() / 4;
     std::vector<BoundRow> batch;
     // The LP violates its own rows by at most the solver's tolerance.
     for (const auto& row : pricing_.violated(result_.x, row_tolerance, max_cuts, is_row_))
       batch.push_back({row.label});
     result_.complete = batch.empty();
-    if (batch.empty() && options_.cuts && problem_.model == CommunicationModel::cooperative) {
-      batch = cover_cuts(table_, problem_, result_.labels, result_.x, max_cuts);
-      if (options_.selections.max_count < table_.columns())
+    if (batch.empty() && options_.cuts && instance_.is_cooperative()) {
+      batch = cover_cuts(instance_, result_.labels, result_.x, max_cuts);
+      if (options_.selections.max_count < instance_.columns())
         for (BoundRow& row :
-             share_cuts(table_, problem_, options_.selections.max_count, result_.labels, result_.x, max_cuts))
+             share_cuts(instance_, options_.selections.max_count, result_.labels, result_.x, max_cuts))
           batch.push_back(std::move(row));
     }
     return batch;
   }
 
   Deadline deadline_;
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const Instance& instance_;
   std::span<const double> cost_;
   const LpBoundOptions& options_;
   const RunControl& control_;
@@ -167,10 +165,10 @@ std::vector<BoundRow> rows_of(const LpBound& bound) {
   return rows;
 }
 
-LpBound lp_bound(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-                 const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control) {
+LpBound lp_bound(const Instance& instance, std::span<const double> cost, const milp::Backend& backend,
+                 const LpBoundOptions& options, const RunControl& control) {
   return with_threads(control.threads,
-                      [&] { return RowGeneration(table, problem, cost, backend, options, control).run(); });
+                      [&] { return RowGeneration(instance, cost, backend, options, control).run(); });
 }
 
 }  // namespace shelfbeam::detail

@@ -9,6 +9,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/dual_bound.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -42,7 +43,7 @@ std::vector<BoundRow> rows_of(const LpBound& bound);
 /// dual bound; the best is returned, at least that of y = 0. `cost` may have any sign.
 ///
 /// Every round scans the table once on `control.threads` threads; the result does not depend on their number.
-LpBound lp_bound(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-                 const milp::Backend& backend, const LpBoundOptions& options, const RunControl& control);
+LpBound lp_bound(const Instance& instance, std::span<const double> cost, const milp::Backend& backend,
+                 const LpBoundOptions& options, const RunControl& control);
 
 }  // namespace shelfbeam::detail

@@ -17,28 +17,27 @@ constexpr int max_rounds = 5;
 
 class Bounding {
  public:
-  Bounding(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-           const MultiplierBoundOptions& options, const RowHeuristic& heuristic, const RunControl& control)
-      : table_(table),
-        problem_(problem),
+  Bounding(const Instance& instance, std::span<const double> cost, const MultiplierBoundOptions& options,
+           const RowHeuristic& heuristic, const RunControl& control)
+      : instance_(instance),
         cost_(cost),
         options_(options),
         heuristic_(heuristic),
         control_(control),
         rows_(options.rows),
-        is_row_(table.rows(), false) {}
+        is_row_(instance.rows(), false) {}
 
   MultiplierBound run() {
     if (!rows_.empty()) {
       improve(max_steps);
       return std::move(best_);
     }
-    const RowPricing pricing(table_, problem_, options_.selections.max_count);
+    const RowPricing pricing(instance_, options_.selections.max_count);
     for (const std::uint32_t label : pricing.hardest()) add(label);
     for (int round = 0; round < max_rounds; ++round) {
       const std::vector<double> x = improve(few_steps);
       constexpr double missed = 0.02;  // averages of few steps are no better
-      const auto batch = pricing.violated(x, missed, 50 + table_.columns() / 4, is_row_);
+      const auto batch = pricing.violated(x, missed, 50 + instance_.columns() / 4, is_row_);
       if (batch.empty() || control_.cancelled() || std::chrono::steady_clock::now() >= options_.until) break;
       for (const auto& row : batch) add(row.label);
     }
@@ -53,7 +52,7 @@ class Bounding {
 
   // Improves the multipliers of the present rows; returns the average solution, one per column of the table.
   std::vector<double> improve(std::uint64_t enough) {
-    const SparseRows rows(table_, problem_, cost_, options_.selections, rows_);
+    const SparseRows rows(instance_, cost_, options_.selections, rows_);
     if (y_.empty())
       y_ = ascended(rows);
     else
@@ -73,21 +72,20 @@ class Bounding {
       };
     Multipliers found = subgradient(rows, std::move(y_), steps, heuristic, control_);
     y_ = std::move(found.y);
-    DualBound dual = dual_bound(table_, problem_, rows_, y_, cost_, options_.selections);
+    DualBound dual = dual_bound(instance_, rows_, y_, cost_, options_.selections);
     if (best_.rows.empty() || dual.bound > best_.dual.bound) {
       best_.dual = std::move(dual);
       best_.rows.clear();
       for (std::size_t k = 0; k < rows_.size(); ++k)
         if (y_[k] > 0) best_.rows.push_back(rows_[k]);
     }
-    std::vector<double> x(table_.columns(), 0.0);
+    std::vector<double> x(instance_.columns(), 0.0);
     for (const std::uint32_t j : rows.chosen()) x[j] = 1;
     for (std::size_t j = 0; j < rows.columns(); ++j) x[rows.column(j)] = found.x[j];
     return x;
   }
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const Instance& instance_;
   std::span<const double> cost_;
   const MultiplierBoundOptions& options_;
   const RowHeuristic& heuristic_;
@@ -100,11 +98,11 @@ class Bounding {
 
 }  // namespace
 
-MultiplierBound multiplier_bound(const SignalTable& table, const PlacementProblem& problem,
-                                 std::span<const double> cost, const MultiplierBoundOptions& options,
-                                 const RowHeuristic& heuristic, const RunControl& control) {
+MultiplierBound multiplier_bound(const Instance& instance, std::span<const double> cost,
+                                 const MultiplierBoundOptions& options, const RowHeuristic& heuristic,
+                                 const RunControl& control) {
   return with_threads(control.threads,
-                      [&] { return Bounding(table, problem, cost, options, heuristic, control).run(); });
+                      [&] { return Bounding(instance, cost, options, heuristic, control).run(); });
 }
 
 }  // namespace shelfbeam::detail

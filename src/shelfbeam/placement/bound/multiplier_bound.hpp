@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/bound/subgradient.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -35,8 +36,8 @@ using RowHeuristic =
 /// A lower bound on the cost of the selections by dual ascent and subgradient steps, without a solver; costs
 /// must not be negative. The work is counted, so the result is the same for any number of threads unless
 /// `until` comes first.
-MultiplierBound multiplier_bound(const SignalTable& table, const PlacementProblem& problem,
-                                 std::span<const double> cost, const MultiplierBoundOptions& options,
-                                 const RowHeuristic& heuristic, const RunControl& control);
+MultiplierBound multiplier_bound(const Instance& instance, std::span<const double> cost,
+                                 const MultiplierBoundOptions& options, const RowHeuristic& heuristic,
+                                 const RunControl& control);
 
 }  // namespace shelfbeam::detail

@@ -8,6 +8,7 @@
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -16,17 +17,17 @@ namespace shelfbeam::detail {
 class RowPricing {
  public:
   /// For selections of at most `max_units` units.
-  RowPricing(const SignalTable& table, const PlacementProblem& problem, std::size_t max_units)
-      : rows_(table.rows()),
-        columns_(table.columns()),
-        cover_(table, problem, max_units),
+  RowPricing(const Instance& instance, std::size_t max_units)
+      : rows_(instance.rows()),
+        columns_(instance.columns()),
+        cover_(instance, max_units),
         strongest_(rows_, static_cast<std::uint32_t>(columns_)),
         total_(rows_, 0.0) {
     parallel_for_ranges(rows_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         // Compared by signal, because a_ij is 1 for many units if one unit is enough.
         double largest = 0;
-        for (const SignalEntry& entry : table.row(i)) {
+        for (const SignalEntry& entry : instance.row(i)) {
           if (entry.signal <= largest) continue;
           largest = entry.signal;
           strongest_[i] = entry.transceiver;

@@ -6,22 +6,21 @@
 
 namespace shelfbeam::detail {
 
-SparseRows::SparseRows(const SignalTable& table, const PlacementProblem& problem,
-                       std::span<const double> cost, const SelectionSet& selections,
+SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, const SelectionSet& selections,
                        std::span<const BoundRow> rows) {
   constexpr std::uint32_t closed = ~std::uint32_t{0}, is_chosen = closed - 1;
-  const Mounts mounts(table);
-  std::vector<std::uint32_t> place(table.columns(), 0);
-  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+  const Mounts& mounts = instance.mounts;
+  std::vector<std::uint32_t> place(instance.columns(), 0);
+  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
     if (!mounts.available(j)) place[j] = closed;
-    if (table.transceivers[j].installed) place[j] = is_chosen;
+    if (instance.is_installed(j)) place[j] = is_chosen;
   }
   for (const std::uint32_t j : selections.without) place[j] = closed;
   for (const std::uint32_t j : selections.with) {
     for (const std::uint32_t option : mounts.options(j)) place[option] = closed;
     place[j] = is_chosen;
   }
-  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
     if (place[j] == is_chosen) {
       chosen_.push_back(j);
       chosen_cost_ += cost[j];
@@ -32,7 +31,7 @@ SparseRows::SparseRows(const SignalTable& table, const PlacementProblem& problem
     cost_.push_back(cost[j]);
   }
   group_.assign(column_.size(), no_group);
-  for (const auto& mount : table.mounts) {
+  for (const auto& mount : instance.table.mounts) {
     bool is_open = false;
     for (const std::uint32_t j : mount) {
       if (place[j] >= is_chosen) continue;
@@ -42,7 +41,7 @@ SparseRows::SparseRows(const SignalTable& table, const PlacementProblem& problem
     groups_ += is_open ? 1 : 0;
   }
 
-  BoundRowReader reader(table, problem, selections.max_count);
+  BoundRowReader reader(instance, selections.max_count);
   column_begin_.assign(column_.size() + 1, 0);
   for (const BoundRow& row : rows) {
     double met = 0;

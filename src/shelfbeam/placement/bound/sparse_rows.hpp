@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/bound/dual_bound.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -19,8 +20,8 @@ class SparseRows {
     float a = 0;
   };
 
-  SparseRows(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-             const SelectionSet& selections, std::span<const BoundRow> rows);
+  SparseRows(const Instance& instance, std::span<const double> cost, const SelectionSet& selections,
+             std::span<const BoundRow> rows);
 
   std::size_t rows() const { return rhs_.size(); }
   std::size_t columns() const { return column_.size(); }

@@ -19,8 +19,8 @@ class WeighedRows {
  public:
   static constexpr std::uint64_t max_moves = 4096;
 
-  WeighedRows(const SearchInstance& instance, const ActiveRows& rows, const LabelWeights& weights,
-              double target, std::size_t units, Aim aim)
+  WeighedRows(const Instance& instance, const ActiveRows& rows, const LabelWeights& weights, double target,
+              std::size_t units, Aim aim)
       : instance_(instance),
         rows_(rows),
         weights_(weights),
@@ -72,7 +72,7 @@ class WeighedRows {
   // The mean weight becomes 1, which keeps counts exact in single precision.
   double scale() const { return static_cast<double>(rows_.size()) / weights_.total(); }
 
-  const SearchInstance& instance_;
+  const Instance& instance_;
   const ActiveRows& rows_;
   const LabelWeights& weights_;
   double target_;
@@ -85,17 +85,13 @@ class WeighedRows {
 
 }  // namespace
 
-bool CoverageAnnealing::fits(const SignalTable& table) {
+bool CoverageAnnealing::fits(const Instance& instance) {
   constexpr std::size_t max_cells = 100'000'000;
-  return table.rows() * table.columns() <= max_cells;
+  return instance.rows() * instance.columns() <= max_cells;
 }
 
-CoverageAnnealing::CoverageAnnealing(const SignalTable& table, const PlacementProblem& problem,
-                                     const LabelWeights& weights)
-    : instance_(table, problem),
-      matrix_(table, problem.model),
-      rows_(matrix_, receiving(problem)),
-      weights_(weights) {
+CoverageAnnealing::CoverageAnnealing(const Instance& instance, const LabelWeights& weights)
+    : instance_(instance), matrix_(instance), rows_(matrix_, receiving(instance.problem)), weights_(weights) {
   rows_.add_all();
 }
 

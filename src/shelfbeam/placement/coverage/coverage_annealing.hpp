@@ -6,8 +6,9 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/kernels/active_rows.hpp"
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -15,13 +16,11 @@ namespace shelfbeam::detail {
 class CoverageAnnealing {
  public:
   /// Whether annealing can hold all labels x candidates of the table.
-  static bool fits(const SignalTable& table);
+  static bool fits(const Instance& instance);
 
   /// Precondition: fits. The arguments must outlive the object.
-  CoverageAnnealing(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights);
+  CoverageAnnealing(const Instance& instance, const LabelWeights& weights);
   CoverageAnnealing(const CoverageAnnealing&) = delete;
-
-  const SearchInstance& instance() const { return instance_; }
 
   /// A selection with fewer units than `start` that reaches labels of the weight `target`, or with at most as
   /// many if `start` does not; nullopt if none is found.
@@ -34,7 +33,7 @@ class CoverageAnnealing {
                                     std::uint32_t seed, const RunControl& control) const;
 
  private:
-  SearchInstance instance_;
+  const Instance& instance_;
   SearchMatrix matrix_;
   ActiveRows rows_;  ///< all of them
   const LabelWeights& weights_;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 namespace shelfbeam {
 
@@ -24,27 +24,27 @@ float rounded_up(double value) {
 
 }  // namespace
 
-CoverageBound::CoverageBound(const SignalTable& table, const PlacementProblem& problem,
-                             const detail::LabelWeights& weights, std::size_t max_units)
+CoverageBound::CoverageBound(const detail::Instance& instance, const detail::LabelWeights& weights,
+                             std::size_t max_units)
     : weights_(weights),
-      mounts_(table),
-      installed_(table.columns(), false),
-      redundant_(problem.redundant),
-      point_(table.columns()),
-      chosen_(table.columns(), 0.0F) {
-  for (std::uint32_t j = 0; j < table.columns(); ++j) {
-    if (table.transceivers[j].installed) installed_[j] = true, ++installed_count_;
+      mounts_(instance.table),
+      installed_(instance.columns(), false),
+      redundant_(instance.problem.redundant),
+      point_(instance.columns()),
+      chosen_(instance.columns(), 0.0F) {
+  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
+    if (instance.is_installed(j)) installed_[j] = true, ++installed_count_;
     point_[j] = mounts_.options(j).empty() ? j : mounts_.options(j).front();
     if (mounts_.available(j)) chosen_[j] = 1;
   }
-  const bool cooperative = problem.model == CommunicationModel::cooperative;
+  const bool cooperative = instance.is_cooperative();
   if (!cooperative) lifted_rows_ = 1;
   double all = 0;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
+  for (std::size_t i = 0; i < instance.rows(); ++i) {
     if (weights[i] <= 0) continue;
-    const auto row = table.row(i);
-    const double requirement = requirement_of(table.labels[i], problem.model);
-    if (!mounts_.may_meet(row, requirement, problem)) continue;
+    const auto row = instance.row(i);
+    const double requirement = instance.requirement(i);
+    if (!mounts_.may_meet(row, requirement, instance.problem)) continue;
     // R_i: the shares of a reached label add up to at least this.
     double together = 1;
     if (redundant_) {

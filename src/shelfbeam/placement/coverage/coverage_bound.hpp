@@ -10,8 +10,8 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/kernels/coverage_kernels.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
-#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam {
 
@@ -38,8 +38,7 @@ class CoverageBound {
   using Clock = std::chrono::steady_clock;
 
   /// For selections of at most `max_units` units, at least the number installed.
-  CoverageBound(const SignalTable& table, const PlacementProblem& problem,
-                const detail::LabelWeights& weights, std::size_t max_units);
+  CoverageBound(const detail::Instance& instance, const detail::LabelWeights& weights, std::size_t max_units);
 
   /// Upper bound on the weight that `units` <= max_units can reach; does not decrease with `units`.
   double weight(std::size_t units) const;

@@ -22,11 +22,11 @@ using Clock = std::chrono::steady_clock;
 
 class Curve {
  public:
-  Curve(const SignalTable& table, const PlacementProblem& problem, const std::vector<std::uint32_t>& selected,
+  Curve(const detail::Instance& instance, const std::vector<std::uint32_t>& selected,
         const RunControl& control, Clock::time_point until)
-      : table_(table), problem_(problem), control_(control), until_(until), weights_(table) {
+      : instance_(instance), control_(control), until_(until), weights_(instance.table) {
     curve_.selected = selected;
-    const std::size_t first = std::max<std::size_t>(1, detail::installed_units(table).size());
+    const std::size_t first = std::max<std::size_t>(1, instance.installed.size());
     for (std::size_t k = first; k <= selected.size(); ++k)
       points_.push_back({.units = k, .at_most = weights_.total(), .best = {}});
   }
@@ -36,7 +36,7 @@ class Curve {
     offer(selected);
     look_forwards();
     look_backwards(selected);
-    anneal(detail::brief_annealing(table_) / 10, part_of_rest(until_, 4));
+    anneal(detail::brief_annealing(instance_.table) / 10, part_of_rest(until_, 4));
     rise();
     bound();
     enumerate();
@@ -75,10 +75,10 @@ class Curve {
 
   // The checker counts the labels that a selection reaches.
   void offer(const std::vector<std::uint32_t>& selected) {
-    const Check check = check_selection(table_, problem_, selected);
+    const Check check = instance_.check(selected);
     if (!check.allowed() || selected.size() > points_.back().units) return;
     Point& point = points_[std::max(selected.size(), points_.front().units) - points_.front().units];
-    point.labels = std::max(point.labels, table_.rows() - check.unmet.size());
+    point.labels = std::max(point.labels, instance_.rows() - check.unmet.size());
     if (const double reached = weights_.without(check.unmet); reached > point.at_least) {
       point.at_least = reached;
       point.best = selected;
@@ -97,7 +97,7 @@ class Curve {
   // The units that a greedy selection adds first.
   void look_forwards() {
     const Clock::time_point end = part_of_rest(until_, 4);
-    const auto order = detail::greedy_by_weight(table_, problem_, weights_, {.until = end}, control_);
+    const auto order = detail::greedy_by_weight(instance_, weights_, {.until = end}, control_);
     is_cut_short(end);
     for (const Point& point : points_) {
       if (is_over()) return;
@@ -109,7 +109,7 @@ class Curve {
   // The given selection without its least useful units.
   void look_backwards(std::vector<std::uint32_t> selected) {
     while (!is_over() && selected.size() > points_.front().units) {
-      const auto least = detail::least_useful(table_, problem_, weights_, selected);
+      const auto least = detail::least_useful(instance_, weights_, selected);
       if (!least) return;
       std::erase(selected, least->column);
       offer(selected);
@@ -120,8 +120,8 @@ class Curve {
   void anneal(std::uint64_t moves, Clock::time_point end) {
     const bool is_open = std::any_of(points_.begin(), points_.end(),
                                      [](const Point& point) { return point.at_least < point.at_most; });
-    if (!is_open || !detail::CoverageAnnealing::fits(table_)) return;
-    const detail::CoverageAnnealing annealing(table_, problem_, weights_);
+    if (!is_open || !detail::CoverageAnnealing::fits(instance_)) return;
+    const detail::CoverageAnnealing annealing(instance_, weights_);
     for (const Point& point : points_) {
       if (is_cut_short(end)) return;
       if (point.best.size() != point.units || point.at_least >= point.at_most) continue;
@@ -132,7 +132,7 @@ class Curve {
   }
 
   void bound() {
-    CoverageBound bound(table_, problem_, weights_, points_.back().units);
+    CoverageBound bound(instance_, weights_, points_.back().units);
     std::size_t steps = bound_work / (2 * bound.entries() + 1), points = points_.size();
     const Clock::time_point last = part_of_rest(until_, 2);
     for (const Point& point : points_) {
@@ -148,7 +148,7 @@ class Curve {
 
   // The first counts, as far as the work suffices; the last point reaches everything.
   void enumerate() {
-    detail::CoverageTable dense(table_, problem_, weights_);
+    detail::CoverageTable dense(instance_, weights_);
     detail::EnumerationLimits limits{detail::enumeration_work, until_};
     for (Point& point : points_) {
       rise();
@@ -170,9 +170,9 @@ class Curve {
 
   CurvePoint in_table(const Point& point) const {
     CurvePoint result{.units = point.units, .at_least = point.labels, .miss_proof = point.miss_proof};
-    if (has_weights(table_)) {
+    if (has_weights(instance_.table)) {
       result.at_most =
-          table_.rows() - (point.at_most < weights_.total() && point.labels < table_.rows() ? 1 : 0);
+          instance_.rows() - (point.at_most < weights_.total() && point.labels < instance_.rows() ? 1 : 0);
       result.weight = {weights_.in_table(point.at_least), weights_.in_table(point.at_most)};
     } else {
       result.at_most = static_cast<std::size_t>(point.at_most);
@@ -180,8 +180,7 @@ class Curve {
     return result;
   }
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const detail::Instance& instance_;
   const RunControl& control_;
   Clock::time_point until_;
   detail::LabelWeights weights_;
@@ -197,7 +196,8 @@ CoverageCurve coverage_curve(const SignalTable& table, const PlacementProblem& p
                              const std::vector<std::uint32_t>& selected, const RunControl& control,
                              Clock::time_point until) {
   const ThreadLimit allowed(control.threads);
-  return Curve(table, problem, selected, control, until).run(selected);
+  const detail::Instance instance(table, detail::counting(problem));
+  return Curve(instance, selected, control, until).run(selected);
 }
 
 void reconcile_bounds(Placement& placement, CoverageCurve& curve, const SignalTable& table,

@@ -35,11 +35,9 @@ inline bool uses(const PlaceOptions& options, SolverChoice solver) {
   return options.solver == SolverChoice::automatic || options.solver == solver;
 }
 
-inline std::vector<std::uint32_t> installed_units(const SignalTable& table) {
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t j = 0; j < table.columns(); ++j)
-    if (table.transceivers[j].installed) result.push_back(j);
-  return result;
+/// The problem of all goals that may leave labels missed: objective and prices play no part.
+inline PlacementProblem counting(const PlacementProblem& problem) {
+  return {.model = problem.model, .redundant = problem.redundant};
 }
 
 }  // namespace shelfbeam::detail

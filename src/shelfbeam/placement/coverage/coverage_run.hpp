@@ -13,8 +13,9 @@
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
-#include "shelfbeam/placement/coverage/coverage_model.hpp"
+#include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/incumbent_report.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -40,21 +41,22 @@ struct CoverageRun {
 template <class Goal>
 class CoverageSchedule {
  public:
-  CoverageSchedule(Goal& goal, const SignalTable& table, const PlacementProblem& problem,
-                   const PlaceOptions& options, const RunControl& control)
-      : goal_(goal), table_(table), problem_(problem), options_(options), control_(control) {}
+  CoverageSchedule(Goal& goal, const Instance& instance, const PlaceOptions& options,
+                   const RunControl& control)
+      : goal_(goal), instance_(instance), options_(options), control_(control) {}
 
   CoverageRun run() {
     using Until = std::chrono::steady_clock::time_point;
-    const bool fits = CoverageModel::fits(table_, problem_), may_ask = uses(options_, SolverChoice::mip);
+    const bool fits = CoverModel::fits_with_misses(instance_), may_ask = uses(options_, SolverChoice::mip);
     const bool solves = may_ask && fits, searches = uses(options_, SolverChoice::search);
-    const bool anneals = searches && CoverageAnnealing::fits(table_);
+    const bool anneals = searches && CoverageAnnealing::fits(instance_);
     const bool has_rest = solves || anneals;  // a step that can use the rest of the time
     run_.too_large = may_ask && !fits;
     step("greedy", has_rest ? 0.3 : 0.5, [&](Until until) { goal_.begin(until); });
     // Bounds profit from a good selection.
     if (anneals)
-      step("short annealing", 0.3, [&](Until until) { anneal({brief_annealing(table_), until}, false); });
+      step("short annealing", 0.3,
+           [&](Until until) { anneal({brief_annealing(instance_.table), until}, false); });
     step("multipliers", has_rest ? 0.5 : 0.8, [&](Until until) { goal_.raise_by_multipliers(until); });
     if (searches)
       step("tree search", has_rest ? 0.6 : 1, [&](Until until) { goal_.raise_by_enumeration(until); });
@@ -87,14 +89,14 @@ class CoverageSchedule {
     const Deadline until = at(share);
     if (!goal_.is_settled() && !until.has_passed() && !control_.cancelled())
       record_step(run_.steps, name, value(), bound(), [&] { run(until.end()); });
-    report_incumbent(control_, table_, goal_.selected(), goal_.value(), goal_.bound());
+    report_incumbent(control_, instance_.table, goal_.selected(), goal_.value(), goal_.bound());
     control_.report(Task::placing, -1);
     run_.is_cut_short = run_.is_cut_short || until.has_passed();
   }
 
   // Once, or with other seeds until the time is up; once if the options limit the steps.
   void anneal(Effort effort, bool repeats) {
-    const CoverageAnnealing annealing(table_, problem_, goal_.weights());
+    const CoverageAnnealing annealing(instance_, goal_.weights());
     effort.steps = std::min(effort.steps, options_.step_limit.value_or(effort.steps));
     auto seed = static_cast<std::uint32_t>(mix_key(options_.seed, repeats ? 1 : 0));
     while (goal_.may_improve() && !effort.is_over(control_)) {
@@ -104,8 +106,7 @@ class CoverageSchedule {
   }
 
   Goal& goal_;
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const Instance& instance_;
   const PlaceOptions& options_;
   const RunControl& control_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

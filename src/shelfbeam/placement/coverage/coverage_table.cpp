@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 namespace shelfbeam::detail {
 
@@ -19,30 +19,30 @@ float rounded_up(double value) {
 
 }  // namespace
 
-CoverageTable::CoverageTable(const SignalTable& table, const PlacementProblem& problem,
-                             const LabelWeights& weights)
-    : table_(table), problem_(problem), weights_(weights), mounts_(table) {
-  const bool cooperative = problem.model == CommunicationModel::cooperative;
-  omits_best_ = cooperative && problem.redundant;
-  target_ = cooperative ? static_cast<float>(1 - search_tolerance) : (problem.redundant ? 2.0F : 1.0F);
+CoverageTable::CoverageTable(const Instance& instance, const LabelWeights& weights)
+    : instance_(instance), weights_(weights), mounts_(instance.table) {
+  const bool cooperative = instance.is_cooperative();
+  omits_best_ = cooperative && instance.problem.redundant;
+  target_ =
+      cooperative ? static_cast<float>(1 - search_tolerance) : (instance.problem.redundant ? 2.0F : 1.0F);
 
-  std::vector<bool> chosen(table.columns(), false), helps(table.columns(), false);
-  for (std::uint32_t j = 0; j < table.columns(); ++j) {
-    chosen[j] = table.transceivers[j].installed;
+  std::vector<bool> chosen(instance.columns(), false), helps(instance.columns(), false);
+  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
+    chosen[j] = instance.is_installed(j);
     if (chosen[j]) installed_.push_back(j);
   }
-  for (std::uint32_t i = 0; i < table.rows(); ++i) {
+  for (std::uint32_t i = 0; i < instance.rows(); ++i) {
     if (weights[i] <= 0) continue;
-    const double requirement = requirement_of(table.labels[i], problem.model);
-    if (is_met(received_signal(table, i, chosen, problem), requirement)) {
+    const double requirement = instance.requirement(i);
+    if (is_met(instance.received(i, chosen), requirement)) {
       settled_ += weights[i];
-    } else if (is_met(mounts_.max_signal(table.row(i), problem) * (1 + 1e-12), requirement)) {
+    } else if (is_met(mounts_.max_signal(instance.row(i), instance.problem) * (1 + 1e-12), requirement)) {
       rows_.push_back(i);
-      for (const SignalEntry& entry : table.row(i)) helps[entry.transceiver] = true;
+      for (const SignalEntry& entry : instance.row(i)) helps[entry.transceiver] = true;
     }
   }
-  std::vector<std::uint32_t> mount(table.columns());
-  for (std::uint32_t j = 0; j < table.columns(); ++j) {
+  std::vector<std::uint32_t> mount(instance.columns());
+  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
     const auto options = mounts_.options(j);
     mount[j] = options.empty() ? j : options.front();
     if (!helps[j] || chosen[j] || !mounts_.available(j)) continue;
@@ -62,8 +62,8 @@ bool CoverageTable::exclude_each_other(std::uint32_t candidate, std::uint32_t ot
 double CoverageTable::weight(std::span<const std::uint32_t> selected) const {
   double result = settled_;
   for (const std::uint32_t i : rows_) {
-    const auto row = table_.row(i);
-    ReceivedSignal received(problem_);
+    const auto row = instance_.row(i);
+    ReceivedSignal received(instance_.problem);
     auto from = row.begin();
     for (const std::uint32_t j : selected) {
       from = std::lower_bound(from, row.end(), j, [](const SignalEntry& entry, std::uint32_t column) {
@@ -71,26 +71,26 @@ double CoverageTable::weight(std::span<const std::uint32_t> selected) const {
       });
       if (from != row.end() && from->transceiver == j) received.add(from->signal);
     }
-    if (is_met(received.value(), requirement_of(table_.labels[i], problem_.model))) result += weights_[i];
+    if (is_met(received.value(), instance_.requirement(i))) result += weights_[i];
   }
   return result;
 }
 
 std::vector<double> CoverageTable::weights_with_one() const {
-  std::vector<double> by_column(table_.columns(), settled_);
-  std::vector<bool> chosen(table_.columns(), false);
+  std::vector<double> by_column(instance_.columns(), settled_);
+  std::vector<bool> chosen(instance_.columns(), false);
   for (const std::uint32_t j : installed_) chosen[j] = true;
   std::vector<SignalEntry> present;
   for (const std::uint32_t i : rows_) {
-    const auto row = table_.row(i);
+    const auto row = instance_.row(i);
     present.clear();
     std::copy_if(row.begin(), row.end(), std::back_inserter(present),
                  [&](const SignalEntry& entry) { return chosen[entry.transceiver]; });
-    const double requirement = requirement_of(table_.labels[i], problem_.model);
+    const double requirement = instance_.requirement(i);
     for (const SignalEntry& entry : row) {
       if (chosen[entry.transceiver]) continue;
       // In the order of the row, in which the rule adds signals.
-      ReceivedSignal received(problem_);
+      ReceivedSignal received(instance_.problem);
       std::size_t k = 0;
       for (; k < present.size() && present[k].transceiver < entry.transceiver; ++k)
         received.add(present[k].signal);
@@ -106,15 +106,15 @@ std::vector<double> CoverageTable::weights_with_one() const {
 
 void CoverageTable::fill() {
   constexpr std::uint32_t none = ~0U;
-  std::vector<std::uint32_t> place(table_.columns(), none);
+  std::vector<std::uint32_t> place(instance_.columns(), none);
   for (std::uint32_t c = 0; c < candidates_.size(); ++c) place[candidates_[c]] = c;
   for (std::uint32_t u = 0; u < installed_.size(); ++u)
     place[installed_[u]] = static_cast<std::uint32_t>(candidates_.size()) + u;
   matrix_.assign((candidates_.size() + installed_.size()) * padded_, 0.0F);
-  const bool cooperative = problem_.model == CommunicationModel::cooperative;
+  const bool cooperative = instance_.is_cooperative();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const double requirement = requirement_of(table_.labels[rows_[i]], problem_.model);
-    for (const SignalEntry& entry : table_.row(rows_[i])) {
+    const double requirement = instance_.requirement(rows_[i]);
+    for (const SignalEntry& entry : instance_.row(rows_[i])) {
       if (place[entry.transceiver] == none) continue;
       float& signal = matrix_[place[entry.transceiver] * padded_ + i];
       signal = cooperative ? rounded_up(std::min(1.0, entry.signal / requirement))

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/coverage/label_weights.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam::detail {
@@ -19,7 +20,7 @@ namespace shelfbeam::detail {
 /// `weight` has to confirm a selection.
 class CoverageTable {
  public:
-  CoverageTable(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights);
+  CoverageTable(const Instance& instance, const LabelWeights& weights);
 
   std::span<const std::uint32_t> installed() const { return installed_; }    ///< columns
   std::span<const std::uint32_t> candidates() const { return candidates_; }  ///< columns
@@ -51,8 +52,7 @@ class CoverageTable {
   }
 
  private:
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const Instance& instance_;
   const LabelWeights& weights_;
   Mounts mounts_;
   std::vector<std::uint32_t> installed_, candidates_, point_;

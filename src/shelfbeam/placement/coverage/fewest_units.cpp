@@ -13,48 +13,46 @@
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
-#include "shelfbeam/placement/coverage/coverage_model.hpp"
 #include "shelfbeam/placement/coverage/coverage_run.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-using detail::CoverageModel;
 using Clock = std::chrono::steady_clock;
 
 class Minimisation {
  public:
-  Minimisation(const SignalTable& table, const PlacementProblem& problem, double share,
+  Minimisation(const detail::Instance& instance, const PlacementProblem& asked, double share,
                const PlaceOptions& options, const RunControl& control)
-      : table_(table),
-        problem_(problem),
+      : instance_(instance),
         options_(options),
         control_(control),
-        max_units_(table.mounting_points()),
-        weights_(table),
+        max_units_(instance.table.mounting_points()),
+        weights_(instance.table),
         target_(weights_.rounded_up(share * weights_.total())) {
-    result_.problem = problem;
+    result_.problem = asked;
     result_.problem.combination = Combination::lexicographic;
     result_.share = share;
     result_.target = weights_.in_table(target_);
     result_.solver = {Method::greedy};
-    const std::vector<std::uint32_t> installed = detail::installed_units(table);
+    const std::vector<std::uint32_t> installed = instance.installed;
     offer(installed);
     result_.count_lower_bound = installed.size();
     if (target_ > 0 && !result_.has_selection)
-      result_.count_lower_bound = std::max(installed.size() + 1, problem.redundant ? std::size_t{2} : 1);
+      result_.count_lower_bound =
+          std::max(installed.size() + 1, instance.problem.redundant ? std::size_t{2} : 1);
     if (!options.start.empty()) offer(options.start);
   }
 
   FewestUnits run() {
-    upper_bound_ = detail::reachable_weight(table_, problem_, weights_);
+    upper_bound_ = detail::reachable_weight(instance_, weights_);
     is_infeasible_ =
         !result_.has_selection && (upper_bound_ < target_ || result_.count_lower_bound > max_units_);
-    detail::CoverageRun run =
-        detail::CoverageSchedule(*this, table_, result_.problem, options_, control_).run();
+    detail::CoverageRun run = detail::CoverageSchedule(*this, instance_, options_, control_).run();
     result_.steps = std::move(run.steps);
     result_.too_large = run.too_large;
     finish(run.is_cut_short);
@@ -77,15 +75,14 @@ class Minimisation {
 
   /// The fewest units with which a greedy selection of all labels begins and that reach the target.
   void begin(Clock::time_point until) {
-    const auto order = detail::greedy_by_weight(table_, problem_, weights_, {.until = until}, control_);
+    const auto order = detail::greedy_by_weight(instance_, weights_, {.until = until}, control_);
     std::size_t too_few = 0, enough = order.size();
     while (too_few + 1 < enough) {
       const std::size_t middle = too_few + (enough - too_few) / 2;
-      const double reached =
-          detail::weight_of(table_, problem_, weights_, detail::first_units(order, middle));
+      const double reached = detail::weight_of(instance_, weights_, detail::first_units(order, middle));
       (reached >= target_ ? enough : too_few) = middle;
     }
-    first_ = detail::without_useless(table_, problem_, weights_, detail::first_units(order, enough),
+    first_ = detail::without_useless(instance_, weights_, detail::first_units(order, enough),
                                      {.until = until}, control_);
     offer(first_);
   }
@@ -93,7 +90,7 @@ class Minimisation {
   /// For fewer units, or for any selection if none is known.
   bool anneal(const detail::CoverageAnnealing& annealing, const detail::Effort& effort, std::uint32_t seed) {
     const std::vector<std::uint32_t>& start = result_.has_selection ? result_.selected : first_;
-    if (!annealing.instance().can_exchange(start)) return false;
+    if (!instance_.can_exchange(start)) return false;
     const auto found = annealing.for_fewer(target_, start, effort, seed, control_);
     if (!found) return true;
     offer(*found);
@@ -104,8 +101,8 @@ class Minimisation {
   void raise_by_multipliers(Clock::time_point until) {
     // With unit failure, the bound is better for fewer units.
     const std::size_t max_count = result_.has_selection ? result_.selected.size() - 1 : max_units_;
-    CoverageBound bound(table_, problem_, weights_, max_count);
-    std::size_t steps = detail::bound_steps(bound.entries(), options_, table_);
+    CoverageBound bound(instance_, weights_, max_count);
+    std::size_t steps = detail::bound_steps(bound.entries(), options_, instance_.table);
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;
       steps -= bound.improve(count, target_ - weights_.step(), CoverageAim::reached, steps, control_, until);
@@ -115,8 +112,9 @@ class Minimisation {
   }
 
   void raise_by_enumeration(Clock::time_point until) {
-    detail::CoverageTable table(table_, problem_, weights_);
-    detail::EnumerationLimits limits{detail::allowed_work(detail::enumeration_work, options_, table_), until};
+    detail::CoverageTable table(instance_, weights_);
+    detail::EnumerationLimits limits{
+        detail::allowed_work(detail::enumeration_work, options_, instance_.table), until};
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;
       const auto found = enumerate_coverage(table, weights_, count, target_, detail::EnumerationAim::first,
@@ -133,20 +131,24 @@ class Minimisation {
 
   void solve(const Deadline& end) {
     for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
-      CoverageModel model(table_, problem_, weights_);
-      const auto known = result_.has_selection ? std::optional(result_.selected.size()) : std::nullopt;
-      const auto outcome = model.minimise(target_, known, limited(backend.solve, options_.step_limit),
-                                          end.seconds_left(), control_);
+      const double cutoff =
+          result_.has_selection ? static_cast<double>(result_.selected.size()) - 0.5 : milp::infinity;
+      const SolveFunction solve = limited(backend.solve, options_.step_limit);
+      detail::CoverModel model(instance_, solve, end.seconds_left(), control_, {.cutoff = cutoff},
+                               weights_.of_labels());
+      // Half a step keeps the row of misses valid in spite of the solver's tolerance.
+      const auto outcome = model.minimise(
+          {.cost = instance_.first_cost, .max_missed = weights_.total() - target_ + weights_.step() / 2});
+      const double bound = std::ceil(outcome.bound - 1e-6);
       result_.solver = {Method::mip, backend.full_name()};
       if (outcome.selected) offer(*outcome.selected);
       // A solver that contradicts a checked selection is wrong.
-      const bool contradicts =
-          result_.has_selection &&
-          (outcome.is_infeasible || outcome.bound > static_cast<double>(result_.selected.size()));
-      if (!contradicts && outcome.bound > 0)
-        raise_to(static_cast<std::size_t>(std::min(outcome.bound, static_cast<double>(max_units_ + 1))),
+      const bool contradicts = result_.has_selection &&
+                               (outcome.infeasible || bound > static_cast<double>(result_.selected.size()));
+      if (!contradicts && bound > 0)
+        raise_to(static_cast<std::size_t>(std::min(bound, static_cast<double>(max_units_ + 1))),
                  BoundProof::solver);
-      if (!contradicts && outcome.is_infeasible) {
+      if (!contradicts && outcome.infeasible) {
         is_infeasible_ = true;
         result_.bound_proof = BoundProof::solver;
       }
@@ -157,7 +159,7 @@ class Minimisation {
  private:
   /// Accepts a selection that reaches the target with fewer units than the incumbent.
   void offer(const std::vector<std::uint32_t>& selected) {
-    Check check = check_selection(table_, problem_, selected);
+    Check check = instance_.check(selected);
     const double weight = weights_.without(check.unmet);
     if (!check.allowed() || weight < target_ ||
         (result_.has_selection && selected.size() >= result_.selected.size()))
@@ -184,13 +186,12 @@ class Minimisation {
       upper_bound_ = std::min(upper_bound_, std::max(0.0, target_ - weights_.step()));
       result_.count_lower_bound = 0;
     }
-    result_.reached = result_.has_selection ? table_.rows() - result_.missed.size() : 0;
+    result_.reached = result_.has_selection ? instance_.rows() - result_.missed.size() : 0;
     result_.weight = {weights_.in_table(reached_), weights_.in_table(weights_.total()),
                       weights_.in_table(upper_bound_)};
   }
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const detail::Instance& instance_;
   const PlaceOptions& options_;
   const RunControl& control_;
   std::size_t max_units_;
@@ -210,7 +211,8 @@ FewestUnits fewest_units(const SignalTable& table, const PlacementProblem& probl
   const ThreadLimit allowed(control.threads);
   check_problem(table, problem);
   milp::backends_of(options.backend);  // throws for an unknown name
-  FewestUnits result = Minimisation(table, problem, share, options, control).run();
+  const detail::Instance instance(table, detail::counting(problem));
+  FewestUnits result = Minimisation(instance, problem, share, options, control).run();
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return result;
 }

@@ -61,17 +61,16 @@ double LabelWeights::rounded_up(double bound) const {
   return whole_ ? std::ceil(forgiving) : forgiving;
 }
 
-std::vector<bool> reachable_labels(const SignalTable& table, const PlacementProblem& problem) {
-  const Mounts mounts(table);
-  std::vector<bool> result(table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    result[i] = mounts.may_meet(table.row(i), requirement_of(table.labels[i], problem.model), problem);
+std::vector<bool> reachable_labels(const detail::Instance& instance) {
+  const Mounts& mounts = instance.mounts;
+  std::vector<bool> result(instance.rows());
+  for (std::size_t i = 0; i < instance.rows(); ++i)
+    result[i] = mounts.may_meet(instance.row(i), instance.requirement(i), instance.problem);
   return result;
 }
 
-double reachable_weight(const SignalTable& table, const PlacementProblem& problem,
-                        const LabelWeights& weights) {
-  const std::vector<bool> can = reachable_labels(table, problem);
+double reachable_weight(const detail::Instance& instance, const LabelWeights& weights) {
+  const std::vector<bool> can = reachable_labels(instance);
   double sum = 0;
   for (std::size_t i = 0; i < can.size(); ++i)
     if (can[i]) sum += weights[i];

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam {
 
@@ -45,10 +45,9 @@ class LabelWeights {
 };
 
 /// The labels that some selection reaches, regardless of the other labels.
-std::vector<bool> reachable_labels(const SignalTable& table, const PlacementProblem& problem);
+std::vector<bool> reachable_labels(const detail::Instance& instance);
 /// Their weight, which no selection exceeds.
-double reachable_weight(const SignalTable& table, const PlacementProblem& problem,
-                        const LabelWeights& weights);
+double reachable_weight(const detail::Instance& instance, const LabelWeights& weights);
 
 }  // namespace detail
 

@@ -10,58 +10,55 @@
 
 namespace shelfbeam::detail {
 
-std::optional<LeastUseful> least_useful(const SignalTable& table, const PlacementProblem& problem,
-                                        const LabelWeights& weights,
+std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWeights& weights,
                                         const std::vector<std::uint32_t>& selected) {
-  std::vector<bool> chosen(table.columns(), false);
+  std::vector<bool> chosen(instance.columns(), false);
   for (const std::uint32_t j : selected) chosen[j] = true;
-  std::vector<double> missed(table.columns(), 0.0), lost(table.columns(), 0.0);
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double requirement = requirement_of(table.labels[i], problem.model);
+  std::vector<double> missed(instance.columns(), 0.0), lost(instance.columns(), 0.0);
+  for (std::size_t i = 0; i < instance.rows(); ++i) {
+    const double requirement = instance.requirement(i);
     LabelShares shares;
-    for (const SignalEntry& entry : table.row(i))
+    for (const SignalEntry& entry : instance.row(i))
       if (chosen[entry.transceiver])
-        shares.add(entry.transceiver, share_of(entry.signal, requirement, problem));
-    const double before = lacking(shares.sum, shares.largest, problem);
-    for (const SignalEntry& entry : table.row(i)) {
+        shares.add(entry.transceiver, share_of(entry.signal, requirement, instance.problem));
+    const double before = lacking(shares.sum, shares.largest, instance.problem);
+    for (const SignalEntry& entry : instance.row(i)) {
       const std::uint32_t j = entry.transceiver;
       if (!chosen[j]) continue;
-      const double rest = std::max(0.0, shares.sum - share_of(entry.signal, requirement, problem));
-      const double after = lacking(rest, shares.largest_without(j), problem);
+      const double rest = std::max(0.0, shares.sum - share_of(entry.signal, requirement, instance.problem));
+      const double after = lacking(rest, shares.largest_without(j), instance.problem);
       lost[j] += weights[i] * (after - before);
       if (before == 0 && after > 0) missed[j] += weights[i];
     }
   }
   std::optional<std::uint32_t> least;
   for (const std::uint32_t j : selected)
-    if (!table.transceivers[j].installed &&
+    if (!instance.is_installed(j) &&
         (!least || std::pair(missed[j], lost[j]) < std::pair(missed[*least], lost[*least])))
       least = j;
   if (!least) return {};
   return LeastUseful{*least, missed[*least]};
 }
 
-std::vector<std::uint32_t> without_useless(const SignalTable& table, const PlacementProblem& problem,
-                                           const LabelWeights& weights, std::vector<std::uint32_t> selected,
-                                           const Effort& effort, const RunControl& control) {
-  const double reached = weight_of(table, problem, weights, selected);
+std::vector<std::uint32_t> without_useless(const Instance& instance, const LabelWeights& weights,
+                                           std::vector<std::uint32_t> selected, const Effort& effort,
+                                           const RunControl& control) {
+  const double reached = weight_of(instance, weights, selected);
   while (!effort.is_over(control)) {
-    const auto least = least_useful(table, problem, weights, selected);
+    const auto least = least_useful(instance, weights, selected);
     if (!least || least->weight > 0) break;
     std::vector<std::uint32_t> fewer = selected;
     std::erase(fewer, least->column);
     // Shares decide almost as the checker does.
-    if (weight_of(table, problem, weights, fewer) < reached) break;
+    if (weight_of(instance, weights, fewer) < reached) break;
     selected = std::move(fewer);
   }
   return selected;
 }
 
-std::vector<std::uint32_t> greedy_by_weight(const SignalTable& table, const PlacementProblem& problem,
-                                            const LabelWeights& weights, const Effort& effort,
-                                            const RunControl& control) {
-  const PlacementProblem counting{.model = problem.model, .redundant = problem.redundant};
-  return greedy_order(table, counting, weights.of_labels(), effort, control);
+std::vector<std::uint32_t> greedy_by_weight(const Instance& instance, const LabelWeights& weights,
+                                            const Effort& effort, const RunControl& control) {
+  return greedy_order(instance, weights.of_labels(), effort, control);
 }
 
 std::vector<std::uint32_t> first_units(std::span<const std::uint32_t> order, std::size_t units) {
@@ -71,9 +68,9 @@ std::vector<std::uint32_t> first_units(std::span<const std::uint32_t> order, std
   return selected;
 }
 
-double weight_of(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights,
+double weight_of(const Instance& instance, const LabelWeights& weights,
                  const std::vector<std::uint32_t>& selected) {
-  return weights.without(check_selection(table, problem, selected).unmet);
+  return weights.without(instance.check(selected).unmet);
 }
 
 }  // namespace shelfbeam::detail

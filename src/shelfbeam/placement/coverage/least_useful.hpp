@@ -9,6 +9,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -20,24 +21,22 @@ struct LeastUseful {
 
 /// The unit, not an installed one, with which the least weight is lost, of equal ones the one with the least
 /// lack; nullopt if all are installed. Examines the table once.
-std::optional<LeastUseful> least_useful(const SignalTable& table, const PlacementProblem& problem,
-                                        const LabelWeights& weights,
+std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWeights& weights,
                                         const std::vector<std::uint32_t>& selected);
 
 /// Removes units as long as this loses no weight and the effort is not over.
-std::vector<std::uint32_t> without_useless(const SignalTable& table, const PlacementProblem& problem,
-                                           const LabelWeights& weights, std::vector<std::uint32_t> selected,
-                                           const Effort& effort, const RunControl& control);
+std::vector<std::uint32_t> without_useless(const Instance& instance, const LabelWeights& weights,
+                                           std::vector<std::uint32_t> selected, const Effort& effort,
+                                           const RunControl& control);
 
 /// The units of a greedy selection of all labels, by weight, in the order of their addition, and the first
 /// ones of them, ascending.
-std::vector<std::uint32_t> greedy_by_weight(const SignalTable& table, const PlacementProblem& problem,
-                                            const LabelWeights& weights, const Effort& effort,
-                                            const RunControl& control);
+std::vector<std::uint32_t> greedy_by_weight(const Instance& instance, const LabelWeights& weights,
+                                            const Effort& effort, const RunControl& control);
 std::vector<std::uint32_t> first_units(std::span<const std::uint32_t> order, std::size_t units);
 
 /// The weight of the labels that a selection reaches, by the checker.
-double weight_of(const SignalTable& table, const PlacementProblem& problem, const LabelWeights& weights,
+double weight_of(const Instance& instance, const LabelWeights& weights,
                  const std::vector<std::uint32_t>& selected);
 
 }  // namespace shelfbeam::detail

@@ -14,16 +14,15 @@
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
-#include "shelfbeam/placement/coverage/coverage_model.hpp"
 #include "shelfbeam/placement/coverage/coverage_run.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
 
 namespace {
 
-using detail::CoverageModel;
 using detail::EnumerationAim;
 using Clock = std::chrono::steady_clock;
 
@@ -32,39 +31,37 @@ constexpr double solver_gap = 2e-6;
 
 class Maximisation {
  public:
-  Maximisation(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
+  Maximisation(const detail::Instance& instance, const PlacementProblem& asked, std::size_t units,
                const PlaceOptions& options, const RunControl& control)
-      : table_(table),
-        problem_(problem),
+      : instance_(instance),
         options_(options),
         control_(control),
-        units_(std::min(units, table.columns())),
-        weights_(table) {
-    reach_.problem = problem;
+        units_(std::min(units, instance.columns())),
+        weights_(instance.table) {
+    reach_.problem = asked;
     reach_.problem.combination = Combination::lexicographic;
     reach_.at_most = units;
     reach_.solver = {Method::greedy};
-    reach_.selected = detail::installed_units(table);
-    reach_.missed = check_selection(table, problem, reach_.selected).unmet;
+    reach_.selected = instance.installed;
+    reach_.missed = instance.check(reach_.selected).unmet;
     value_ = weights_.without(reach_.missed);
     if (!options.start.empty()) offer(options.start);
     bound_ = weights_.total();
   }
 
   MaxCoverage run() {
-    detail::CoverageRun run =
-        detail::CoverageSchedule(*this, table_, reach_.problem, options_, control_).run();
+    detail::CoverageRun run = detail::CoverageSchedule(*this, instance_, options_, control_).run();
     reach_.steps = std::move(run.steps);
     reach_.too_large = run.too_large;
     if (bound_ >= weights_.total())  // no time for more
-      lower_to(detail::reachable_weight(table_, problem_, weights_), BoundProof::trivial);
+      lower_to(detail::reachable_weight(instance_, weights_), BoundProof::trivial);
     reach_.status = is_proven() ? Status::optimal : run.is_cut_short ? Status::stopped : Status::feasible;
-    reach_.reached = table_.rows() - reach_.missed.size();
-    if (!has_weights(table_)) {
+    reach_.reached = instance_.rows() - reach_.missed.size();
+    if (!has_weights(instance_.table)) {
       reach_.upper_bound = static_cast<std::size_t>(bound_);
       return std::move(reach_);
     }
-    const std::vector<bool> can = detail::reachable_labels(table_, problem_);
+    const std::vector<bool> can = detail::reachable_labels(instance_);
     reach_.upper_bound = static_cast<std::size_t>(std::count(can.begin(), can.end(), true));
     reach_.weight = CoverageWeight{weights_.in_table(value_), weights_.in_table(weights_.total()),
                                    weights_.in_table(std::max(bound_, value_))};
@@ -85,14 +82,14 @@ class Maximisation {
 
   /// The units that a greedy selection of all labels adds first.
   void begin(Clock::time_point until) {
-    order_ = detail::greedy_by_weight(table_, problem_, weights_, {.until = until}, control_);
+    order_ = detail::greedy_by_weight(instance_, weights_, {.until = until}, control_);
     offer_compact(detail::first_units(order_, units_), until);
   }
 
   /// For more weight.
   bool anneal(const detail::CoverageAnnealing& annealing, const detail::Effort& effort, std::uint32_t seed) {
-    const std::vector<std::uint32_t> start = filled(annealing.instance());
-    if (!annealing.instance().can_exchange(start)) return false;
+    const std::vector<std::uint32_t> start = filled();
+    if (!instance_.can_exchange(start)) return false;
     const auto found = annealing.for_more(value_, start, effort, seed, control_);
     if (!found) return true;
     offer_compact(*found, effort.until);
@@ -101,27 +98,39 @@ class Maximisation {
   }
 
   void raise_by_multipliers(Clock::time_point until) {
-    CoverageBound bound(table_, problem_, weights_, units_);
+    CoverageBound bound(instance_, weights_, units_);
     bound_ = bound.weight(units_);
-    bound.improve(units_, value_, CoverageAim::lowest, detail::bound_steps(bound.entries(), options_, table_),
-                  control_, until);
+    bound.improve(units_, value_, CoverageAim::lowest,
+                  detail::bound_steps(bound.entries(), options_, instance_.table), control_, until);
     lower_to(bound.weight(units_), BoundProof::dual);
   }
 
   void raise_by_enumeration(Clock::time_point until) { is_settled_ = enumerate(until); }
 
+  // Whole weights: a unit of missed weight costs more than all units together, so the missed weight is
+  // minimised first and units second. Units cost nothing if they are not.
   void solve(const Deadline& end) {
+    const bool are_whole = weights_.are_whole();
+    const double unit_price = are_whole ? 1 : 0;
+    const double price = are_whole ? static_cast<double>(instance_.columns() + 1) : 1;
+    const std::vector<double> cost(instance_.columns(), unit_price);
     for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
-      CoverageModel model(table_, problem_, weights_);
-      const auto outcome =
-          model.maximise(units_, value_, reach_.selected.size(), limited(backend.solve, options_.step_limit),
-                         end.seconds_left(), control_);
+      const double known =
+          unit_price * static_cast<double>(reach_.selected.size()) + price * (weights_.total() - value_);
+      const SolveFunction solve = limited(backend.solve, options_.step_limit);
+      detail::CoverModel model(instance_, solve, end.seconds_left(), control_,
+                               {.cutoff = known - unit_price / 2}, weights_.of_labels());
+      const auto outcome = model.minimise({.cost = cost, .max_count = units_, .price_of_misses = price});
       reach_.solver = {Method::mip, backend.full_name()};
       if (outcome.selected) offer(*outcome.selected);
-      const double allowed = weights_.are_whole() ? 0 : solver_gap * weights_.total();
-      const bool contradicts = outcome.bound < value_ - allowed;
-      if (!contradicts) lower_to(std::max(outcome.bound, value_), BoundProof::solver);
-      if (!contradicts && !weights_.are_whole() && outcome.bound <= value_ + allowed) {
+      // A bound d on count + price missed, with count <= units < price, proves missed >= (d - units) / price.
+      const double least = (outcome.bound - unit_price * static_cast<double>(units_)) / price;
+      const double missed = are_whole ? std::ceil(least - 1e-6) : least * (1 - 1e-9);
+      const double bound = weights_.total() - std::clamp(missed, 0.0, weights_.total());
+      const double allowed = are_whole ? 0 : solver_gap * weights_.total();
+      const bool contradicts = bound < value_ - allowed;
+      if (!contradicts) lower_to(std::max(bound, value_), BoundProof::solver);
+      if (!contradicts && !are_whole && bound <= value_ + allowed) {
         is_closed_by_solver_ = true;
         reach_.bound_proof = BoundProof::solver;
       }
@@ -132,7 +141,7 @@ class Maximisation {
  private:
   /// Accepts a selection that is better than the incumbent.
   void offer(const std::vector<std::uint32_t>& selected) {
-    Check check = check_selection(table_, problem_, selected);
+    Check check = instance_.check(selected);
     const double value = weights_.without(check.unmet);
     const bool better = value > value_ || (value == value_ && selected.size() < reach_.selected.size());
     if (!check.allowed() || selected.size() > reach_.at_most || !better) return;
@@ -142,18 +151,18 @@ class Maximisation {
   }
 
   void offer_compact(const std::vector<std::uint32_t>& selected, Clock::time_point until) {
-    offer(detail::without_useless(table_, problem_, weights_, selected, {.until = until}, control_));
+    offer(detail::without_useless(instance_, weights_, selected, {.until = until}, control_));
   }
 
   /// The incumbent, with further units of the greedy selection up to the allowed number.
-  std::vector<std::uint32_t> filled(const detail::SearchInstance& instance) const {
+  std::vector<std::uint32_t> filled() const {
     std::vector<std::uint32_t> result;
-    std::vector<bool> is_out(table_.columns(), false);
+    std::vector<bool> is_out(instance_.columns(), false);
     const auto take = [&](std::uint32_t j) {
       if (is_out[j] || result.size() >= units_) return;
       result.push_back(j);
       is_out[j] = true;
-      for (const std::uint32_t other : instance.excludes[j]) is_out[other] = true;
+      for (const std::uint32_t other : instance_.excludes[j]) is_out[other] = true;
     };
     std::for_each(reach_.selected.begin(), reach_.selected.end(), take);
     std::for_each(order_.begin(), order_.end(), take);
@@ -169,8 +178,9 @@ class Maximisation {
 
   /// Proves the value, then looks for fewer units of the same value; false if the work was not enough.
   bool enumerate(Clock::time_point until) {
-    detail::CoverageTable table(table_, problem_, weights_);
-    detail::EnumerationLimits limits{detail::allowed_work(detail::enumeration_work, options_, table_), until};
+    detail::CoverageTable table(instance_, weights_);
+    detail::EnumerationLimits limits{
+        detail::allowed_work(detail::enumeration_work, options_, instance_.table), until};
     const auto examine = [&](std::size_t units, double weight, EnumerationAim aim) {
       auto found = enumerate_coverage(table, weights_, units, weight, aim, limits, control_);
       if (found.selected) offer(*found.selected);
@@ -192,8 +202,7 @@ class Maximisation {
     return true;
   }
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const detail::Instance& instance_;
   const PlaceOptions& options_;
   const RunControl& control_;
   std::size_t units_;
@@ -213,11 +222,12 @@ MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& 
   const ThreadLimit allowed(control.threads);
   check_problem(table, problem);
   milp::backends_of(options.backend);  // throws for an unknown name
-  if (const std::size_t installed = detail::installed_units(table).size(); installed > units)
+  const detail::Instance instance(table, detail::counting(problem));
+  if (const std::size_t installed = instance.installed.size(); installed > units)
     throw InputError("number of units",
                      fmt::format("is {}, but {} units are installed or pinned", units, installed),
                      "use at least this number", Setting::units);
-  MaxCoverage reach = Maximisation(table, problem, units, options, control).run();
+  MaxCoverage reach = Maximisation(instance, problem, units, options, control).run();
   reach.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return reach;
 }

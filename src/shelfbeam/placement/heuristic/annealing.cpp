@@ -14,7 +14,7 @@ class TableRows : public TotalLack<TableRows> {
  public:
   static constexpr std::uint64_t max_moves = 4096;
 
-  TableRows(const SearchInstance& instance, const SearchMatrix& all, const Selection& start)
+  TableRows(const Instance& instance, const SearchMatrix& all, const Selection& start)
       : instance_(instance), all_(all), rows_(all, receiving(instance.problem)) {
     rows_.add_hardest(start, ActiveRows::at_first);
   }
@@ -26,13 +26,13 @@ class TableRows : public TotalLack<TableRows> {
   void excuse(std::vector<float>&, const std::vector<float>&) const {}
 
   bool reaches_all(const Selection& selected) {
-    margin_ = margin_of(instance_.table, instance_.problem, all_, selected, received_);
+    margin_ = margin_of(instance_, all_, selected, received_);
     return margin_.is_met;
   }
   bool add_missed() { return rows_.add_missed(std::span(received_).first(all_.rows()), margin_.label); }
 
  private:
-  const SearchInstance& instance_;
+  const Instance& instance_;
   const SearchMatrix& all_;
   ActiveRows rows_;
   std::vector<float> received_;
@@ -45,9 +45,8 @@ bool can_anneal(const PlacementProblem& problem) {
   return problem.combination == Combination::lexicographic;
 }
 
-std::optional<Selection> anneal(const SearchInstance& instance, const SearchMatrix& all,
-                                const Selection& start, const Effort& effort, std::uint32_t seed,
-                                const RunControl& control) {
+std::optional<Selection> anneal(const Instance& instance, const SearchMatrix& all, const Selection& start,
+                                const Effort& effort, std::uint32_t seed, const RunControl& control) {
   if (!can_anneal(instance.problem)) return std::nullopt;
   return best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
     return AnnealingWalk(instance, all, TableRows(instance, all, start), start, own_seed);

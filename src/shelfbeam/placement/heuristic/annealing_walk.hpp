@@ -14,9 +14,10 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/similar_columns.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -46,7 +47,7 @@ template <class Rows>
 class AnnealingWalk {
  public:
   /// `all`: signals that show which columns are similar.
-  AnnealingWalk(const SearchInstance& instance, const SearchMatrix& all, Rows rows, const Selection& start,
+  AnnealingWalk(const Instance& instance, const SearchMatrix& all, Rows rows, const Selection& start,
                 std::uint32_t seed)
       : instance_(instance), rows_(std::move(rows)), in_(all.columns(), false), random_(seed) {
     for (const std::uint32_t j : start) {
@@ -201,7 +202,7 @@ class AnnealingWalk {
       rank();
   }
 
-  const SearchInstance& instance_;
+  const Instance& instance_;
   Rows rows_;
   std::vector<bool> in_;
   std::vector<std::uint32_t> fixed_, free_, candidates_;

@@ -18,7 +18,7 @@ struct SparseCover {
   std::vector<std::int64_t> cost;                    ///< 1 if units are counted
   std::vector<std::uint32_t> column;                 ///< number in the table
 
-  SparseCover(const SearchInstance& instance, const Reduction& reduction) {
+  SparseCover(const Instance& instance, const Reduction& reduction) {
     const SignalTable& table = instance.table;
     const PlacementProblem& problem = instance.problem;
     const bool is_weighted = problem.combination == Combination::weighted;
@@ -226,7 +226,7 @@ class CoverWalk {
 
 }  // namespace
 
-std::optional<Selection> cover_search(const SearchInstance& instance, const Reduction& reduction,
+std::optional<Selection> cover_search(const Instance& instance, const Reduction& reduction,
                                       const Selection& start, const Effort& effort, std::uint32_t seed,
                                       const RunControl& control) {
   if (reduction.infeasible) return std::nullopt;

@@ -14,16 +14,15 @@ namespace {
 
 class Greedy {
  public:
-  Greedy(const SignalTable& table, const PlacementProblem& problem, std::span<const double> weight)
-      : table_(table),
-        problem_(problem),
+  Greedy(const detail::Instance& instance, std::span<const double> weight)
+      : instance_(instance),
         weight_(weight),
-        cost_(greedy_costs(table, problem)),
-        mounts_(table),
-        chosen_(table.columns(), false),
-        blocked_by_(table.columns(), 0) {
-    for (std::uint32_t j = 0; j < table.columns(); ++j)
-      if (table.transceivers[j].installed) choose(j);
+        cost_(greedy_costs(instance)),
+        mounts_(instance.table),
+        chosen_(instance.columns(), false),
+        blocked_by_(instance.columns(), 0) {
+    for (std::uint32_t j = 0; j < instance.columns(); ++j)
+      if (instance.is_installed(j)) choose(j);
     look_at_every_label();
   }
 
@@ -35,17 +34,17 @@ class Greedy {
       }
       const std::vector<double> gain = gains();
       if (unmet_.empty()) break;
-      auto best = static_cast<std::uint32_t>(table_.columns());
+      auto best = static_cast<std::uint32_t>(instance_.columns());
       double best_ratio = std::numeric_limits<double>::infinity();
-      for (std::uint32_t j = 0; j < table_.columns(); ++j) {
+      for (std::uint32_t j = 0; j < instance_.columns(); ++j) {
         if (chosen_[j] || blocked_by_[j] > 0 || gain[j] <= 0) continue;
         const double ratio = cost_[j] / gain[j];
-        if (best == table_.columns() || ratio < best_ratio) {
+        if (best == instance_.columns() || ratio < best_ratio) {
           best = j;
           best_ratio = ratio;
         }
       }
-      if (best < table_.columns())
+      if (best < instance_.columns())
         choose(best);
       else if (!exchange())
         break;
@@ -75,21 +74,23 @@ class Greedy {
   double weight(std::size_t label) const { return weight_.empty() ? 1 : weight_[label]; }
 
   void look_at_every_label() {
-    unmet_.resize(table_.rows());
+    unmet_.resize(instance_.rows());
     std::iota(unmet_.begin(), unmet_.end(), std::size_t{0});
     std::erase_if(unmet_, [&](std::size_t i) { return weight(i) <= 0; });
   }
 
   double share(const SignalEntry& entry, double requirement) const {
-    return detail::share_of(entry.signal, requirement, problem_);
+    return detail::share_of(entry.signal, requirement, instance_.problem);
   }
 
-  double lacking(double sum, double largest) const { return detail::lacking(sum, largest, problem_); }
+  double lacking(double sum, double largest) const {
+    return detail::lacking(sum, largest, instance_.problem);
+  }
 
   std::vector<Exchange> exchanges() const {
     std::vector<Exchange> result;
-    for (std::uint32_t j = 0; j < table_.columns(); ++j) {
-      if (!chosen_[j] || table_.transceivers[j].installed) continue;
+    for (std::uint32_t j = 0; j < instance_.columns(); ++j) {
+      if (!chosen_[j] || instance_.is_installed(j)) continue;
       mounts_.for_each_conflict(j, [&](std::uint32_t other) {
         if (!chosen_[other] && blocked_by_[other] == 1) result.push_back({j, other, 0});
       });
@@ -101,11 +102,11 @@ class Greedy {
   bool exchange() {
     constexpr double min_help = 1e-9;  // keeps rounding from causing endless exchanges
     std::vector<Exchange> all = exchanges();
-    std::vector<double> part(table_.columns(), 0.0);
-    for (std::size_t i = 0; i < table_.rows(); ++i) {
-      const double requirement = requirement_of(table_.labels[i], problem_.model);
+    std::vector<double> part(instance_.columns(), 0.0);
+    for (std::size_t i = 0; i < instance_.rows(); ++i) {
+      const double requirement = instance_.requirement(i);
       detail::LabelShares now;
-      for (const SignalEntry& entry : table_.row(i)) {
+      for (const SignalEntry& entry : instance_.row(i)) {
         part[entry.transceiver] = share(entry, requirement);
         if (chosen_[entry.transceiver]) now.add(entry.transceiver, part[entry.transceiver]);
       }
@@ -116,7 +117,7 @@ class Greedy {
             weight(i) *
             (lacking(now.sum - part[one.out] + part[one.in], std::max(left, part[one.in])) - before);
       }
-      for (const SignalEntry& entry : table_.row(i)) part[entry.transceiver] = 0;
+      for (const SignalEntry& entry : instance_.row(i)) part[entry.transceiver] = 0;
     }
     const auto best = std::min_element(
         all.begin(), all.end(), [](const Exchange& a, const Exchange& b) { return a.lacking < b.lacking; });
@@ -132,12 +133,12 @@ class Greedy {
     std::vector<SignalEntry> strongest;
     std::vector<std::uint32_t> added;
     for (const std::size_t i : unmet_) {
-      const double requirement = requirement_of(table_.labels[i], problem_.model);
-      if (is_met(received_signal(table_, i, chosen_, problem_), requirement)) continue;
-      if (!mounts_.may_meet(table_.row(i), requirement, problem_)) continue;
+      const double requirement = instance_.requirement(i);
+      if (is_met(instance_.received(i, chosen_), requirement)) continue;
+      if (!mounts_.may_meet(instance_.row(i), requirement, instance_.problem)) continue;
       strongest.clear();
       added.clear();
-      for (const SignalEntry& entry : table_.row(i))
+      for (const SignalEntry& entry : instance_.row(i))
         if (!chosen_[entry.transceiver] && share(entry, requirement) > 0) strongest.push_back(entry);
       std::stable_sort(strongest.begin(), strongest.end(),
                        [](const SignalEntry& a, const SignalEntry& b) { return a.signal > b.signal; });
@@ -146,7 +147,7 @@ class Greedy {
         if (blocked_by_[entry.transceiver] > 0) continue;
         choose(entry.transceiver);
         added.push_back(entry.transceiver);
-        is_reached = is_met(received_signal(table_, i, chosen_, problem_), requirement);
+        is_reached = is_met(instance_.received(i, chosen_), requirement);
         if (is_reached) break;
       }
       if (!is_reached)
@@ -156,21 +157,20 @@ class Greedy {
 
   // The gain of every column (greedy.hpp); removes labels that are reached by now.
   std::vector<double> gains() {
-    std::vector<double> gain(table_.columns(), 0.0);
+    std::vector<double> gain(instance_.columns(), 0.0);
     std::erase_if(unmet_, [&](std::size_t i) {
-      const double requirement = requirement_of(table_.labels[i], problem_.model);
-      const double received = received_signal(table_, i, chosen_, problem_);
+      const double requirement = instance_.requirement(i);
+      const double received = instance_.received(i, chosen_);
       if (is_met(received, requirement)) return true;
-      const double lacking =
-          problem_.model == CommunicationModel::cooperative ? 1 - received / requirement : 1;
+      const double lacking = instance_.is_cooperative() ? 1 - received / requirement : 1;
       // A new strongest unit adds a signal that may fail, but restores that of the previous strongest unit.
       double largest = std::numeric_limits<double>::infinity();
-      if (problem_.redundant) {
+      if (instance_.problem.redundant) {
         largest = 0;
-        for (const SignalEntry& entry : table_.row(i))
+        for (const SignalEntry& entry : instance_.row(i))
           if (chosen_[entry.transceiver]) largest = std::max(largest, share(entry, requirement));
       }
-      for (const SignalEntry& entry : table_.row(i)) {
+      for (const SignalEntry& entry : instance_.row(i)) {
         const double part = share(entry, requirement);
         gain[entry.transceiver] += weight(i) * std::min(part, lacking + std::max(0.0, part - largest));
       }
@@ -179,8 +179,7 @@ class Greedy {
     return gain;
   }
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const detail::Instance& instance_;
   std::span<const double> weight_;  ///< per label; empty: 1
   std::vector<double> cost_;
   Mounts mounts_;
@@ -192,24 +191,25 @@ class Greedy {
 
 }  // namespace
 
-std::vector<double> greedy_costs(const SignalTable& table, const PlacementProblem& problem) {
-  std::vector<double> cost = objective_coefficients(table, problem);
+std::vector<double> greedy_costs(const detail::Instance& instance) {
+  std::vector<double> cost = instance.second_cost;
   for (std::size_t j = 0; j < cost.size(); ++j)
-    cost[j] += problem.combination == Combination::lexicographic ? 1.0 : table.transceivers[j].cost;
+    cost[j] += instance.problem.combination == Combination::lexicographic
+                   ? 1.0
+                   : instance.table.transceivers[j].cost;
   return cost;
 }
 
-std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem,
-                                            const detail::Effort& effort, const RunControl& control) {
-  std::vector<std::uint32_t> selected = greedy_order(table, problem, {}, effort, control);
+std::vector<std::uint32_t> greedy_selection(const detail::Instance& instance, const detail::Effort& effort,
+                                            const RunControl& control) {
+  std::vector<std::uint32_t> selected = greedy_order(instance, {}, effort, control);
   std::sort(selected.begin(), selected.end());
   return selected;
 }
 
-std::vector<std::uint32_t> greedy_order(const SignalTable& table, const PlacementProblem& problem,
-                                        std::span<const double> weight, const detail::Effort& effort,
-                                        const RunControl& control) {
-  return Greedy(table, problem, weight).run(effort, control);
+std::vector<std::uint32_t> greedy_order(const detail::Instance& instance, std::span<const double> weight,
+                                        const detail::Effort& effort, const RunControl& control) {
+  return Greedy(instance, weight).run(effort, control);
 }
 
 }  // namespace shelfbeam

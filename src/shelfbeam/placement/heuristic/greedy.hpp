@@ -6,7 +6,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam {
 
@@ -34,18 +34,17 @@ namespace shelfbeam {
 ///
 /// When `effort` is over, the remaining labels are reached in one pass over the table, each by the units that
 /// it receives best, without regard to costs.
-std::vector<std::uint32_t> greedy_selection(const SignalTable& table, const PlacementProblem& problem,
+std::vector<std::uint32_t> greedy_selection(const detail::Instance& instance,
                                             const detail::Effort& effort = {},
                                             const RunControl& control = {});
 
 /// The same units in the order of their addition, the installed ones first. Each gain and lack counts by the
 /// weight of its label (empty: 1); labels of weight 0 play no part. A unit never conflicts with an earlier
 /// one.
-std::vector<std::uint32_t> greedy_order(const SignalTable& table, const PlacementProblem& problem,
-                                        std::span<const double> weight, const detail::Effort& effort,
-                                        const RunControl& control);
+std::vector<std::uint32_t> greedy_order(const detail::Instance& instance, std::span<const double> weight,
+                                        const detail::Effort& effort, const RunControl& control);
 
 /// c(S_j) of every column.
-std::vector<double> greedy_costs(const SignalTable& table, const PlacementProblem& problem);
+std::vector<double> greedy_costs(const detail::Instance& instance);
 
 }  // namespace shelfbeam

@@ -20,7 +20,7 @@ constexpr std::size_t max_supporters = 24;
 
 class Walk {
  public:
-  Walk(const SearchInstance& instance, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
+  Walk(const Instance& instance, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
        std::uint32_t seed)
       : instance_(instance),
         all_(all),
@@ -35,7 +35,7 @@ class Walk {
     if (instance.problem.combination == Combination::weighted)
       for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(instance.cost[j]);
     for (const std::uint32_t j : start) in_[j] = true;
-    if (margin_of(instance.table, instance.problem, all, start, memory_).is_met) best_cost_ = cost();
+    if (margin_of(instance, all, start, memory_).is_met) best_cost_ = cost();
     rows_.add_hardest(start, ActiveRows::at_first);
     follow_rows();
   }
@@ -122,7 +122,7 @@ class Walk {
   // Keeps the selection if it reaches all labels; otherwise adds rows that it misses.
   bool try_on_all() {
     const std::vector<std::uint32_t> selected = selection();
-    const Margin margin = margin_of(instance_.table, instance_.problem, all_, selected, memory_);
+    const Margin margin = margin_of(instance_, all_, selected, memory_);
     if (margin.is_met) {
       if (const double price = cost(); price < best_cost_) {
         best_ = selected;
@@ -213,7 +213,7 @@ class Walk {
 
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  const SearchInstance& instance_;
+  const Instance& instance_;
   const SearchMatrix& all_;
   Receiving rule_;
   ActiveRows rows_;
@@ -232,7 +232,7 @@ class Walk {
 
 }  // namespace
 
-std::optional<Selection> local_search(const SearchInstance& instance, const SearchMatrix& all,
+std::optional<Selection> local_search(const Instance& instance, const SearchMatrix& all,
                                       const Selection& start, const Effort& effort, std::uint32_t seed,
                                       const RunControl& control) {
   return best_of_walks(seed, effort, control,

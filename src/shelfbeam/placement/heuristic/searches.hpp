@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 // Heuristic searches for a better selection; nullopt if none is found. Walks use `seed` and the following
@@ -18,7 +19,7 @@ inline constexpr std::size_t max_cells_of_walks = 250'000'000;
 /// A selection better than `start` (fewer units, or less cost if weighted), or any feasible selection if
 /// `start` is infeasible. Weighted exchanges as for set covering (Gao and others 2015), on a growing set of
 /// rows. Results have passed received_signal on all rows.
-std::optional<Selection> local_search(const SearchInstance& instance, const SearchMatrix& all,
+std::optional<Selection> local_search(const Instance& instance, const SearchMatrix& all,
                                       const Selection& start, const Effort& effort, std::uint32_t seed,
                                       const RunControl& control);
 
@@ -29,14 +30,13 @@ bool can_anneal(const PlacementProblem& problem);
 /// simulated annealing (Kirkpatrick, Gelatt and Vecchi, Science 220, 1983) of the total lack L(T) at a fixed
 /// count, which falls by one whenever a selection passes received_signal. A move exchanges one unit, mostly
 /// for one with similar signals, and costs one scan of the active rows.
-std::optional<Selection> anneal(const SearchInstance& instance, const SearchMatrix& all,
-                                const Selection& start, const Effort& effort, std::uint32_t seed,
-                                const RunControl& control);
+std::optional<Selection> anneal(const Instance& instance, const SearchMatrix& all, const Selection& start,
+                                const Effort& effort, std::uint32_t seed, const RunControl& control);
 
 /// A selection better than `start` (fewer units, or less cost if weighted), for non-cooperative problems
 /// without unit failure: row-weighting search for set covering (Gao and others, Eur. J. Oper. Res. 246, 2015)
 /// on the remainder of `reduction`, which is for the first objective. Moves need no scan of the matrix.
-std::optional<Selection> cover_search(const SearchInstance& instance, const Reduction& reduction,
+std::optional<Selection> cover_search(const Instance& instance, const Reduction& reduction,
                                       const Selection& start, const Effort& effort, std::uint32_t seed,
                                       const RunControl& control);
 

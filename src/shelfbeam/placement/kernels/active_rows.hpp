@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "shelfbeam/placement/kernels/growing_columns.hpp"
-#include "shelfbeam/placement/kernels/search_instance.hpp"
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 namespace shelfbeam::detail {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 namespace shelfbeam::detail {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 namespace shelfbeam::detail {
 

@@ -10,11 +10,9 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
-
-/// Columns of a table, ascending unless stated otherwise.
-using Selection = std::vector<std::uint32_t>;
 
 /// Walks of one local search that run side by side, each with its own seed.
 inline constexpr std::uint32_t walks_at_once = 2;

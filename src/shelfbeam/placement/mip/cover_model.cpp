@@ -35,25 +35,39 @@ milp::Row relaxed(milp::Row row) {
   return row;
 }
 
-CoverModel::CoverModel(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve,
-                       double time_limit_s, const RunControl& control, const MipKnowledge& knowledge)
-    : table_(table),
-      problem_(problem),
+CoverModel::CoverModel(const Instance& instance, const SolveFunction& solve, double time_limit_s,
+                       const RunControl& control, const MipKnowledge& knowledge,
+                       std::span<const double> weights)
+    : instance_(instance),
       solve_(solve),
       control_(control),
       knowledge_(knowledge),
+      weights_(weights),
       deadline_(time_limit_s) {}
 
+bool CoverModel::fits_with_misses(const Instance& instance) {
+  constexpr std::size_t max_entries = 400'000;
+  std::size_t entries = instance.table.entries.size();
+  if (instance.problem.redundant && instance.is_cooperative())
+    for (std::size_t i = 0; i < instance.rows(); ++i)
+      entries += instance.row(i).size() * instance.row(i).size();
+  return entries <= max_entries;
+}
+
 void CoverModel::build() {
-  model_ = model_without_failures(table_, problem_);
+  model_ = model_without_failures(instance_);
   built_ = true;
-  if (problem_.model == CommunicationModel::cooperative)
-    for (std::size_t i = 0; i < table_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
+  if (instance_.is_cooperative())
+    for (std::size_t i = 0; i < instance_.rows(); ++i) model_.rows[i] = relaxed(std::move(model_.rows[i]));
   model_.rows.insert(model_.rows.end(), knowledge_.cuts.begin(), knowledge_.cuts.end());
-  if (problem_.model == CommunicationModel::non_cooperative) return;
-  if (!problem_.redundant) return;
-  for (std::size_t i = 0; i < table_.rows(); ++i) {
-    const auto row = table_.row(i);
+  // In rows of 0 and 1 that are met by one unit, u_i need not be declared integer.
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    model_.columns.push_back({0, 0, 1, !instance_.is_cover(), {}});
+    model_.rows[i].entries.push_back({missed(i), instance_.problem.redundant ? 2.0 : 1.0});
+  }
+  if (!fails_by_rows()) return;
+  for (std::size_t i = 0; i < instance_.rows(); ++i) {
+    const auto row = instance_.row(i);
     const auto strongest =
         std::max_element(row.begin(), row.end(),
                          [](const SignalEntry& a, const SignalEntry& b) { return a.signal < b.signal; });
@@ -64,13 +78,13 @@ void CoverModel::build() {
 // The rows (i, j) of the k chosen units that reach label i add up to (k - 1) sum_j a_ij T_j >= k. As k / (k -
 // 1) falls with k, any upper bound on k is valid. The right-hand side follows the grid as in `relaxed`.
 void CoverModel::bound_label_rows(std::size_t max_units) {
-  if (!problem_.redundant || problem_.model == CommunicationModel::non_cooperative) return;
-  for (std::size_t i = 0; i < table_.rows(); ++i) {
+  if (!fails_by_rows()) return;
+  for (std::size_t i = 0; i < instance_.rows(); ++i) {
     const auto units =
-        static_cast<double>(std::max<std::size_t>(2, std::min(max_units, table_.row(i).size())));
+        static_cast<double>(std::max<std::size_t>(2, std::min(max_units, instance_.row(i).size())));
     double without = 0;
-    for (const SignalEntry& entry : table_.row(i))
-      if (const double share = entry.signal / table_.labels[i].requirement; share < negligible)
+    for (const SignalEntry& entry : instance_.row(i))
+      if (const double share = entry.signal / instance_.table.labels[i].requirement; share < negligible)
         without += share;
     const double min_sum = (1 - 2 * met_tolerance) * units / (units - 1) - without;
     model_.rows[i].lower = (std::ceil(min_sum * grid_steps) - 0.5) / grid_steps;
@@ -79,26 +93,25 @@ void CoverModel::bound_label_rows(std::size_t max_units) {
 
 bool CoverModel::add_failure(std::size_t label, std::uint32_t failed) {
   if (!failures_.emplace(label, failed).second) return false;
-  model_.rows.push_back(relaxed(failure_row(table_, label, failed)));
+  milp::Row& row = model_.rows.emplace_back(relaxed(failure_row(instance_.table, label, failed)));
+  if (may_miss()) row.entries.push_back({missed(label), 1.0});
   return true;
 }
 
 // Adds the failure rows that the selection violates; false if the model contains them all.
-bool CoverModel::add_failure_rows(const std::vector<std::uint32_t>& selected,
-                                  const std::vector<std::uint32_t>& unmet) {
-  if (!problem_.redundant || problem_.model == CommunicationModel::non_cooperative) return false;
-  std::vector<bool> chosen(table_.columns(), false);
-  for (const std::uint32_t j : selected) chosen[j] = true;
+bool CoverModel::add_failure_rows(const Selection& selected, const Selection& unmet) {
+  if (!fails_by_rows()) return false;
+  const std::vector<bool> chosen = chosen_columns(instance_, selected);
   bool added = false;
   for (const std::uint32_t i : unmet) {
     double sum = 0, largest = 0;
-    for (const SignalEntry& entry : table_.row(i)) {
+    for (const SignalEntry& entry : instance_.row(i)) {
       if (!chosen[entry.transceiver]) continue;
       sum += entry.signal;
       largest = std::max(largest, entry.signal);
     }
-    const double requirement = table_.labels[i].requirement;
-    for (const SignalEntry& entry : table_.row(i)) {
+    const double requirement = instance_.table.labels[i].requirement;
+    for (const SignalEntry& entry : instance_.row(i)) {
       if (!chosen[entry.transceiver]) continue;
       const bool breaks = entry.signal == largest || sum - entry.signal < requirement;
       if (breaks && add_failure(i, entry.transceiver)) added = true;
@@ -107,28 +120,40 @@ bool CoverModel::add_failure_rows(const std::vector<std::uint32_t>& selected,
   return added;
 }
 
-CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double known,
-                                         std::optional<std::size_t> count) {
-  Outcome outcome;
-  if (deadline_.has_passed() || control_.cancelled()) return outcome;
-  if (!built_) build();
-  for (std::size_t j = 0; j < cost.size(); ++j) {
+// Costs, and two rows at the end of the model: the number of units and the missed weight, in largest weights.
+void CoverModel::set_goal(const MipGoal& goal) {
+  const double max_cost = std::min(goal.known, knowledge_.cutoff);
+  for (std::size_t j = 0; j < goal.cost.size(); ++j) {
     milp::Column& column = model_.columns[j];
-    const bool too_dear = column.lower == 0 && cost[j] > std::min(known, knowledge_.cutoff) * (1 + 1e-9);
-    column.cost = too_dear ? 0 : cost[j];
+    const bool too_dear = column.lower == 0 && goal.cost[j] > max_cost * (1 + 1e-9);
+    column.cost = too_dear ? 0 : goal.cost[j];
     column.upper = too_dear ? 0 : 1;
   }
   for (const std::uint32_t j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
-  bound_label_rows(count ? *count : CostBounds(table_, cost).affordable(std::min(known, knowledge_.cutoff)));
-  milp::Row count_row;
-  if (count) {
-    count_row.lower = count_row.upper = static_cast<double>(*count);
-    for (std::uint32_t j = 0; j < table_.columns(); ++j) count_row.entries.push_back({j, 1.0});
+  bound_label_rows(goal.max_count < instance_.columns()
+                       ? goal.max_count
+                       : CostBounds(instance_.table, goal.cost).affordable(max_cost));
+  milp::Row count{static_cast<double>(goal.min_count), static_cast<double>(goal.max_count), {}, "units"};
+  for (std::uint32_t j = 0; j < instance_.columns(); ++j) count.entries.push_back({j, 1.0});
+  if (goal.min_count > 0 || goal.max_count < instance_.columns()) model_.rows.push_back(std::move(count));
+  const double largest = may_miss() ? *std::max_element(weights_.begin(), weights_.end()) : 0;
+  milp::Row weight{-milp::infinity, largest > 0 ? goal.max_missed / largest : 0, {}, "missed"};
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    model_.columns[missed(i)].cost = goal.price_of_misses * weights_[i];
+    if (weights_[i] > 0) weight.entries.push_back({missed(i), weights_[i] / largest});
   }
+  if (may_miss() && goal.max_missed < milp::infinity) model_.rows.push_back(std::move(weight));
+}
 
+CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
+  Outcome outcome;
+  if (deadline_.has_passed() || control_.cancelled()) return outcome;
+  if (!built_) build();
+  const bool has_cutoff = knowledge_.cutoff < milp::infinity;
+  const double step = may_miss() ? 0 : CostBounds(instance_.table, goal.cost).step();
   while (!deadline_.has_passed() && !control_.cancelled()) {
-    if (count) model_.rows.push_back(count_row);
-    const double step = CostBounds(table_, cost).step();
+    const std::size_t rows = model_.rows.size();
+    set_goal(goal);
     const milp::Result result = solve_(model_,
                                        {.time_limit_s = deadline_.seconds_left(),
                                         .relative_gap = step > 0 ? 1e-9 : 1e-6,
@@ -138,16 +163,16 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     const bool empty_handed = result.solution.empty() && !model_.columns.empty();
     const bool wrong =
         !empty_handed && milp::violation(model_, result.solution) > milp::feasibility_tolerance;
-    if (count) model_.rows.pop_back();
+    model_.rows.resize(rows);
 
     // Rows relax the rule and cuts keep every feasible selection, so this is a proof unless a selection is
     // known.
-    const bool has_cutoff = knowledge_.cutoff < milp::infinity;
-    if (result.termination == milp::Termination::infeasible && (known == milp::infinity || has_cutoff)) {
+    if (result.termination == milp::Termination::infeasible && (goal.known == milp::infinity || has_cutoff)) {
       // A solver does not see costs within its tolerance of the cut-off.
       outcome.infeasible = !has_cutoff || result.is_safe;
       if (!outcome.infeasible)
-        outcome.bound = knowledge_.cutoff - milp::objective_slack(model_, knowledge_.cutoff);
+        outcome.bound =
+            std::max(outcome.bound, knowledge_.cutoff - milp::objective_slack(model_, knowledge_.cutoff));
       break;
     }
     if (wrong || result.termination == milp::Termination::error ||
@@ -158,28 +183,34 @@ CoverModel::Outcome CoverModel::minimise(std::span<const double> cost, double kn
     const double tolerance = result.is_safe ? 0 : milp::objective_slack(model_, result.dual_bound);
     outcome.bound = std::max(outcome.bound, result.dual_bound - tolerance);
     if (empty_handed) break;
-    std::vector<std::uint32_t> selected;
-    for (std::uint32_t j = 0; j < table_.columns(); ++j)
+    Selection selected;
+    for (std::uint32_t j = 0; j < instance_.columns(); ++j)
       if (result.solution[j] > 0.5) selected.push_back(j);
-    const Check check = check_selection(table_, problem_, selected);
-    if (check.met()) {
-      outcome.proven = result.termination == milp::Termination::optimal &&
-                       supports(outcome.bound, milp::objective(model_, result.solution), cost);
-      outcome.selected = std::move(selected);
+    const Check check = instance_.check(selected);
+    Selection mistaken = check.unmet;  // labels that the solver counts as reached
+    if (may_miss())
+      std::erase_if(mistaken, [&](std::uint32_t i) { return result.solution[missed(i)] > 0.5; });
+    const bool is_optimal = result.termination == milp::Termination::optimal;
+    if (check.allowed() && (may_miss() || mistaken.empty())) {
+      outcome.proven =
+          is_optimal && supports(outcome.bound, milp::objective(model_, result.solution), goal.cost);
+      outcome.selected = selected;
+    }
+    if (mistaken.empty() || !is_optimal) {
+      outcome.failed = is_optimal && !check.allowed();  // a conflict, against the model's row
       break;
     }
-    if (result.termination != milp::Termination::optimal) break;
-    if (check.unmet.empty()) {  // a conflict, against the model's row
-      outcome.failed = true;
-      break;
-    }
-    if (!add_failure_rows(selected, check.unmet)) cut_off(selected, check.unmet.front());
+    if (!add_failure_rows(selected, mistaken))
+      for (const std::uint32_t i : mistaken) {
+        cut_off(selected, i);
+        if (!may_miss()) break;
+      }
   }
   return outcome;
 }
 
 bool CoverModel::supports(double bound, double value, std::span<const double> cost) const {
-  const CostBounds bounds(table_, cost);
+  const CostBounds bounds(instance_.table, cost);
   if (bounds.step() > 0) return bounds.rounded(bound) >= value - bounds.tolerance(value);
   constexpr double gap = 1e-6;
   return value - bound <= gap * value;
@@ -188,25 +219,24 @@ bool CoverModel::supports(double bound, double value, std::span<const double> co
 // The selection misses the label, and so does every part of it (signals are not negative). It is extended by
 // the units with the weakest signals at the label while the label stays missed. Then one of the other units
 // must be chosen.
-void CoverModel::cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label) {
-  std::vector<double> signal(table_.columns(), 0.0);
-  for (const SignalEntry& entry : table_.row(unmet_label)) signal[entry.transceiver] = entry.signal;
-  std::vector<bool> chosen(table_.columns(), false);
-  for (const std::uint32_t j : selected) chosen[j] = true;
-  std::vector<std::uint32_t> outside;
-  for (std::uint32_t j = 0; j < table_.columns(); ++j)
+void CoverModel::cut_off(const Selection& selected, std::size_t unmet_label) {
+  std::vector<double> signal(instance_.columns(), 0.0);
+  for (const SignalEntry& entry : instance_.row(unmet_label)) signal[entry.transceiver] = entry.signal;
+  std::vector<bool> chosen = chosen_columns(instance_, selected);
+  Selection outside;
+  for (std::uint32_t j = 0; j < instance_.columns(); ++j)
     if (!chosen[j]) outside.push_back(j);
   std::stable_sort(outside.begin(), outside.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return signal[a] < signal[b]; });
 
-  const double requirement = requirement_of(table_.labels[unmet_label], problem_.model);
   auto first = outside.begin();
   for (; first != outside.end(); ++first) {
     chosen[*first] = true;
-    if (is_met(received_signal(table_, unmet_label, chosen, problem_), requirement)) break;
+    if (instance_.is_reached(unmet_label, chosen)) break;
   }
   milp::Row cut{1.0, milp::infinity, {}, "cut"};
   for (; first != outside.end(); ++first) cut.entries.push_back({*first, 1.0});
+  if (may_miss()) cut.entries.push_back({missed(unmet_label), 1.0});
   model_.rows.push_back(std::move(cut));
 }
 

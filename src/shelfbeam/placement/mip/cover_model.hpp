@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/mip/mip.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -17,45 +18,67 @@ namespace shelfbeam::detail {
 /// ignored.
 milp::Row relaxed(milp::Row row);
 
-/// The rows of a placement problem for a solver, with the cuts found so far and the deadline.
+/// A question for a CoverModel: min sum_j c_j T_j + (price of missed weight) (missed weight) over selections
+/// of a number of units that miss no more weight than allowed.
+struct MipGoal {
+  std::span<const double> cost;  ///< c_j
+  /// A feasible selection costs at most this; infinite if none is known. Units that alone cost more are
+  /// omitted, so that their costs do not hide the others within the solver's tolerances.
+  double known = milp::infinity;
+  std::size_t min_count = 0, max_count = std::numeric_limits<std::size_t>::max();
+  double price_of_misses = 0, max_missed = milp::infinity;  ///< for models with weights
+};
+
+/// The rows of a placement problem for a solver, with the cuts found so far and the deadline. With weights
+/// w_i, labels may be missed: a variable u_i fills the row of label i, and the missed weight is sum_i w_i
+/// u_i.
 class CoverModel {
  public:
-  CoverModel(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve,
-             double time_limit_s, const RunControl& control, const MipKnowledge& knowledge = {});
+  /// `weights`: one per label, or none. All arguments but `knowledge` must outlive the object.
+  CoverModel(const Instance& instance, const SolveFunction& solve, double time_limit_s,
+             const RunControl& control, const MipKnowledge& knowledge = {},
+             std::span<const double> weights = {});
+
+  /// False if a model in which labels may be missed is too large to be solved to optimality.
+  static bool fits_with_misses(const Instance& instance);
 
   struct Outcome {
-    std::optional<std::vector<std::uint32_t>> selected;  ///< ascending, accepted by the checker
+    /// Ascending. The checker finds no conflict and, without weights, all labels reached.
+    std::optional<Selection> selected;
     double bound = -milp::infinity;  ///< no selection costs less, as far as the solver's tolerances tell
-    bool proven = false;             ///< the bound supports that `selected` is optimal
+    bool proven = false;             ///< the bound supports that `selected` is optimal; without weights only
     bool infeasible = false;  ///< no feasible selection exists, or safely none of cost up to the cut-off
     bool failed = false;      ///< the solver failed or contradicted what is known
   };
 
-  /// The feasible selection of minimum cost; of exactly `count` units if given. Precondition: a feasible
-  /// selection costs at most `known`; infinite if none is known. Units that alone cost more are omitted, so
-  /// that their costs do not hide the others within the solver's tolerances.
+  /// The selection of minimum cost.
   ///
   /// Bounds that are not safe are lowered by the tolerance of solvers (milp::objective_slack). `proven`
   /// requires that the bound, rounded up to CostBounds::step, is the cost of the selection, or without a
   /// step, that both differ by at most 1e-6 of the cost.
-  Outcome minimise(std::span<const double> cost, double known,
-                   std::optional<std::size_t> count = std::nullopt);
+  Outcome minimise(const MipGoal& goal);
 
  private:
+  bool may_miss() const { return !weights_.empty(); }
+  bool fails_by_rows() const { return instance_.problem.redundant && instance_.is_cooperative(); }
+  std::uint32_t missed(std::size_t label) const {
+    return static_cast<std::uint32_t>(instance_.columns() + label);
+  }
   void build();
+  void set_goal(const MipGoal& goal);
   bool supports(double bound, double value, std::span<const double> cost) const;
   void bound_label_rows(std::size_t max_units);
-  bool add_failure_rows(const std::vector<std::uint32_t>& selected, const std::vector<std::uint32_t>& unmet);
+  bool add_failure_rows(const Selection& selected, const Selection& unmet);
   bool add_failure(std::size_t label, std::uint32_t failed);
-  void cut_off(const std::vector<std::uint32_t>& selected, std::size_t unmet_label);
+  void cut_off(const Selection& selected, std::size_t unmet_label);
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const Instance& instance_;
   const SolveFunction& solve_;
   const RunControl& control_;
   MipKnowledge knowledge_;
+  std::span<const double> weights_;
   Deadline deadline_;
-  milp::Model model_;  ///< built on first use
+  milp::Model model_;  ///< built on first use; the last two rows are those of the goal
   bool built_ = false;
   /// Cooperative with unit failure: the pairs (label, unit) with a row in the model.
   std::set<std::pair<std::size_t, std::uint32_t>> failures_;

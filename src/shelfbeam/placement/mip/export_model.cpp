@@ -6,26 +6,17 @@
 
 namespace shelfbeam {
 
-std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem) {
-  if (problem.combination == Combination::lexicographic) return std::vector<double>(table.columns(), 1.0);
-  std::vector<double> cost = objective_coefficients(table, problem);
-  const bool is_spend = problem.combination == Combination::spend;
-  for (std::size_t j = 0; j < cost.size(); ++j)
-    cost[j] += is_spend ? price_to_spend(table.transceivers[j]) : table.transceivers[j].cost;
-  return cost;
-}
-
-milp::Model model_without_failures(const SignalTable& table, const PlacementProblem& problem) {
-  const bool cooperative = problem.model == CommunicationModel::cooperative;
-  const std::vector<double> cost = first_objective(table, problem);
+milp::Model model_without_failures(const detail::Instance& instance) {
+  const SignalTable& table = instance.table;
+  const bool cooperative = instance.is_cooperative();
   milp::Model model;
   for (std::size_t j = 0; j < table.columns(); ++j) {
     const SignalTable::Transceiver& unit = table.transceivers[j];
-    model.columns.push_back({cost[j], unit.installed ? 1.0 : 0.0, 1.0, true, unit.id});
+    model.columns.push_back({instance.first_cost[j], unit.installed ? 1.0 : 0.0, 1.0, true, unit.id});
   }
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    const double requirement = requirement_of(table.labels[i], problem.model);
-    const double units = problem.redundant ? 2.0 : 1.0;
+    const double requirement = instance.requirement(i);
+    const double units = instance.problem.redundant ? 2.0 : 1.0;
     milp::Row row{cooperative ? 1 - met_tolerance : units, milp::infinity, {}, table.labels[i].id};
     for (const SignalEntry& entry : table.row(i)) {
       if (cooperative)
@@ -58,7 +49,7 @@ milp::Row failure_row(const SignalTable& table, std::size_t label, std::uint32_t
 }
 
 milp::Model placement_model(const SignalTable& table, const PlacementProblem& problem) {
-  milp::Model model = model_without_failures(table, problem);
+  milp::Model model = model_without_failures({table, problem});
   if (!problem.redundant || problem.model == CommunicationModel::non_cooperative) return model;
   std::size_t entries = 0;
   for (std::size_t i = 0; i < table.rows(); ++i) entries += table.row(i).size() * (table.row(i).size() - 1);

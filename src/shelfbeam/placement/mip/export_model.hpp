@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/milp/model.hpp"
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam {
 
@@ -27,12 +27,9 @@ milp::Model placement_model(const SignalTable& table, const PlacementProblem& pr
 inline constexpr std::size_t largest_model = 20'000'000;
 
 /// The same without the failure rows (i, j), which a search adds as required (failure_row).
-milp::Model model_without_failures(const SignalTable& table, const PlacementProblem& problem);
+milp::Model model_without_failures(const detail::Instance& instance);
 
 /// The row of label i when unit j fails.
 milp::Row failure_row(const SignalTable& table, std::size_t label, std::uint32_t failed);
-
-/// The costs of that objective: 1, or c_j^T plus the coefficient in the second objective.
-std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem);
 
 }  // namespace shelfbeam

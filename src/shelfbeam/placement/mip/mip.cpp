@@ -22,8 +22,7 @@ bool closes(double bound, double value) {
 
 /// Improves the incumbent in the order of the problem's objectives.
 struct Search {
-  const SignalTable& table;
-  const PlacementProblem& problem;
+  const detail::Instance& instance;
   detail::CoverModel& model;
   std::vector<std::uint32_t> selected = {};
   double count = milp::infinity;  ///< infinite without a selection
@@ -31,8 +30,8 @@ struct Search {
 
   void offer(const std::optional<std::vector<std::uint32_t>>& candidate) {
     if (!candidate) return;
-    const bool is_weighted = problem.combination == Combination::weighted;
-    const Check check = check_selection(table, problem, *candidate);
+    const bool is_weighted = instance.is_weighted();
+    const Check check = instance.check(*candidate);
     const double new_value = check.objective + (is_weighted ? check.transceiver_cost : 0);
     const auto new_count = static_cast<double>(candidate->size());
     const bool better =
@@ -46,26 +45,28 @@ struct Search {
   /// Minimises the count; then, if it is proven, the second objective at that count.
   MipResult lexicographic() {
     MipResult answer;
-    const std::vector<double> ones = first_objective(table, problem);
-    const auto fewest = model.minimise(ones, count);
+    const std::vector<double>& ones = instance.first_cost;
+    const auto fewest = model.minimise({.cost = ones, .known = count});
     if (fewest.infeasible) return infeasible();
     offer(fewest.selected);
     answer.solver_failed = fewest.failed;
-    const double proven_count = std::clamp(CostBounds(table, ones).rounded(fewest.bound),
-                                           static_cast<double>(trivial_count_bound(table, problem)), count);
+    const double proven_count = std::clamp(instance.bounds.rounded(fewest.bound),
+                                           static_cast<double>(instance.trivial_count_bound()), count);
     answer.placement.count_lower_bound = proven_count;
     const bool is_fewest = std::isfinite(count) && proven_count == count;
-    if (problem.objective == Objective::count) {
+    if (instance.problem.objective == Objective::count) {
       set_value(answer.placement, count, proven_count, is_fewest);
       return answer;
     }
 
-    const std::vector<double> cost = objective_coefficients(table, problem);
-    const CostBounds bounds(table, cost);
+    const std::vector<double>& cost = instance.second_cost;
+    const CostBounds bounds(instance.table, cost);
     double bound = bounds.cheapest(static_cast<std::size_t>(proven_count));
     bool is_optimal = is_fewest && closes(bound, value);
     if (is_fewest && !is_optimal) {
-      const auto best = model.minimise(cost, value, static_cast<std::size_t>(count));
+      const auto units = static_cast<std::size_t>(count);
+      const auto best =
+          model.minimise({.cost = cost, .known = value, .min_count = units, .max_count = units});
       offer(best.selected);
       answer.solver_failed = answer.solver_failed || best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));
@@ -77,13 +78,13 @@ struct Search {
 
   MipResult weighted() {
     MipResult answer;
-    const std::vector<double> cost = first_objective(table, problem);
-    const CostBounds bounds(table, cost);
-    const std::size_t min_count = trivial_count_bound(table, problem);
+    const std::vector<double>& cost = instance.first_cost;
+    const CostBounds& bounds = instance.bounds;
+    const std::size_t min_count = instance.trivial_count_bound();
     double bound = bounds.cheapest(min_count);
     bool is_optimal = closes(bound, value);
     if (!is_optimal) {
-      const auto best = model.minimise(cost, value);
+      const auto best = model.minimise({.cost = cost, .known = value});
       if (best.infeasible) return infeasible();
       offer(best.selected);
       answer.solver_failed = best.failed;
@@ -122,17 +123,17 @@ SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> n
   };
 }
 
-MipResult place_by_mip(const SignalTable& table, const PlacementProblem& problem,
+MipResult place_by_mip(const detail::Instance& instance,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control, const MipKnowledge& knowledge) {
-  detail::CoverModel model(table, problem, solve, time_limit_s, control, knowledge);
-  Search search{table, problem, model};
+  detail::CoverModel model(instance, solve, time_limit_s, control, knowledge);
+  Search search{instance, model};
   search.offer(start);
   MipResult answer =
-      problem.combination == Combination::lexicographic ? search.lexicographic() : search.weighted();
-  answer.placement.problem = problem;
+      instance.problem.combination == Combination::lexicographic ? search.lexicographic() : search.weighted();
+  answer.placement.problem = instance.problem;
   answer.placement.selected = search.selected;
-  answer.placement.unit_costs = label_costs(table, problem.objective).unit;
+  answer.placement.unit_costs = label_costs(instance.table, instance.problem.objective).unit;
   return answer;
 }
 

@@ -8,6 +8,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam {
 
@@ -39,7 +40,7 @@ struct MipKnowledge {
 /// time limit covers everything. Without time `solve` may be empty, and the result is `start` with the bounds
 /// that need no search. With a cut-off in `knowledge` and without a start, `infeasible` means a safe proof
 /// that no selection costs at most the cut-off.
-MipResult place_by_mip(const SignalTable& table, const PlacementProblem& problem,
+MipResult place_by_mip(const detail::Instance& instance,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
                        double time_limit_s, const RunControl& control, const MipKnowledge& knowledge = {});
 

@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "shelfbeam/math/steps.hpp"
-#include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {
@@ -17,15 +16,6 @@ constexpr double solver_tolerance = 1e-6;
 constexpr double rounding = 1e-7;  // of a bound, before it is rounded up to a step
 
 }  // namespace
-
-std::size_t trivial_count_bound(const SignalTable& table, const PlacementProblem& problem) {
-  std::vector<std::uint32_t> installed;
-  for (std::uint32_t j = 0; j < table.columns(); ++j)
-    if (table.transceivers[j].installed) installed.push_back(j);
-  const std::size_t min_count =
-      installed.size() + (check_selection(table, problem, installed).unmet.empty() ? 0 : 1);
-  return problem.redundant && table.rows() > 0 ? std::max<std::size_t>(min_count, 2) : min_count;
-}
 
 CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {
   bool is_whole = true;

@@ -4,13 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
-
-/// Lower bound on the count without a search: the installed units, one more if they miss a label, and at
-/// least two if a unit may fail.
-std::size_t trivial_count_bound(const SignalTable& table, const PlacementProblem& problem);
 
 /// Bounds that follow from the costs of single units (not negative). Installed units are always paid for.
 class CostBounds {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -22,14 +22,13 @@ namespace shelfbeam::detail {
 /// (docs/methods/placement.md, "Reductions").
 class CoverRows {
  public:
-  CoverRows(const SignalTable& table, const PlacementProblem& problem,
-            std::size_t max_units = std::numeric_limits<std::size_t>::max())
-      : table_(table),
-        model_(problem.model),
+  CoverRows(const Instance& instance, std::size_t max_units = std::numeric_limits<std::size_t>::max())
+      : table_(instance.table),
+        model_(instance.problem.model),
         cooperative_(model_ == CommunicationModel::cooperative),
         bound_(cooperative_ ? 1 - 2 * met_tolerance : 1) {
     const auto units = static_cast<double>(std::max<std::size_t>(max_units, 2));
-    if (problem.redundant) bound_ *= cooperative_ ? units / (units - 1) : 2;
+    if (instance.problem.redundant) bound_ *= cooperative_ ? units / (units - 1) : 2;
   }
 
   double bound() const { return bound_; }

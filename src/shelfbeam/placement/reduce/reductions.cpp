@@ -59,23 +59,22 @@ std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
 
 class CoverReducer {
  public:
-  CoverReducer(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-               const std::vector<bool>& pinned, const std::function<bool()>& stop,
-               std::span<const std::uint32_t> omitted)
-      : table_(table),
+  CoverReducer(const Instance& instance, std::span<const double> cost, const std::vector<bool>& pinned,
+               const std::function<bool()>& stop, std::span<const std::uint32_t> omitted)
+      : table_(instance.table),
         stop_(stop),
         cost_(cost),
-        pinned_(pinned.empty() ? std::vector<bool>(table.columns(), false) : pinned),
-        mount_(table.columns(), no_column),
-        rows_(table.rows(), table.columns()),
-        open_(table.columns(), true),
-        forced_(table.columns(), false),
-        unmet_(table.rows(), true) {
-    const CoverRows cover(table, problem);
-    for (std::uint32_t i = 0; i < table.rows(); ++i)
+        pinned_(pinned.empty() ? std::vector<bool>(instance.columns(), false) : pinned),
+        mount_(instance.columns(), no_column),
+        rows_(instance.rows(), instance.columns()),
+        open_(instance.columns(), true),
+        forced_(instance.columns(), false),
+        unmet_(instance.rows(), true) {
+    const CoverRows cover(instance);
+    for (std::uint32_t i = 0; i < instance.rows(); ++i)
       cover.for_entries(i, [&](std::uint32_t j, double) { rows_.add(i, j); });
-    for (std::uint32_t k = 0; k < table.mounts.size(); ++k)
-      for (const std::uint32_t j : table.mounts[k]) mount_[j] = k;
+    for (std::uint32_t k = 0; k < instance.table.mounts.size(); ++k)
+      for (const std::uint32_t j : instance.table.mounts[k]) mount_[j] = k;
     for (const std::uint32_t j : omitted) open_[j] = false;
   }
 
@@ -254,10 +253,10 @@ class CoverReducer {
 
 }  // namespace
 
-Reduction reduce_cover(const SignalTable& table, const PlacementProblem& problem,
-                       std::span<const double> cost, const std::vector<bool>& pinned,
-                       const std::function<bool()>& stop, std::span<const std::uint32_t> omitted) {
-  return CoverReducer(table, problem, cost, pinned, stop, omitted).run();
+Reduction reduce_cover(const Instance& instance, std::span<const double> cost,
+                       const std::vector<bool>& pinned, const std::function<bool()>& stop,
+                       std::span<const std::uint32_t> omitted) {
+  return CoverReducer(instance, cost, pinned, stop, omitted).run();
 }
 
 }  // namespace shelfbeam::detail

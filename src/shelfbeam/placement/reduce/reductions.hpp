@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -42,8 +42,8 @@ struct Reduction {
 ///
 /// If `stop` returns true, the reduction ends early and is still valid. It is not valid if labels must be
 /// reached twice.
-Reduction reduce_cover(const SignalTable& table, const PlacementProblem& problem,
-                       std::span<const double> cost, const std::vector<bool>& pinned = {},
-                       const std::function<bool()>& stop = {}, std::span<const std::uint32_t> omitted = {});
+Reduction reduce_cover(const Instance& instance, std::span<const double> cost,
+                       const std::vector<bool>& pinned = {}, const std::function<bool()>& stop = {},
+                       std::span<const std::uint32_t> omitted = {});
 
 }  // namespace shelfbeam::detail

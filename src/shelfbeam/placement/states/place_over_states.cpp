@@ -99,7 +99,7 @@ class Solver {
   void start() {
     first_ = options_.start;
     if (first_.empty())
-      first_ = greedy_selection(cuts_.table(), master_, {.until = deadline_.end()}, control_);
+      first_ = greedy_selection({cuts_.table(), master_}, {.until = deadline_.end()}, control_);
     if (auto repaired = search_.repaired(first_, unbounded)) first_ = std::move(*repaired);
     take(first_);
   }
@@ -135,7 +135,7 @@ class Solver {
       before.back() = bound;
       options.time_limit_s = deadline.seconds_left();
       const detail::LpBound found = detail::lp_bound(
-          cuts.table(), master_, cost, milp::backends_of(options_.backend).front(), options, control_);
+          {cuts.table(), master_}, cost, milp::backends_of(options_.backend).front(), options, control_);
       bound = std::max(bound, found.dual.bound);
       control_.report(Task::placing_over_states, -1, fmt::format("at least {:.3g}", bound));
       options.rows = detail::rows_of(found);

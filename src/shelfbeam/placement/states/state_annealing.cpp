@@ -181,7 +181,7 @@ StateAnnealing::StateAnnealing(const StateTable& states, const PlacementProblem&
       allowance_(allowance),
       first_(table_of(states, 0)),
       instance_(first_, problem_),
-      matrix_(first_, problem.model) {}
+      matrix_(instance_) {}
 
 std::optional<Selection> StateAnnealing::next(const Selection& start, double reserve,
                                               const detail::Effort& effort, const RunControl& control) {

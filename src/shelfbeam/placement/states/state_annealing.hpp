@@ -6,7 +6,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/deadline.hpp"
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
 
@@ -38,7 +38,7 @@ class StateAnnealing {
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   SignalTable first_;  ///< the first state
-  detail::SearchInstance instance_;
+  detail::Instance instance_;
   detail::SearchMatrix matrix_;
   std::uint32_t seed_ = 1;
 };

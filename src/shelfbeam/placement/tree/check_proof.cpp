@@ -4,7 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
 
 namespace shelfbeam::detail {
@@ -20,10 +20,9 @@ constexpr double relaxed_target = (1 - met_tolerance) * (1 - search_tolerance);
 
 class ProofChecker {
  public:
-  ProofChecker(const SignalTable& table, const PlacementProblem& problem, const Proof& proof,
-               const CheckLimits& limits)
-      : table_(table), problem_(problem), instance_(table, problem), proof_(proof), limits_(limits) {
-    is_sum_ = problem.model == CommunicationModel::cooperative;
+  ProofChecker(const Instance& instance, const Proof& proof, const CheckLimits& limits)
+      : instance_(instance), proof_(proof), limits_(limits) {
+    is_sum_ = instance.is_cooperative();
     for (const std::uint32_t i : proof.rows) {
       rows_.push_back(dense(known(i), 1 - met_tolerance));
       if (!is_sum_) relaxed_rows_.push_back(dense(i, relaxed_target));
@@ -41,35 +40,30 @@ class ProofChecker {
  private:
   bool holds() {
     if (proof_.max_cost < 0) return true;  // costs are not negative
-    chosen_.assign(table_.columns(), false);
+    chosen_.assign(instance_.columns(), false);
     std::vector<bool> allowed = instance_.available;
     for (const std::uint32_t j : instance_.installed) take(j);
     if (instance_.installed.size() > proof_.max_units) return true;
     // A selection never exceeds all columns.
-    const std::size_t units = std::min(proof_.max_units - instance_.installed.size(), table_.columns());
+    const std::size_t units = std::min(proof_.max_units - instance_.installed.size(), instance_.columns());
     return node(allowed, units) && at_ == proof_.steps.size();
   }
 
   std::uint32_t known(std::uint32_t label) const {
-    if (label >= table_.rows()) throw std::out_of_range("the table has no such label");
+    if (label >= instance_.rows()) throw std::out_of_range("the table has no such label");
     return label;
   }
 
   // Contributions of the columns to a label: shares of its requirement, or whether a column alone supplies
   // `min_share` of it.
   std::vector<double> dense(std::uint32_t i, double min_share) const {
-    std::vector<double> row(table_.columns(), 0.0);
-    const double requirement = requirement_of(table_.labels[i], problem_.model);
-    for (const SignalEntry& entry : table_.row(i))
+    std::vector<double> row(instance_.columns(), 0.0);
+    const double requirement = instance_.requirement(i);
+    for (const SignalEntry& entry : instance_.row(i))
       row[entry.transceiver] = is_sum_                                   ? entry.signal / requirement
                                : entry.signal >= requirement * min_share ? 1.0
                                                                          : 0.0;
     return row;
-  }
-
-  bool label_is_met(std::uint32_t i) const {
-    return is_met(received_signal(table_, i, chosen_, problem_),
-                  requirement_of(table_.labels[i], problem_.model));
   }
 
   // The row's lack of `demand` (cooperative), or in units that must reach it.
@@ -79,8 +73,8 @@ class ProofChecker {
       sum += row[j];
       best = std::max(best, row[j]);
     }
-    if (is_sum_) return std::max(0.0, demand - (problem_.redundant ? sum - best : sum));
-    return std::max(0.0, (problem_.redundant ? 2 : 1) - sum);
+    if (is_sum_) return std::max(0.0, demand - (instance_.problem.redundant ? sum - best : sum));
+    return std::max(0.0, (instance_.problem.redundant ? 2 : 1) - sum);
   }
 
   void take(std::uint32_t j) {
@@ -126,7 +120,7 @@ class ProofChecker {
         case Proof::cost_fails:
           return spent_ > proof_.max_cost || taken_.size() > proof_.max_units;
         case Proof::row_fails:
-          if (const std::uint32_t row = known(next()); label_is_met(row)) return false;
+          if (const std::uint32_t row = known(next()); instance_.is_reached(row, chosen_)) return false;
           return units == 0;
         case Proof::sum_fails: {
           const Weighing w = weighing(units, allowed);
@@ -173,7 +167,7 @@ class ProofChecker {
     // Uses the search's target, which is below the exact rule: a selection that meets the exact rule meets
     // it, and near-ties count as in the search.
     const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
-    Weighing w{std::vector<double>(table_.columns(), 0.0)};
+    Weighing w{std::vector<double>(instance_.columns(), 0.0)};
     std::vector<std::uint32_t> columns;
     for (std::uint32_t j = 0; j < w.value.size(); ++j)
       if (allowed[j]) columns.push_back(j);
@@ -198,7 +192,8 @@ class ProofChecker {
 
   bool every_single_fails(const std::vector<bool>& allowed) {
     bool is_unmet = false;  // by the chosen columns alone
-    for (std::uint32_t i = 0; i < table_.rows() && !is_unmet; ++i) is_unmet = !label_is_met(i);
+    for (std::uint32_t i = 0; i < instance_.rows() && !is_unmet; ++i)
+      is_unmet = !instance_.is_reached(i, chosen_);
     if (!is_unmet) return false;
     std::vector<double> open;
     for (const auto& row : rows_) open.push_back(lacking(row));
@@ -208,7 +203,8 @@ class ProofChecker {
       for (std::size_t r = 0; r < rows_.size() && !fails; ++r) fails = rows_[r][j] < open[r] - rounding_slack;
       if (fails) continue;
       take(j);
-      for (std::uint32_t i = 0; i < table_.rows() && !fails; ++i) fails = !label_is_met(i);
+      for (std::uint32_t i = 0; i < instance_.rows() && !fails; ++i)
+        fails = !instance_.is_reached(i, chosen_);
       give_back();
       if (!fails) return false;
     }
@@ -219,11 +215,11 @@ class ProofChecker {
     const std::uint32_t label = known(next());
     const bool by_cost = next() != 0;
     const std::uint32_t count = next();
-    if (units == 0 || label_is_met(label)) return false;
+    if (units == 0 || instance_.is_reached(label, chosen_)) return false;
     const std::vector<double> row = dense(label, 1 - met_tolerance);
     const double open = lacking(row);
     const std::int64_t cost_left = proof_.max_cost - spent_;
-    std::vector<bool> listed(table_.columns(), false);
+    std::vector<bool> listed(instance_.columns(), false);
     std::vector<bool> left = allowed;
     for (std::uint32_t k = 0; k < count; ++k) {
       const std::uint32_t j = next();
@@ -250,9 +246,7 @@ class ProofChecker {
     return true;
   }
 
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
-  SearchInstance instance_;
+  const Instance& instance_;
   const Proof& proof_;
   const CheckLimits& limits_;
   bool is_sum_ = true, is_open_ = false, ran_out_ = false;
@@ -266,10 +260,9 @@ class ProofChecker {
 
 }  // namespace
 
-ProofVerdict judge_proof(const SignalTable& table, const PlacementProblem& problem, const Proof& proof,
-                         const CheckLimits& limits) {
+ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const CheckLimits& limits) {
   try {
-    return ProofChecker(table, problem, proof, limits).judge();
+    return ProofChecker(instance, proof, limits).judge();
   } catch (const std::out_of_range&) {
     return ProofVerdict::refuted;
   }

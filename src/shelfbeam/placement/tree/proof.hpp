@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
 /// The log of a tree search that found nothing: a proof that no feasible selection has at most `max_units`
-/// units and a cost of at most `max_cost` (a multiple of SearchInstance::cost_unit).
+/// units and a cost of at most `max_cost` (a multiple of Instance::cost_unit).
 ///
 /// A node has a set of chosen columns (at the root the installed units) and a set A of allowed columns; b is
 /// the number of columns that may still be added, C their maximum cost. Label i lacks r_i, and one more
@@ -69,7 +69,6 @@ enum class ProofVerdict {
 };
 
 /// Verifies a proof in double precision from the table alone, using nothing of the search but the proof.
-ProofVerdict judge_proof(const SignalTable& table, const PlacementProblem& problem, const Proof& proof,
-                         const CheckLimits& limits = {});
+ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const CheckLimits& limits = {});
 
 }  // namespace shelfbeam::detail

@@ -7,7 +7,7 @@
 
 namespace shelfbeam::detail {
 
-TreeRun::TreeRun(const SearchInstance& p, const SearchMatrix& a, const SearchMatrix& m, const TreeGoal& g,
+TreeRun::TreeRun(const Instance& p, const SearchMatrix& a, const SearchMatrix& m, const TreeGoal& g,
                  const TreeSearch::Limits& l, const RunControl& control)
     : instance(p),
       all(a),
@@ -22,7 +22,7 @@ TreeRun::TreeRun(const SearchInstance& p, const SearchMatrix& a, const SearchMat
       widest_(g.start) {
   if (goal.kind == TreeGoal::Kind::widest) {
     std::vector<float> memory;
-    margin_ = margin_of(instance.table, instance.problem, all, goal.start, memory).smallest;
+    margin_ = margin_of(instance, all, goal.start, memory).smallest;
   }
   for (std::size_t i = 0; i < matrix.rows(); ++i) is_searched_[matrix.row(i)] = true;
 }
@@ -84,7 +84,7 @@ float TreeRun::target() const {
 }
 
 Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float>& memory) {
-  const Margin margin = margin_of(instance.table, instance.problem, all, selected, memory);
+  const Margin margin = margin_of(instance, all, selected, memory);
   count_work(all.padded_rows() * selected.size());
   if (!margin.is_met) return margin;
   const std::lock_guard lock(mutex_);

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/tree/tree_search.hpp"
 
 namespace shelfbeam::detail {
@@ -15,8 +16,8 @@ namespace shelfbeam::detail {
 /// State shared by the walks of one tree search.
 class TreeRun {
  public:
-  TreeRun(const SearchInstance& instance, const SearchMatrix& all, const SearchMatrix& matrix,
-          const TreeGoal& goal, const TreeSearch::Limits& limits, const RunControl& control);
+  TreeRun(const Instance& instance, const SearchMatrix& all, const SearchMatrix& matrix, const TreeGoal& goal,
+          const TreeSearch::Limits& limits, const RunControl& control);
 
   /// A part of `whole`: starts from the present state, keeps its findings to itself, and has the share 1 /
   /// `shares` of the remaining work.
@@ -46,7 +47,7 @@ class TreeRun {
     return logged_.fetch_add(words, std::memory_order_relaxed) + words <= max_logged;
   }
 
-  const SearchInstance& instance;
+  const Instance& instance;
   const SearchMatrix& all;
   const SearchMatrix& matrix;
   const TreeGoal& goal;

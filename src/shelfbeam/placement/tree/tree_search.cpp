@@ -15,7 +15,7 @@ constexpr std::size_t rows_at_first = 128;
 
 }  // namespace
 
-TreeSearch::TreeSearch(const SearchInstance& instance, const SearchMatrix& all)
+TreeSearch::TreeSearch(const Instance& instance, const SearchMatrix& all)
     : instance_(instance), all_(all), rule_(receiving(instance.problem)) {}
 
 // The rows that multiplicative weights find hardest for `units` units.
@@ -69,7 +69,7 @@ TreeResult TreeSearch::run(const TreeGoal& given, const Limits& limits, const Ru
   TreeGoal goal = given;
   Limits left = limits;
   while (true) {
-    if (!matrix_) matrix_.emplace(instance_.table, instance_.problem.model, rows_);
+    if (!matrix_) matrix_.emplace(instance_, rows_);
     TreeRun run(instance_, all_, *matrix_, goal, left, control);
     TreeWalk root(run, weights_, 0);
     with_threads(control.threads, [&] { root.from_root(); });

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/kernels/search_instance.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
 
 namespace shelfbeam::detail {
@@ -43,7 +44,7 @@ struct TreeResult {
 class TreeSearch {
  public:
   /// The arguments must outlive the object. `all` contains all rows of the table.
-  TreeSearch(const SearchInstance& instance, const SearchMatrix& all);
+  TreeSearch(const Instance& instance, const SearchMatrix& all);
 
   /// Starts with these rows and weights, such as those of an LP and its dual solution.
   void begin_with(std::span<const std::uint32_t> rows, std::span<const double> weights);
@@ -60,7 +61,7 @@ class TreeSearch {
  private:
   void choose_rows(std::size_t units);
 
-  const SearchInstance& instance_;
+  const Instance& instance_;
   const SearchMatrix& all_;
   Receiving rule_;
   std::vector<std::uint32_t> rows_;

@@ -44,7 +44,7 @@ void ProofLog::give_up() {
 
 TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t number)
     : run_(run), log_(run, number), surrogate_(run) {
-  const SearchInstance& instance = run.instance;
+  const Instance& instance = run.instance;
   chosen_ = instance.installed;
   max_units_ = run.goal.max_units >= chosen_.size() ? run.goal.max_units - chosen_.size() : 0;
   nodes_.resize(max_units_ + 1);

@@ -8,10 +8,10 @@
 
 namespace shelfbeam::detail {
 
-CoverMatrix::CoverMatrix(const SignalTable& table, const PlacementProblem& problem,
-                         std::span<const double> costs, const Reduction& reduction) {
+CoverMatrix::CoverMatrix(const Instance& instance, std::span<const double> costs,
+                         const Reduction& reduction) {
   constexpr std::uint32_t none = ~std::uint32_t{0};
-  std::vector<std::uint32_t> place(table.columns(), none);
+  std::vector<std::uint32_t> place(instance.columns(), none);
   for (const CoverPart& part : reduction.parts)
     for (const std::uint32_t j : part.columns) {
       place[j] = static_cast<std::uint32_t>(column_of.size());
@@ -19,7 +19,7 @@ CoverMatrix::CoverMatrix(const SignalTable& table, const PlacementProblem& probl
       cost.push_back(costs[j]);
     }
   columns.resize(column_of.size());
-  const CoverRows cover(table, problem);
+  const CoverRows cover(instance);
   for (const CoverPart& part : reduction.parts)
     for (const std::uint32_t label : part.labels) {
       const auto i = static_cast<std::uint32_t>(rows.size());

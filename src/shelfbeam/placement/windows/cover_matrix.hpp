@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 namespace shelfbeam::detail {
@@ -17,8 +18,7 @@ struct CoverMatrix {
   std::vector<std::uint32_t> column_of;             ///< the table's column of every column
 
   /// All parts of the reduction together. Mounting points and pairs of columns are ignored.
-  CoverMatrix(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-              const Reduction& reduction);
+  CoverMatrix(const Instance& instance, std::span<const double> cost, const Reduction& reduction);
 };
 
 /// Parts of similar cost, where the cost of a row is the smallest share of its columns.

@@ -325,8 +325,7 @@ class WindowSearch {
 
 }  // namespace
 
-WindowBound window_bound(const SignalTable& table, const PlacementProblem& problem,
-                         std::span<const double> cost, const Reduction& reduction,
+WindowBound window_bound(const Instance& instance, std::span<const double> cost, const Reduction& reduction,
                          const WindowBoundOptions& options, const milp::Backend& backend,
                          const WindowHeuristic& heuristic, const RunControl& control) {
   double forced_cost = 0;
@@ -336,7 +335,7 @@ WindowBound window_bound(const SignalTable& table, const PlacementProblem& probl
     std::sort(selected.begin(), selected.end());
     return heuristic(selected);
   };
-  CoverMatrix cover(table, problem, cost, reduction);
+  CoverMatrix cover(instance, cost, reduction);
   if (cover.rows.empty()) return {.bound = forced_cost, .useless = {}};
   return WindowSearch(std::move(cover), forced_cost, options, backend, heuristic ? whole : heuristic, control)
       .run(options.windows);

@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 namespace shelfbeam::detail {
@@ -48,8 +49,7 @@ using WindowHeuristic = std::function<double(const std::vector<std::uint32_t>&)>
 ///
 /// The work is counted, so that the result is the same for any number of threads unless `until` comes first.
 /// Without an LP from the back end, bounds hold but take longer.
-WindowBound window_bound(const SignalTable& table, const PlacementProblem& problem,
-                         std::span<const double> cost, const Reduction& reduction,
+WindowBound window_bound(const Instance& instance, std::span<const double> cost, const Reduction& reduction,
                          const WindowBoundOptions& options, const milp::Backend& backend,
                          const WindowHeuristic& heuristic, const RunControl& control);
 

@@ -35,20 +35,19 @@ struct WindowMip {
 
 class WindowMips final : ProgressSink {
  public:
-  WindowMips(const SignalTable& table, const PlacementProblem& problem, std::span<const double> cost,
-             const WindowMipOptions& options, const milp::Backend& backend, const RunControl& control)
+  WindowMips(const Instance& instance, std::span<const double> cost, const WindowMipOptions& options,
+             const milp::Backend& backend, const RunControl& control)
       : cost_(cost),
         options_(options),
         backend_(backend),
         control_(control),
-        cover_(table, problem),
-        is_sum_(problem.model == CommunicationModel::cooperative),
-        pricing_(table, problem, table.columns()),
-        table_(table),
-        problem_(problem) {}
+        cover_(instance),
+        is_sum_(instance.is_cooperative()),
+        pricing_(instance, instance.columns()),
+        instance_(instance) {}
 
   double run() {
-    const LpBound lp = lp_bound(table_, problem_, cost_, backend_,
+    const LpBound lp = lp_bound(instance_, cost_, backend_,
                                 {.time_limit_s = seconds_left(),
                                  .cuts = false,
                                  .selections = {.without = options_.without},
@@ -119,14 +118,14 @@ class WindowMips final : ProgressSink {
     for (std::size_t k = 0; k < parts.size(); ++k) {
       std::vector<double>& share = shares[k];
       WindowMip& window = windows_.emplace_back();
-      for (std::size_t j = 0; j < share.size(); ++j) {
+      for (std::uint32_t j = 0; j < share.size(); ++j) {
         share[j] = (1 - rounding) * (all[j] > 0 ? share[j] / all[j] : 1 / static_cast<double>(parts.size()));
-        const bool is_chosen = table_.transceivers[j].installed;
+        const bool is_chosen = instance_.is_installed(j);
         window.model.columns.push_back(
             {share[j] * cost_[j], is_chosen ? 1.0 : 0.0, is_out[j] ? 0.0 : 1.0, true, {}});
       }
-      window.is_done.assign(table_.rows(), false);
-      for (std::uint32_t i = 0; i < table_.rows(); ++i) {
+      window.is_done.assign(instance_.rows(), false);
+      for (std::uint32_t i = 0; i < instance_.rows(); ++i) {
         double own = 0, total = 0;
         cover_.for_entries(i, [&](std::uint32_t j, double a) {
           own += a * a * share[j];
@@ -236,8 +235,7 @@ class WindowMips final : ProgressSink {
   CoverRows cover_;
   bool is_sum_;
   RowPricing pricing_;
-  const SignalTable& table_;
-  const PlacementProblem& problem_;
+  const Instance& instance_;
   std::vector<WindowMip> windows_;
   std::mutex mutex_;
   CancelToken enough_;  ///< the windows add up to the goal, or the run is cancelled
@@ -245,10 +243,10 @@ class WindowMips final : ProgressSink {
 
 }  // namespace
 
-double window_mip_bound(const SignalTable& table, const PlacementProblem& problem,
-                        std::span<const double> cost, const WindowMipOptions& options,
-                        const milp::Backend& backend, const RunControl& control) {
-  return WindowMips(table, problem, cost, options, backend, control).run();
+double window_mip_bound(const Instance& instance, std::span<const double> cost,
+                        const WindowMipOptions& options, const milp::Backend& backend,
+                        const RunControl& control) {
+  return WindowMips(instance, cost, options, backend, control).run();
 }
 
 }  // namespace shelfbeam::detail

@@ -10,7 +10,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/dual_bound.hpp"
-#include "shelfbeam/placement/problem/placement_problem.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
@@ -38,8 +38,8 @@ struct WindowMipOptions {
 ///
 /// Windows are asked in parallel, each on one thread. The result does not depend on the number of threads
 /// unless `until` comes first. The bound is lowered by the tolerance of solvers (milp::objective_slack).
-double window_mip_bound(const SignalTable& table, const PlacementProblem& problem,
-                        std::span<const double> cost, const WindowMipOptions& options,
-                        const milp::Backend& backend, const RunControl& control);
+double window_mip_bound(const Instance& instance, std::span<const double> cost,
+                        const WindowMipOptions& options, const milp::Backend& backend,
+                        const RunControl& control);
 
 }  // namespace shelfbeam::detail

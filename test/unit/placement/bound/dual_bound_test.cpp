@@ -123,7 +123,7 @@ TEST(DualBound, HoldsForAnyMultipliers) {
       const double size = largest * std::pow(2.0, -l);
       for (std::size_t i = 0; i < rows.size(); ++i)
         y.push_back(random.chance(0.3) ? random.real(0, size) : 0);
-      const DualBound dual = dual_bound(table, problem, rows, y, cost, selections);
+      const DualBound dual = dual_bound({table, problem}, rows, y, cost, selections);
       ASSERT_LE(dual.bound, least.cost + test::rounding(least.cost)) << k;
       if (dual.bound > 0.7 * least.cost && least.cost > 0 && least.cost < infinite) ++tight;
       for (std::size_t j = 0; j < table.columns(); ++j) {
@@ -154,7 +154,7 @@ TEST(DualBound, IsTheLpBoundAtItsMultipliers) {
   const std::vector<BoundRow> rows = {{0, {}}, {1, {}}, {2, {}}};
   const PlacementProblem problem{.model = CommunicationModel::non_cooperative};
   const std::vector<double> cost(3, 1.0);
-  const DualBound dual = dual_bound(table, problem, rows, std::vector<double>(3, 0.5), cost);
+  const DualBound dual = dual_bound({table, problem}, rows, std::vector<double>(3, 0.5), cost);
   EXPECT_NEAR(dual.bound, 1.5, 1e-12);
   EXPECT_LT(dual.bound, 1.5);
   for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(dual.reduced_cost[j], 0, 1e-12);
@@ -162,27 +162,28 @@ TEST(DualBound, IsTheLpBoundAtItsMultipliers) {
   // The same multipliers with a wrong sign, NaN or too large prove less, not more.
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double wrong : {-0.5, nan, infinite, 100.0, 1e300, 1e308})
-    EXPECT_LT(dual_bound(table, problem, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
+    EXPECT_LT(dual_bound({table, problem}, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
 }
 
 TEST(DualBound, UsesKnapsackCovers) {
   // 0.9 x + 0.4 y + 0.4 z >= 1: the row allows x = 1 and y = 1/4, the inequality of A = {x} does not.
   const SignalTable table = test::make_table({{0.9, 0.4, 0.4}}, 3);
   const std::vector<double> cost = {0, 1, 1};
-  const DualBound row = dual_bound(table, {}, std::vector<BoundRow>{{0, {}}}, std::vector<double>{2.5}, cost);
+  const DualBound row =
+      dual_bound({table, {}}, std::vector<BoundRow>{{0, {}}}, std::vector<double>{2.5}, cost);
   EXPECT_NEAR(row.bound, 0.25, 1e-6);
   const std::vector<BoundRow> cut = {{0, {0}}};
-  EXPECT_NEAR(dual_bound(table, {}, cut, std::vector<double>{1.0}, cost).bound, 1, 1e-6);
+  EXPECT_NEAR(dual_bound({table, {}}, cut, std::vector<double>{1.0}, cost).bound, 1, 1e-6);
   // If A alone suffices, the inequality is void.
   const std::vector<BoundRow> nothing = {{0, {0, 1}}};
-  EXPECT_NEAR(dual_bound(table, {}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
+  EXPECT_NEAR(dual_bound({table, {}}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
 }
 
 TEST(DualBound, UsesTheNumberOfUnits) {
   SignalTable table = test::make_table({{1, 1, 1, 1}}, 4);
   const std::vector<double> cost = {5, 2, 3, 1};
   const auto bound = [&](const detail::SelectionSet& count) {
-    return dual_bound(table, {}, {}, {}, cost, count);
+    return dual_bound({table, {}}, {}, {}, cost, count);
   };
   EXPECT_NEAR(bound({}).bound, 0, 1e-12);
   const DualBound two = bound({.min_count = 2, .max_count = 2});
@@ -203,7 +204,7 @@ TEST(DualBound, UsesThePigeonholePrinciple) {
   const std::vector<double> cost = {1, 0, 0, 0};
   const auto bound = [&](double share, std::size_t max_units) {
     const std::vector<BoundRow> rows = {{0, {}, share}};
-    return dual_bound(table, {}, rows, std::vector<double>{1.0}, cost, {.max_count = max_units}).bound;
+    return dual_bound({table, {}}, rows, std::vector<double>{1.0}, cost, {.max_count = max_units}).bound;
   };
   EXPECT_NEAR(bound(0.46, 2), 1, 1e-9);
   EXPECT_LE(bound(0.3, 3), 0);
@@ -220,7 +221,7 @@ TEST(DualBound, UsesTheCasesOfALabel) {
   const std::vector<double> price{1, 1};
   const BoundRow strong{.label = 0, .strongest = 1}, half{.label = 0, .strongest = 0.5}, plain{0};
   const auto bound = [&](const BoundRow& row, double y, const std::vector<std::uint32_t>& without) {
-    return dual_bound(table, {}, std::vector{row}, std::vector{y}, price, {.without = without});
+    return dual_bound({table, {}}, std::vector{row}, std::vector{y}, price, {.without = without});
   };
   EXPECT_NEAR(bound(strong, 1, {}).bound, 1, 1e-9);
   EXPECT_NEAR(bound(strong, 1, {}).if_chosen[1], 2, 1e-9) << "the strong one and this one";
@@ -230,8 +231,9 @@ TEST(DualBound, UsesTheCasesOfALabel) {
   EXPECT_EQ(bound(plain, 2, {0}).if_chosen[0], infinite);
   SignalTable shared = table;
   shared.mounts = {{0, 1}};
-  EXPECT_NEAR(dual_bound(shared, {}, std::vector{plain}, std::vector{2.0}, price, {.without = {0, 1}}).bound,
-              2, 1e-8)
+  EXPECT_NEAR(
+      dual_bound({shared, {}}, std::vector{plain}, std::vector{2.0}, price, {.without = {0, 1}}).bound, 2,
+      1e-8)
       << "nothing is left of the point";
 }
 
@@ -244,13 +246,13 @@ TEST(DualBound, CountsOneUnitPerMountingPoint) {
   const PlacementProblem problem{.model = CommunicationModel::non_cooperative};
   // With multiplier 3 per label: 6 - 2 (one of the two options) = 4, which is the optimum; 2 without the
   // point.
-  EXPECT_NEAR(dual_bound(table, problem, rows, std::vector<double>{3, 3}, cost).bound, 4, 1e-9);
+  EXPECT_NEAR(dual_bound({table, problem}, rows, std::vector<double>{3, 3}, cost).bound, 4, 1e-9);
   table.mounts.clear();
-  EXPECT_NEAR(dual_bound(table, problem, rows, std::vector<double>{3, 3}, cost).bound, 2, 1e-9);
+  EXPECT_NEAR(dual_bound({table, problem}, rows, std::vector<double>{3, 3}, cost).bound, 2, 1e-9);
 
   table.mounts = {{1, 2}};
   table.transceivers[2].installed = true;
-  const DualBound installed = dual_bound(table, problem, rows, std::vector<double>{3, 1}, cost);
+  const DualBound installed = dual_bound({table, problem}, rows, std::vector<double>{3, 1}, cost);
   EXPECT_NEAR(installed.bound, 4, 1e-9);
   EXPECT_EQ(installed.if_chosen[1], infinite);
   EXPECT_EQ(useless_columns(installed, 4), (std::vector<std::uint32_t>{1, 3}));

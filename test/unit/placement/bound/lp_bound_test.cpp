@@ -20,7 +20,7 @@ class LpBounds : public testing::TestWithParam<milp::Backend> {
   static LpBound bound(const SignalTable& table, const PlacementProblem& problem,
                        const std::vector<double>& cost, const detail::LpBoundOptions& options = {},
                        const RunControl& control = {}) {
-    return lp_bound(table, problem, cost, GetParam(), options, control);
+    return lp_bound({table, problem}, cost, GetParam(), options, control);
   }
 };
 
@@ -61,15 +61,15 @@ TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
 
     // The returned rows and multipliers prove the returned bound.
     ASSERT_EQ(cut.y.size(), cut.rows.size());
-    EXPECT_EQ(dual_bound(table, problem, cut.rows, cut.y, cost).bound, cut.dual.bound);
+    EXPECT_EQ(dual_bound({table, problem}, cut.rows, cut.y, cost).bound, cut.dual.bound);
     // Negative controls: with larger requirements the bound would be wrong, and half of every multiplier
     // proves less.
     SignalTable wrong = table;
     for (auto& label : wrong.labels) label.requirement *= 1.6, label.single_requirement *= 1.6;
-    if (dual_bound(wrong, problem, cut.rows, cut.y, cost).bound > best + 1e-3 * best) ++wrong_above;
+    if (dual_bound({wrong, problem}, cut.rows, cut.y, cost).bound > best + 1e-3 * best) ++wrong_above;
     std::vector<double> half = cut.y;
     for (double& y : half) y /= 2;
-    if (dual_bound(table, problem, cut.rows, half, cost).bound < cut.dual.bound - 1e-3 * best) ++above_half;
+    if (dual_bound({table, problem}, cut.rows, half, cost).bound < cut.dual.bound - 1e-3 * best) ++above_half;
   }
   EXPECT_GT(compared, 150);
   EXPECT_GT(above_relaxation, 10);
@@ -101,7 +101,7 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
     const test::BruteForce truth(table, problem);
     if (!truth.feasible) continue;
     const detail::CountBound found =
-        detail::count_bound(table, problem, GetParam(), {.time_limit_s = milp::infinity}, {});
+        detail::count_bound({table, problem}, GetParam(), {.time_limit_s = milp::infinity}, {});
     ASSERT_LE(found.count, truth.fewest);
     ASSERT_GE(static_cast<double>(found.count), found.relaxation.dual.bound);
     EXPECT_TRUE(found.complete);
@@ -113,7 +113,7 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
     for (const std::size_t most : {truth.fewest - std::min<std::size_t>(truth.fewest, 1), truth.fewest}) {
       const LpBound limited = bound(table, problem, ones, {.selections = {.max_count = most}});
       const auto is_shown = [&](double seconds, const RunControl& control) {
-        return prove_count_exceeds(table, problem, GetParam(), {.max_count = most}, limited, seconds,
+        return prove_count_exceeds({table, problem}, GetParam(), {.max_count = most}, limited, seconds,
                                    control);
       };
       if (most == truth.fewest) {
@@ -160,8 +160,8 @@ TEST_P(LpBounds, OfTheSecondaryObjectiveUseTheCount) {
 TEST_P(LpBounds, OfTheCountTestSmallerCounts) {
   std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
   for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
-  const detail::CountBound found =
-      detail::count_bound(test::make_table(matrix, 10), {}, GetParam(), {.time_limit_s = milp::infinity}, {});
+  const detail::CountBound found = detail::count_bound({test::make_table(matrix, 10), {}}, GetParam(),
+                                                       {.time_limit_s = milp::infinity}, {});
   EXPECT_LT(found.relaxation.dual.bound, 4);
   EXPECT_EQ(found.count, 5U);
   EXPECT_TRUE(found.complete);

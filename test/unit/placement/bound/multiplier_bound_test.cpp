@@ -26,7 +26,7 @@ detail::MultiplierBound bound(const SignalTable& table, const PlacementProblem& 
                               const std::vector<double>& cost, double known) {
   detail::MultiplierBoundOptions options;
   options.known = known;
-  return detail::multiplier_bound(table, problem, cost, options, {}, {});
+  return detail::multiplier_bound({table, problem}, cost, options, {}, {});
 }
 
 // All kinds of problems: the bound never exceeds the minimum, and the columns that it rules out are in no
@@ -76,11 +76,11 @@ TEST(MultiplierBound, ComesNearTheLinearProgram) {
     const SignalTable table = random_cover(120, 12000, seed);
     const std::vector<double> cost = first_objective(table, sum_alone);
     const double of_lp =
-        detail::lp_bound(table, sum_alone, cost, milp::backends().front(), {}, {}).dual.bound;
+        detail::lp_bound({table, sum_alone}, cost, milp::backends().front(), {}, {}).dual.bound;
     detail::MultiplierBoundOptions options;
     options.known = 1.2 * of_lp;
     for (std::uint32_t i = 0; i < table.rows(); ++i) options.rows.push_back({i});
-    const auto found = detail::multiplier_bound(table, sum_alone, cost, options, {}, {});
+    const auto found = detail::multiplier_bound({table, sum_alone}, cost, options, {}, {});
     EXPECT_LE(found.dual.bound, of_lp * (1 + 1e-6));
     EXPECT_GE(found.dual.bound, of_lp * (1 - 5e-3));
   }
@@ -93,7 +93,7 @@ TEST(MultiplierBound, IsTheSameForAnyNumberOfThreads) {
   detail::MultiplierBoundOptions options;
   options.known = 12;
   const auto with = [&](unsigned threads) {
-    return detail::multiplier_bound(table, {}, ones, options, {}, {.threads = threads}).dual.if_chosen;
+    return detail::multiplier_bound({table, {}}, ones, options, {}, {.threads = threads}).dual.if_chosen;
   };
   EXPECT_EQ(with(1), with(2));
 }
@@ -124,7 +124,7 @@ TEST(MultiplierGreedy, ChoosesCheapSelections) {
       best = std::min(best, check.transceiver_cost + check.objective);
       return best;
     };
-    detail::multiplier_bound(table, problem, cost, options, heuristic, {});
+    detail::multiplier_bound({table, problem}, cost, options, heuristic, {});
     if (std::isinf(best)) continue;
     ++found_some;
     ratio += best / truth.best_sum;

@@ -38,7 +38,8 @@ TEST(CoverageAnnealing, FindsTheFewestUnits) {
         weights.total() == 0)
       continue;
     ++asked;
-    const detail::CoverageAnnealing annealing(table, problem, weights);
+    const detail::Instance instance(table, problem);
+    const detail::CoverageAnnealing annealing(instance, weights);
     const auto found = annealing.for_fewer(target, all, {.steps = 5000}, 1, {.threads = 1});
     const detail::Selection selected = found.value_or(all);
     EXPECT_GE(test::weight_of(table, problem, selected), weights.in_table(target) * (1 - 1e-9));
@@ -68,7 +69,8 @@ TEST(CoverageAnnealing, FindsTheLargestWeight) {
         std::any_of(table.transceivers.begin(), table.transceivers.end(), is_installed))
       continue;
     ++asked;
-    const detail::CoverageAnnealing annealing(table, problem, weights);
+    const detail::Instance instance(table, problem);
+    const detail::CoverageAnnealing annealing(instance, weights);
     const double before = test::weight_of(table, problem, start);
     const auto found = annealing.for_more(0, start, {.steps = 5000}, 1, {.threads = 1});
     const double after = found ? test::weight_of(table, problem, *found) : before;

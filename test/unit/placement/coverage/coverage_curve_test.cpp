@@ -32,7 +32,8 @@ TEST(CoverageBound, ByHand) {
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
   const PlacementProblem problem{CommunicationModel::non_cooperative};
   const detail::LabelWeights weights(table);
-  CoverageBound bound(table, problem, weights, 2);
+  const detail::Instance instance(table, problem);
+  CoverageBound bound(instance, weights, 2);
   EXPECT_EQ(bound.weight(1), 6) << "nothing is known yet";
   bound.improve(1, 4, CoverageAim::lowest, 1, {});
   EXPECT_EQ(bound.weight(1), 4) << "one step with all multipliers 1";
@@ -51,7 +52,8 @@ TEST(CoverageBound, HoldsForAnySteps) {
     const PlacementProblem problem = tables.next_problem();
     const auto best = BruteForce::weights(table, problem);
     const detail::LabelWeights weights(table);
-    CoverageBound bound(table, problem, weights, table.columns());
+    const detail::Instance instance(table, problem);
+    CoverageBound bound(instance, weights, table.columns());
     for (int times = tables.whole(1, 3); times > 0; --times) {
       const auto units = static_cast<std::size_t>(tables.whole(0, static_cast<int>(table.columns())));
       if (!best[units]) continue;
@@ -90,7 +92,8 @@ TEST(CoverageBound, DependsNeitherOnThreadsNorOnEarlierCounts) {
     const detail::LabelWeights weights(table);
     const auto bound_after = [&](unsigned threads, bool looks_at_installed) {
       const ThreadLimit allowed(threads);
-      CoverageBound bound(table, problem, weights, table.columns());
+      const detail::Instance instance(table, problem);
+      CoverageBound bound(instance, weights, table.columns());
       if (looks_at_installed) bound.improve(installed, 0, CoverageAim::lowest, 100, {});
       bound.improve(units, 0, CoverageAim::lowest, 100, {});
       return bound.weight(units);

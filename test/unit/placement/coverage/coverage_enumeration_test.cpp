@@ -29,7 +29,8 @@ struct Enumerated : detail::CoverageEnumeration {
 Enumerated enumerate(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
                      double needed, EnumerationAim aim, std::size_t max_work = ample_work) {
   const detail::LabelWeights weights(table);
-  detail::CoverageTable dense(table, problem, weights);
+  const detail::Instance instance(table, problem);
+  detail::CoverageTable dense(instance, weights);
   detail::EnumerationLimits limits{max_work};
   Enumerated result;
   static_cast<detail::CoverageEnumeration&>(result) =

@@ -23,8 +23,8 @@ std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const
                                                  const std::vector<std::uint32_t>& start, std::uint64_t moves,
                                                  std::uint32_t seed = 1) {
   const std::vector<double> ones(table.columns(), 1.0);
-  const detail::Reduction reduction = detail::reduce_cover(table, covering, ones);
-  const detail::SearchInstance instance(table, problem);
+  const detail::Reduction reduction = detail::reduce_cover({table, covering}, ones);
+  const detail::Instance instance(table, problem);
   return detail::cover_search(instance, reduction, start, {moves}, seed, {});
 }
 
@@ -75,7 +75,7 @@ TEST(CoverSearch, FindsCheapSelectionsWithConflicts) {
     const PlacementProblem problem{.model = CommunicationModel::non_cooperative,
                                    .combination = Combination::weighted};
     const test::BruteForce truth(table, problem);
-    const auto start = greedy_selection(table, {.model = problem.model});
+    const auto start = greedy_selection({table, {.model = problem.model}});
     if (!truth.feasible || !check_selection(table, problem, start).met()) continue;
     const std::vector<double> cost = first_objective(table, problem);
     const auto value = [&](const std::vector<std::uint32_t>& selected) {
@@ -83,8 +83,8 @@ TEST(CoverSearch, FindsCheapSelectionsWithConflicts) {
       for (const std::uint32_t j : selected) sum += cost[j];
       return sum;
     };
-    const detail::Reduction reduction = detail::reduce_cover(table, problem, cost);
-    const detail::SearchInstance instance(table, problem);
+    const detail::Reduction reduction = detail::reduce_cover({table, problem}, cost);
+    const detail::Instance instance(table, problem);
     const auto found = detail::cover_search(instance, reduction, start, {500}, 1, {});
     if (!found) continue;
     ++found_some;

@@ -42,25 +42,25 @@ TEST(PlacementGreedy, FollowsAlgorithm1ByHand) {
   // one.
   SignalTable table =
       test::make_table({{1, 0, 1, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}, {0, 1, 1, 0}, {0, 1, 1, 0}}, 4);
-  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 2}));
+  EXPECT_EQ(greedy_selection({table, {alone}}), (Columns{0, 2}));
   // With a cost of links S_3 (one link) is better than S_0 (three) in the second step: 1 + 1 against 1 + 3.
-  EXPECT_EQ(greedy_selection(table, {alone, Objective::links}), (Columns{2, 3}));
+  EXPECT_EQ(greedy_selection({table, {alone, Objective::links}}), (Columns{2, 3}));
   // Weighted: S_2 at 10 loses to S_0 (1/3 each) and S_1 (1/2 each).
   table.transceivers[2].cost = 10;
-  EXPECT_EQ(greedy_selection(table, {alone, Objective::count, Combination::weighted}), (Columns{0, 1}));
-  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 2}));  // the count ignores costs
+  EXPECT_EQ(greedy_selection({table, {alone, Objective::count, Combination::weighted}}), (Columns{0, 1}));
+  EXPECT_EQ(greedy_selection({table, {alone}}), (Columns{0, 2}));  // the count ignores costs
 }
 
 TEST(PlacementGreedy, StartsFromInstalledUnits) {
   SignalTable table = test::make_table({{1, 0, 1, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}, {0, 1, 1, 0}}, 4);
   table.transceivers[1].installed = true;
-  EXPECT_EQ(greedy_selection(table, {alone}), (Columns{0, 1}));
+  EXPECT_EQ(greedy_selection({table, {alone}}), (Columns{0, 1}));
 }
 
 TEST(PlacementGreedy, FillsTheDeficitIfUnitsCooperate) {
   // Unit 0 gives 0.6 + 0.6. Unit 1 gives more in sum, 5 + 0.1, but only 1 + 0.1 of it is missing.
   const SignalTable table = test::make_table({{0.6, 5.0, 0.4}, {0.6, 0.1, 0.4}}, 3);
-  EXPECT_EQ(greedy_selection(table, {coop}), (Columns{0, 2}));
+  EXPECT_EQ(greedy_selection({table, {coop}}), (Columns{0, 2}));
 }
 
 // Chvatal's bound with every label, and H(m) exactly as stated: the classic family for which greedy takes m
@@ -73,9 +73,9 @@ TEST(PlacementGreedy, ReachesItsBoundOnTheClassicFamily) {
   for (std::size_t j = 0; j < m; ++j) table.transceivers[j].cost = 1.0 / static_cast<double>(j + 1);
   table.transceivers[m].cost = 1 + 1e-6;
   const PlacementProblem problem{alone, Objective::count, Combination::weighted};
-  const Columns selected = greedy_selection(table, problem);
+  const Columns selected = greedy_selection({table, problem});
   EXPECT_EQ(selected.size(), m);
-  const double cost = total(greedy_costs(table, problem), selected);
+  const double cost = total(greedy_costs({table, problem}), selected);
   EXPECT_NEAR(cost, harmonic(m), 1e-12);
   EXPECT_LE(cost, harmonic(m) * min_cost(table, problem));
   EXPECT_GT(cost, harmonic(m - 1) * min_cost(table, problem));  // no smaller guarantee holds
@@ -94,11 +94,11 @@ void expect_within(std::uint64_t seed, const PlacementProblem& kind, const Facto
     problem.model = kind.model;
     problem.redundant = kind.redundant;
     const double least = min_cost(table, problem);
-    const Columns selected = greedy_selection(table, problem);
+    const Columns selected = greedy_selection({table, problem});
     EXPECT_EQ(check_selection(table, problem, selected).met(), std::isfinite(least));
     if (!std::isfinite(least)) continue;
     ++solved;
-    const double cost = total(greedy_costs(table, problem), selected);
+    const double cost = total(greedy_costs({table, problem}), selected);
     EXPECT_GE(cost, least * (1 - 1e-12));
     if (const double most = factor(table, problem, selected); std::isfinite(most)) {
       EXPECT_LE(cost, most * least * (1 + 1e-9));
@@ -155,9 +155,9 @@ TEST(PlacementGreedy, ExchangesOptionsIfStuck) {
   for (const auto model : {alone, coop}) {
     const PlacementProblem problem{model, Objective::count, Combination::weighted};
     table.mounts.clear();
-    EXPECT_EQ(greedy_selection(table, problem), (Columns{0, 1}));
+    EXPECT_EQ(greedy_selection({table, problem}), (Columns{0, 1}));
     table.mounts = {{0, 1}};
-    EXPECT_EQ(greedy_selection(table, problem), (Columns{1, 2}));
+    EXPECT_EQ(greedy_selection({table, problem}), (Columns{1, 2}));
     EXPECT_TRUE(check_selection(table, problem, Columns{1, 2}).met());
   }
 }
@@ -173,7 +173,7 @@ TEST(PlacementGreedy, RespectsConflicts) {
     test::RandomTables& tables = k % 2 == 0 ? points : all;
     const SignalTable table = tables.next();
     const PlacementProblem problem = tables.next_problem();
-    const Columns selected = greedy_selection(table, problem);
+    const Columns selected = greedy_selection({table, problem});
     const Check check = check_selection(table, problem, selected);
     ASSERT_TRUE(check.allowed()) << k;
     for (std::uint32_t j = 0; j < table.columns(); ++j)
@@ -187,7 +187,7 @@ TEST(PlacementGreedy, RespectsConflicts) {
     SignalTable ignorant = table;
     ignorant.mounts.clear();
     ignorant.conflicts.clear();
-    const Check broken = check_selection(table, problem, greedy_selection(ignorant, problem));
+    const Check broken = check_selection(table, problem, greedy_selection({ignorant, problem}));
     crowded += !broken.crowded.empty();
     too_close += !broken.too_close.empty();
   }
@@ -203,10 +203,10 @@ TEST(PlacementGreedy, RespectsConflicts) {
 TEST(PlacementGreedy, ContinuesUntilAnyUnitMayFail) {
   const SignalTable table = test::make_table({{0.6, 0.5, 0.5, 0.1}}, 4);
   const PlacementProblem problem{.redundant = true};
-  EXPECT_EQ(greedy_selection(table, problem), (Columns{0, 1, 2}));
+  EXPECT_EQ(greedy_selection({table, problem}), (Columns{0, 1, 2}));
   EXPECT_TRUE(check_selection(table, problem, Columns{0, 1, 2}).met());
   EXPECT_EQ(
-      greedy_selection(test::make_table({{1, 0, 7}, {1, 1, 0}}, 3), {.model = alone, .redundant = true}),
+      greedy_selection({test::make_table({{1, 0, 7}, {1, 1, 0}}, 3), {.model = alone, .redundant = true}}),
       (Columns{0, 1, 2}));
 }
 
@@ -217,19 +217,19 @@ TEST(PlacementGreedy, EndsWithASelectionWhenItsEffortIsOver) {
   for (int k = 0; k < 2000; ++k) {
     const SignalTable table = tables.next();
     const PlacementProblem problem = tables.next_problem();
-    const bool is_feasible = check_selection(table, problem, greedy_selection(table, problem)).met();
+    const bool is_feasible = check_selection(table, problem, greedy_selection({table, problem})).met();
     for (const std::uint64_t steps : {0, 1, 2}) {
-      const Columns selected = greedy_selection(table, problem, {.steps = steps});
+      const Columns selected = greedy_selection({table, problem}, {.steps = steps});
       ASSERT_EQ(check_selection(table, problem, selected).met(), is_feasible) << k;
-      more += selected.size() > greedy_selection(table, problem).size();
+      more += selected.size() > greedy_selection({table, problem}).size();
     }
   }
   EXPECT_GT(more, 300) << "the limited effort has no effect";
 }
 
 TEST(PlacementGreedy, HandlesTablesWithoutLabelsOrUnits) {
-  EXPECT_TRUE(greedy_selection(test::make_table({}, 3), {}).empty());
-  EXPECT_TRUE(greedy_selection(test::make_table({}, 0), {}).empty());
+  EXPECT_TRUE(greedy_selection({test::make_table({}, 3), {}}).empty());
+  EXPECT_TRUE(greedy_selection({test::make_table({}, 0), {}}).empty());
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ using test::coop;
 
 std::optional<Columns> found_by(Search search, const SignalTable& table, const PlacementProblem& problem,
                                 const Columns& start, const Effort& effort, const RunControl& control = {}) {
-  const SearchInstance instance(table, problem);
-  return search(instance, SearchMatrix(table, problem.model), start, effort, 1, control);
+  const Instance instance(table, problem);
+  return search(instance, SearchMatrix(instance), start, effort, 1, control);
 }
 
 struct Tally {
@@ -44,7 +44,7 @@ Tally run(Search search, std::uint64_t seed, int cases, const test::RandomTableL
     const SignalTable table = random.next();
     PlacementProblem problem = random.next_problem();
     if (search == &anneal) problem = {.model = problem.model, .redundant = problem.redundant};
-    const SearchInstance instance(table, problem);
+    const Instance instance(table, problem);
     const auto value_of = [&](const Columns& selected) {
       if (problem.combination == Combination::weighted)
         return static_cast<double>(instance.cost_of(selected));
@@ -154,7 +154,7 @@ TEST(WalksSlow, FindTheBestKnownOfTheSupermarket) {
     std::size_t best;  ///< annealing finds one unit fewer than exchanges
   } kinds[] = {{local_search, 200'000, 26}, {anneal, 10'000'000, 25}};
   for (const auto& kind : kinds) {
-    const auto found = found_by(kind.search, table, {}, greedy_selection(table, {}), {kind.moves});
+    const auto found = found_by(kind.search, table, {}, greedy_selection({table, {}}), {kind.moves});
     ASSERT_TRUE(found);
     EXPECT_TRUE(check_selection(table, {}, *found).met());
     EXPECT_EQ(found->size(), kind.best);
@@ -176,7 +176,7 @@ TEST(SimilarColumns, AreNeighboursInARow) {
   Columns candidates;
   for (std::uint32_t j = 0; j < n; ++j)
     if (j != 51) candidates.push_back(j);
-  SimilarColumns similar(SearchMatrix(table, coop), candidates);
+  SimilarColumns similar(SearchMatrix({table, {coop}}), candidates);
   const auto near = similar.to(50);
   ASSERT_EQ(near.size(), 60U);
   EXPECT_EQ(near[0], 49U);

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/placement/kernels/coverage_kernels.hpp"
-#include "shelfbeam/placement/kernels/search_instance.hpp"
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
+#include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 namespace shelfbeam::detail {
 namespace {

@@ -124,7 +124,7 @@ TEST(PlacementExportSlow, HasTheOptimumOfThePlacement) {
     mount_control += !table.mounts.empty() && is_less(without_points);
     if (found.status == Status::infeasible) continue;
     control += is_less(without_first);
-    beyond_control += k % 3 == 2 && is_less(model_without_failures(together, problem));
+    beyond_control += k % 3 == 2 && is_less(model_without_failures({together, problem}));
   }
   EXPECT_GT(feasible, 200);
   EXPECT_GT(control, 10);

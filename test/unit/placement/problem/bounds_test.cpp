@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/placement/mip/export_model.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 
 #include "unit/placement/brute_force.hpp"
 #include "unit/placement/random_table.hpp"
@@ -23,7 +24,7 @@ TEST(PlacementBounds, HoldForEverySelection) {
     problem.combination = Combination::weighted;
     const test::BruteForce brute(table, problem);
     if (!brute.feasible) continue;
-    const std::size_t count = trivial_count_bound(table, problem);
+    const std::size_t count = detail::Instance(table, problem).trivial_count_bound();
     EXPECT_LE(count, brute.fewest);
     tight += count == brute.fewest;
 
@@ -50,9 +51,9 @@ TEST(PlacementBounds, AlwaysIncludeInstalledUnits) {
   EXPECT_EQ(bounds.fewest(10), 1U);
   EXPECT_EQ(bounds.fewest(10.1), 2U);
   EXPECT_EQ(bounds.fewest(15.1), 3U);
-  EXPECT_EQ(trivial_count_bound(table, {}), 1U);
+  EXPECT_EQ(detail::Instance(table, {}).trivial_count_bound(), 1U);
   table.entries[1].signal = 0.5;
-  EXPECT_EQ(trivial_count_bound(table, {}), 2U);
+  EXPECT_EQ(detail::Instance(table, {}).trivial_count_bound(), 2U);
 }
 
 TEST(PlacementBounds, RoundUpToTheStepOfCosts) {

@@ -111,7 +111,7 @@ TEST(PlacementChecker, RejectsBrokenSelections) {
   for (int k = 0; k < 1000; ++k) {
     const SignalTable table = tables.next();
     const PlacementProblem problem = tables.next_problem();
-    const Columns whole = greedy_selection(table, problem);
+    const Columns whole = greedy_selection({table, problem});
     if (whole.empty() || !check_selection(table, problem, whole).met()) continue;
     for (const std::uint32_t removed : whole) {
       Columns rest = whole;

@@ -128,7 +128,7 @@ TEST(Reductions, KeepTheOptimum) {
   for (int k = 0; k < 2500; ++k) {
     const Case one = random_case(random);
     const double expected = min_cost(one.table, one.cost, one.forbidden);
-    const Reduction reduction = reduce_cover(one.table, covering, one.cost, one.pinned);
+    const Reduction reduction = reduce_cover({one.table, covering}, one.cost, one.pinned);
     const double found = reduced_min_cost(one.table, one.cost, reduction, one.forbidden);
     if (expected == infinite) {
       ++infeasible;
@@ -147,11 +147,11 @@ TEST(Reductions, KeepTheOptimum) {
     const auto lost = [&](const Reduction& wrong) {
       return reduced_min_cost(one.table, one.cost, wrong, one.forbidden) > expected + 1e-9;
     };
-    if (lost(reduce_cover(one.table, covering, ones, one.pinned))) ++without_costs;
-    if (lost(reduce_cover(one.table, covering, one.cost))) ++without_pins;
+    if (lost(reduce_cover({one.table, covering}, ones, one.pinned))) ++without_costs;
+    if (lost(reduce_cover({one.table, covering}, one.cost))) ++without_pins;
     SignalTable conflicts = one.table;
     conflicts.mounts.clear();
-    if (lost(reduce_cover(conflicts, covering, one.cost, one.pinned))) ++without_points;
+    if (lost(reduce_cover({conflicts, covering}, one.cost, one.pinned))) ++without_points;
   }
   EXPECT_GT(infeasible, 40);
   EXPECT_GT(shrunk, 200);
@@ -166,7 +166,7 @@ TEST(Reductions, KeepTheOptimum) {
 TEST(Reductions, SolveEasyInstances) {
   // Only unit 1 reaches label 2, and it also reaches label 1. Unit 0 then replaces unit 2 at a lower cost.
   const SignalTable table = test::make_table({{1, 0, 1}, {1, 1, 1}, {0, 1, 0}}, 3);
-  const Reduction reduction = reduce_cover(table, covering, std::vector<double>{1, 5, 2});
+  const Reduction reduction = reduce_cover({table, covering}, std::vector<double>{1, 5, 2});
   EXPECT_EQ(reduction.forced, (std::vector<std::uint32_t>{0, 1}));
   EXPECT_TRUE(reduction.parts.empty());
   EXPECT_FALSE(reduction.infeasible);
@@ -181,7 +181,7 @@ TEST(Reductions, SplitIntoParts) {
                                               {0, 0, 0, 1, 0, 1}},
                                              6);
   const std::vector<double> cost(6, 1.0);
-  const Reduction reduction = reduce_cover(table, covering, cost);
+  const Reduction reduction = reduce_cover({table, covering}, cost);
   ASSERT_EQ(reduction.parts.size(), 2U);
   EXPECT_EQ(reduction.parts[0].labels, (std::vector<std::uint32_t>{0, 2, 3}));
   EXPECT_EQ(reduction.parts[0].columns, (std::vector<std::uint32_t>{0, 1, 2}));
@@ -189,23 +189,23 @@ TEST(Reductions, SplitIntoParts) {
   // Shared points, or unknown constraints, keep parts together.
   SignalTable shared = table;
   shared.mounts = {{2, 3}};
-  EXPECT_EQ(reduce_cover(shared, covering, cost).parts.size(), 1U);
-  EXPECT_EQ(reduce_cover(table, covering, cost, {true, false, false, false, true, false}).parts.size(), 1U);
+  EXPECT_EQ(reduce_cover({shared, covering}, cost).parts.size(), 1U);
+  EXPECT_EQ(reduce_cover({table, covering}, cost, {true, false, false, false, true, false}).parts.size(), 1U);
 }
 
 TEST(Reductions, DetectUnreachableLabels) {
-  EXPECT_TRUE(
-      reduce_cover(test::make_table({{1, 0}, {0, 0}}, 2), covering, std::vector<double>(2, 1.0)).infeasible);
+  EXPECT_TRUE(reduce_cover({test::make_table({{1, 0}, {0, 0}}, 2), covering}, std::vector<double>(2, 1.0))
+                  .infeasible);
   // Each label has a unit, but both units are options of one point.
   SignalTable table = test::make_table({{1, 0}, {0, 1}}, 2);
   table.mounts = {{0, 1}};
-  EXPECT_TRUE(reduce_cover(table, covering, std::vector<double>(2, 1.0)).infeasible);
+  EXPECT_TRUE(reduce_cover({table, covering}, std::vector<double>(2, 1.0)).infeasible);
 }
 
 TEST(Reductions, ShrinkTheSupermarket) {
   const SignalTable table =
       read_signal_table(SHELFBEAM_SOURCE_DIR "/test/data/instances/super_s1_e0_part.txt.gz");
-  const Reduction reduction = reduce_cover(table, covering, std::vector<double>(table.columns(), 1.0));
+  const Reduction reduction = reduce_cover({table, covering}, std::vector<double>(table.columns(), 1.0));
   std::size_t labels = 0;
   for (const detail::CoverPart& part : reduction.parts) labels += part.labels.size();
   EXPECT_LT(labels, 300U);

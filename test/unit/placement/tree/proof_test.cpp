@@ -20,8 +20,8 @@ using test::covering;
 
 Proof prove(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
             std::int64_t cost = std::numeric_limits<std::int64_t>::max()) {
-  const SearchInstance instance(table, problem);
-  const SearchMatrix all(table, problem.model);
+  const Instance instance(table, problem);
+  const SearchMatrix all(instance);
   TreeGoal goal;
   goal.max_units = units;
   goal.max_cost = cost;
@@ -29,7 +29,7 @@ Proof prove(const SignalTable& table, const PlacementProblem& problem, std::size
 }
 
 bool holds(const SignalTable& table, const PlacementProblem& problem, const Proof& proof) {
-  return judge_proof(table, problem, proof) == ProofVerdict::holds;
+  return judge_proof({table, problem}, proof) == ProofVerdict::holds;
 }
 
 // The optimum of A9 is 5; the log that excludes 4 has branches, filters and sums.
@@ -103,7 +103,7 @@ TEST(Proof, WithABadDualIsRefused) {
   SignalTable table = test::make_table({{1, 0.25}}, 2);
   table.transceivers[0].cost = 8;
   const PlacementProblem problem{CommunicationModel::cooperative, Objective::count, Combination::weighted};
-  const SearchInstance instance(table, problem);
+  const Instance instance(table, problem);
   Proof proof;
   proof.is_complete = true;
   proof.max_units = 1;
@@ -190,8 +190,7 @@ void mutate(test::RandomTables& random, Proof& proof) {
 }
 
 // Whether enumeration contains a selection that a proof excludes.
-bool is_false(const SearchInstance& instance, const std::vector<BruteForce::Answer>& answers,
-              const Proof& proof) {
+bool is_false(const Instance& instance, const std::vector<BruteForce::Answer>& answers, const Proof& proof) {
   return std::any_of(answers.begin(), answers.end(), [&](const auto& answer) {
     return answer.columns.size() <= proof.max_units && instance.cost_of(answer.columns) <= proof.max_cost;
   });
@@ -209,7 +208,7 @@ Fuzzed fuzz(std::uint64_t seed, int cases, const test::RandomTableLimits& limits
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
     const PlacementProblem problem = random.next_problem();
-    const SearchInstance instance(table, problem);
+    const Instance instance(table, problem);
     const auto answers = BruteForce::answers(table, problem);
     std::size_t fewest = table.columns() + 1;
     std::int64_t cheapest = std::numeric_limits<std::int64_t>::max();

@@ -27,10 +27,10 @@ struct Expected {
   std::optional<std::int64_t> min_cost;
   std::optional<Columns> widest;
 
-  Expected(const SearchInstance& instance, const TreeGoal& goal)
+  Expected(const Instance& instance, const TreeGoal& goal)
       : Expected(instance, goal, BruteForce::answers(instance.table, instance.problem)) {}
 
-  Expected(const SearchInstance& instance, const TreeGoal& goal, std::vector<BruteForce::Answer> answers)
+  Expected(const Instance& instance, const TreeGoal& goal, std::vector<BruteForce::Answer> answers)
       : allowed(std::move(answers)) {
     std::erase_if(allowed, [&](const BruteForce::Answer& answer) {
       return answer.columns.size() > goal.max_units || instance.cost_of(answer.columns) > goal.max_cost;
@@ -48,7 +48,7 @@ struct Expected {
   }
 };
 
-bool agrees(const SearchInstance& instance, const TreeGoal& goal, const TreeResult& answer,
+bool agrees(const Instance& instance, const TreeGoal& goal, const TreeResult& answer,
             const Expected& expected) {
   const auto is_allowed = [&] {
     return std::any_of(expected.allowed.begin(), expected.allowed.end(),
@@ -67,13 +67,13 @@ bool agrees(const SearchInstance& instance, const TreeGoal& goal, const TreeResu
   return false;
 }
 
-TreeResult search(const SearchInstance& instance, const TreeGoal& goal, unsigned threads = 1) {
-  const SearchMatrix all(instance.table, instance.problem.model);
+TreeResult search(const Instance& instance, const TreeGoal& goal, unsigned threads = 1) {
+  const SearchMatrix all(instance);
   return TreeSearch(instance, all).run(goal, {.wants_proof = true}, {.threads = threads});
 }
 
 // A goal that is seldom trivial or impossible; `answers` are the selections of the whole problem.
-TreeGoal random_goal(test::RandomTables& random, const SearchInstance& instance,
+TreeGoal random_goal(test::RandomTables& random, const Instance& instance,
                      const std::vector<BruteForce::Answer>& answers) {
   TreeGoal goal;
   goal.kind = static_cast<Kind>(random.whole(0, answers.empty() ? 1 : 2));
@@ -109,7 +109,7 @@ void run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = random.next();
     const PlacementProblem problem = random.next_problem();
-    const SearchInstance instance(table, problem);
+    const Instance instance(table, problem);
     const auto answers = BruteForce::answers(table, problem);
     const TreeGoal goal = random_goal(random, instance, answers);
     const TreeResult answer = search(instance, goal);
@@ -122,7 +122,7 @@ void run(std::uint64_t seed, int cases, const test::RandomTableLimits& limits) {
       }
     if (goal.kind != Kind::widest && answer.proof.is_complete) {
       ++tally.checked;
-      EXPECT_EQ(judge_proof(table, problem, answer.proof), ProofVerdict::holds);
+      EXPECT_EQ(judge_proof({table, problem}, answer.proof), ProofVerdict::holds);
     }
   }
   EXPECT_GT(tally.found, cases / 5);
@@ -153,11 +153,11 @@ TEST(TreeSearch, AddsRowsToASmallStart) {
     const SignalTable table = test::make_table(matrix, columns);
     PlacementProblem problem = random.next_problem();
     problem.redundant = random.chance(0.2);
-    const SearchInstance instance(table, problem);
+    const Instance instance(table, problem);
     const auto answers = BruteForce::answers(table, problem);
     const TreeGoal goal = random_goal(random, instance, answers);
     const Expected expected(instance, goal, answers);
-    const SearchMatrix all(table, problem.model);
+    const SearchMatrix all(instance);
     for (const std::size_t rows : {std::size_t{1}, std::size_t{0}}) {
       TreeSearch tree(instance, all);
       if (rows > 0) tree.begin_with(Columns{7}, std::vector<double>{1.0});
@@ -176,8 +176,8 @@ TEST(TreeSearch, ReportsTheLimitThatEndsIt) {
     for (double& entry : row) entry = random.real(0, 0.3);
   const SignalTable table = test::make_table(matrix, 60);
   const PlacementProblem problem;
-  const SearchInstance instance(table, problem);
-  const SearchMatrix all(table, problem.model);
+  const Instance instance(table, problem);
+  const SearchMatrix all(instance);
   TreeGoal goal;
   goal.max_units = 7;
   const TreeResult few = TreeSearch(instance, all).run(goal, {{.steps = 100}}, {});
@@ -189,7 +189,7 @@ TEST(TreeSearch, ReportsTheLimitThatEndsIt) {
   EXPECT_FALSE(none.is_complete);
   EXPECT_FALSE(none.selected);
   EXPECT_FALSE(none.proof.is_complete);
-  EXPECT_NE(judge_proof(table, problem, none.proof), ProofVerdict::holds);
+  EXPECT_NE(judge_proof({table, problem}, none.proof), ProofVerdict::holds);
 }
 
 TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
@@ -199,8 +199,8 @@ TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
     SCOPED_TRACE(testing::Message() << "case " << k);
     const SignalTable table = test::scattered_table(random, 150, 40);
     const PlacementProblem problem;
-    const SearchInstance instance(table, problem);
-    const SearchMatrix all(table, problem.model);
+    const Instance instance(table, problem);
+    const SearchMatrix all(instance);
     TreeGoal goal;
     goal.kind = k % 3 == 0 ? Kind::any : k % 3 == 1 ? Kind::cheapest : Kind::widest;
     goal.max_units = static_cast<std::size_t>(random.whole(4, 6));
@@ -227,7 +227,7 @@ TEST(TreeSearch, FindsTheSameForAnyNumberOfThreadsWhereWorkLimitsIt) {
         }
       }
       if (goal.kind != Kind::widest || !one.selected) continue;
-      const double now = margin_of(table, problem, all, *one.selected, memory).smallest;
+      const double now = margin_of({table, problem}, all, *one.selected, memory).smallest;
       if (margin) {
         EXPECT_GE(now, *margin);
         more_with_more_work += now > *margin;
@@ -245,7 +245,7 @@ TEST(TreeSearch, DistinguishesLargeMargins) {
   const SignalTable table = test::make_table({{3e6, 5e8, 0, 4e8}, {3e6, 2e6, 7e7, 4e8}}, 4);
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative}) {
     const PlacementProblem problem{model};
-    const SearchInstance instance(table, problem);
+    const Instance instance(table, problem);
     for (const std::size_t units : {1U, 2U, 3U, 4U}) {
       TreeGoal goal;
       goal.kind = Kind::widest;

@@ -50,11 +50,11 @@ TEST(WindowBound, NeverExceedsTheMinimum) {
     const double minimum = test::min_cost(table, covering, cost);
     std::vector<bool> pinned(table.columns(), false);
     for (const auto& [a, b] : table.conflicts) pinned[a] = pinned[b] = true;
-    const Reduction reduction = reduce_cover(table, covering, cost, pinned);
+    const Reduction reduction = reduce_cover({table, covering}, cost, pinned);
     if (!std::isfinite(minimum) || reduction.infeasible) continue;
     const auto windows = static_cast<std::size_t>(random.whole(1, 4));
     const WindowBound found =
-        window_bound(table, covering, cost, reduction,
+        window_bound({table, covering}, cost, reduction,
                      {.known = minimum, .max_work = 200'000, .windows = windows}, backend(), {}, {});
     ASSERT_LE(found.bound, minimum);
     ++compared;
@@ -67,8 +67,8 @@ TEST(WindowBound, NeverExceedsTheMinimum) {
 TEST(WindowBound, ExceedsTheLpOnDiscs) {
   const SignalTable table = disc_cover(10, 2.1, 75);
   const std::vector<double> cost(table.columns(), 1.0);
-  const double lp = detail::lp_bound(table, covering, cost, backend(), {}, {}).dual.bound;
-  const Reduction reduction = reduce_cover(table, covering, cost);
+  const double lp = detail::lp_bound({table, covering}, cost, backend(), {}, {}).dual.bound;
+  const Reduction reduction = reduce_cover({table, covering}, cost);
   std::vector<double> bounds;
   for (const unsigned threads : {1U, 2U}) {
     double fewest = 1e6;
@@ -77,7 +77,7 @@ TEST(WindowBound, ExceedsTheLpOnDiscs) {
       fewest = std::min(fewest, static_cast<double>(selected.size()));
       return fewest;
     };
-    bounds.push_back(window_bound(table, covering, cost, reduction,
+    bounds.push_back(window_bound({table, covering}, cost, reduction,
                                   {.known = 15, .max_work = 1'000'000, .windows = 2}, backend(), heuristic,
                                   {.threads = threads})
                          .bound);
@@ -101,9 +101,9 @@ TEST(WindowBound, ExclusionsKeepBetterSelections) {
     const double minimum = test::min_cost(table, covering, cost);
     if (!std::isfinite(minimum)) continue;
     // Without column dominance, so that some rows and columns are left.
-    const Reduction reduction = reduce_cover(table, covering, cost, std::vector<bool>(10, true));
+    const Reduction reduction = reduce_cover({table, covering}, cost, std::vector<bool>(10, true));
     const auto found = [&](double known) {
-      return window_bound(table, covering, cost, reduction,
+      return window_bound({table, covering}, cost, reduction,
                           {.known = known, .step = 1, .max_work = 400'000, .windows = 3}, backend(), {}, {});
     };
     const WindowBound of_more = found(minimum + 1);
@@ -134,9 +134,9 @@ TEST(WindowBound, AnotherLabelRaisesTheBound) {
     row[static_cast<std::size_t>(random.whole(0, 7))] = 1;
     matrix.push_back(row);
     const SignalTable table = test::make_table(matrix, 8);
-    const Reduction reduction = reduce_cover(table, covering, cost);
+    const Reduction reduction = reduce_cover({table, covering}, cost);
     if (reduction.infeasible || !std::isfinite(minimum)) continue;
-    too_much += window_bound(table, covering, cost, reduction,
+    too_much += window_bound({table, covering}, cost, reduction,
                              {.known = minimum, .max_work = 200'000, .windows = 2}, backend(), {}, {})
                             .bound > minimum + 1e-6
                     ? 1

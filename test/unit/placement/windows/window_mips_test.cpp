@@ -25,7 +25,7 @@ const PlacementProblem sums{.model = CommunicationModel::cooperative};
 double bound_of(const SignalTable& table, const PlacementProblem& problem, const std::vector<double>& cost,
                 WindowMipOptions options, unsigned threads = 1) {
   options.until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  return window_mip_bound(table, problem, cost, options, milp::backends().front(), {.threads = threads});
+  return window_mip_bound({table, problem}, cost, options, milp::backends().front(), {.threads = threads});
 }
 
 std::vector<double> random_costs(test::RandomTables& random, std::size_t columns, bool is_count) {

@@ -1,0 +1,60 @@
+#include "shelfbeam/placement/problem/instance.hpp"
+
+#include <cmath>
+#include <string_view>
+
+namespace shelfbeam::detail {
+
+Instance::Instance(const SignalTable& t, const PlacementProblem& q)
+    : table(t),
+      problem(q),
+      mounts(t),
+      available(t.columns(), true),
+      excludes(t.columns()),
+      second_cost(objective_coefficients(t, q)),
+      first_cost(first_objective(t, q)),
+      bounds(t, first_cost) {
+  const std::vector<double>& coefficients = is_weighted() ? first_cost : second_cost;
+  const double largest =
+      coefficients.empty() ? 0 : *std::max_element(coefficients.begin(), coefficients.end());
+  constexpr double bits = 60;  // of the cost of all columns together
+  if (largest > 0)
+    cost_unit = std::exp2(std::ceil(std::log2(largest) + std::log2(static_cast<double>(t.columns()))) - bits);
+  for (const double coefficient : coefficients) cost.push_back(std::llround(coefficient / cost_unit));
+  has_costs = std::any_of(cost.begin(), cost.end(), [](std::int64_t c) { return c != 0; });
+  for (std::uint32_t j = 0; j < t.columns(); ++j) {
+    mounts.for_each_conflict(j, [&](std::uint32_t other) { excludes[j].push_back(other); });
+    available[j] = mounts.available(j) && !is_installed(j);
+    if (is_installed(j)) installed.push_back(j);
+  }
+}
+
+std::size_t Instance::trivial_count_bound() const {
+  const std::size_t min_count = installed.size() + (check(installed).unmet.empty() ? 0 : 1);
+  return problem.redundant && rows() > 0 ? std::max<std::size_t>(min_count, 2) : min_count;
+}
+
+bool Instance::can_exchange(std::span<const std::uint32_t> selected) const {
+  const auto candidates = std::count(available.begin(), available.end(), true);
+  const auto chosen =
+      std::count_if(selected.begin(), selected.end(), [&](std::uint32_t j) { return available[j]; });
+  return 0 < chosen && chosen < candidates;
+}
+
+bool Instance::is_first_by_id(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
+  const auto ids = [&](std::span<const std::uint32_t> selected) {
+    std::vector<std::string_view> result;
+    for (const std::uint32_t j : selected) result.emplace_back(table.transceivers[j].id);
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  return ids(a) < ids(b);
+}
+
+std::vector<bool> chosen_columns(const Instance& instance, std::span<const std::uint32_t> selected) {
+  std::vector<bool> chosen(instance.columns(), false);
+  for (const std::uint32_t j : selected) chosen[j] = true;
+  return chosen;
+}
+
+}  // namespace shelfbeam::detail
