@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
@@ -33,14 +34,16 @@ void print_bound(const SignalTable& table, const milp::Backend& backend, double 
   const std::vector<double> ones(table.columns(), 1.0);
   detail::LpBound lp;
   const double seconds = wall_seconds([&] {
-    lp = detail::lp_bound({table, problem}, ones, backend, {.time_limit_s = limit, .cuts = false}, {});
+    lp = detail::lp_bound({table, problem}, ones, backend,
+                          {.effort = {.until = Deadline(limit).end()}, .cuts = false}, {});
   });
   fmt::print("  cooperative, {:<6} relaxation {:.4f} from {} of {} labels, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), lp.dual.bound, lp.labels.size(), table.rows(), seconds,
              lp.complete ? "" : ", stopped");
   detail::CountBound count;
-  const double with_shares = wall_seconds(
-      [&] { count = detail::count_bound({table, problem}, backend, {.time_limit_s = limit}, {}); });
+  const double with_shares = wall_seconds([&] {
+    count = detail::count_bound({table, problem}, backend, {.effort = {.until = Deadline(limit).end()}}, {});
+  });
   fmt::print("  cooperative, {:<6} count at least {} with shares, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), count.count, with_shares, count.complete ? "" : ", stopped");
   std::fflush(stdout);

@@ -25,8 +25,7 @@ MultiplierBound bound_of_open(SearchState& state, const Effort& effort, const Se
   options.selections = open;
   options.known = state.incumbent.value();
   options.step = state.instance.bounds.step();
-  options.max_steps = effort.steps;
-  options.until = effort.until;
+  options.effort = effort;
   options.rows = rows_of(state);
   const auto heuristic = [&](const SparseRows& rows, const Multipliers& now,
                              std::span<const std::uint32_t> core) {
@@ -62,8 +61,7 @@ void bound_second_by_multipliers(SearchState& state, const Effort& effort) {
   options.selections.min_count = options.selections.max_count = state.incumbent.selected().size();
   options.known = state.second->value;
   options.step = state.second->bounds.step();
-  options.max_steps = effort.steps;
-  options.until = effort.until;
+  options.effort = effort;
   state.raise_second(
       multiplier_bound(state.instance, state.instance.second_cost, options, {}, state.control).dual.bound,
       BoundProof::dual);

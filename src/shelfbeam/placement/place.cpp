@@ -72,7 +72,7 @@ MaybeSelection better_of(const Instance& instance, const Selection& first, const
 
 /// A greedy selection with the bounds that need no search.
 Placement plain_placement(const Instance& instance, const MaybeSelection& selected) {
-  Placement placement = place_by_mip(instance, selected, {}, 0, {}).placement;
+  Placement placement = place_by_mip(instance, selected, {}, {.until = {}}, {}).placement;
   placement.status = selected ? Status::feasible : Status::stopped;
   placement.solver = {Method::greedy};
   return placement;
@@ -84,8 +84,9 @@ Placement solved_placement(const Instance& instance, const MaybeSelection& known
                            const Deadline& deadline, const RunControl& control) {
   Placement placement;
   for (const milp::Backend& backend : backends) {
-    MipResult answer = place_by_mip(instance, known, limited(backend.solve, options.step_limit),
-                                    deadline.seconds_left(), control);
+    MipResult answer =
+        place_by_mip(instance, known, backend.solve,
+                     {options.step_limit.value_or(detail::any_steps), deadline.end()}, control);
     placement = std::move(answer.placement);
     placement.solver = {Method::mip, backend.full_name()};
     if (!answer.solver_failed) break;
@@ -108,8 +109,8 @@ double quick_bound(const Instance& instance, std::span<const double> cost, doubl
   quick.selections.min_count = min_count;
   quick.known = known;
   quick.step = bounds.step();
-  quick.max_steps = std::min(steps, options.step_limit.value_or(steps));
-  if (!options.step_limit) quick.until = deadline.end();
+  quick.effort.steps = std::min(steps, options.step_limit.value_or(steps));
+  if (!options.step_limit) quick.effort.until = deadline.end();
   return std::min(known,
                   bounds.rounded(detail::multiplier_bound(instance, cost, quick, {}, control).dual.bound));
 }

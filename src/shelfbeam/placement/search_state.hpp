@@ -15,6 +15,7 @@
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 #include "shelfbeam/placement/tree/tree_search.hpp"

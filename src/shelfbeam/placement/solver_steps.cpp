@@ -31,12 +31,11 @@ auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, co
   }
 }
 
-// The same for MIPs, with the step limit if there is one.
+// The same for MIPs.
 template <class Ask>
 Answer solve_mips_in_turn(SearchState& state, const Ask& ask) {
-  return ask_in_turn(state, state.solvers.preferred, [&](const milp::Backend& backend) -> Answer {
-    return ask(limited(backend.solve, state.limits.step_limit));
-  });
+  return ask_in_turn(state, state.solvers.preferred,
+                     [&](const milp::Backend& backend) -> Answer { return ask(backend.solve); });
 }
 
 void begin_tree_with(const LpBound& lp, SearchState& state) {
@@ -85,9 +84,8 @@ SignalTable table_of(const Instance& instance, std::span<const double> cost, con
 // Solves the remainder of a cover part by part for a selection of cost up to `cutoff`. The bound is that of
 // selections of the remainder, and at most just above the cut-off. `selected` is not checked yet.
 Answer place_reduced(const Instance& instance, std::span<const double> cost, const Reduction& reduction,
-                     double cutoff, const SolveFunction& solve, double time_limit_s,
+                     double cutoff, const SolveFunction& solve, const Effort& effort,
                      const RunControl& control) {
-  const Deadline deadline(time_limit_s);
   Answer answer;
   std::vector<std::uint32_t> selected = reduction.forced;
   answer.bound = 0;
@@ -105,8 +103,8 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
     sum.model = instance.problem.model;
     sum.combination = Combination::weighted;
     // The other parts cost at least their bounds so far, and at least nothing.
-    const MipResult best = place_by_mip({own, sum}, std::nullopt, solve, deadline.seconds_left(), control,
-                                        {.cutoff = cutoff - answer.bound});
+    const MipResult best =
+        place_by_mip({own, sum}, std::nullopt, solve, effort, control, {.cutoff = cutoff - answer.bound});
     answer.failed = answer.failed || best.solver_failed;
     if (best.placement.status == Status::infeasible) {
       answer.bound = milp::infinity;
@@ -137,10 +135,10 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
   nothing.bound = milp::infinity;
   if (reduction.infeasible) return nothing;
   constexpr std::uint64_t steps_per_node = 20;  // strong branching takes much longer than other steps
-  std::optional<std::uint64_t> nodes = state.limits.step_limit;
-  if (nodes) nodes = 1 + *nodes / steps_per_node;
-  return place_reduced(state.instance, state.instance.first_cost, reduction, cutoff, limited(branch, nodes),
-                       effort.seconds_left(), state.control);
+  Effort nodes = effort;
+  if (state.limits.step_limit) nodes.steps = 1 + *state.limits.step_limit / steps_per_node;
+  return place_reduced(state.instance, state.instance.first_cost, reduction, cutoff, branch, nodes,
+                       state.control);
 }
 
 // Raises the bound by proofs that no selection costs little more: their trees are small, because reduced
@@ -168,8 +166,8 @@ void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
 Answer solve_reduced(SearchState& state, const Effort& effort) {
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
     return place_reduced(state.instance, state.instance.first_cost, state.reduction(),
-                         cutoff_of(state.instance.bounds, state.incumbent.value()), solve,
-                         effort.seconds_left(), state.control);
+                         cutoff_of(state.instance.bounds, state.incumbent.value()), solve, effort,
+                         state.control);
   });
 }
 
@@ -194,7 +192,7 @@ Answer solve_whole(SearchState& state, const Effort& effort) {
   if (!state.instance.is_weighted()) first.objective = Objective::count;
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
     const MipResult mip = place_by_mip(
-        {state.instance.table, first}, std::nullopt, solve, effort.seconds_left(), state.control,
+        {state.instance.table, first}, std::nullopt, solve, effort, state.control,
         {cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless, cuts_of(state)});
     const bool is_empty = mip.placement.status == Status::infeasible;
     return Answer{.selected = mip.placement.selected,
@@ -224,8 +222,7 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   const std::vector<milp::Backend> backends = is_large ? clp_first(state) : preferred(state);
   const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
     Relaxation relaxation;
-    const LpBoundOptions options{
-        .time_limit_s = effort.seconds_left(), .selections = open, .rows = state.rows};
+    const LpBoundOptions options{.effort = {.until = effort.until}, .selections = open, .rows = state.rows};
     if (state.instance.is_weighted()) {
       relaxation = {lp_bound(state.instance, state.instance.first_cost, backend, options, state.control)};
       state.raise_open(relaxation.dual.bound, BoundProof::dual);
@@ -264,7 +261,7 @@ void bound_second_by_lp(SearchState& state, const Effort& effort) {
   const std::size_t count = state.incumbent.selected().size();
   const LpBound lp =
       lp_bound(state.instance, state.instance.second_cost, state.solvers.preferred.front(),
-               {.time_limit_s = effort.seconds_left(), .selections = {count, count}}, state.control);
+               {.effort = {.until = effort.until}, .selections = {count, count}}, state.control);
   state.raise_second(lp.dual.bound, BoundProof::dual);
   begin_tree_with(lp, state);
 }
@@ -273,7 +270,7 @@ void solve_mip_for_second(SearchState& state, const Effort& effort) {
   const Selection& best = state.incumbent.selected();
   const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
     const SecondObjective& second = *state.second;
-    CoverModel model(state.instance, solve, effort.seconds_left(), state.control,
+    CoverModel model(state.instance, solve, effort, state.control,
                      {.cutoff = cutoff_of(second.bounds, second.value)});
     const double known = state.instance.check(best).objective;
     return model.minimise({state.instance.second_cost, known, best.size(), best.size()});

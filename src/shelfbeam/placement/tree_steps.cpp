@@ -11,7 +11,7 @@ namespace {
 // The proof of an exhausted tree search, after verification of its log.
 std::optional<BoundProof> strength_of(const Proof& proof, const SearchState& state) {
   if (proof.steps.size() > state.limits.max_checked_steps) return BoundProof::search;
-  switch (judge_proof(state.instance, proof, {state.deadline.end(), state.control})) {
+  switch (judge_proof(state.instance, proof, {.until = state.deadline.end()}, state.control)) {
     case ProofVerdict::holds:
       return BoundProof::log;
     case ProofVerdict::left_open:

@@ -16,8 +16,7 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   WindowBoundOptions options;
   options.known = state.incumbent.value();
   options.step = state.instance.bounds.step();
-  options.max_work = effort.steps;
-  options.until = effort.until;
+  options.effort = effort;
   options.windows = state.incumbent.selected().size() / units_per_window;
   const auto heuristic = [&](const Selection& selected) {
     state.offer(selected);
@@ -38,8 +37,8 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
   while (!state.is_closed() && !effort.is_over(state.control)) {
     WindowMipOptions options;
     options.goal = state.incumbent.bound() + above * state.instance.bounds.step();
-    options.until = effort.until;
-    if (state.limits.step_limit) options.max_nodes = 1 + *state.limits.step_limit / steps_per_node;
+    options.effort.until = effort.until;
+    if (state.limits.step_limit) options.effort.steps = 1 + *state.limits.step_limit / steps_per_node;
     options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
     options.without = state.useless;
     options.rows = state.rows;

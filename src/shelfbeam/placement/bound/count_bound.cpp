@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/base/deadline.hpp"
-
 namespace shelfbeam::detail {
 
 namespace {
@@ -24,7 +22,6 @@ std::vector<BoundRow> rows_for(const LpBound& bound, std::size_t count) {
 
 CountBound count_bound(const Instance& instance, const milp::Backend& backend, const LpBoundOptions& options,
                        const RunControl& control) {
-  const Deadline deadline(options.time_limit_s);
   const std::vector<double> ones(instance.columns(), 1.0);
   CountBound result;
   result.relaxation = lp_bound(instance, ones, backend, options, control);
@@ -37,14 +34,13 @@ CountBound count_bound(const Instance& instance, const milp::Backend& backend, c
     // Any bound above k proves k + 1; a bound less than 1e-6 above k may be rounding.
     const double enough = static_cast<double>(result.count) + 1e-6;
     LpBoundOptions limited = options;
-    limited.time_limit_s = deadline.seconds_left();
     limited.enough = enough;
     limited.selections.max_count = result.count;
     limited.rows = std::move(rows);
     const LpBound found = lp_bound(instance, ones, backend, limited, control);
     if (found.dual.bound < enough &&
-        !(found.complete && prove_count_exceeds(instance, backend, limited.selections, found,
-                                                deadline.seconds_left(), control))) {
+        !(found.complete &&
+          prove_count_exceeds(instance, backend, limited.selections, found, options.effort, control))) {
       result.complete = found.complete;
       break;
     }

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "shelfbeam/placement/bound/lp_bound.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
@@ -29,7 +30,7 @@ CountBound count_bound(const Instance& instance, const milp::Backend& backend, c
 /// Each case has its own LP bound and is divided again if required. Ends after 64 cases, at the time limit or
 /// when cancelled; false if nothing was proven.
 bool prove_count_exceeds(const Instance& instance, const milp::Backend& backend,
-                         const SelectionSet& selections, const LpBound& open, double time_limit_s,
+                         const SelectionSet& selections, const LpBound& open, const Effort& effort,
                          const RunControl& control);
 
 }  // namespace shelfbeam::detail

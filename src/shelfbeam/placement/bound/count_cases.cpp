@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
 
@@ -23,12 +22,12 @@ struct Split {
 class Cases {
  public:
   Cases(const Instance& instance, const milp::Backend& backend, const SelectionSet& selections,
-        double time_limit_s, const RunControl& control)
+        const Effort& effort, const RunControl& control)
       : instance_(instance),
         backend_(backend),
         selections_(selections),
         enough_(static_cast<double>(selections.max_count) + 1e-6),
-        deadline_(time_limit_s),
+        effort_(effort),
         control_(control),
         cover_(instance, selections.max_count),
         ones_(instance.columns(), 1.0) {}
@@ -65,17 +64,14 @@ class Cases {
 
   bool close_case(const LpBound& open, std::vector<BoundRow> rows,
                   const std::vector<std::uint32_t>& without) {
-    const double left = deadline_.seconds_left();
-    if (left <= 0 || control_.cancelled() || ++cases_ > max_cases) return false;
+    if (effort_.is_over(control_) || ++cases_ > max_cases) return false;
     control_.report(Task::bound, -1, fmt::format("at most {} units, case {}", selections_.max_count, cases_));
     SelectionSet selections = selections_;
     selections.without = without;
-    const LpBound bound = lp_bound(instance_, ones_, backend_,
-                                   {.time_limit_s = left,
-                                    .enough = enough_,
-                                    .selections = std::move(selections),
-                                    .rows = std::move(rows)},
-                                   {control_.threads, control_.cancel});
+    const LpBound bound = lp_bound(
+        instance_, ones_, backend_,
+        {.effort = effort_, .enough = enough_, .selections = std::move(selections), .rows = std::move(rows)},
+        {control_.threads, control_.cancel});
     if (bound.dual.bound >= enough_) return true;
     // Gives up if more than `deepest` further levels would be required at this pace.
     const double gained = bound.dual.bound - open.dual.bound, lacking = enough_ - bound.dual.bound;
@@ -126,7 +122,7 @@ class Cases {
   const milp::Backend& backend_;
   const SelectionSet& selections_;
   double enough_;
-  Deadline deadline_;
+  Effort effort_;
   const RunControl& control_;
   CoverRows cover_;
   std::vector<double> ones_;
@@ -136,11 +132,11 @@ class Cases {
 }  // namespace
 
 bool prove_count_exceeds(const Instance& instance, const milp::Backend& backend,
-                         const SelectionSet& selections, const LpBound& open, double time_limit_s,
+                         const SelectionSet& selections, const LpBound& open, const Effort& effort,
                          const RunControl& control) {
   constexpr double max_lacking = 0.5;
   if (open.dual.bound < static_cast<double>(selections.max_count) - max_lacking) return false;
-  return Cases(instance, backend, selections, time_limit_s, control).close(open, selections.without);
+  return Cases(instance, backend, selections, effort, control).close(open, selections.without);
 }
 
 }  // namespace shelfbeam::detail

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/cover_cuts.hpp"
 #include "shelfbeam/placement/bound/row_pricing.hpp"
@@ -22,8 +21,7 @@ class RowGeneration {
  public:
   RowGeneration(const Instance& instance, std::span<const double> cost, const milp::Backend& backend,
                 const LpBoundOptions& options, const RunControl& control)
-      : deadline_(options.time_limit_s),
-        instance_(instance),
+      : instance_(instance),
         cost_(cost),
         options_(options),
         control_(control),
@@ -99,8 +97,8 @@ class RowGeneration {
   }
 
   bool solve() {
-    if (deadline_.has_passed()) return false;
-    milp::LpResult solved = lp_->solve(deadline_.seconds_left(), control_);
+    if (options_.effort.seconds_left() <= 0) return false;
+    milp::LpResult solved = lp_->solve(options_.effort.seconds_left(), control_);
     if (solved.termination != milp::Termination::optimal) return false;
     ++result_.rounds;
     result_.x = std::move(solved.x);
@@ -141,7 +139,6 @@ class RowGeneration {
     return batch;
   }
 
-  Deadline deadline_;
   const Instance& instance_;
   std::span<const double> cost_;
   const LpBoundOptions& options_;

@@ -9,12 +9,13 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/dual_bound.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
 struct LpBoundOptions {
-  double time_limit_s = 60;
+  Effort effort = {};                                       ///< its time alone
   double enough = std::numeric_limits<double>::infinity();  ///< a bound of this size ends the search
   /// Cuts for cooperative problems: knapsack covers, and share cuts if the count is limited.
   bool cuts = true;

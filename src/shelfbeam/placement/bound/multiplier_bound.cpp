@@ -38,7 +38,7 @@ class Bounding {
       const std::vector<double> x = improve(few_steps);
       constexpr double missed = 0.02;  // averages of few steps are no better
       const auto batch = pricing.violated(x, missed, 50 + instance_.columns() / 4, is_row_);
-      if (batch.empty() || control_.cancelled() || std::chrono::steady_clock::now() >= options_.until) break;
+      if (batch.empty() || options_.effort.is_over(control_)) break;
       for (const auto& row : batch) add(row.label);
     }
     return std::move(best_);
@@ -63,8 +63,8 @@ class Bounding {
     steps.max_count = options_.selections.max_count - std::min(options_.selections.max_count, chosen);
     steps.known = options_.known;
     steps.step = options_.step;
-    steps.max_steps = std::min(options_.max_steps, rows.entries() < small ? few_steps : enough);
-    steps.until = options_.until;
+    steps.effort = options_.effort;
+    steps.effort.steps = std::min(options_.effort.steps, rows.entries() < small ? few_steps : enough);
     PrimalHeuristic heuristic;
     if (heuristic_)
       heuristic = [&](const Multipliers& now, std::span<const std::uint32_t> core) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/placement/bound/subgradient.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
@@ -20,10 +20,9 @@ struct MultiplierBound {
 
 struct MultiplierBoundOptions {
   SelectionSet selections = {};  ///< the bound holds for these selections
-  double known = 0;  ///< cost of a selection, which the steps aim at; any positive number is valid
-  double step = 0;   ///< SubgradientOptions::step
-  std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max();  ///< per set of rows
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  double known = 0;    ///< cost of a selection, which the steps aim at; any positive number is valid
+  double step = 0;     ///< SubgradientOptions::step
+  Effort effort = {};  ///< its steps: per set of rows
   /// The labels whose rows are used. Empty: the labels of smallest total sum_j a_ij per strongest unit, to
   /// which labels are added that the relaxation misses.
   std::vector<BoundRow> rows = {};
@@ -35,7 +34,7 @@ using RowHeuristic =
 
 /// A lower bound on the cost of the selections by dual ascent and subgradient steps, without a solver; costs
 /// must not be negative. The work is counted, so the result is the same for any number of threads unless
-/// `until` comes first.
+/// the time comes first.
 MultiplierBound multiplier_bound(const Instance& instance, std::span<const double> cost,
                                  const MultiplierBoundOptions& options, const RowHeuristic& heuristic,
                                  const RunControl& control);

@@ -34,7 +34,7 @@ class Dual {
 
   Multipliers run() {
     price_all();
-    for (std::uint64_t step = 1; step <= options_.max_steps && rows_.rows() > 0; ++step) {
+    for (std::uint64_t step = 1; step <= options_.effort.steps && rows_.rows() > 0; ++step) {
       if (is_over(step) || !move()) break;
       if (step % pricing_period_ == 0)
         price_all();
@@ -51,8 +51,7 @@ class Dual {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
   bool is_over(std::size_t step) const {
-    return is_closed() ||
-           (step % 16 == 0 && (control_.cancelled() || std::chrono::steady_clock::now() >= options_.until));
+    return is_closed() || (step % 16 == 0 && options_.effort.is_over(control_));
   }
   bool is_closed() const { return best_.bound > next_better(known_, options_.step); }
 

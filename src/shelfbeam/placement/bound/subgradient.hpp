@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,6 +9,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/bound/sparse_rows.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 
 namespace shelfbeam::detail {
 
@@ -34,8 +34,7 @@ struct SubgradientOptions {
   std::size_t max_count = std::numeric_limits<std::size_t>::max();
   double known = 0;  ///< cost of the best selection known
   double step = 1;   ///< costs are multiples of this: a bound above known - step ends the search
-  std::uint64_t max_steps = 600;
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  Effort effort = {.steps = 600};
 };
 
 /// Maximises the Lagrangian dual

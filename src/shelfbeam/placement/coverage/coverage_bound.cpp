@@ -198,19 +198,19 @@ void CoverageBound::keep_to(std::size_t units) {
       chosen_[j] *= static_cast<float>(std::min(factor, 1 / sum));
 }
 
-std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAim aim, std::size_t steps,
-                                   const RunControl& control, Clock::time_point until) {
+std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAim aim,
+                                   const detail::Effort& effort, const RunControl& control) {
   constexpr std::size_t between_bounds = 25, max_steps = 2000;
   constexpr double first_length = 1, shorter_after = 50, precision = 1e-6, worthwhile = 0.005;
   constexpr float least = 1e-12F;
-  if (units == 0 || steps == 0 || weight(units) <= reached || control.cancelled()) return 0;
+  if (units == 0 || effort.steps == 0 || weight(units) <= reached || control.cancelled()) return 0;
   std::vector<Multipliers> y(rows(), Multipliers{1});
   if (!std::exchange(has_plain_bounds_, true)) evaluate(units, y);
   if (units <= installed_count_) return 1;
   keep_to(units);
   std::vector<double> slope;
   double lowest = 0, sum_of_shares = 0;  // the relaxation has no bound below `lowest`
-  steps = std::min(steps, max_steps);
+  const std::size_t steps = std::min<std::uint64_t>(effort.steps, max_steps);
   std::size_t step = 1;
   for (bool goes_on = true; goes_on && step < steps; ++step) {
     // Later steps count more.
@@ -220,7 +220,7 @@ std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAi
     double steepest = 0;
     for (std::size_t j = 0; j < slope.size(); ++j)
       if (!installed_[j] && chosen_[j] > 0) steepest = std::max(steepest, slope[j]);
-    goes_on = steepest > 0 && step + 1 < steps && !control.cancelled() && Clock::now() < until;
+    goes_on = steepest > 0 && step + 1 < steps && !effort.is_over(control);
     if (step % between_bounds == 0 || !goes_on) {
       evaluate(units, y);
       const double floor = lowest * (1 - precision), above = weight(units) - floor;

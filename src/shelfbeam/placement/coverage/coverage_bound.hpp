@@ -10,6 +10,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/kernels/coverage_kernels.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 
@@ -46,8 +47,8 @@ class CoverageBound {
   /// Takes at most `steps` steps for `units`, starting from the T of the last ones. Ends early if the bound
   /// falls to `reached`, if the relaxation has no bound that serves the aim better, or at `until`. Returns
   /// the number of steps.
-  std::size_t improve(std::size_t units, double reached, CoverageAim aim, std::size_t steps,
-                      const RunControl& control, Clock::time_point until = Clock::time_point::max());
+  std::size_t improve(std::size_t units, double reached, CoverageAim aim, const detail::Effort& effort,
+                      const RunControl& control);
 
   /// Matrix entries that one step examines.
   std::size_t entries() const { return column_.size(); }

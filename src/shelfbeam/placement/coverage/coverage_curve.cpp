@@ -139,7 +139,8 @@ class Curve {
       if (is_over()) break;
       report(0.5, point);
       const Clock::time_point end = part_of_rest(last, points);
-      steps -= bound.improve(point.units, point.at_least, CoverageAim::lowest, steps / points, control_, end);
+      steps -=
+          bound.improve(point.units, point.at_least, CoverageAim::lowest, {steps / points, end}, control_);
       is_cut_short(end);
       --points;
     }
@@ -149,12 +150,12 @@ class Curve {
   // The first counts, as far as the work suffices; the last point reaches everything.
   void enumerate() {
     detail::CoverageTable dense(instance_, weights_);
-    detail::EnumerationLimits limits{detail::enumeration_work, until_};
+    detail::Effort left{detail::enumeration_work, until_};
     for (Point& point : points_) {
       rise();
       if (point.at_least >= point.at_most) continue;
       const auto found = enumerate_coverage(dense, weights_, point.units, point.at_least + weights_.step(),
-                                            detail::EnumerationAim::best, limits, control_);
+                                            detail::EnumerationAim::best, left, control_);
       if (found.selected) offer(*found.selected);
       if (!found.is_complete) return;
       rise();

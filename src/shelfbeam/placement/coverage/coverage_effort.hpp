@@ -5,24 +5,29 @@
 #include <vector>
 
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 
 namespace shelfbeam::detail {
 
 // Work of the methods of max coverage, in matrix entries examined, so that results do not depend on the
 // machine. The bound takes about ten seconds on one core.
-inline constexpr std::size_t coverage_bound_work = 12'000'000'000;
-inline constexpr std::size_t enumeration_work = 50'000'000'000;
+inline constexpr std::uint64_t coverage_bound_work = 12'000'000'000;
+inline constexpr std::uint64_t enumeration_work = 50'000'000'000;
 
-/// The part of `work` that PlaceOptions::step_limit allows: a step looks at all entries once.
-inline std::size_t allowed_work(std::size_t work, const PlaceOptions& options, const SignalTable& table) {
-  const std::size_t step = table.entries.size() + 1;
-  if (!options.step_limit || *options.step_limit > work / step) return work;
-  return *options.step_limit * step;
+/// The part of `work` that an effort allows: a step looks at all entries once.
+inline std::uint64_t allowed_work(std::uint64_t work, const Effort& effort, const SignalTable& table) {
+  const std::uint64_t step = table.entries.size() + 1;
+  return effort.steps > work / step ? work : effort.steps * step;
 }
 
 /// Steps of CoverageBound, each of which examines its entries twice.
-inline std::size_t bound_steps(std::size_t entries, const PlaceOptions& options, const SignalTable& table) {
-  return 1 + allowed_work(coverage_bound_work, options, table) / (2 * entries + 1);
+inline std::uint64_t bound_steps(std::size_t entries, const Effort& effort, const SignalTable& table) {
+  return 1 + allowed_work(coverage_bound_work, effort, table) / (2 * entries + 1);
+}
+
+/// That of `enumerate_coverage`, its steps in matrix entries.
+inline Effort enumeration_effort(const Effort& effort, const SignalTable& table) {
+  return {allowed_work(enumeration_work, effort, table), effort.until};
 }
 
 /// Moves of an annealing before the bounds.

@@ -64,13 +64,13 @@ struct Progress {
 class Search {
  public:
   Search(const CoverageTable& table, const LabelWeights& weights, std::size_t units, double needed,
-         EnumerationAim aim, const EnumerationLimits& limits, const RunControl& control)
+         EnumerationAim aim, const Effort& left, const RunControl& control)
       : table_(table),
         weights_(weights),
         units_(units),
         needed_(needed),
         aim_(aim),
-        limits_(limits),
+        left_(left),
         control_(control),
         padded_(table.padded_labels()) {
     // A float's rounding error is below 6e-8 of it, and a lane adds up this many.
@@ -150,10 +150,9 @@ class Search {
 
   bool is_over() {
     // A hopeless search ends early: most of the work is in the first subtrees.
-    const auto work = static_cast<double>(work_), max_work = static_cast<double>(limits_.work_left);
+    const auto work = static_cast<double>(work_), max_work = static_cast<double>(left_.steps);
     const bool is_hopeless = work > 0.02 * max_work && work > 4 * max_work * progress_.end();
-    is_cut_short_ = is_cut_short_ || is_hopeless || work_ >= limits_.work_left || control_.cancelled() ||
-                    std::chrono::steady_clock::now() >= limits_.until;
+    is_cut_short_ = is_cut_short_ || is_hopeless || work_ >= left_.steps || left_.is_over(control_);
     return is_cut_short_ || is_done_;
   }
 
@@ -323,7 +322,7 @@ class Search {
   std::size_t units_;
   double needed_;
   EnumerationAim aim_;
-  EnumerationLimits limits_;
+  Effort left_;
   const RunControl& control_;
   std::size_t padded_;
   double error_ = 0;
@@ -357,7 +356,7 @@ CoverageEnumeration examine_one(const CoverageTable& table, double needed) {
 }  // namespace
 
 CoverageEnumeration enumerate_coverage(CoverageTable& table, const LabelWeights& weights, std::size_t units,
-                                       double needed, EnumerationAim aim, EnumerationLimits& limits,
+                                       double needed, EnumerationAim aim, Effort& left,
                                        const RunControl& control) {
   const std::size_t installed = table.installed().size();
   const std::size_t free = std::min(units - std::min(units, installed), table.candidates().size());
@@ -372,9 +371,9 @@ CoverageEnumeration enumerate_coverage(CoverageTable& table, const LabelWeights&
   }
   if (free > max_free || table.cells() > max_cells) return {};
   table.fill();
-  Search search(table, weights, installed + free, needed, aim, limits, control);
+  Search search(table, weights, installed + free, needed, aim, left, control);
   CoverageEnumeration result = search.run(free);
-  limits.work_left -= std::min(limits.work_left, search.work());
+  left.steps -= std::min<std::uint64_t>(left.steps, search.work());
   return result;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,6 +8,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/coverage/coverage_table.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 
 namespace shelfbeam::detail {
 
@@ -19,11 +19,6 @@ struct CoverageEnumeration {
   double weight = 0;  ///< of `selected`
   /// Every selection was examined or excluded, or Aim::first was achieved.
   bool is_complete = false;
-};
-
-struct EnumerationLimits {
-  std::size_t work_left = 0;  ///< matrix entries; those examined are subtracted
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 };
 
 enum class EnumerationAim {
@@ -39,7 +34,7 @@ enum class EnumerationAim {
 /// (Aim::best), or none weighs `needed` (without `selected`). Ends incomplete at the limits, immediately if
 /// the table or the number of units is too large, and early if the work left is far too little.
 CoverageEnumeration enumerate_coverage(CoverageTable& table, const LabelWeights& weights, std::size_t units,
-                                       double needed, EnumerationAim aim, EnumerationLimits& limits,
+                                       double needed, EnumerationAim aim, Effort& left,
                                        const RunControl& control);
 
 }  // namespace shelfbeam::detail

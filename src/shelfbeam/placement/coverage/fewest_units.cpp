@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
@@ -74,8 +73,8 @@ class Minimisation {
   }
 
   /// The fewest units with which a greedy selection of all labels begins and that reach the target.
-  void begin(Clock::time_point until) {
-    const auto order = detail::greedy_by_weight(instance_, weights_, {.until = until}, control_);
+  void begin(const detail::Effort& effort) {
+    const auto order = detail::greedy_by_weight(instance_, weights_, {.until = effort.until}, control_);
     std::size_t too_few = 0, enough = order.size();
     while (too_few + 1 < enough) {
       const std::size_t middle = too_few + (enough - too_few) / 2;
@@ -83,7 +82,7 @@ class Minimisation {
       (reached >= target_ ? enough : too_few) = middle;
     }
     first_ = detail::without_useless(instance_, weights_, detail::first_units(order, enough),
-                                     {.until = until}, control_);
+                                     {.until = effort.until}, control_);
     offer(first_);
   }
 
@@ -98,27 +97,26 @@ class Minimisation {
     return true;
   }
 
-  void raise_by_multipliers(Clock::time_point until) {
+  void raise_by_multipliers(const detail::Effort& effort) {
     // With unit failure, the bound is better for fewer units.
     const std::size_t max_count = result_.has_selection ? result_.selected.size() - 1 : max_units_;
     CoverageBound bound(instance_, weights_, max_count);
-    std::size_t steps = detail::bound_steps(bound.entries(), options_, instance_.table);
+    detail::Effort left{detail::bound_steps(bound.entries(), effort, instance_.table), effort.until};
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;
-      steps -= bound.improve(count, target_ - weights_.step(), CoverageAim::reached, steps, control_, until);
+      left.steps -= bound.improve(count, target_ - weights_.step(), CoverageAim::reached, left, control_);
       if (bound.weight(count) >= target_) return;
       raise_to(count + 1, BoundProof::dual);
     }
   }
 
-  void raise_by_enumeration(Clock::time_point until) {
+  void raise_by_enumeration(const detail::Effort& effort) {
     detail::CoverageTable table(instance_, weights_);
-    detail::EnumerationLimits limits{
-        detail::allowed_work(detail::enumeration_work, options_, instance_.table), until};
+    detail::Effort left = detail::enumeration_effort(effort, instance_.table);
     while (!is_settled()) {
       const std::size_t count = result_.count_lower_bound;
-      const auto found = enumerate_coverage(table, weights_, count, target_, detail::EnumerationAim::first,
-                                            limits, control_);
+      const auto found =
+          enumerate_coverage(table, weights_, count, target_, detail::EnumerationAim::first, left, control_);
       if (!found.is_complete) return;
       result_.solver = {Method::search};
       if (found.selected) {
@@ -129,12 +127,11 @@ class Minimisation {
     }
   }
 
-  void solve(const Deadline& end) {
+  void solve(const detail::Effort& effort) {
     for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
       const double cutoff =
           result_.has_selection ? static_cast<double>(result_.selected.size()) - 0.5 : milp::infinity;
-      const SolveFunction solve = limited(backend.solve, options_.step_limit);
-      detail::CoverModel model(instance_, solve, end.seconds_left(), control_, {.cutoff = cutoff},
+      detail::CoverModel model(instance_, backend.solve, effort, control_, {.cutoff = cutoff},
                                weights_.of_labels());
       // Half a step keeps the row of misses valid in spite of the solver's tolerance.
       const auto outcome = model.minimise(

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
@@ -81,9 +80,9 @@ class Maximisation {
   bool is_settled() const { return is_settled_; }
 
   /// The units that a greedy selection of all labels adds first.
-  void begin(Clock::time_point until) {
-    order_ = detail::greedy_by_weight(instance_, weights_, {.until = until}, control_);
-    offer_compact(detail::first_units(order_, units_), until);
+  void begin(const detail::Effort& effort) {
+    order_ = detail::greedy_by_weight(instance_, weights_, {.until = effort.until}, control_);
+    offer_compact(detail::first_units(order_, units_), effort);
   }
 
   /// For more weight.
@@ -92,24 +91,24 @@ class Maximisation {
     if (!instance_.can_exchange(start)) return false;
     const auto found = annealing.for_more(value_, start, effort, seed, control_);
     if (!found) return true;
-    offer_compact(*found, effort.until);
+    offer_compact(*found, effort);
     reach_.solver = {Method::search};
     return true;
   }
 
-  void raise_by_multipliers(Clock::time_point until) {
+  void raise_by_multipliers(const detail::Effort& effort) {
     CoverageBound bound(instance_, weights_, units_);
     bound_ = bound.weight(units_);
     bound.improve(units_, value_, CoverageAim::lowest,
-                  detail::bound_steps(bound.entries(), options_, instance_.table), control_, until);
+                  {detail::bound_steps(bound.entries(), effort, instance_.table), effort.until}, control_);
     lower_to(bound.weight(units_), BoundProof::dual);
   }
 
-  void raise_by_enumeration(Clock::time_point until) { is_settled_ = enumerate(until); }
+  void raise_by_enumeration(const detail::Effort& effort) { is_settled_ = enumerate(effort); }
 
   // Whole weights: a unit of missed weight costs more than all units together, so the missed weight is
   // minimised first and units second. Units cost nothing if they are not.
-  void solve(const Deadline& end) {
+  void solve(const detail::Effort& effort) {
     const bool are_whole = weights_.are_whole();
     const double unit_price = are_whole ? 1 : 0;
     const double price = are_whole ? static_cast<double>(instance_.columns() + 1) : 1;
@@ -117,9 +116,8 @@ class Maximisation {
     for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
       const double known =
           unit_price * static_cast<double>(reach_.selected.size()) + price * (weights_.total() - value_);
-      const SolveFunction solve = limited(backend.solve, options_.step_limit);
-      detail::CoverModel model(instance_, solve, end.seconds_left(), control_,
-                               {.cutoff = known - unit_price / 2}, weights_.of_labels());
+      detail::CoverModel model(instance_, backend.solve, effort, control_, {.cutoff = known - unit_price / 2},
+                               weights_.of_labels());
       const auto outcome = model.minimise({.cost = cost, .max_count = units_, .price_of_misses = price});
       reach_.solver = {Method::mip, backend.full_name()};
       if (outcome.selected) offer(*outcome.selected);
@@ -150,8 +148,8 @@ class Maximisation {
     value_ = value;
   }
 
-  void offer_compact(const std::vector<std::uint32_t>& selected, Clock::time_point until) {
-    offer(detail::without_useless(instance_, weights_, selected, {.until = until}, control_));
+  void offer_compact(const std::vector<std::uint32_t>& selected, const detail::Effort& effort) {
+    offer(detail::without_useless(instance_, weights_, selected, {.until = effort.until}, control_));
   }
 
   /// The incumbent, with further units of the greedy selection up to the allowed number.
@@ -177,12 +175,11 @@ class Maximisation {
   }
 
   /// Proves the value, then looks for fewer units of the same value; false if the work was not enough.
-  bool enumerate(Clock::time_point until) {
+  bool enumerate(const detail::Effort& effort) {
     detail::CoverageTable table(instance_, weights_);
-    detail::EnumerationLimits limits{
-        detail::allowed_work(detail::enumeration_work, options_, instance_.table), until};
+    detail::Effort left = detail::enumeration_effort(effort, instance_.table);
     const auto examine = [&](std::size_t units, double weight, EnumerationAim aim) {
-      auto found = enumerate_coverage(table, weights_, units, weight, aim, limits, control_);
+      auto found = enumerate_coverage(table, weights_, units, weight, aim, left, control_);
       if (found.selected) offer(*found.selected);
       return found;
     };
@@ -190,7 +187,7 @@ class Maximisation {
       if (!examine(units_, value_ + weights_.step(), EnumerationAim::best).is_complete) return false;
       lower_to(value_, BoundProof::search);
       reach_.solver = {Method::search};
-      offer_compact(reach_.selected, until);
+      offer_compact(reach_.selected, effort);
     }
     while (reach_.selected.size() > table.installed().size()) {
       const std::size_t size = reach_.selected.size();

@@ -17,6 +17,7 @@
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/similar_columns.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {

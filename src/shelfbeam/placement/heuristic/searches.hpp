@@ -6,6 +6,7 @@
 
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 

@@ -35,7 +35,7 @@ milp::Row relaxed(milp::Row row) {
   return row;
 }
 
-CoverModel::CoverModel(const Instance& instance, const SolveFunction& solve, double time_limit_s,
+CoverModel::CoverModel(const Instance& instance, const SolveFunction& solve, const Effort& effort,
                        const RunControl& control, const MipKnowledge& knowledge,
                        std::span<const double> weights)
     : instance_(instance),
@@ -43,7 +43,7 @@ CoverModel::CoverModel(const Instance& instance, const SolveFunction& solve, dou
       control_(control),
       knowledge_(knowledge),
       weights_(weights),
-      deadline_(time_limit_s) {}
+      effort_(effort) {}
 
 bool CoverModel::fits_with_misses(const Instance& instance) {
   constexpr std::size_t max_entries = 400'000;
@@ -147,15 +147,16 @@ void CoverModel::set_goal(const MipGoal& goal) {
 
 CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
   Outcome outcome;
-  if (deadline_.has_passed() || control_.cancelled()) return outcome;
+  if (effort_.is_over(control_)) return outcome;
   if (!built_) build();
   const bool has_cutoff = knowledge_.cutoff < milp::infinity;
   const double step = may_miss() ? 0 : CostBounds(instance_.table, goal.cost).step();
-  while (!deadline_.has_passed() && !control_.cancelled()) {
+  while (!effort_.is_over(control_)) {
     const std::size_t rows = model_.rows.size();
     set_goal(goal);
     const milp::Result result = solve_(model_,
-                                       {.time_limit_s = deadline_.seconds_left(),
+                                       {.time_limit_s = effort_.seconds_left(),
+                                        .node_limit = node_limit(effort_),
                                         .relative_gap = step > 0 ? 1e-9 : 1e-6,
                                         .cutoff = knowledge_.cutoff,
                                         .step = step},

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/mip/mip.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
@@ -34,8 +34,8 @@ struct MipGoal {
 /// u_i.
 class CoverModel {
  public:
-  /// `weights`: one per label, or none. All arguments but `knowledge` must outlive the object.
-  CoverModel(const Instance& instance, const SolveFunction& solve, double time_limit_s,
+  /// `weights`: one per label, or none. Instance, control and weights must outlive the object.
+  CoverModel(const Instance& instance, const SolveFunction& solve, const Effort& effort,
              const RunControl& control, const MipKnowledge& knowledge = {},
              std::span<const double> weights = {});
 
@@ -73,11 +73,11 @@ class CoverModel {
   void cut_off(const Selection& selected, std::size_t unmet_label);
 
   const Instance& instance_;
-  const SolveFunction& solve_;
+  SolveFunction solve_;
   const RunControl& control_;
   MipKnowledge knowledge_;
   std::span<const double> weights_;
-  Deadline deadline_;
+  Effort effort_;
   milp::Model model_;  ///< built on first use; the last two rows are those of the goal
   bool built_ = false;
   /// Cooperative with unit failure: the pairs (label, unit) with a row in the model.

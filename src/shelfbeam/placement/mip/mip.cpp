@@ -115,18 +115,11 @@ struct Search {
 
 }  // namespace
 
-SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> nodes) {
-  if (!nodes) return solve;
-  return [solve, nodes](const milp::Model& model, milp::SolveOptions options, const RunControl& control) {
-    options.node_limit = nodes;
-    return solve(model, options, control);
-  };
-}
-
 MipResult place_by_mip(const detail::Instance& instance,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
-                       double time_limit_s, const RunControl& control, const MipKnowledge& knowledge) {
-  detail::CoverModel model(instance, solve, time_limit_s, control, knowledge);
+                       const detail::Effort& effort, const RunControl& control,
+                       const MipKnowledge& knowledge) {
+  detail::CoverModel model(instance, solve, effort, control, knowledge);
   Search search{instance, model};
   search.offer(start);
   MipResult answer =

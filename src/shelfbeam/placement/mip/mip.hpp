@@ -8,6 +8,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam {
@@ -15,9 +16,6 @@ namespace shelfbeam {
 /// milp::Backend::solve or a substitute for tests.
 using SolveFunction =
     std::function<milp::Result(const milp::Model&, const milp::SolveOptions&, const RunControl&)>;
-
-/// The solver with a node limit, if `nodes` is given.
-SolveFunction limited(const SolveFunction& solve, std::optional<std::uint64_t> nodes);
 
 struct MipResult {
   Placement placement;         ///< without `solver` and `seconds`
@@ -37,11 +35,12 @@ struct MipKnowledge {
 ///
 /// Rows are those of placement_model with a_ij = min(1, M_ij / (gamma_i tau_i)), rounded up to multiples of
 /// 2^-20 if cooperative. A selection that the checker rejects is cut off, and the model is solved again. The
-/// time limit covers everything. Without time `solve` may be empty, and the result is `start` with the bounds
-/// that need no search. With a cut-off in `knowledge` and without a start, `infeasible` means a safe proof
-/// that no selection costs at most the cut-off.
+/// time covers everything; the steps are nodes of one solve. Without time `solve` may be empty, and the
+/// result is `start` with the bounds that need no search. With a cut-off in `knowledge` and without a start,
+/// `infeasible` means a safe proof that no selection costs at most the cut-off.
 MipResult place_by_mip(const detail::Instance& instance,
                        const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
-                       double time_limit_s, const RunControl& control, const MipKnowledge& knowledge = {});
+                       const detail::Effort& effort, const RunControl& control,
+                       const MipKnowledge& knowledge = {});
 
 }  // namespace shelfbeam

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "shelfbeam/base/control.hpp"
 
@@ -23,5 +24,10 @@ struct Effort {
     return control.cancelled() || std::chrono::steady_clock::now() >= until;
   }
 };
+
+/// The steps as a limit of nodes of a solver.
+inline std::optional<std::uint64_t> node_limit(const Effort& effort) {
+  return effort.steps == any_steps ? std::nullopt : std::optional(effort.steps);
+}
 
 }  // namespace shelfbeam::detail

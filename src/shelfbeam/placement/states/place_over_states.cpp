@@ -133,7 +133,7 @@ class Solver {
     while (!deadline.has_passed() && !is_over() && bound < enough) {
       std::shift_left(before.begin(), before.end(), 1);
       before.back() = bound;
-      options.time_limit_s = deadline.seconds_left();
+      options.effort.until = deadline.end();
       const detail::LpBound found = detail::lp_bound(
           {cuts.table(), master_}, cost, milp::backends_of(options_.backend).front(), options, control_);
       bound = std::max(bound, found.dual.bound);

@@ -8,6 +8,7 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
 
 namespace shelfbeam {

@@ -20,8 +20,8 @@ constexpr double relaxed_target = (1 - met_tolerance) * (1 - search_tolerance);
 
 class ProofChecker {
  public:
-  ProofChecker(const Instance& instance, const Proof& proof, const CheckLimits& limits)
-      : instance_(instance), proof_(proof), limits_(limits) {
+  ProofChecker(const Instance& instance, const Proof& proof, const Effort& effort, const RunControl& control)
+      : instance_(instance), proof_(proof), effort_(effort), control_(control) {
     is_sum_ = instance.is_cooperative();
     for (const std::uint32_t i : proof.rows) {
       rows_.push_back(dense(known(i), 1 - met_tolerance));
@@ -149,8 +149,7 @@ class ProofChecker {
 
   bool is_over() {
     constexpr std::uint64_t between_looks = 64;
-    if (++looks_ % between_looks == 0)
-      ran_out_ = ran_out_ || limits_.control.cancelled() || std::chrono::steady_clock::now() >= limits_.until;
+    if (++looks_ % between_looks == 0) ran_out_ = ran_out_ || effort_.is_over(control_);
     return ran_out_;
   }
 
@@ -248,7 +247,8 @@ class ProofChecker {
 
   const Instance& instance_;
   const Proof& proof_;
-  const CheckLimits& limits_;
+  const Effort& effort_;
+  const RunControl& control_;
   bool is_sum_ = true, is_open_ = false, ran_out_ = false;
   std::uint64_t looks_ = 0;
   std::vector<std::vector<double>> rows_, relaxed_rows_;
@@ -260,9 +260,10 @@ class ProofChecker {
 
 }  // namespace
 
-ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const CheckLimits& limits) {
+ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const Effort& effort,
+                         const RunControl& control) {
   try {
-    return ProofChecker(instance, proof, limits).judge();
+    return ProofChecker(instance, proof, effort, control).judge();
   } catch (const std::out_of_range&) {
     return ProofVerdict::refuted;
   }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
@@ -56,11 +56,6 @@ struct Proof {
   std::vector<std::uint32_t> steps;  ///< prices as the bits of a float
 };
 
-struct CheckLimits {
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
-  RunControl control = {};
-};
-
 enum class ProofVerdict {
   holds,
   left_open,   ///< the log has open nodes or is incomplete
@@ -69,6 +64,7 @@ enum class ProofVerdict {
 };
 
 /// Verifies a proof in double precision from the table alone, using nothing of the search but the proof.
-ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const CheckLimits& limits = {});
+ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const Effort& effort = {},
+                         const RunControl& control = {});
 
 }  // namespace shelfbeam::detail

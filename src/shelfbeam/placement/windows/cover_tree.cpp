@@ -123,8 +123,8 @@ class CoverTree {
 
   bool is_over() {
     constexpr std::uint64_t often = 256;
-    was_cut_ = was_cut_ || found_.nodes >= options_.max_nodes ||
-               (found_.nodes % often == 0 && options_.stop && options_.stop());
+    was_cut_ = was_cut_ || found_.nodes >= options_.effort.steps ||
+               (found_.nodes % often == 0 && options_.effort.is_over(options_.control));
     return was_cut_;
   }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "shelfbeam/placement/problem/effort.hpp"
 
 namespace shelfbeam::detail {
 
@@ -15,9 +16,9 @@ struct SmallCover {
 };
 
 struct CoverTreeOptions {
-  double known;                ///< only covers that cost less are sought; finite
-  std::uint64_t max_nodes;     ///< work limit
-  std::function<bool()> stop;  ///< ends the search early; asked now and then
+  double known;        ///< only covers that cost less are sought; finite
+  Effort effort = {};  ///< its steps: nodes
+  RunControl control = {};
 };
 
 struct CheapestCover {

@@ -56,8 +56,7 @@ std::vector<double> lp_multipliers(const SmallCover& cover, const WindowLimits& 
   }
   const auto lp = backend.lp(columns);
   lp->add_rows(rows);
-  const std::chrono::duration<double> left = limits.until - std::chrono::steady_clock::now();
-  return lp->solve(left.count(), {1, limits.control.cancel, nullptr}).y;
+  return lp->solve(limits.effort.seconds_left(), {1, limits.control.cancel, nullptr}).y;
 }
 
 // Rows that the selection does not reach yet are reached by columns without weight.
@@ -127,9 +126,7 @@ void search_window(const CoverMatrix& cover, Window& window, const WindowLimits&
   constexpr double slightly_more = 1 + 1e-6;
   const CheapestCover found =
       cheapest_cover(small.cover, lp_multipliers(small.cover, limits, backend),
-                     {.known = known * slightly_more, .max_nodes = limits.max_nodes, .stop = [&] {
-                        return limits.is_over();
-                      }});
+                     {.known = known * slightly_more, .effort = limits.effort, .control = limits.control});
   window.value = found.bound;
   window.complete = found.complete;
   window.work = work_of_lp + found.nodes;
@@ -143,11 +140,9 @@ void search_window(const CoverMatrix& cover, Window& window, const WindowLimits&
 UselessColumns useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
                                const WindowLimits& limits, const milp::Backend& backend) {
   const SmallWindow small(cover, window);
-  const ColumnsOfCovers found =
-      columns_of_covers(small.cover, lp_multipliers(small.cover, limits, backend),
-                        {.known = window.value + allowance, .max_nodes = limits.max_nodes, .stop = [&] {
-                           return limits.is_over();
-                         }});
+  const ColumnsOfCovers found = columns_of_covers(
+      small.cover, lp_multipliers(small.cover, limits, backend),
+      {.known = window.value + allowance, .effort = limits.effort, .control = limits.control});
   UselessColumns useless{.columns = {}, .work = work_of_lp + found.nodes};
   for (std::size_t k = 0; k < small.columns.size(); ++k)
     if (!found.contains[k]) useless.columns.push_back(small.columns[k]);

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/windows/cover_matrix.hpp"
 
 namespace shelfbeam::detail {
@@ -24,11 +24,10 @@ struct Window {
 
 /// The same for all windows of a step.
 struct WindowLimits {
-  std::uint64_t max_nodes = 0;  ///< of each tree
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  Effort effort = {};  ///< its steps: nodes of each tree
   RunControl control = {};
 
-  bool is_over() const { return control.cancelled() || std::chrono::steady_clock::now() >= until; }
+  bool is_over() const { return effort.is_over(control); }
 };
 
 Window make_window(const CoverMatrix& cover, std::vector<std::uint32_t> rows);

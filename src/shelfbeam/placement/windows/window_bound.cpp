@@ -28,7 +28,7 @@ class WindowSearch {
         heuristic_(heuristic),
         control_(control),
         target_(options.known) {
-    limits_.until = options.until;
+    limits_.effort.until = options.effort.until;
     limits_.control = control;
   }
 
@@ -53,7 +53,9 @@ class WindowSearch {
  private:
   static constexpr double first_length = 0.2;
 
-  bool is_over() const { return limits_.is_over() || work_ >= options_.max_work || best_value_ > worth(); }
+  bool is_over() const {
+    return limits_.is_over() || work_ >= options_.effort.steps || best_value_ > worth();
+  }
 
   // Max cost of selections that are better than the known ones.
   double worth() const {
@@ -83,7 +85,8 @@ class WindowSearch {
 
   // No tree exceeds the work that is left.
   void allow_rest() {
-    limits_.max_nodes = std::min(max_nodes_, options_.max_work - std::min(work_, options_.max_work));
+    limits_.effort.steps =
+        std::min(max_nodes_, options_.effort.steps - std::min(work_, options_.effort.steps));
   }
 
   // Trees are cut short: larger ones are allowed, up to a size that no time suffices for.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,16 +9,16 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 namespace shelfbeam::detail {
 
 struct WindowBoundOptions {
-  double known = 0;  ///< cost of a selection, which the steps aim at; any positive number is valid
-  double step = 0;   ///< costs are multiples of this (0: any): a bound above known - step ends the search
-  std::uint64_t max_work = std::numeric_limits<std::uint64_t>::max();  ///< in nodes of trees
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
+  double known = 0;    ///< cost of a selection, which the steps aim at; any positive number is valid
+  double step = 0;     ///< costs are multiples of this (0: any): a bound above known - step ends the search
+  Effort effort = {};  ///< its steps: nodes of trees
   std::size_t windows = 8;  ///< at first
 };
 

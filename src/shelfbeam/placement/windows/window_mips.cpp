@@ -48,7 +48,7 @@ class WindowMips final : ProgressSink {
 
   double run() {
     const LpBound lp = lp_bound(instance_, cost_, backend_,
-                                {.time_limit_s = seconds_left(),
+                                {.effort = {.until = options_.effort.until},
                                  .cuts = false,
                                  .selections = {.without = options_.without},
                                  .rows = options_.rows},
@@ -70,8 +70,8 @@ class WindowMips final : ProgressSink {
   }
 
  private:
-  double seconds_left() const { return Effort{any_steps, options_.until}.seconds_left(); }
-  bool out_of_time() const { return Effort{any_steps, options_.until}.is_over(control_); }
+  double seconds_left() const { return options_.effort.seconds_left(); }
+  bool out_of_time() const { return options_.effort.is_over(control_); }
 
   // Targets add up to slightly more than the goal, because bounds are lowered by the solver's tolerance.
   double aim() const { return options_.goal * (1 + 1e-5); }
@@ -185,7 +185,7 @@ class WindowMips final : ProgressSink {
     while (!deadline.has_passed() && !enough_.requested() && !control_.cancelled()) {
       const milp::Result found = backend_.solve(window.model,
                                                 {.time_limit_s = deadline.seconds_left(),
-                                                 .node_limit = options_.max_nodes,
+                                                 .node_limit = node_limit(options_.effort),
                                                  .relative_gap = gap,
                                                  .cutoff = window.target},
                                                 {1, &enough_, this});
@@ -214,7 +214,7 @@ class WindowMips final : ProgressSink {
       window->is_met = false;
     }
     // With a limit on nodes, asking the same again changes nothing.
-    return is_open && (!met.empty() || !options_.max_nodes);
+    return is_open && (!met.empty() || options_.effort.steps == any_steps);
   }
 
   void raise(WindowMip& window, double bound) {

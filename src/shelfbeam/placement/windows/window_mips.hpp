@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,14 +9,14 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/dual_bound.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
 
 struct WindowMipOptions {
-  double goal = 0;  ///< a bound of this size ends the search, and no larger one is proven
-  std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
-  std::optional<std::uint64_t> max_nodes = {};  ///< of every MIP
+  double goal = 0;     ///< a bound of this size ends the search, and no larger one is proven
+  Effort effort = {};  ///< its steps: nodes of every MIP
   std::size_t windows = 4;
   std::vector<std::uint32_t> without = {};  ///< the bound holds for selections without these columns
   std::vector<BoundRow> rows = {};          ///< the first rows of the LP, without cuts

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 
@@ -100,8 +101,7 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
         .redundant = random.chance(0.2)};
     const test::BruteForce truth(table, problem);
     if (!truth.feasible) continue;
-    const detail::CountBound found =
-        detail::count_bound({table, problem}, GetParam(), {.time_limit_s = milp::infinity}, {});
+    const detail::CountBound found = detail::count_bound({table, problem}, GetParam(), {.effort = {}}, {});
     ASSERT_LE(found.count, truth.fewest);
     ASSERT_GE(static_cast<double>(found.count), found.relaxation.dual.bound);
     EXPECT_TRUE(found.complete);
@@ -113,8 +113,8 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
     for (const std::size_t most : {truth.fewest - std::min<std::size_t>(truth.fewest, 1), truth.fewest}) {
       const LpBound limited = bound(table, problem, ones, {.selections = {.max_count = most}});
       const auto is_shown = [&](double seconds, const RunControl& control) {
-        return prove_count_exceeds({table, problem}, GetParam(), {.max_count = most}, limited, seconds,
-                                   control);
+        return prove_count_exceeds({table, problem}, GetParam(), {.max_count = most}, limited,
+                                   {.until = Deadline(seconds).end()}, control);
       };
       if (most == truth.fewest) {
         ASSERT_FALSE(is_shown(milp::infinity, {}));
@@ -160,8 +160,8 @@ TEST_P(LpBounds, OfTheSecondaryObjectiveUseTheCount) {
 TEST_P(LpBounds, OfTheCountTestSmallerCounts) {
   std::vector<std::vector<double>> matrix(5, std::vector<double>(10, 0.2));
   for (std::size_t i = 0; i < 5; ++i) matrix[i][2 * i] = matrix[i][2 * i + 1] = 0.8;
-  const detail::CountBound found = detail::count_bound({test::make_table(matrix, 10), {}}, GetParam(),
-                                                       {.time_limit_s = milp::infinity}, {});
+  const detail::CountBound found =
+      detail::count_bound({test::make_table(matrix, 10), {}}, GetParam(), {.effort = {}}, {});
   EXPECT_LT(found.relaxation.dual.bound, 4);
   EXPECT_EQ(found.count, 5U);
   EXPECT_TRUE(found.complete);
@@ -172,7 +172,7 @@ TEST_P(LpBounds, EndWithoutTimeOrWhenCancelled) {
   const PlacementProblem problem{.model = CommunicationModel::non_cooperative};
   const std::vector<double> cost(3, 1.0);
   table.transceivers[0].installed = true;
-  const LpBound timeless = bound(table, problem, cost, {.time_limit_s = 0});
+  const LpBound timeless = bound(table, problem, cost, {.effort = {.until = {}}});
   EXPECT_FALSE(timeless.complete);
   EXPECT_NEAR(timeless.dual.bound, 1, 1e-9);  // the installed unit
   EXPECT_EQ(timeless.y.size(), timeless.rows.size());

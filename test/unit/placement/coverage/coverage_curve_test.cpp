@@ -35,7 +35,7 @@ TEST(CoverageBound, ByHand) {
   const detail::Instance instance(table, problem);
   CoverageBound bound(instance, weights, 2);
   EXPECT_EQ(bound.weight(1), 6) << "nothing is known yet";
-  bound.improve(1, 4, CoverageAim::lowest, 1, {});
+  bound.improve(1, 4, CoverageAim::lowest, {.steps = 1}, {});
   EXPECT_EQ(bound.weight(1), 4) << "one step with all multipliers 1";
   EXPECT_EQ(bound.weight(2), 6);
 }
@@ -59,7 +59,7 @@ TEST(CoverageBound, HoldsForAnySteps) {
       if (!best[units]) continue;
       bound.improve(units, tables.chance(0.5) ? best[units]->reached : 0,
                     tables.chance(0.5) ? CoverageAim::lowest : CoverageAim::reached,
-                    static_cast<std::size_t>(tables.whole(0, 60)), {});
+                    {.steps = static_cast<std::uint64_t>(tables.whole(0, 60))}, {});
     }
     for (std::size_t units = 0; units < best.size(); ++units) {
       if (!best[units]) continue;
@@ -94,8 +94,8 @@ TEST(CoverageBound, DependsNeitherOnThreadsNorOnEarlierCounts) {
       const ThreadLimit allowed(threads);
       const detail::Instance instance(table, problem);
       CoverageBound bound(instance, weights, table.columns());
-      if (looks_at_installed) bound.improve(installed, 0, CoverageAim::lowest, 100, {});
-      bound.improve(units, 0, CoverageAim::lowest, 100, {});
+      if (looks_at_installed) bound.improve(installed, 0, CoverageAim::lowest, {.steps = 100}, {});
+      bound.improve(units, 0, CoverageAim::lowest, {.steps = 100}, {});
       return bound.weight(units);
     };
     const double alone = with_threads(1, [&] { return bound_after(1, false); });

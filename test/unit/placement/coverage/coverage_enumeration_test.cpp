@@ -31,11 +31,11 @@ Enumerated enumerate(const SignalTable& table, const PlacementProblem& problem, 
   const detail::LabelWeights weights(table);
   const detail::Instance instance(table, problem);
   detail::CoverageTable dense(instance, weights);
-  detail::EnumerationLimits limits{max_work};
+  detail::Effort left{max_work};
   Enumerated result;
   static_cast<detail::CoverageEnumeration&>(result) =
-      enumerate_coverage(dense, weights, units, needed, aim, limits, {});
-  result.work = max_work - limits.work_left;
+      enumerate_coverage(dense, weights, units, needed, aim, left, {});
+  result.work = max_work - left.steps;
   return result;
 }
 

@@ -37,7 +37,7 @@ struct Script {
 };
 
 MipResult answer(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve) {
-  return place_by_mip({table, problem}, greedy_selection({table, problem}), solve, milp::infinity, {});
+  return place_by_mip({table, problem}, greedy_selection({table, problem}), solve, {}, {});
 }
 
 // Unit 0 alone misses 5e-8 of label 0: less than the 1e-6 that solvers tolerate, more than the 1e-9 of the
@@ -51,8 +51,8 @@ TEST(PlacementMip, LetsUnitsFailAsNeeded) {
   const SignalTable table = test::make_table({{0.9, 0.8, 0.7, 0.3, 0.2}}, 5);
   Script script;
   script.answers = {{Termination::optimal, 2, 2, {0, 1, 1, 0, 0}}};
-  const MipResult found = place_by_mip({table, {.redundant = true}}, Columns{0, 1, 2, 3, 4},
-                                       script.function(), milp::infinity, {});
+  const MipResult found =
+      place_by_mip({table, {.redundant = true}}, Columns{0, 1, 2, 3, 4}, script.function(), {}, {});
   EXPECT_EQ(found.placement.status, Status::optimal);
   EXPECT_EQ(found.placement.count(), 3U);
   ASSERT_GE(script.asked.size(), 2U);
@@ -81,7 +81,7 @@ TEST(PlacementMip, CutsOffRejectedSelections) {
     std::vector<double> claimed(table.columns(), 0.0);
     claimed[0] = 1;
     script.answers = {{Termination::optimal, 1, 1, claimed}};
-    const MipResult found = place_by_mip({table, count_problem}, {}, script.function(), milp::infinity, {});
+    const MipResult found = place_by_mip({table, count_problem}, {}, script.function(), {}, {});
     ASSERT_EQ(script.asked.size(), 2U);
     EXPECT_FALSE(found.solver_failed);
     EXPECT_EQ(found.placement.status, Status::optimal);
@@ -100,7 +100,7 @@ TEST(PlacementMip, CutsOffRejectedSelections) {
         ++calls;
         return backend.solve(model, options, control);
       };
-      EXPECT_EQ(place_by_mip({table, count_problem}, {}, counting, milp::infinity, {}).placement.count(), 2U);
+      EXPECT_EQ(place_by_mip({table, count_problem}, {}, counting, {}, {}).placement.count(), 2U);
       EXPECT_GE(calls, 2) << backend.name << " has seen a cut";
     }
   }
@@ -178,7 +178,7 @@ TEST(PlacementMipSlow, EqualsEnumerationWithoutAStart) {
       const SignalTable table = tables.next();
       const PlacementProblem problem = tables.next_problem();
       const test::BruteForce brute(table, problem);
-      const Placement found = place_by_mip({table, problem}, {}, backend.solve, milp::infinity, {}).placement;
+      const Placement found = place_by_mip({table, problem}, {}, backend.solve, {}, {}).placement;
       if (found.status == Status::stopped) {
         ++stopped;
         continue;
@@ -199,7 +199,7 @@ TEST(PlacementMipSlow, EqualsEnumerationWithoutAStart) {
 TEST(PlacementMip, MayStopWithoutASelection) {
   for (const auto combination : {Combination::lexicographic, Combination::weighted}) {
     const PlacementProblem problem{CommunicationModel::cooperative, Objective::links, combination};
-    const MipResult nothing = place_by_mip({two_points(), problem}, {}, {}, 0, {});
+    const MipResult nothing = place_by_mip({two_points(), problem}, {}, {}, {.until = {}}, {});
     EXPECT_EQ(nothing.placement.status, Status::stopped);
     EXPECT_TRUE(nothing.placement.selected.empty());
     EXPECT_TRUE(std::isinf(nothing.placement.objective_value));
@@ -209,8 +209,7 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     Script script;
     script.answers = {{Termination::limit, milp::infinity, 1.5, {}}};
-    const MipResult stopped =
-        place_by_mip({two_points(), problem}, {}, script.function(), milp::infinity, {});
+    const MipResult stopped = place_by_mip({two_points(), problem}, {}, script.function(), {}, {});
     EXPECT_EQ(script.asked.size(), 1U);
     EXPECT_FALSE(stopped.solver_failed);
     EXPECT_EQ(stopped.placement.status, Status::stopped);
@@ -218,8 +217,7 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     script.asked.clear();
     script.answers = {Result{}};
-    EXPECT_TRUE(
-        place_by_mip({two_points(), problem}, {}, script.function(), milp::infinity, {}).solver_failed);
+    EXPECT_TRUE(place_by_mip({two_points(), problem}, {}, script.function(), {}, {}).solver_failed);
   }
 }
 
@@ -229,8 +227,7 @@ TEST(PlacementMip, NoSolverSelectsTwoUnitsAtAPoint) {
     std::vector<double> solution(4, 0.0);
     for (const std::uint32_t j : claimed) solution[j] = 1;
     script.answers = {{Termination::optimal, static_cast<double>(claimed.size()), 1, solution}};
-    const MipResult found =
-        place_by_mip({two_points(), count_problem}, {}, script.function(), milp::infinity, {});
+    const MipResult found = place_by_mip({two_points(), count_problem}, {}, script.function(), {}, {});
     EXPECT_TRUE(found.solver_failed);
     EXPECT_TRUE(found.placement.selected.empty());
     EXPECT_EQ(found.placement.status, Status::stopped);
@@ -287,7 +284,7 @@ TEST(PlacementMip, DistinguishesSmallCostsBesideLargeOnes) {
   const double best = test::BruteForce(table, problem).best_sum;
   for (const milp::Backend& backend : milp::backends()) {
     const Placement found =
-        place_by_mip({table, problem}, Columns{0, 1, 2, 3}, backend.solve, milp::infinity, {}).placement;
+        place_by_mip({table, problem}, Columns{0, 1, 2, 3}, backend.solve, {}, {}).placement;
     EXPECT_EQ(found.status, Status::optimal) << backend.name;
     EXPECT_NEAR(found.objective_value / best, 1, 1e-9) << backend.name;
     EXPECT_NEAR(found.lower_bound / best, 1, 2e-6) << backend.name;
@@ -317,8 +314,7 @@ TEST(PlacementMip, BoundsHoldAtAnyStop) {
     };
     std::optional<Columns> start = greedy_selection({table, problem});
     if (!check_selection(table, problem, *start).met() || (k % 2 == 1 && tables.chance(0.3))) start.reset();
-    const Placement found =
-        place_by_mip({table, problem}, start, moody, milp::infinity, {.threads = 1}).placement;
+    const Placement found = place_by_mip({table, problem}, start, moody, {}, {.threads = 1}).placement;
     const double best = brute.best(problem);
     const double slack = 2e-6 * best;
     const bool has_answer = std::isfinite(found.objective_value);

@@ -55,7 +55,7 @@ TEST(WindowBound, NeverExceedsTheMinimum) {
     const auto windows = static_cast<std::size_t>(random.whole(1, 4));
     const WindowBound found =
         window_bound({table, covering}, cost, reduction,
-                     {.known = minimum, .max_work = 200'000, .windows = windows}, backend(), {}, {});
+                     {.known = minimum, .effort = {.steps = 200'000}, .windows = windows}, backend(), {}, {});
     ASSERT_LE(found.bound, minimum);
     ++compared;
     tight += found.bound > minimum - 1e-6 * (1 + minimum) ? 1 : 0;
@@ -78,8 +78,8 @@ TEST(WindowBound, ExceedsTheLpOnDiscs) {
       return fewest;
     };
     bounds.push_back(window_bound({table, covering}, cost, reduction,
-                                  {.known = 15, .max_work = 1'000'000, .windows = 2}, backend(), heuristic,
-                                  {.threads = threads})
+                                  {.known = 15, .effort = {.steps = 1'000'000}, .windows = 2}, backend(),
+                                  heuristic, {.threads = threads})
                          .bound);
     EXPECT_EQ(std::ceil(bounds.back()), fewest);  // proven optimal
   }
@@ -104,7 +104,8 @@ TEST(WindowBound, ExclusionsKeepBetterSelections) {
     const Reduction reduction = reduce_cover({table, covering}, cost, std::vector<bool>(10, true));
     const auto found = [&](double known) {
       return window_bound({table, covering}, cost, reduction,
-                          {.known = known, .step = 1, .max_work = 400'000, .windows = 3}, backend(), {}, {});
+                          {.known = known, .step = 1, .effort = {.steps = 400'000}, .windows = 3}, backend(),
+                          {}, {});
     };
     const WindowBound of_more = found(minimum + 1);
     ASSERT_LE(of_more.bound, minimum);
@@ -136,11 +137,12 @@ TEST(WindowBound, AnotherLabelRaisesTheBound) {
     const SignalTable table = test::make_table(matrix, 8);
     const Reduction reduction = reduce_cover({table, covering}, cost);
     if (reduction.infeasible || !std::isfinite(minimum)) continue;
-    too_much += window_bound({table, covering}, cost, reduction,
-                             {.known = minimum, .max_work = 200'000, .windows = 2}, backend(), {}, {})
-                            .bound > minimum + 1e-6
-                    ? 1
-                    : 0;
+    too_much +=
+        window_bound({table, covering}, cost, reduction,
+                     {.known = minimum, .effort = {.steps = 200'000}, .windows = 2}, backend(), {}, {})
+                    .bound > minimum + 1e-6
+            ? 1
+            : 0;
   }
   EXPECT_GT(too_much, 10);
 }

@@ -24,7 +24,7 @@ const PlacementProblem sums{.model = CommunicationModel::cooperative};
 
 double bound_of(const SignalTable& table, const PlacementProblem& problem, const std::vector<double>& cost,
                 WindowMipOptions options, unsigned threads = 1) {
-  options.until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  options.effort.until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   return window_mip_bound({table, problem}, cost, options, milp::backends().front(), {.threads = threads});
 }
 
@@ -74,7 +74,7 @@ TEST(WindowMips, ReachTheSameBoundOnAnyNumberOfThreads) {
   test::RandomTables random(93);
   const SignalTable table = test::scattered_table(random, 60, 30);
   const std::vector<double> cost(table.columns(), 1.0);
-  const WindowMipOptions options{.goal = 100, .max_nodes = 20, .windows = 3};
+  const WindowMipOptions options{.goal = 100, .effort = {.steps = 20}, .windows = 3};
   EXPECT_EQ(bound_of(table, sums, cost, options, 1), bound_of(table, sums, cost, options, 2));
 }
 
