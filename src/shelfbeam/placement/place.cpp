@@ -26,7 +26,6 @@ namespace shelfbeam {
 namespace {
 
 using detail::Instance;
-using detail::Selection;
 using MaybeSelection = std::optional<Selection>;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();

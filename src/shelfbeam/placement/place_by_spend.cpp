@@ -130,7 +130,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   };
   double known = unknown_spend;
   const SignalTable priced = SpendOrder(table, known).priced(table);
-  std::vector<std::uint32_t> start;
+  Selection start;
   for (const auto& selected : {greedy_selection({priced, sum}, effort, control), options.start})
     if (!selected.empty() && check_selection(table, problem, selected).met()) {
       const double price = price_of(table, selected).to_spend;

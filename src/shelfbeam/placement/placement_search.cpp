@@ -195,10 +195,8 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> first_selection(const Instance& instance,
-                                                          const std::vector<std::uint32_t>& start,
-                                                          double time_limit_s, std::uint64_t seed,
-                                                          const RunControl& control) {
+std::optional<Selection> first_selection(const Instance& instance, const Selection& start,
+                                         double time_limit_s, std::uint64_t seed, const RunControl& control) {
   if (instance.rows() * instance.columns() > SearchLimits{}.max_cells_of_local_search) return std::nullopt;
   const SearchMatrix matrix(instance);
   const auto own_seed = static_cast<std::uint32_t>(mix_key(seed, 1));
@@ -207,9 +205,9 @@ std::optional<std::vector<std::uint32_t>> first_selection(const Instance& instan
   return found && instance.check(*found).met() ? found : std::nullopt;
 }
 
-Placement search_placement(const Instance& instance, const std::vector<std::uint32_t>& start,
-                           const Solvers& solvers, double time_limit_s, std::uint64_t seed,
-                           const RunControl& control, const SearchLimits& limits) {
+Placement search_placement(const Instance& instance, const Selection& start, const Solvers& solvers,
+                           double time_limit_s, std::uint64_t seed, const RunControl& control,
+                           const SearchLimits& limits) {
   const auto search_for = [&](const SignalTable& priced, const PlacementProblem& as) {
     const Instance own(priced, as);
     SearchState state(own, start, solvers, time_limit_s, seed, control, limits);

@@ -40,15 +40,13 @@ struct SearchLimits {
 /// remainder of the reductions. `start` is a selection that the checker accepts. If the search closes the
 /// gap, it settles ties (`settle_ties`) within a work limit, so that the result is the same for any number of
 /// threads even if ties stay open. The result has no `seconds`.
-Placement search_placement(const Instance& instance, const std::vector<std::uint32_t>& start,
-                           const Solvers& solvers, double time_limit_s, std::uint64_t seed,
-                           const RunControl& control, const SearchLimits& limits = {});
+Placement search_placement(const Instance& instance, const Selection& start, const Solvers& solvers,
+                           double time_limit_s, std::uint64_t seed, const RunControl& control,
+                           const SearchLimits& limits = {});
 
 /// A feasible selection, by local search from an infeasible one (conflicts can block the greedy method);
 /// nullopt if none is found.
-std::optional<std::vector<std::uint32_t>> first_selection(const Instance& instance,
-                                                          const std::vector<std::uint32_t>& start,
-                                                          double time_limit_s, std::uint64_t seed,
-                                                          const RunControl& control);
+std::optional<Selection> first_selection(const Instance& instance, const Selection& start,
+                                         double time_limit_s, std::uint64_t seed, const RunControl& control);
 
 }  // namespace shelfbeam::detail

@@ -87,7 +87,7 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
                      double cutoff, const SolveFunction& solve, const Effort& effort,
                      const RunControl& control) {
   Answer answer;
-  std::vector<std::uint32_t> selected = reduction.forced;
+  Selection selected = reduction.forced;
   answer.bound = 0;
   for (const std::uint32_t j : reduction.forced) answer.bound += cost[j];
   bool is_whole = true;

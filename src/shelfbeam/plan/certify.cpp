@@ -87,8 +87,6 @@ class Certifier {
   }
 
  private:
-  using Selection = std::vector<std::uint32_t>;
-
   const PlacementProblem& problem() const { return now_.placement.problem; }
 
   // A search that stopped leaves a gap, which may be due to errors of the signals, and a selection that may

@@ -82,7 +82,7 @@ std::optional<Alternative> one_more(const Placement& placement, const SignalTabl
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (!blocked[j] && (!best || smallest[j] > smallest[*best])) best = j;
   if (!best) return {};
-  std::vector<std::uint32_t> selected = placement.selected;
+  Selection selected = placement.selected;
   selected.insert(std::upper_bound(selected.begin(), selected.end(), *best), *best);
   Alternative result = evaluate(table, problem, std::move(selected));
   result.is_proven = true;
@@ -91,8 +91,7 @@ std::optional<Alternative> one_more(const Placement& placement, const SignalTabl
 
 }  // namespace
 
-Alternative evaluate(const SignalTable& table, const PlacementProblem& problem,
-                     std::vector<std::uint32_t> selected) {
+Alternative evaluate(const SignalTable& table, const PlacementProblem& problem, Selection selected) {
   Alternative result;
   const Check check = check_selection(table, problem, selected);
   result.reached = table.rows() - check.unmet.size();

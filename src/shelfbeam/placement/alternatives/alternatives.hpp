@@ -13,7 +13,6 @@ Alternatives alternatives_to(const Placement& placement, const SignalTable& tabl
                              const RunControl& control = {});
 
 /// The figures of one selection.
-Alternative evaluate(const SignalTable& table, const PlacementProblem& problem,
-                     std::vector<std::uint32_t> selected);
+Alternative evaluate(const SignalTable& table, const PlacementProblem& problem, Selection selected);
 
 }  // namespace shelfbeam

@@ -12,13 +12,13 @@ namespace shelfbeam {
 
 /// A selection as a user compares it with others. Labels and margins follow the rules of the placement.
 struct Alternative {
-  std::vector<std::uint32_t> selected;  ///< ascending
-  std::optional<Price> price = {};      ///< nothing if the table has no prices
-  std::size_t reached = 0;              ///< labels
-  std::size_t max_reached = 0;          ///< no selection of as many units reaches more; 0: not examined
-  double smallest_margin = 0;           ///< min_i S_i / (gamma_i tau_i); infinite without labels
-  std::size_t secure = 0;               ///< labels that stay reached if any one chosen unit fails
-  bool is_proven = false;               ///< no selection of its kind is better: see Alternatives
+  Selection selected;               ///< ascending
+  std::optional<Price> price = {};  ///< nothing if the table has no prices
+  std::size_t reached = 0;          ///< labels
+  std::size_t max_reached = 0;      ///< no selection of as many units reaches more; 0: not examined
+  double smallest_margin = 0;       ///< min_i S_i / (gamma_i tau_i); infinite without labels
+  std::size_t secure = 0;           ///< labels that stay reached if any one chosen unit fails
+  bool is_proven = false;           ///< no selection of its kind is better: see Alternatives
 };
 
 /// Other answers to the same question, for a comparison. Each is nothing where it does not apply or was not

@@ -24,9 +24,9 @@ struct CurvePoint {
 };
 
 struct CoverageCurve {
-  std::vector<CurvePoint> points;       ///< one per number of units; neither bound falls
-  std::vector<std::uint32_t> selected;  ///< smallest selection seen that reaches every label; ascending
-  bool is_complete = true;              ///< no interruption or limit cut the curve short
+  std::vector<CurvePoint> points;  ///< one per number of units; neither bound falls
+  Selection selected;              ///< smallest selection seen that reaches every label; ascending
+  bool is_complete = true;         ///< no interruption or limit cut the curve short
 };
 
 }  // namespace shelfbeam

@@ -46,7 +46,7 @@ struct Unreachable {
 struct Placement {
   PlacementProblem problem;
   Status status = Status::stopped;
-  std::vector<std::uint32_t> selected;
+  Selection selected;
   double count_lower_bound = 0;  ///< proven: every feasible selection has at least this many units
   /// Count; second objective (lexicographic); whole sum (weighted); or new spend (spend).
   double objective_value = 0;
@@ -96,7 +96,7 @@ struct PlaceOptions {
   std::uint64_t seed = 1;
   /// Ascending, with every installed unit. Every search begins with it if it answers the question better than
   /// the greedy selection.
-  std::vector<std::uint32_t> start = {};
+  Selection start = {};
   bool proves = true;        ///< false: a short local search, without proof
   bool settles_ties = true;  ///< false: any selection of the best value is accepted
 };

@@ -23,7 +23,7 @@ std::vector<ScenarioMargin> scenario_margins(const SignalTable& table, const Pla
 }
 
 std::vector<Critical> critical_units(const SignalTable& table, const PlacementProblem& problem,
-                                     const std::vector<std::uint32_t>& selected) {
+                                     const Selection& selected) {
   PlacementProblem nothing_fails = problem;
   nothing_fails.redundant = false;
   std::vector<std::size_t> place(table.columns(), 0);

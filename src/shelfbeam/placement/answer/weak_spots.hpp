@@ -27,6 +27,6 @@ struct Critical {
 /// For every unit of a selection, in its order: the labels that its failure alone would leave missed
 /// (non-cooperative: the labels that only this unit reaches). A selection that survives any failure has none.
 std::vector<Critical> critical_units(const SignalTable& table, const PlacementProblem& problem,
-                                     const std::vector<std::uint32_t>& selected);
+                                     const Selection& selected);
 
 }  // namespace shelfbeam

@@ -22,8 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 class Curve {
  public:
-  Curve(const detail::Instance& instance, const std::vector<std::uint32_t>& selected,
-        const RunControl& control, Clock::time_point until)
+  Curve(const detail::Instance& instance, const Selection& selected, const RunControl& control,
+        Clock::time_point until)
       : instance_(instance), control_(control), until_(until), weights_(instance.table) {
     curve_.selected = selected;
     const std::size_t first = std::max<std::size_t>(1, instance.installed.size());
@@ -31,7 +31,7 @@ class Curve {
       points_.push_back({.units = k, .at_most = weights_.total(), .best = {}});
   }
 
-  CoverageCurve run(const std::vector<std::uint32_t>& selected) {
+  CoverageCurve run(const Selection& selected) {
     if (points_.empty()) return curve_;
     offer(selected);
     look_forwards();
@@ -55,7 +55,7 @@ class Curve {
     std::size_t units = 0;
     std::size_t labels = 0;
     double at_least = 0, at_most = 0;
-    std::vector<std::uint32_t> best;
+    Selection best;
     BoundProof miss_proof = BoundProof::dual;
   };
 
@@ -74,7 +74,7 @@ class Curve {
   }
 
   // The checker counts the labels that a selection reaches.
-  void offer(const std::vector<std::uint32_t>& selected) {
+  void offer(const Selection& selected) {
     const Check check = instance_.check(selected);
     if (!check.allowed() || selected.size() > points_.back().units) return;
     Point& point = points_[std::max(selected.size(), points_.front().units) - points_.front().units];
@@ -107,7 +107,7 @@ class Curve {
   }
 
   // The given selection without its least useful units.
-  void look_backwards(std::vector<std::uint32_t> selected) {
+  void look_backwards(Selection selected) {
     while (!is_over() && selected.size() > points_.front().units) {
       const auto least = detail::least_useful(instance_, weights_, selected);
       if (!least) return;
@@ -194,8 +194,7 @@ class Curve {
 }  // namespace
 
 CoverageCurve coverage_curve(const SignalTable& table, const PlacementProblem& problem,
-                             const std::vector<std::uint32_t>& selected, const RunControl& control,
-                             Clock::time_point until) {
+                             const Selection& selected, const RunControl& control, Clock::time_point until) {
   const ThreadLimit allowed(control.threads);
   const detail::Instance instance(table, detail::counting(problem));
   return Curve(instance, selected, control, until).run(selected);

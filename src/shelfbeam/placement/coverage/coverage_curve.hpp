@@ -15,7 +15,7 @@ namespace shelfbeam {
 /// from annealing, upper bounds from CoverageBound and enumeration. Large tables get fewer steps: 20 million
 /// entries take about a minute. At `until` it ends early, with wider bounds.
 CoverageCurve coverage_curve(
-    const SignalTable& table, const PlacementProblem& problem, const std::vector<std::uint32_t>& selected,
+    const SignalTable& table, const PlacementProblem& problem, const Selection& selected,
     const RunControl& control = {},
     std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max());
 

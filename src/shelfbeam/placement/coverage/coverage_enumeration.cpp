@@ -158,7 +158,7 @@ class Search {
 
   // Single precision is optimistic, so the exact rule decides.
   void offer(std::optional<std::uint32_t> last) {
-    std::vector<std::uint32_t> selected(table_.installed().begin(), table_.installed().end());
+    Selection selected(table_.installed().begin(), table_.installed().end());
     for (const std::uint32_t c : chosen_) selected.push_back(table_.candidates()[c]);
     if (last) selected.push_back(table_.candidates()[*last]);
     std::sort(selected.begin(), selected.end());
@@ -342,7 +342,7 @@ CoverageEnumeration examine_one(const CoverageTable& table, double needed) {
   const std::vector<double> weights = table.weights_with_one();
   const auto offer = [&](double weight, std::optional<std::uint32_t> column) {
     if (weight < needed || (result.selected && weight <= result.weight)) return;
-    std::vector<std::uint32_t> selected(table.installed().begin(), table.installed().end());
+    Selection selected(table.installed().begin(), table.installed().end());
     if (column) selected.push_back(*column);
     std::sort(selected.begin(), selected.end());
     result.selected = std::move(selected);

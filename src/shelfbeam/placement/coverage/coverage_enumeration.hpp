@@ -15,7 +15,7 @@ namespace shelfbeam::detail {
 /// The result of `enumerate_coverage`.
 struct CoverageEnumeration {
   /// Ascending, with the installed units and without conflicts; empty if no selection of the weight was seen.
-  std::optional<std::vector<std::uint32_t>> selected = {};
+  std::optional<Selection> selected = {};
   double weight = 0;  ///< of `selected`
   /// Every selection was examined or excluded, or Aim::first was achieved.
   bool is_complete = false;

@@ -55,7 +55,7 @@ class CoverageTable {
   const Instance& instance_;
   const LabelWeights& weights_;
   Mounts mounts_;
-  std::vector<std::uint32_t> installed_, candidates_, point_;
+  Selection installed_, candidates_, point_;
   std::vector<std::uint32_t> rows_;
   double settled_ = 0;
   bool omits_best_ = false;

@@ -38,7 +38,7 @@ class Minimisation {
     result_.share = share;
     result_.target = weights_.in_table(target_);
     result_.solver = {Method::greedy};
-    const std::vector<std::uint32_t> installed = instance.installed;
+    const Selection installed = instance.installed;
     offer(installed);
     result_.count_lower_bound = installed.size();
     if (target_ > 0 && !result_.has_selection)
@@ -61,7 +61,7 @@ class Minimisation {
   static constexpr std::uint64_t long_walk = 20'000'000;
 
   const detail::LabelWeights& weights() const { return weights_; }
-  const std::vector<std::uint32_t>& selected() const { return result_.selected; }
+  const Selection& selected() const { return result_.selected; }
   double value() const {
     return result_.has_selection ? static_cast<double>(result_.selected.size())
                                  : std::numeric_limits<double>::infinity();
@@ -88,7 +88,7 @@ class Minimisation {
 
   /// For fewer units, or for any selection if none is known.
   bool anneal(const detail::CoverageAnnealing& annealing, const detail::Effort& effort, std::uint32_t seed) {
-    const std::vector<std::uint32_t>& start = result_.has_selection ? result_.selected : first_;
+    const Selection& start = result_.has_selection ? result_.selected : first_;
     if (!instance_.can_exchange(start)) return false;
     const auto found = annealing.for_fewer(target_, start, effort, seed, control_);
     if (!found) return true;
@@ -155,7 +155,7 @@ class Minimisation {
 
  private:
   /// Accepts a selection that reaches the target with fewer units than the incumbent.
-  void offer(const std::vector<std::uint32_t>& selected) {
+  void offer(const Selection& selected) {
     Check check = instance_.check(selected);
     const double weight = weights_.without(check.unmet);
     if (!check.allowed() || weight < target_ ||
@@ -195,7 +195,7 @@ class Minimisation {
   detail::LabelWeights weights_;
   double target_;
   FewestUnits result_;
-  std::vector<std::uint32_t> first_;  ///< of the greedy method
+  Selection first_;  ///< of the greedy method
   double reached_ = 0, upper_bound_ = 0;
   bool is_infeasible_ = false;
 };

@@ -14,12 +14,12 @@ namespace shelfbeam {
 /// The result of `fewest_units`.
 struct FewestUnits {
   PlacementProblem problem;
-  double share = 1;                     ///< of the weight of all labels, to be reached
-  double target = 0;                    ///< the same as a weight; whole if the weights are
-  bool has_selection = false;           ///< `selected` reaches the target
-  std::vector<std::uint32_t> selected;  ///< ascending; contains every installed unit
-  std::vector<std::uint32_t> missed;    ///< labels that the selection misses, ascending
-  std::size_t reached = 0;              ///< labels that the selection reaches
+  double share = 1;                   ///< of the weight of all labels, to be reached
+  double target = 0;                  ///< the same as a weight; whole if the weights are
+  bool has_selection = false;         ///< `selected` reaches the target
+  Selection selected;                 ///< ascending; contains every installed unit
+  std::vector<std::uint32_t> missed;  ///< labels that the selection misses, ascending
+  std::size_t reached = 0;            ///< labels that the selection reaches
   /// Without weights, a label weighs 1. The upper bound holds for selections of any number of units.
   CoverageWeight weight;
   std::size_t count_lower_bound = 0;             ///< proven: fewer units do not reach the target

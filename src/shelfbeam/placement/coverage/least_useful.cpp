@@ -11,7 +11,7 @@
 namespace shelfbeam::detail {
 
 std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWeights& weights,
-                                        const std::vector<std::uint32_t>& selected) {
+                                        const Selection& selected) {
   std::vector<bool> chosen(instance.columns(), false);
   for (const std::uint32_t j : selected) chosen[j] = true;
   std::vector<double> missed(instance.columns(), 0.0), lost(instance.columns(), 0.0);
@@ -40,14 +40,13 @@ std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWei
   return LeastUseful{*least, missed[*least]};
 }
 
-std::vector<std::uint32_t> without_useless(const Instance& instance, const LabelWeights& weights,
-                                           std::vector<std::uint32_t> selected, const Effort& effort,
-                                           const RunControl& control) {
+Selection without_useless(const Instance& instance, const LabelWeights& weights, Selection selected,
+                          const Effort& effort, const RunControl& control) {
   const double reached = weight_of(instance, weights, selected);
   while (!effort.is_over(control)) {
     const auto least = least_useful(instance, weights, selected);
     if (!least || least->weight > 0) break;
-    std::vector<std::uint32_t> fewer = selected;
+    Selection fewer = selected;
     std::erase(fewer, least->column);
     // Shares decide almost as the checker does.
     if (weight_of(instance, weights, fewer) < reached) break;
@@ -61,15 +60,14 @@ std::vector<std::uint32_t> greedy_by_weight(const Instance& instance, const Labe
   return greedy_order(instance, weights.of_labels(), effort, control);
 }
 
-std::vector<std::uint32_t> first_units(std::span<const std::uint32_t> order, std::size_t units) {
+Selection first_units(std::span<const std::uint32_t> order, std::size_t units) {
   const std::span<const std::uint32_t> first = order.first(std::min(order.size(), units));
-  std::vector<std::uint32_t> selected(first.begin(), first.end());
+  Selection selected(first.begin(), first.end());
   std::sort(selected.begin(), selected.end());
   return selected;
 }
 
-double weight_of(const Instance& instance, const LabelWeights& weights,
-                 const std::vector<std::uint32_t>& selected) {
+double weight_of(const Instance& instance, const LabelWeights& weights, const Selection& selected) {
   return weights.without(instance.check(selected).unmet);
 }
 

@@ -22,21 +22,19 @@ struct LeastUseful {
 /// The unit, not an installed one, with which the least weight is lost, of equal ones the one with the least
 /// lack; nullopt if all are installed. Examines the table once.
 std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWeights& weights,
-                                        const std::vector<std::uint32_t>& selected);
+                                        const Selection& selected);
 
 /// Removes units as long as this loses no weight and the effort is not over.
-std::vector<std::uint32_t> without_useless(const Instance& instance, const LabelWeights& weights,
-                                           std::vector<std::uint32_t> selected, const Effort& effort,
-                                           const RunControl& control);
+Selection without_useless(const Instance& instance, const LabelWeights& weights, Selection selected,
+                          const Effort& effort, const RunControl& control);
 
 /// The units of a greedy selection of all labels, by weight, in the order of their addition, and the first
 /// ones of them, ascending.
 std::vector<std::uint32_t> greedy_by_weight(const Instance& instance, const LabelWeights& weights,
                                             const Effort& effort, const RunControl& control);
-std::vector<std::uint32_t> first_units(std::span<const std::uint32_t> order, std::size_t units);
+Selection first_units(std::span<const std::uint32_t> order, std::size_t units);
 
 /// The weight of the labels that a selection reaches, by the checker.
-double weight_of(const Instance& instance, const LabelWeights& weights,
-                 const std::vector<std::uint32_t>& selected);
+double weight_of(const Instance& instance, const LabelWeights& weights, const Selection& selected);
 
 }  // namespace shelfbeam::detail

@@ -70,7 +70,7 @@ class Maximisation {
   static constexpr std::uint64_t long_walk = 4'000'000;
 
   const detail::LabelWeights& weights() const { return weights_; }
-  const std::vector<std::uint32_t>& selected() const { return reach_.selected; }
+  const Selection& selected() const { return reach_.selected; }
   double value() const { return weights_.in_table(value_); }
   double bound() const { return weights_.in_table(bound_); }
   bool is_proven() const {
@@ -87,7 +87,7 @@ class Maximisation {
 
   /// For more weight.
   bool anneal(const detail::CoverageAnnealing& annealing, const detail::Effort& effort, std::uint32_t seed) {
-    const std::vector<std::uint32_t> start = filled();
+    const Selection start = filled();
     if (!instance_.can_exchange(start)) return false;
     const auto found = annealing.for_more(value_, start, effort, seed, control_);
     if (!found) return true;
@@ -138,7 +138,7 @@ class Maximisation {
 
  private:
   /// Accepts a selection that is better than the incumbent.
-  void offer(const std::vector<std::uint32_t>& selected) {
+  void offer(const Selection& selected) {
     Check check = instance_.check(selected);
     const double value = weights_.without(check.unmet);
     const bool better = value > value_ || (value == value_ && selected.size() < reach_.selected.size());
@@ -148,12 +148,12 @@ class Maximisation {
     value_ = value;
   }
 
-  void offer_compact(const std::vector<std::uint32_t>& selected, const detail::Effort& effort) {
+  void offer_compact(const Selection& selected, const detail::Effort& effort) {
     offer(detail::without_useless(instance_, weights_, selected, {.until = effort.until}, control_));
   }
 
   /// The incumbent, with further units of the greedy selection up to the allowed number.
-  std::vector<std::uint32_t> filled() const {
+  Selection filled() const {
     std::vector<std::uint32_t> result;
     std::vector<bool> is_out(instance_.columns(), false);
     const auto take = [&](std::uint32_t j) {

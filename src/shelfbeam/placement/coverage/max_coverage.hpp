@@ -23,10 +23,10 @@ struct CoverageWeight {
 /// The result of `maximise_coverage`.
 struct MaxCoverage {
   PlacementProblem problem;
-  std::size_t at_most = 0;              ///< units, installed ones included
-  std::vector<std::uint32_t> selected;  ///< ascending; contains every installed unit
-  std::vector<std::uint32_t> missed;    ///< labels that the selection misses, ascending
-  std::size_t reached = 0;              ///< labels that the selection reaches
+  std::size_t at_most = 0;            ///< units, installed ones included
+  Selection selected;                 ///< ascending; contains every installed unit
+  std::vector<std::uint32_t> missed;  ///< labels that the selection misses, ascending
+  std::size_t reached = 0;            ///< labels that the selection reaches
   /// Proven: at most this many labels can be reached; with weights, the labels reachable one by one.
   std::size_t upper_bound = 0;
   std::optional<CoverageWeight> weight = {};  ///< if the table has weights

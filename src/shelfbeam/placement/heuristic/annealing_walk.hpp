@@ -86,7 +86,7 @@ class AnnealingWalk {
   Found best() const { return {best_, static_cast<double>(fewest_)}; }
 
  private:
-  std::vector<std::uint32_t> selection() const {
+  Selection selection() const {
     std::vector<std::uint32_t> result = fixed_;
     result.insert(result.end(), free_.begin(), free_.end());
     std::sort(result.begin(), result.end());
@@ -145,7 +145,7 @@ class AnnealingWalk {
   // Keeps the selection if it reaches all labels; otherwise adds rows that it misses. If no row is new, only
   // single precision accepts the selection: it has failed until an exchange changes it.
   bool meets_all() {
-    const std::vector<std::uint32_t> selected = selection();
+    const Selection selected = selection();
     while (!rows_.reaches_all(selected)) {
       if (!rows_.add_missed()) {
         has_failed_ = true;
@@ -212,7 +212,7 @@ class AnnealingWalk {
   float lack_ = 0;           ///< L(T)
   bool has_failed_ = false;  ///< misses a label on all rows, although none of them is new
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
-  std::optional<std::vector<std::uint32_t>> best_;
+  std::optional<Selection> best_;
   std::mt19937 random_;
 };
 

@@ -219,7 +219,7 @@ class CoverWalk {
   std::vector<std::uint32_t> times_;  ///< by row: chosen columns that reach it
   std::vector<std::uint32_t> open_, position_;
   std::vector<std::uint32_t> chosen_;
-  std::optional<std::vector<std::uint32_t>> best_;
+  std::optional<Selection> best_;
   std::mt19937 random_;
   std::uint64_t now_ = 0;
 };
@@ -240,7 +240,7 @@ std::optional<Selection> cover_search(const Instance& instance, const Reduction&
   const auto columns = best_of_walks(
       seed, effort, control, [&](std::uint32_t own_seed) { return CoverWalk(cover, known, own_seed); });
   if (!columns) return std::nullopt;
-  std::vector<std::uint32_t> selected = reduction.forced;
+  Selection selected = reduction.forced;
   for (const std::uint32_t c : *columns) selected.push_back(cover.column[c]);
   std::sort(selected.begin(), selected.end());
   return selected;

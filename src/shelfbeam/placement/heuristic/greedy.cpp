@@ -200,9 +200,9 @@ std::vector<double> greedy_costs(const detail::Instance& instance) {
   return cost;
 }
 
-std::vector<std::uint32_t> greedy_selection(const detail::Instance& instance, const detail::Effort& effort,
-                                            const RunControl& control) {
-  std::vector<std::uint32_t> selected = greedy_order(instance, {}, effort, control);
+Selection greedy_selection(const detail::Instance& instance, const detail::Effort& effort,
+                           const RunControl& control) {
+  Selection selected = greedy_order(instance, {}, effort, control);
   std::sort(selected.begin(), selected.end());
   return selected;
 }

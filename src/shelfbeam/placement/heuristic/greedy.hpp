@@ -34,9 +34,8 @@ namespace shelfbeam {
 ///
 /// When `effort` is over, the remaining labels are reached in one pass over the table, each by the units that
 /// it receives best, without regard to costs.
-std::vector<std::uint32_t> greedy_selection(const detail::Instance& instance,
-                                            const detail::Effort& effort = {},
-                                            const RunControl& control = {});
+Selection greedy_selection(const detail::Instance& instance, const detail::Effort& effort = {},
+                           const RunControl& control = {});
 
 /// The same units in the order of their addition, the installed ones first. Each gain and lack counts by the
 /// weight of its label (empty: 1); labels of weight 0 play no part. A unit never conflicts with an earlier

@@ -20,8 +20,7 @@ constexpr std::size_t max_supporters = 24;
 
 class Walk {
  public:
-  Walk(const Instance& instance, const SearchMatrix& all, const std::vector<std::uint32_t>& start,
-       std::uint32_t seed)
+  Walk(const Instance& instance, const SearchMatrix& all, const Selection& start, std::uint32_t seed)
       : instance_(instance),
         all_(all),
         rule_(receiving(instance.problem)),
@@ -112,7 +111,7 @@ class Walk {
     return unmet_.empty();
   }
 
-  std::vector<std::uint32_t> selection() const {
+  Selection selection() const {
     std::vector<std::uint32_t> result;
     for (std::uint32_t j = 0; j < in_.size(); ++j)
       if (in_[j]) result.push_back(j);
@@ -121,7 +120,7 @@ class Walk {
 
   // Keeps the selection if it reaches all labels; otherwise adds rows that it misses.
   bool try_on_all() {
-    const std::vector<std::uint32_t> selected = selection();
+    const Selection selected = selection();
     const Margin margin = margin_of(instance_, all_, selected, memory_);
     if (margin.is_met) {
       if (const double price = cost(); price < best_cost_) {
@@ -226,7 +225,7 @@ class Walk {
   std::vector<std::vector<std::uint32_t>> supporters_;  ///< by row: the free columns with the largest signals
   std::vector<float> weight_, held_, largest_, memory_;
   std::vector<std::uint32_t> unmet_;
-  std::optional<std::vector<std::uint32_t>> best_;
+  std::optional<Selection> best_;
   double best_cost_ = std::numeric_limits<double>::infinity();
 };
 

@@ -38,7 +38,7 @@ class Greedy {
       core_.pop_back();
     }
     drop_redundant();
-    std::vector<std::uint32_t> selected = rows_.chosen();
+    Selection selected = rows_.chosen();
     for (const std::uint32_t j : taken_) selected.push_back(rows_.column(j));
     std::sort(selected.begin(), selected.end());
     return selected;
@@ -117,8 +117,8 @@ class Greedy {
 
 }  // namespace
 
-std::vector<std::uint32_t> multiplier_greedy(const SparseRows& rows, std::span<const double> y,
-                                             std::span<const std::uint32_t> core) {
+Selection multiplier_greedy(const SparseRows& rows, std::span<const double> y,
+                            std::span<const std::uint32_t> core) {
   return Greedy(rows, y, core).run();
 }
 

@@ -17,7 +17,7 @@ namespace shelfbeam::detail {
 ///
 /// Columns that turn out redundant are removed, the most expensive first. Conflicts other than those of one
 /// mounting point are ignored: the caller checks.
-std::vector<std::uint32_t> multiplier_greedy(const SparseRows& rows, std::span<const double> y,
-                                             std::span<const std::uint32_t> core);
+Selection multiplier_greedy(const SparseRows& rows, std::span<const double> y,
+                            std::span<const std::uint32_t> core);
 
 }  // namespace shelfbeam::detail

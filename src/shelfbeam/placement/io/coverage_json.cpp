@@ -18,7 +18,7 @@ using detail::number;
 using detail::Record;
 using detail::TableIds;
 
-void add_price(Json& file, const TableIds& ids, const std::vector<std::uint32_t>& selected) {
+void add_price(Json& file, const TableIds& ids, const Selection& selected) {
   if (has_prices(ids.table)) file["price"] = Record::write(price_of(ids.table, selected), ids);
 }
 

@@ -40,9 +40,8 @@ Json whole_bound(double value) {
 }
 
 // Units that were given may share a mounting point.
-std::vector<std::uint32_t> read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTable& table,
-                                         bool is_given) {
-  std::vector<std::uint32_t> selected;
+Selection read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTable& table, bool is_given) {
+  Selection selected;
   std::vector<bool> seen(table.columns(), false);
   for (const JsonCursor& element : cursor.elements()) {
     selected.push_back(ids.position(element));
@@ -241,7 +240,7 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
   return Record::read<Placement>(detail::parse_placement(path), {table});
 }
 
-std::vector<std::uint32_t> read_selection(const std::filesystem::path& path, const SignalTable& table) {
+Selection read_selection(const std::filesystem::path& path, const SignalTable& table) {
   const TableIds ids{table};
   return read_selected(detail::parse_placement(path)["selected"], ids.transceivers, table, false);
 }

@@ -37,6 +37,6 @@ Placement read_placement(const std::filesystem::path& path, const SignalTable& t
 
 /// The selection of a file of `place` or `plan` for any question, ascending. Throws InputError as
 /// `read_placement` does.
-std::vector<std::uint32_t> read_selection(const std::filesystem::path& path, const SignalTable& table);
+Selection read_selection(const std::filesystem::path& path, const SignalTable& table);
 
 }  // namespace shelfbeam

@@ -24,11 +24,11 @@ bool closes(double bound, double value) {
 struct Search {
   const detail::Instance& instance;
   detail::CoverModel& model;
-  std::vector<std::uint32_t> selected = {};
+  Selection selected = {};
   double count = milp::infinity;  ///< infinite without a selection
   double value = milp::infinity;  ///< second objective (lexicographic) or whole sum (weighted)
 
-  void offer(const std::optional<std::vector<std::uint32_t>>& candidate) {
+  void offer(const std::optional<Selection>& candidate) {
     if (!candidate) return;
     const bool is_weighted = instance.is_weighted();
     const Check check = instance.check(*candidate);
@@ -115,9 +115,8 @@ struct Search {
 
 }  // namespace
 
-MipResult place_by_mip(const detail::Instance& instance,
-                       const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
-                       const detail::Effort& effort, const RunControl& control,
+MipResult place_by_mip(const detail::Instance& instance, const std::optional<Selection>& start,
+                       const SolveFunction& solve, const detail::Effort& effort, const RunControl& control,
                        const MipKnowledge& knowledge) {
   detail::CoverModel model(instance, solve, effort, control, knowledge);
   Search search{instance, model};

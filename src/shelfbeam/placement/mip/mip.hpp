@@ -38,9 +38,8 @@ struct MipKnowledge {
 /// time covers everything; the steps are nodes of one solve. Without time `solve` may be empty, and the
 /// result is `start` with the bounds that need no search. With a cut-off in `knowledge` and without a start,
 /// `infeasible` means a safe proof that no selection costs at most the cut-off.
-MipResult place_by_mip(const detail::Instance& instance,
-                       const std::optional<std::vector<std::uint32_t>>& start, const SolveFunction& solve,
-                       const detail::Effort& effort, const RunControl& control,
+MipResult place_by_mip(const detail::Instance& instance, const std::optional<Selection>& start,
+                       const SolveFunction& solve, const detail::Effort& effort, const RunControl& control,
                        const MipKnowledge& knowledge = {});
 
 }  // namespace shelfbeam

@@ -13,9 +13,6 @@
 
 namespace shelfbeam::detail {
 
-/// Columns of a table, ascending unless stated otherwise.
-using Selection = std::vector<std::uint32_t>;
-
 /// A placement problem, made once: the table, the rules, and all that the methods derive from them. The
 /// methods ask its structure, not the name of the question.
 struct Instance {
@@ -26,10 +23,10 @@ struct Instance {
   PlacementProblem problem;
   Mounts mounts;
   Selection installed;
-  std::vector<bool> available;      ///< per column: neither installed nor in conflict with an installed unit
-  std::vector<Selection> excludes;  ///< per column: the columns in conflict with it
-  std::vector<double>
-      second_cost;  ///< per column: objective_coefficients, the second objective if lexicographic
+  std::vector<bool> available;  ///< per column: neither installed nor in conflict with an installed unit
+  std::vector<std::vector<std::uint32_t>> excludes;  ///< per column: the columns in conflict with it
+  /// Per column: objective_coefficients, the second objective if lexicographic.
+  std::vector<double> second_cost;
   std::vector<double> first_cost;  ///< per column: 1 if lexicographic, otherwise first_objective
   CostBounds bounds;               ///< of first_cost
   /// Per column: `second_cost` if lexicographic, `first_cost` if weighted, as a multiple of `cost_unit`, a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
+
+/// Columns of a table, ascending unless stated otherwise.
+using Selection = std::vector<std::uint32_t>;
 
 /// How the signals of several transceivers act on one label (3.2).
 enum class CommunicationModel {

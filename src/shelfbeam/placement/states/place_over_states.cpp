@@ -180,9 +180,9 @@ class Solver {
 
   bool is_settled() const { return best_.is_proven() || (enough_ && best_.lower_bound >= *enough_); }
 
-  const std::vector<std::uint32_t>& known() const { return best_.has_selection() ? best_.selected : first_; }
+  const Selection& known() const { return best_.has_selection() ? best_.selected : first_; }
 
-  void improve(const std::vector<std::uint32_t>& selected) {
+  void improve(const Selection& selected) {
     if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
     search_for_fewer();
   }
@@ -195,7 +195,7 @@ class Solver {
     }
   }
 
-  void take(const std::vector<std::uint32_t>& selected) {
+  void take(const Selection& selected) {
     StateMisses misses = misses_of(states_, problem_, selected);
     const double value = state_value(states_, problem_, selected);
     if (allowance_.excess(misses) > 0 || value > best_.value) return;
@@ -244,7 +244,7 @@ class Solver {
   // Shares add up in both models, and cuts contain unit failure.
   PlacementProblem master_ = problem_;
   StatePlacement best_;
-  std::vector<std::uint32_t> first_;  ///< annealing begins with it as long as no selection is known
+  Selection first_;  ///< annealing begins with it as long as no selection is known
   std::uint64_t moves_ = first_moves;
 };
 

@@ -13,8 +13,8 @@ namespace shelfbeam {
 
 /// A selection that misses labels no more often than allowed, and a bound on all of these.
 struct StatePlacement {
-  std::vector<std::uint32_t> selected;  ///< ascending; with every installed unit
-  StateMisses misses;                   ///< by misses_of
+  Selection selected;  ///< ascending; with every installed unit
+  StateMisses misses;  ///< by misses_of
   /// Count or new spend; infinite if no selection was found.
   double value = std::numeric_limits<double>::infinity();
   double lower_bound = 0;  ///< proven for these states; infinite if no selection exists

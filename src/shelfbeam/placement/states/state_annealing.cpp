@@ -13,8 +13,6 @@ namespace shelfbeam {
 
 namespace {
 
-using detail::Selection;
-
 constexpr std::uint64_t spread_moves = 1'000'000;                                  ///< of one reserve
 constexpr std::array reserves{1.0, 1.01, 1.02, 1.03, 1.05, 1.07, 1.1, 1.15, 1.2};  ///< in requirements
 

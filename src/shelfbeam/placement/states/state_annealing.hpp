@@ -18,8 +18,6 @@ namespace shelfbeam {
 /// missed.
 class StateAnnealing {
  public:
-  using Selection = std::vector<std::uint32_t>;  ///< ascending
-
   /// All references must outlive the object. Precondition: there is a state.
   StateAnnealing(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance);
 

@@ -8,8 +8,6 @@ namespace shelfbeam {
 
 namespace {
 
-using Selection = StateSearch::Selection;
-
 constexpr std::array depths{1.0, 1.1, 1.2};  ///< in requirements
 
 }  // namespace

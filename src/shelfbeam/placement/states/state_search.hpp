@@ -20,8 +20,6 @@ double state_value(const StateTable& states, const PlacementProblem& problem,
 /// Adds units to selections, one at a time.
 class StateSearch {
  public:
-  using Selection = std::vector<std::uint32_t>;  ///< ascending
-
   /// All references must outlive the object. `is_over` ends a search early.
   StateSearch(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
               std::function<bool()> is_over, unsigned threads)

@@ -88,7 +88,7 @@ Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float
   count_work(all.padded_rows() * selected.size());
   if (!margin.is_met) return margin;
   const std::lock_guard lock(mutex_);
-  std::vector<std::uint32_t> sorted(selected.begin(), selected.end());
+  Selection sorted(selected.begin(), selected.end());
   std::sort(sorted.begin(), sorted.end());
   switch (goal.kind) {
     case TreeGoal::Kind::any:

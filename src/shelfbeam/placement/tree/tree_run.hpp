@@ -59,7 +59,7 @@ class TreeRun {
   bool is_complete() const { return !was_cut() && !is_part_cut_; }
   std::uint64_t nodes() const { return nodes_.load(std::memory_order_relaxed); }
   std::uint64_t work() const { return work_.load(std::memory_order_relaxed); }
-  std::optional<std::vector<std::uint32_t>> best;  ///< ascending
+  std::optional<Selection> best;  ///< ascending
 
  private:
   static constexpr std::uint64_t max_misses = 64;
@@ -74,7 +74,7 @@ class TreeRun {
   std::atomic<std::uint64_t> nodes_{0}, misses_{0}, logged_{0}, work_{0};
   std::atomic<std::int64_t> max_cost_;
   std::atomic<double> margin_{0};  ///< largest minimum margin so far
-  std::vector<std::uint32_t> widest_;
+  Selection widest_;
   std::atomic<bool> found_{false}, cut_{false};
 };
 

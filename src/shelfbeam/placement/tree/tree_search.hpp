@@ -26,12 +26,12 @@ struct TreeGoal {
   Kind kind = Kind::any;
   std::size_t max_units = 0;
   std::int64_t max_cost = std::numeric_limits<std::int64_t>::max();
-  std::vector<std::uint32_t> start;  ///< for widest: ascending; a feasible selection, or empty
+  Selection start;  ///< for widest: ascending; a feasible selection, or empty
 };
 
 struct TreeResult {
-  bool is_complete = false;                            ///< exhaustive: nothing better exists
-  std::optional<std::vector<std::uint32_t>> selected;  ///< ascending
+  bool is_complete = false;           ///< exhaustive: nothing better exists
+  std::optional<Selection> selected;  ///< ascending
   std::uint64_t nodes = 0;
   Proof proof;  ///< that nothing better exists; complete only if requested and `is_complete`
 };

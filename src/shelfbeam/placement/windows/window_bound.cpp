@@ -333,7 +333,7 @@ WindowBound window_bound(const Instance& instance, std::span<const double> cost,
                          const WindowHeuristic& heuristic, const RunControl& control) {
   double forced_cost = 0;
   for (const std::uint32_t j : reduction.forced) forced_cost += cost[j];
-  const WindowHeuristic whole = [&](std::vector<std::uint32_t> selected) {
+  const WindowHeuristic whole = [&](Selection selected) {
     selected.insert(selected.end(), reduction.forced.begin(), reduction.forced.end());
     std::sort(selected.begin(), selected.end());
     return heuristic(selected);

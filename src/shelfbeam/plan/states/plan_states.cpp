@@ -84,8 +84,6 @@ class Planner {
   }
 
  private:
-  using Selection = std::vector<std::uint32_t>;
-
   const PlacementProblem& problem() const { return result_.placement.problem; }
 
   MissAllowance allowance(std::span<const std::uint32_t> labels) const {

@@ -32,7 +32,7 @@ TEST(CoverageAnnealing, FindsTheFewestUnits) {
     const PlacementProblem problem = any_rule(tables);
     const detail::LabelWeights weights(table);
     const double target = weights.rounded_up(0.8 * weights.total());
-    detail::Selection all(table.columns());
+    Selection all(table.columns());
     std::iota(all.begin(), all.end(), 0U);
     if (table.rows() == 0 || test::weight_of(table, problem, all) < weights.in_table(target) ||
         weights.total() == 0)
@@ -41,7 +41,7 @@ TEST(CoverageAnnealing, FindsTheFewestUnits) {
     const detail::Instance instance(table, problem);
     const detail::CoverageAnnealing annealing(instance, weights);
     const auto found = annealing.for_fewer(target, all, {.steps = 5000}, 1, {.threads = 1});
-    const detail::Selection selected = found.value_or(all);
+    const Selection selected = found.value_or(all);
     EXPECT_GE(test::weight_of(table, problem, selected), weights.in_table(target) * (1 - 1e-9));
     std::size_t fewest = 0;
     while (max_weight(table, problem, fewest) < weights.in_table(target) * (1 - 1e-9)) ++fewest;
@@ -62,7 +62,7 @@ TEST(CoverageAnnealing, FindsTheLargestWeight) {
     const SignalTable table = tables.next();
     const PlacementProblem problem = any_rule(tables);
     const detail::LabelWeights weights(table);
-    detail::Selection start(std::min<std::size_t>(4, table.columns()));
+    Selection start(std::min<std::size_t>(4, table.columns()));
     std::iota(start.begin(), start.end(), 0U);
     const auto is_installed = [](const SignalTable::Transceiver& unit) { return unit.installed; };
     if (weights.total() == 0 || start.empty() ||
