@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -88,6 +89,17 @@ std::vector<std::vector<std::uint32_t>> divided_rows(std::span<const milp::Row> 
   std::iota(all.begin(), all.end(), 0U);
   divider.divide(std::move(all), parts);
   return std::move(divider.divided);
+}
+
+std::vector<std::vector<std::uint32_t>> divided_rows(const CoverMatrix& cover, std::size_t parts) {
+  std::vector<milp::Row> rows(cover.rows.size());
+  std::vector<double> mass(rows.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const std::uint32_t j : cover.rows[i]) {
+      rows[i].entries.push_back({j, 1.0});
+      mass[i] = std::min(mass[i], cover.cost[j] / static_cast<double>(cover.columns[j].size()));
+    }
+  return divided_rows(rows, cover.columns.size(), mass, parts);
 }
 
 }  // namespace shelfbeam::detail

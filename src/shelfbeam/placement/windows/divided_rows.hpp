@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/milp/model.hpp"
+#include "shelfbeam/placement/reduce/cover_matrix.hpp"
 
 namespace shelfbeam::detail {
 
@@ -14,5 +15,8 @@ namespace shelfbeam::detail {
 /// is ascending.
 std::vector<std::vector<std::uint32_t>> divided_rows(std::span<const milp::Row> rows, std::size_t columns,
                                                      std::span<const double> mass, std::size_t parts);
+
+/// Parts of similar cost, where the cost of a row is the smallest share of its columns.
+std::vector<std::vector<std::uint32_t>> divided_rows(const CoverMatrix& cover, std::size_t parts);
 
 }  // namespace shelfbeam::detail

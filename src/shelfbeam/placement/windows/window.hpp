@@ -7,7 +7,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
-#include "shelfbeam/placement/windows/cover_matrix.hpp"
+#include "shelfbeam/placement/reduce/cover_matrix.hpp"
 
 namespace shelfbeam::detail {
 

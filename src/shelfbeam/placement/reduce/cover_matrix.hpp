@@ -17,11 +17,9 @@ struct CoverMatrix {
   std::vector<double> cost;                         ///< of every column, not negative
   std::vector<std::uint32_t> column_of;             ///< the table's column of every column
 
-  /// All parts of the reduction together. Mounting points and pairs of columns are ignored.
+  /// All parts of the reduction together, without the columns in conflict with forced ones. Other conflicts
+  /// are ignored.
   CoverMatrix(const Instance& instance, std::span<const double> cost, const Reduction& reduction);
 };
-
-/// Parts of similar cost, where the cost of a row is the smallest share of its columns.
-std::vector<std::vector<std::uint32_t>> divided_rows(const CoverMatrix& cover, std::size_t parts);
 
 }  // namespace shelfbeam::detail
