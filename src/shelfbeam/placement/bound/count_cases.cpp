@@ -58,7 +58,7 @@ class Cases {
     return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
       double outside = 0;
       cover_.for_entries(label, [&](std::uint32_t j, double a) { outside += is_out[j] ? 0 : a; });
-      return outside * (1 + rounding) < cover_.bound();
+      return outside * (1 + rounding) < cover_.bound(label);
     });
   }
 

@@ -39,7 +39,7 @@ Cut best_cover(std::uint32_t label, const CoverRows& cover, std::span<const doub
             [](const Term& s, const Term& t) { return s.x != t.x ? s.x > t.x : s.column < t.column; });
   Cut best{{label, {}, 0}, 0};
   std::size_t taken = 0;
-  double lacking = cover.bound();
+  double lacking = cover.bound(label);
   for (std::size_t k = 0; k < terms.size(); ++k) {
     lacking -= terms[k].a;
     if (lacking < 2 * min_lack) break;
@@ -59,13 +59,14 @@ Cut best_share(std::uint32_t label, const CoverRows& cover, std::span<const doub
                std::size_t max_units) {
   constexpr int shares = 24;
   const std::vector<Term> terms = terms_of(label, cover, x);
+  const double bound = cover.bound(label);
   const auto units = static_cast<double>(max_units);
   Cut best{{label, {}, 0}, 0};
   for (int k = 1; k <= shares; ++k) {
     // s K, the contribution of all units below the share, grows evenly up to nearly the whole bound.
-    const double below = cover.bound() * k / (shares + 0.25);
+    const double below = bound * k / (shares + 0.25);
     const double share = below / units;
-    const double lacking = cover.bound() - below;
+    const double lacking = bound - below;
     double sum = 0;
     for (const Term& term : terms)
       if (term.a > share) sum += std::min(1.0, (term.a - share) / lacking) * term.x;

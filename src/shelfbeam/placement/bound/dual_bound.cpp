@@ -83,19 +83,34 @@ void take_points(std::vector<Point> points, std::size_t min_count, std::size_t m
 
 }  // namespace
 
+DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
+                   std::size_t max_count, std::span<const double> price_of_miss) {
+  DualSums sums{0, std::vector<double>(instance.columns(), 0.0), rows.size()};
+  BoundRowReader reader(instance, max_count);
+  std::vector<double> of_label(price_of_miss.size(), 0.0);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (!(y[k] > 0) || !std::isfinite(y[k])) continue;
+    const double part =
+        y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { sums.weight[j] += y[k] * a; });
+    (price_of_miss.empty() ? sums.constant : of_label[rows[k].label]) += part;
+  }
+  for (std::size_t i = 0; i < of_label.size(); ++i) sums.constant += std::min(of_label[i], price_of_miss[i]);
+  return sums;
+}
+
 DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
                      std::span<const double> cost, const SelectionSet& selections) {
+  return dual_bound(instance, dual_sums(instance, rows, y, selections.max_count), cost, selections);
+}
+
+DualBound dual_bound(const Instance& instance, const DualSums& sums, std::span<const double> cost,
+                     const SelectionSet& selections) {
   const std::size_t n = instance.columns();
-  DualBound dual{0, std::vector<double>(n, 0.0), {}};
-  std::vector<double> weight(n, 0.0);  // sum_i y_i a_ij
-  BoundRowReader reader(instance, selections.max_count);
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    if (y[k] > 0 && std::isfinite(y[k]))
-      dual.bound += y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
+  DualBound dual{sums.constant, std::vector<double>(n, 0.0), {}};
   double added = dual.bound;
   for (std::size_t j = 0; j < n; ++j) {
-    dual.reduced_cost.push_back(cost[j] - weight[j]);
-    added += std::abs(cost[j]) + weight[j];
+    dual.reduced_cost.push_back(cost[j] - sums.weight[j]);
+    added += std::abs(cost[j]) + sums.weight[j];
   }
 
   if (!std::isfinite(added)) {
@@ -112,7 +127,7 @@ DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, s
               selections.max_count - std::min(selections.max_count, count), dual);
 
   const double slack =
-      static_cast<double>(rows.size() + n + 8) * std::numeric_limits<double>::epsilon() * added;
+      static_cast<double>(sums.rows + n + 8) * std::numeric_limits<double>::epsilon() * added;
   dual.bound -= slack;
   for (double& cost_with : dual.if_chosen) cost_with += dual.bound;
   return dual;

@@ -57,6 +57,20 @@ struct DualBound {
   std::vector<double> reduced_cost;  ///< per column: c_j - sum_i y_i a_ij
 };
 
+/// Sums of rows times multipliers, from the table alone.
+struct DualSums {
+  double constant = 0;         ///< sum_i y_i b_i or, if labels may be missed, sum_i min(y_i b_i, price_i)
+  std::vector<double> weight;  ///< per column: sum_i y_i a_ij
+  std::size_t rows = 0;
+};
+
+/// Of multipliers y >= 0 of `rows`, for selections of at most `max_count` units. Multipliers that are
+/// negative or not finite count as 0. `price_of_miss`: per label, the price for which its rows need not be
+/// met; empty if they must. (A variable z_i in {0, 1} fills the rows of label i at this price; the minimum
+/// over z_i is in closed form. y_i b_i is then the sum over the rows of the label.)
+DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
+                   std::size_t max_count, std::span<const double> price_of_miss = {});
+
 /// The Lagrangian dual bound of multipliers y >= 0 of `rows`, for costs c of any sign, from the table alone
 /// and independent of any solver. It holds for the selections of `selections`:
 ///
@@ -65,10 +79,14 @@ struct DualBound {
 /// The bound is the minimum of the right-hand side over all T with the chosen units, at most one option
 /// per mounting point, and a count allowed by `selections`: the mounting points with the smallest r_j (of
 /// their best option), at least the minimum count, and further negative ones up to the maximum. `if_chosen`
-/// is the same minimum with T_j = 1. Multipliers that are negative or not finite count as 0. Rounding errors
+/// is the same minimum with T_j = 1. Rounding errors
 /// are bounded by (rows + columns + 8) 2^-52 times the sum of the absolute terms.
 DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
                      std::span<const double> cost, const SelectionSet& selections = {});
+/// The same from sums for selections of at least as many units. If labels may be missed, their prices are
+/// part of the cost.
+DualBound dual_bound(const Instance& instance, const DualSums& sums, std::span<const double> cost,
+                     const SelectionSet& selections = {});
 
 /// Reduced-cost fixing: the columns, ascending, that no selection of cost at most `worth` contains, because
 /// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is
@@ -91,7 +109,7 @@ class BoundRowReader {
     if (row.share > 0) return read_above_share(row, visit);
     if (!row.taken.empty()) return read_without_taken(row, visit);
     cover_.for_entries(row.label, visit);
-    return cover_.bound();
+    return cover_.bound(row.label);
   }
 
  private:
@@ -108,7 +126,7 @@ class BoundRowReader {
 
   template <class Visit>
   double read_above_share(const BoundRow& row, Visit visit) const {
-    const double lacking = cover_.bound() - row.share * max_units_ - rounding;
+    const double lacking = cover_.bound(row.label) - row.share * max_units_ - rounding;
     if (!(lacking >= min_lack)) return 0;
     cover_.for_entries(row.label, [&](std::uint32_t j, double a) {
       // The difference loses digits; 1e-12 exceeds that error after the division.
@@ -120,7 +138,7 @@ class BoundRowReader {
   template <class Visit>
   double read_without_taken(const BoundRow& row, Visit visit) {
     for (const std::uint32_t j : row.taken) taken_[j] = true;
-    double lacking = cover_.bound() - rounding;
+    double lacking = cover_.bound(row.label) - rounding;
     cover_.for_entries(row.label, [&](std::uint32_t j, double a) { lacking -= taken_[j] ? a : 0; });
     const bool excludes_any = lacking >= min_lack;
     if (excludes_any)

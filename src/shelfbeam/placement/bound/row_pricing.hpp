@@ -62,7 +62,7 @@ class RowPricing {
     std::vector<double> lacking(rows_);
     parallel_for_ranges(rows_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        lacking[i] = cover_.bound();
+        lacking[i] = cover_.bound(i);
         cover_.for_entries(i, [&](std::uint32_t j, double a) { lacking[i] -= a * x[j]; });
       }
     });

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/bound/dual_bound.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/problem/cover_rows.hpp"
 
 namespace shelfbeam {
 
@@ -18,54 +20,37 @@ using detail::CoverageKernels;
 constexpr std::array<double, CoverageKernels::lifted_rows> omitted{0.0, 0.3, 0.6, 0.95};
 constexpr std::size_t max_parts = 16, min_entries_of_part = 20'000;
 
-float rounded_up(double value) {
-  return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
-}
-
 }  // namespace
 
 CoverageBound::CoverageBound(const detail::Instance& instance, const detail::LabelWeights& weights,
                              std::size_t max_units)
-    : weights_(weights),
-      mounts_(instance.table),
-      installed_(instance.columns(), false),
-      redundant_(instance.problem.redundant),
-      point_(instance.columns()),
-      chosen_(instance.columns(), 0.0F) {
+    : instance_(instance), weights_(weights), point_(instance.columns()), chosen_(instance.columns(), 0.0F) {
+  const Mounts& mounts = instance.mounts;
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    if (instance.is_installed(j)) installed_[j] = true, ++installed_count_;
-    point_[j] = mounts_.options(j).empty() ? j : mounts_.options(j).front();
-    if (mounts_.available(j)) chosen_[j] = 1;
+    point_[j] = mounts.options(j).empty() ? j : mounts.options(j).front();
+    if (mounts.available(j)) chosen_[j] = 1;
   }
   const bool cooperative = instance.is_cooperative();
   if (!cooperative) lifted_rows_ = 1;
-  double all = 0;
-  for (std::size_t i = 0; i < instance.rows(); ++i) {
-    if (weights[i] <= 0) continue;
-    const auto row = instance.row(i);
-    const double requirement = instance.requirement(i);
-    if (!mounts_.may_meet(row, requirement, instance.problem)) continue;
-    // R_i: the shares of a reached label add up to at least this.
-    double together = 1;
-    if (redundant_) {
-      const auto units = static_cast<double>(std::max<std::size_t>(2, std::min(max_units, row.size())));
-      together = cooperative ? units / (units - 1) : 2;
-    }
-    const double enough = requirement * (1 - 2 * met_tolerance);
-    for (const SignalEntry& entry : row) {
-      if (!mounts_.available(entry.transceiver)) continue;
-      if (!cooperative && !is_met(entry.signal, requirement)) continue;
-      const double share = cooperative ? std::min(1.0, entry.signal / enough) : 1;
-      column_.push_back(entry.transceiver);
-      share_.push_back(rounded_up(share));
-    }
+  const detail::CoverRows cover(instance, max_units);
+  for (std::uint32_t i = 0; i < instance.rows(); ++i) {
+    if (weights[i] <= 0 || !mounts.may_meet(instance.row(i), instance.requirement(i), instance.problem))
+      continue;
+    // Shares of the requirement less its tolerance.
+    const double enough = cooperative ? 1 - 2 * met_tolerance : 1;
+    cover.for_entries(i, [&](std::uint32_t j, double a) {
+      if (!mounts.available(j)) return;
+      column_.push_back(j);
+      share_.push_back(static_cast<float>(std::min(1.0, a / enough)));
+    });
     max_row_ = std::max(max_row_, column_.size() - row_begin_.back());
     row_begin_.push_back(column_.size());
-    min_share_sum_.push_back(together);
+    min_share_sum_.push_back(cover.bound(i) / enough);
+    label_.push_back(i);
     weight_.push_back(weights[i]);
-    all += weights[i];
+    reachable_ += weights[i];
   }
-  best_.assign(max_units + 1, all);
+  best_.assign(max_units + 1, reachable_);
   share_.resize(share_.size() + detail::SearchMatrix::block, 0.0F);
   const std::size_t size = std::max(min_entries_of_part, column_.size() / max_parts + 1);
   for (std::size_t i = 0; i < rows(); ++i) {
@@ -75,7 +60,7 @@ CoverageBound::CoverageBound(const detail::Instance& instance, const detail::Lab
 }
 
 double CoverageBound::weight(std::size_t units) const {
-  if (units < (redundant_ ? 2U : 1U)) return 0;
+  if (units < (instance_.problem.redundant ? 2U : 1U)) return 0;
   // The relative error of sums of m terms is below 1e-16 m.
   return weights_.rounded_down(best_[units]);
 }
@@ -86,10 +71,11 @@ double CoverageBound::sum_over_parts(std::vector<double>& by_column, const Body&
   std::vector<PartSums> sums(parts_.size());
   for_each_task(parts_.size(), [&](std::size_t p) {
     const std::size_t padded = max_row_ + detail::SearchMatrix::block;
-    sums[p] = {0, std::vector(installed_.size(), 0.0), std::vector(padded, 0.0F), std::vector(padded, 0.0F)};
+    sums[p] = {0, std::vector(instance_.columns(), 0.0), std::vector(padded, 0.0F),
+               std::vector(padded, 0.0F)};
     for (std::size_t i = parts_[p].first; i < parts_[p].last; ++i) sums[p].total += body(i, sums[p]);
   });
-  by_column.assign(installed_.size(), 0.0);
+  by_column.assign(instance_.columns(), 0.0);
   double total = 0;
   for (const PartSums& part : sums) {
     total += part.total;
@@ -98,56 +84,33 @@ double CoverageBound::sum_over_parts(std::vector<double>& by_column, const Body&
   return total;
 }
 
-// The best candidate of every mounting point, without installed units, in descending order.
-std::vector<CoverageBound::Candidate> CoverageBound::best_candidates(const std::vector<double>& value) const {
-  std::vector<Candidate> candidates;
-  for (std::uint32_t j = 0; j < value.size(); ++j) {
-    if (installed_[j] || !mounts_.available(j)) continue;
-    const auto options = mounts_.options(j);
-    const bool beaten = std::any_of(options.begin(), options.end(), [&](std::uint32_t other) {
-      return value[other] > value[j] || (value[other] == value[j] && other < j);
-    });
-    if (!beaten) candidates.push_back({j, value[j]});
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.value > b.value; });
-  return candidates;
-}
-
-// b_ijd with R_i in `min_share_sum_` and k d in `omitted`:
-//
-//   b_ijd = min(1, max(0, a_ij - d) / (R_i - k d)).
-//
-// At most k units of a reached label satisfy sum_j (a_ij - d) T_j >= R_i - k d > 0, so the b_ijd add up to at
-// least 1. Updates the bounds of all numbers of units for which the multipliers are valid: all if only d = 0
-// is used, otherwise up to `units`.
+// Rows of the relaxation as rows of `dual_sums`. Updates the bounds of all numbers of units for which they
+// are valid: all if only d = 0 is used, otherwise up to `units`.
 void CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y) {
-  const auto at_most = static_cast<double>(units);
-  std::vector<double> value;
-  double sum = sum_over_parts(value, [&](std::size_t i, PartSums& part) {
-    double together = 0;
-    for (std::size_t d = 0; d < lifted_rows_; ++d) {
-      const auto multiplier = static_cast<double>(y[i][d]);
-      if (!(multiplier > 0)) continue;
-      together += multiplier;
-      const double less = omitted[d] / at_most, lack = min_share_sum_[i] - omitted[d];
-      for (std::size_t e = row_begin_[i]; e < row_begin_[i + 1]; ++e)
-        part.by_column[column_[e]] +=
-            weight_[i] * multiplier * std::clamp((static_cast<double>(share_[e]) - less) / lack, 0.0, 1.0);
-    }
-    return weight_[i] * std::max(0.0, 1 - together);
-  });
   const bool is_plain = std::all_of(y.begin(), y.end(), [](const Multipliers& of) {
     return std::all_of(of.begin() + 1, of.end(), [](float one) { return one == 0; });
   });
-  for (std::size_t j = 0; j < value.size(); ++j)
-    if (installed_[j]) sum += value[j];
-  const std::vector<Candidate> candidates = best_candidates(value);
   const std::size_t last = is_plain ? best_.size() - 1 : units;
-  for (std::size_t k = installed_count_; k <= last; ++k) {
-    const std::size_t next = k - installed_count_;
-    if (next > 0 && next <= candidates.size()) sum += candidates[next - 1].value;
-    best_[k] = std::min(best_[k], sum);
+  const detail::CoverRows cover(instance_, last);
+  std::vector<detail::BoundRow> rows;
+  std::vector<double> multiplier;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    for (std::size_t d = 0; d < lifted_rows_; ++d) {
+      const auto share = static_cast<double>(y[i][d]);
+      if (!(share > 0)) continue;
+      rows.push_back({.label = label_[i], .share = omitted[d] / static_cast<double>(units)});
+      multiplier.push_back(weight_[i] * share / (d == 0 ? cover.bound(label_[i]) : 1));
+    }
+  const detail::DualSums sums = dual_sums(instance_, rows, multiplier, last, weights_.of_labels());
+  detail::SelectionSet selections;
+  for (std::uint32_t j = 0; j < instance_.columns(); ++j)
+    if (!instance_.available[j] && !instance_.is_installed(j)) selections.without.push_back(j);
+  constexpr double rounding = 1e-12;
+  const std::vector<double> nothing(instance_.columns(), 0.0);
+  for (std::size_t k = instance_.installed.size(); k <= last; ++k) {
+    selections.max_count = k;
+    const double above = reachable_ - dual_bound(instance_, sums, nothing, selections).bound;
+    best_[k] = std::min(best_[k], above > rounding * reachable_ ? above : 0);
   }
 }
 
@@ -183,18 +146,19 @@ double CoverageBound::relax(std::size_t units, float share_of_step, std::vector<
 // Scales T so that it adds up to `units`, apart from mounting points at which it would exceed 1.
 void CoverageBound::keep_to(std::size_t units) {
   std::vector<double> at_point(chosen_.size(), 0.0);
-  for (std::size_t j = 0; j < chosen_.size(); ++j)
-    if (!installed_[j]) at_point[point_[j]] += static_cast<double>(chosen_[j]);
+  for (std::uint32_t j = 0; j < chosen_.size(); ++j)
+    if (!instance_.is_installed(j)) at_point[point_[j]] += static_cast<double>(chosen_[j]);
   double factor = 0;
   for (bool grows = true; grows;) {
     double full = 0, rest = 0;
     for (const double sum : at_point) (factor * sum >= 1 ? full : rest) += factor * sum >= 1 ? 1 : sum;
-    const double next = rest > 0 ? (static_cast<double>(units - installed_count_) - full) / rest : factor;
+    const double next =
+        rest > 0 ? (static_cast<double>(units - instance_.installed.size()) - full) / rest : factor;
     grows = next > factor * (1 + 1e-9);
     factor = std::max(factor, next);
   }
-  for (std::size_t j = 0; j < chosen_.size(); ++j)
-    if (const double sum = at_point[point_[j]]; !installed_[j] && sum > 0)
+  for (std::uint32_t j = 0; j < chosen_.size(); ++j)
+    if (const double sum = at_point[point_[j]]; !instance_.is_installed(j) && sum > 0)
       chosen_[j] *= static_cast<float>(std::min(factor, 1 / sum));
 }
 
@@ -206,7 +170,7 @@ std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAi
   if (units == 0 || effort.steps == 0 || weight(units) <= reached || control.cancelled()) return 0;
   std::vector<Multipliers> y(rows(), Multipliers{1});
   if (!std::exchange(has_plain_bounds_, true)) evaluate(units, y);
-  if (units <= installed_count_) return 1;
+  if (units <= instance_.installed.size()) return 1;
   keep_to(units);
   std::vector<double> slope;
   double lowest = 0, sum_of_shares = 0;  // the relaxation has no bound below `lowest`
@@ -218,8 +182,8 @@ std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAi
     const auto share = static_cast<float>(static_cast<double>(step) / sum_of_shares);
     lowest = std::max(lowest, relax(units, share, y, slope));
     double steepest = 0;
-    for (std::size_t j = 0; j < slope.size(); ++j)
-      if (!installed_[j] && chosen_[j] > 0) steepest = std::max(steepest, slope[j]);
+    for (std::uint32_t j = 0; j < slope.size(); ++j)
+      if (!instance_.is_installed(j) && chosen_[j] > 0) steepest = std::max(steepest, slope[j]);
     goes_on = steepest > 0 && step + 1 < steps && !effort.is_over(control);
     if (step % between_bounds == 0 || !goes_on) {
       evaluate(units, y);
@@ -231,8 +195,8 @@ std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAi
     }
     if (!goes_on) continue;
     const double length = first_length / std::sqrt(1 + static_cast<double>(step) / shorter_after) / steepest;
-    for (std::size_t j = 0; j < chosen_.size(); ++j)
-      if (!installed_[j] && chosen_[j] > 0)
+    for (std::uint32_t j = 0; j < chosen_.size(); ++j)
+      if (!instance_.is_installed(j) && chosen_[j] > 0)
         chosen_[j] =
             std::max(least, chosen_[j] * static_cast<float>(std::exp(length * (slope[j] - steepest))));
     keep_to(units);

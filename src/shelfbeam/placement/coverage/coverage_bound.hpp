@@ -57,10 +57,6 @@ class CoverageBound {
   /// Of the lifted rows of a label.
   using Multipliers = std::array<float, detail::CoverageKernels::lifted_rows>;
 
-  struct Candidate {
-    std::uint32_t column = 0;
-    double value = 0;
-  };
   /// The rows that one task sums.
   struct Part {
     std::size_t first = 0, last = 0;
@@ -75,17 +71,15 @@ class CoverageBound {
   std::size_t rows() const { return min_share_sum_.size(); }
   template <class Body>
   double sum_over_parts(std::vector<double>& by_column, const Body& body) const;
-  std::vector<Candidate> best_candidates(const std::vector<double>& value) const;
   void evaluate(std::size_t units, std::span<const Multipliers> y);
   double relax(std::size_t units, float share_of_step, std::vector<Multipliers>& y,
                std::vector<double>& slope) const;
   void keep_to(std::size_t units);
 
+  const detail::Instance& instance_;
   const detail::LabelWeights& weights_;
-  Mounts mounts_;
-  std::vector<bool> installed_;
-  std::size_t installed_count_ = 0;
-  bool redundant_;
+  double reachable_ = 0;              ///< weight of the labels that some selection reaches
+  std::vector<std::uint32_t> label_;  ///< of a row
   std::size_t lifted_rows_ = detail::CoverageKernels::lifted_rows;  ///< only the first without sums
   std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be reached and weigh anything
   std::size_t max_row_ = 0;

@@ -91,7 +91,7 @@ class WindowMips final : ProgressSink {
 
   milp::Row row_of(std::uint32_t label) const {
     milp::Row row;
-    row.lower = cover_.bound();
+    row.lower = cover_.bound(label);
     cover_.for_entries(label, [&](std::uint32_t j, double a) { row.entries.push_back({j, a}); });
     return is_sum_ ? relaxed(std::move(row)) : row;
   }
