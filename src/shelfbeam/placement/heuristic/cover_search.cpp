@@ -12,7 +12,7 @@ namespace shelfbeam::detail {
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t no_place = ~std::uint32_t{0};
 
 class CoverWalk {
  public:
@@ -44,10 +44,10 @@ class CoverWalk {
     // Conflicts may keep a first selection from ever being complete.
     for (std::size_t k = 0; k < 2 * weight_.size() && !open_.empty(); ++k) {
       const std::uint32_t c = best_for(open_[random_() % open_.size()], true);
-      if (c != none) add(c);
+      if (c != no_place) add(c);
     }
     constexpr std::uint64_t between_looks = 1024;
-    std::uint32_t last = none;
+    std::uint32_t last = no_place;
     for (std::uint64_t move = 1; move <= effort.steps; ++move) {
       if (move % between_looks == 0) {
         if (effort.is_over(control)) return;
@@ -60,12 +60,12 @@ class CoverWalk {
           best_ = chosen_;
         }
         if (chosen_.empty()) return;
-        remove(min_useful(none));
+        remove(min_useful(no_place));
       }
       if (spent_ + min_cost_ >= least_ && !chosen_.empty()) remove(min_useful(last));
       if (open_.empty()) continue;
       last = best_for(open_[random_() % open_.size()], false);
-      if (last != none) {
+      if (last != no_place) {
         add(last);
         while (spent_ >= least_ && chosen_.size() > 1) remove(min_useful(last));
       }
@@ -82,13 +82,14 @@ class CoverWalk {
   double value(std::uint32_t c) const { return static_cast<double>(score_[c]) * per_cost_[c]; }
 
   std::uint32_t best_for(std::uint32_t row, bool may_return) const {
-    std::uint32_t best = none;
+    std::uint32_t best = no_place;
     double max_value = 0;
     for (const std::uint32_t c : cover_.rows[row]) {
       if (in_[c] || cost_[c] >= least_) continue;
       if (!may_return && touched_[c] > 0 && touched_[c] + 1 >= now_) continue;
       const double own = value(c);
-      if (best != none && (own < max_value || (own == max_value && touched_[c] >= touched_[best]))) continue;
+      if (best != no_place && (own < max_value || (own == max_value && touched_[c] >= touched_[best])))
+        continue;
       best = c;
       max_value = own;
     }
@@ -97,12 +98,13 @@ class CoverWalk {
 
   // The column added last stays for a move, unless it is the only one.
   std::uint32_t min_useful(std::uint32_t last) const {
-    std::uint32_t best = none;
+    std::uint32_t best = no_place;
     double min_value = 0;
     for (const std::uint32_t c : chosen_) {
       if (c == last && chosen_.size() > 1) continue;
       const double own = value(c);
-      if (best != none && (own > min_value || (own == min_value && touched_[c] >= touched_[best]))) continue;
+      if (best != no_place && (own > min_value || (own == min_value && touched_[c] >= touched_[best])))
+        continue;
       best = c;
       min_value = own;
     }
@@ -193,7 +195,7 @@ std::optional<Selection> cover_search(const Instance& instance, const Reduction&
   const std::int64_t known = cost_of(start) - cost_of(reduction.forced);
   if (known <= 0) return std::nullopt;
   const CoverMatrix cover(instance, instance.first_cost, reduction);
-  std::vector<std::uint32_t> place(instance.columns(), none);
+  std::vector<std::uint32_t> place(instance.columns(), no_place);
   for (std::uint32_t c = 0; c < cover.column_of.size(); ++c) place[cover.column_of[c]] = c;
   std::vector<std::int64_t> cost;
   std::vector<std::vector<std::uint32_t>> excludes;
@@ -201,7 +203,7 @@ std::optional<Selection> cover_search(const Instance& instance, const Reduction&
     cost.push_back(is_weighted ? instance.cost[j] : 1);
     auto& others = excludes.emplace_back();
     for (const std::uint32_t other : instance.excludes[j])
-      if (place[other] != none) others.push_back(place[other]);
+      if (place[other] != no_place) others.push_back(place[other]);
   }
   const auto columns = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
     return CoverWalk(cover, cost, excludes, known, own_seed);
