@@ -11,8 +11,8 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/placement/alternatives/alternatives.hpp"
 #include "shelfbeam/placement/coverage/coverage_curve.hpp"
+#include "shelfbeam/plan/alternatives/alternatives.hpp"
 #include "shelfbeam/plan/question/fitting_signals.hpp"
 #include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/rounds.hpp"

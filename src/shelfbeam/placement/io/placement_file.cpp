@@ -130,6 +130,17 @@ JsonCursor parse_placement(const std::filesystem::path& path) {
   return file;
 }
 
+void describe(Record& record, Price& price) {
+  const auto read_currency = [&](const JsonCursor& json) {
+    if (!json.is_null()) price.currency = json.text();
+  };
+  record.custom(
+      "currency", [&] { return price.currency.empty() ? Json(nullptr) : Json(price.currency); },
+      read_currency);
+  record.non_negative("total", price.total);
+  record.non_negative("new", price.to_spend);
+}
+
 void describe(Record& record, Unreachable& one) {
   record.id("label", one.label, record.ids().labels);
   record.positive("requirement", one.requirement);

@@ -5,7 +5,6 @@
 #include <span>
 #include <string>
 
-#include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
@@ -25,7 +24,6 @@ void describe(Record& record, Placement& placement);
 /// Without points, the keys of the curve are omitted. `selected` is not stored.
 void describe(Record& record, CoverageCurve& curve);
 void describe(Record& record, Price& price);
-void describe(Record& record, Alternatives& alternatives);
 
 /// The ids of at most `max_listed_labels` labels.
 inline Json first_ids(std::span<const std::uint32_t> labels, const Ids& ids) {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "shelfbeam/base/finding/finding.hpp"
-#include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/coverage_curve.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/alternatives.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/plan/answer/sensitivity.hpp"

@@ -13,6 +13,7 @@
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_json.hpp"
+#include "shelfbeam/plan/io/alternatives_json.hpp"
 #include "shelfbeam/plan/io/availability_json.hpp"
 #include "shelfbeam/plan/io/end_reason_json.hpp"
 #include "shelfbeam/plan/io/sensitivity_json.hpp"

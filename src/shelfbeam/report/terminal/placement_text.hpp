@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/alternatives.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
 
 namespace shelfbeam {

@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/alternatives/alternatives.hpp"
+#include "shelfbeam/plan/alternatives/alternatives.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/base/json.hpp"
-#include "shelfbeam/placement/io/placement_json.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/plan/io/alternatives_json.hpp"
 
 #include "unit/placement/brute_force.hpp"
 #include "unit/placement/random_table.hpp"

@@ -1,5 +1,4 @@
-#include <limits>
-#include <string>
+#include "shelfbeam/plan/io/alternatives_json.hpp"
 
 #include "shelfbeam/placement/io/placement_json.hpp"
 
@@ -19,17 +18,6 @@ void describe(Record& record, Alternative& one) {
   if (const JsonCursor count = (*record.file())["count"];
       count.number() != static_cast<double>(one.selected.size()))
     count.fail("is not the number of selected transceivers", "correct one of them");
-}
-
-void describe(Record& record, Price& price) {
-  const auto read_currency = [&](const JsonCursor& json) {
-    if (!json.is_null()) price.currency = json.text();
-  };
-  record.custom(
-      "currency", [&] { return price.currency.empty() ? Json(nullptr) : Json(price.currency); },
-      read_currency);
-  record.non_negative("total", price.total);
-  record.non_negative("new", price.to_spend);
 }
 
 void describe(Record& record, Alternatives& alternatives) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/answer/alternatives.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
+#include "shelfbeam/plan/answer/alternatives.hpp"
 
 namespace shelfbeam {
 

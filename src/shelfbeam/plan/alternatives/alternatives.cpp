@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/alternatives/alternatives.hpp"
+#include "shelfbeam/plan/alternatives/alternatives.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,9 +15,9 @@ namespace shelfbeam {
 namespace {
 
 // Moves of a local search, or nodes of a tree, per stage of the search.
-constexpr std::uint64_t steps = 20'000;
+constexpr std::uint64_t steps_per_stage = 20'000;
 // Matrix entries that the enumeration of one unit fewer examines, about a second; more than its search does.
-constexpr std::uint64_t entries = 5'000'000'000;
+constexpr std::uint64_t enumerated_entries = 5'000'000'000;
 
 double smallest_margin(const SignalTable& table, const PlacementProblem& problem, const Check& check) {
   double smallest = std::numeric_limits<double>::infinity();
@@ -34,7 +34,7 @@ std::optional<Alternative> one_fewer(const Placement& placement, const SignalTab
     return {};
   PlaceOptions options;
   options.solver = SolverChoice::search;
-  options.step_limit = entries / (table.entries.size() + 1);
+  options.step_limit = enumerated_entries / (table.entries.size() + 1);
   const MaxCoverage most =
       maximise_coverage(table, placement.problem, placement.count() - 1, options, control);
   if (control.cancelled()) return {};
@@ -118,7 +118,7 @@ Alternatives alternatives_to(const Placement& placement, const SignalTable& tabl
   PlaceOptions options;
   options.solver = SolverChoice::search;
   options.settles_ties = false;
-  options.step_limit = steps;
+  options.step_limit = steps_per_stage;
   const Placement secure = place(table, redundant, options, control);
   if (control.cancelled()) return result;
   result.cannot_survive = secure.status == Status::infeasible;
