@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -25,21 +24,6 @@ namespace shelfbeam::detail {
 namespace {
 
 constexpr double unknown_spend = std::numeric_limits<double>::infinity();
-
-/// Whether nearly all candidates have one price, so that few units and a low spend go together.
-bool have_one_price(const SignalTable& table) {
-  constexpr double nearly_all = 0.9;
-  std::map<double, std::size_t> count;
-  std::size_t all = 0;
-  for (const SignalTable::Transceiver& unit : table.transceivers) {
-    if (unit.installed) continue;
-    ++count[unit.cost];
-    ++all;
-  }
-  return std::any_of(count.begin(), count.end(), [&](const auto& price) {
-    return static_cast<double>(price.second) >= nearly_all * static_cast<double>(all);
-  });
-}
 
 /// Takes the selection of fewest units if it is cheaper, and the cheapest units of its bound as a bound on
 /// the spend; or its proof that no selection is feasible.
@@ -139,7 +123,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
       start = selected;
     }
   const SpendOrder order(table, known);
-  const bool counts = have_one_price(table) && options.proves &&
+  const bool counts = Instance(table, problem).has_one_price && options.proves &&
                       (options.solver == SolverChoice::automatic || options.solver == SolverChoice::search);
   PlaceOptions of_sum = options;
   of_sum.start = start;

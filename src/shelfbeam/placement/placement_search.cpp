@@ -208,35 +208,34 @@ std::optional<Selection> first_selection(const Instance& instance, const Selecti
 Placement search_placement(const Instance& instance, const Selection& start, const Solvers& solvers,
                            double time_limit_s, std::uint64_t seed, const RunControl& control,
                            const SearchLimits& limits) {
-  const auto search_for = [&](const SignalTable& priced, const PlacementProblem& as) {
-    const Instance own(priced, as);
+  const auto search_for = [&](const Instance& own) {
     SearchState state(own, start, solvers, time_limit_s, seed, control, limits);
     return search(state, instance.problem);
   };
-  const auto answer = [&](const SignalTable& priced) {
-    if (!is_cover_of_sums(priced, instance.problem)) return search_for(priced, instance.problem);
+  const auto answer = [&](const Instance& priced) {
+    if (!priced.has_covers_of_sums) return search_for(priced);
     const auto needs_rule = [](const SignalTable::Label& label) {
       return label.single_requirement != label.requirement;
     };
     PlacementProblem alone = instance.problem;
     alone.model = CommunicationModel::non_cooperative;
-    if (std::none_of(priced.labels.begin(), priced.labels.end(), needs_rule))
-      return search_for(priced, alone);
-    SignalTable cover = priced;
+    const std::vector<SignalTable::Label>& labels = priced.table.labels;
+    if (std::none_of(labels.begin(), labels.end(), needs_rule)) return search_for({priced.table, alone});
+    SignalTable cover = priced.table;
     for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
-    return search_for(cover, alone);
+    return search_for({cover, alone});
   };
   const Check known = instance.check(start);
   const double max_cost = 2 * (known.objective + known.transceiver_cost);
   const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > max_cost; };
   if (instance.problem.combination == Combination::lexicographic || !(max_cost > 0) ||
       std::none_of(instance.table.transceivers.begin(), instance.table.transceivers.end(), is_too_expensive))
-    return answer(instance.table);
+    return answer(instance);
   // No selection as good as the known one contains a more expensive unit. Capping such prices keeps the other
   // prices from vanishing in the rounding.
   SignalTable cheaper = instance.table;
   for (auto& unit : cheaper.transceivers) unit.cost = std::min(unit.cost, max_cost);
-  return answer(cheaper);
+  return answer({cheaper, instance.problem});
 }
 
 }  // namespace shelfbeam::detail

@@ -1,9 +1,26 @@
 #include "shelfbeam/placement/problem/instance.hpp"
 
 #include <cmath>
+#include <map>
 #include <string_view>
 
 namespace shelfbeam::detail {
+
+namespace {
+
+bool have_one_price(const SignalTable& table) {
+  constexpr double nearly_all = 0.9;
+  std::map<double, std::size_t> count;
+  std::size_t all = 0, largest = 0;
+  for (const SignalTable::Transceiver& unit : table.transceivers) {
+    if (unit.installed) continue;
+    largest = std::max(largest, ++count[unit.cost]);
+    ++all;
+  }
+  return all > 0 && static_cast<double>(largest) >= nearly_all * static_cast<double>(all);
+}
+
+}  // namespace
 
 Instance::Instance(const SignalTable& t, const PlacementProblem& q)
     : table(t),
@@ -27,6 +44,8 @@ Instance::Instance(const SignalTable& t, const PlacementProblem& q)
     available[j] = mounts.available(j) && !is_installed(j);
     if (is_installed(j)) installed.push_back(j);
   }
+  has_covers_of_sums = is_cover_of_sums(t, q);
+  has_one_price = have_one_price(t);
 }
 
 std::size_t Instance::trivial_count_bound() const {
