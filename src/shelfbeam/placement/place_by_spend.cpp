@@ -160,7 +160,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
 
 Effort greedy_effort(const PlaceOptions& options, double seconds) {
   if (options.step_limit) return {};
-  return {any_steps, Deadline(seconds).end()};
+  return for_seconds(seconds);
 }
 
 }  // namespace shelfbeam::detail

@@ -9,6 +9,7 @@
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -24,7 +25,7 @@ class Curve {
  public:
   Curve(const detail::Instance& instance, const Selection& selected, const RunControl& control,
         Clock::time_point until)
-      : instance_(instance), control_(control), until_(until), weights_(instance.table) {
+      : instance_(instance), control_(control), effort_{.until = until}, weights_(instance.table) {
     curve_.selected = selected;
     const std::size_t first = std::max<std::size_t>(1, instance.installed.size());
     for (std::size_t k = first; k <= selected.size(); ++k)
@@ -36,11 +37,11 @@ class Curve {
     offer(selected);
     look_forwards();
     look_backwards(selected);
-    anneal(detail::brief_annealing(instance_.table) / 10, part_of_rest(until_, 4));
+    anneal(detail::brief_annealing(instance_.table) / 10, part_of_rest(effort_, 4));
     rise();
     bound();
     enumerate();
-    anneal(long_walk, until_);
+    anneal(long_walk, effort_);
     rise();
     for (const Point& point : points_) curve_.points.push_back(in_table(point));
     curve_.is_complete = !was_cut_short_ && !is_over();
@@ -59,18 +60,16 @@ class Curve {
     BoundProof miss_proof = BoundProof::dual;
   };
 
-  bool is_over() const { return control_.cancelled() || Clock::now() >= until_; }
+  bool is_over() const { return effort_.is_over(control_); }
 
-  // The time of a part has passed.
-  bool is_cut_short(Clock::time_point end) {
-    const bool is_late = control_.cancelled() || Clock::now() >= end;
+  bool is_cut_short(const detail::Effort& part) {
+    const bool is_late = part.is_over(control_);
     was_cut_short_ = was_cut_short_ || is_late;
     return is_late;
   }
 
-  static Clock::time_point part_of_rest(Clock::time_point until, std::size_t parts) {
-    const Clock::time_point now = Clock::now();
-    return now + (until - now) / static_cast<Clock::rep>(parts);
+  static detail::Effort part_of_rest(const detail::Effort& effort, int parts) {
+    return detail::for_seconds(effort.seconds_left() / parts);
   }
 
   // The checker counts the labels that a selection reaches.
@@ -96,8 +95,8 @@ class Curve {
 
   // The units that a greedy selection adds first.
   void look_forwards() {
-    const Clock::time_point end = part_of_rest(until_, 4);
-    const auto order = detail::greedy_by_weight(instance_, weights_, {.until = end}, control_);
+    const detail::Effort end = part_of_rest(effort_, 4);
+    const auto order = detail::greedy_by_weight(instance_, weights_, end, control_);
     is_cut_short(end);
     for (const Point& point : points_) {
       if (is_over()) return;
@@ -117,7 +116,7 @@ class Curve {
   }
 
   // Better selections for the counts whose bounds differ.
-  void anneal(std::uint64_t moves, Clock::time_point end) {
+  void anneal(std::uint64_t moves, const detail::Effort& end) {
     const bool is_open = std::any_of(points_.begin(), points_.end(),
                                      [](const Point& point) { return point.at_least < point.at_most; });
     if (!is_open || !detail::CoverageAnnealing::fits(instance_)) return;
@@ -125,7 +124,7 @@ class Curve {
     for (const Point& point : points_) {
       if (is_cut_short(end)) return;
       if (point.best.size() != point.units || point.at_least >= point.at_most) continue;
-      const auto found = annealing.for_more(point.at_least, point.best, {moves, end}, seed_, control_);
+      const auto found = annealing.for_more(point.at_least, point.best, {moves, end.until}, seed_, control_);
       if (found) offer(*found);
       seed_ += detail::walks_at_once;
     }
@@ -134,13 +133,13 @@ class Curve {
   void bound() {
     CoverageBound bound(instance_, weights_, points_.back().units);
     std::size_t steps = bound_work / (2 * bound.entries() + 1), points = points_.size();
-    const Clock::time_point last = part_of_rest(until_, 2);
+    const detail::Effort last = part_of_rest(effort_, 2);
     for (const Point& point : points_) {
       if (is_over()) break;
       report(0.5, point);
-      const Clock::time_point end = part_of_rest(last, points);
-      steps -=
-          bound.improve(point.units, point.at_least, CoverageAim::lowest, {steps / points, end}, control_);
+      const detail::Effort end = part_of_rest(last, static_cast<int>(points));
+      steps -= bound.improve(point.units, point.at_least, CoverageAim::lowest, {steps / points, end.until},
+                             control_);
       is_cut_short(end);
       --points;
     }
@@ -150,7 +149,7 @@ class Curve {
   // The first counts, as far as the work suffices; the last point reaches everything.
   void enumerate() {
     detail::CoverageTable dense(instance_, weights_);
-    detail::Effort left{detail::enumeration_work, until_};
+    detail::Effort left{detail::enumeration_work, effort_.until};
     for (Point& point : points_) {
       rise();
       if (point.at_least >= point.at_most) continue;
@@ -183,7 +182,7 @@ class Curve {
 
   const detail::Instance& instance_;
   const RunControl& control_;
-  Clock::time_point until_;
+  detail::Effort effort_;
   detail::LabelWeights weights_;
   CoverageCurve curve_;
   std::uint32_t seed_ = 1;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
 
 namespace shelfbeam::detail {
 
@@ -13,7 +14,8 @@ inline constexpr std::uint64_t any_steps = std::numeric_limits<std::uint64_t>::m
 
 /// Limits of a search. Results are reproducible if the steps end it, not the time.
 struct Effort {
-  std::uint64_t steps = any_steps;  ///< moves of a walk, nodes of a tree, units of greedy
+  /// In the unit of the method: moves of a walk, nodes of a tree, units of greedy.
+  std::uint64_t steps = any_steps;
   std::chrono::steady_clock::time_point until = std::chrono::steady_clock::time_point::max();
 
   double seconds_left() const {
@@ -25,7 +27,12 @@ struct Effort {
   }
 };
 
-/// The steps as a limit of nodes of a solver.
+/// A time limit that begins now.
+inline Effort for_seconds(double seconds) {
+  return {any_steps, Deadline(seconds).end()};
+}
+
+/// The steps as the node limit of a solver; none for any_steps.
 inline std::optional<std::uint64_t> node_limit(const Effort& effort) {
   return effort.steps == any_steps ? std::nullopt : std::optional(effort.steps);
 }

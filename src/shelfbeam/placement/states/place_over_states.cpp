@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
@@ -48,11 +47,10 @@ class Solver {
         options_(options),
         enough_(enough),
         control_(control),
-        deadline_((enough ? 1 : 1 - share_of_spread) * options.time_limit_s),
-        end_(options.time_limit_s),
+        effort_(detail::for_seconds((enough ? 1 : 1 - share_of_spread) * options.time_limit_s)),
+        end_(detail::for_seconds(options.time_limit_s)),
         cuts_(states, problem, allowance),
-        search_(
-            states, problem, allowance, [this] { return is_over(); }, control.threads),
+        search_(states, problem, allowance, effort_, control),
         annealing_(states, problem, allowance) {
     master_.model = CommunicationModel::cooperative;
     master_.redundant = false;
@@ -79,15 +77,15 @@ class Solver {
           search_for_fewer();
       });
     best_.cuts = cuts_.size();
-    deadline_ = end_;
+    effort_ = end_;
     // The first selection that fits the sampled states overfits them.
     if (best_.has_selection())
-      step("spread", [&] { take(annealing_.spread(best_.selected, deadline_, control_)); });
+      step("spread", [&] { take(annealing_.spread(best_.selected, effort_, control_)); });
     return std::move(best_);
   }
 
  private:
-  bool is_over() const { return control_.cancelled() || deadline_.has_passed(); }
+  bool is_over() const { return effort_.is_over(control_); }
 
   template <class Run>
   void step(std::string_view name, const Run& run) {
@@ -98,8 +96,7 @@ class Solver {
 
   void start() {
     first_ = options_.start;
-    if (first_.empty())
-      first_ = greedy_selection({cuts_.table(), master_}, {.until = deadline_.end()}, control_);
+    if (first_.empty()) first_ = greedy_selection({cuts_.table(), master_}, effort_, control_);
     if (auto repaired = search_.repaired(first_, unbounded)) first_ = std::move(*repaired);
     take(first_);
   }
@@ -108,32 +105,31 @@ class Solver {
   // exceeds K.
   void relax() {
     if (is_settled()) return;
-    const Deadline deadline((enough_ ? 1 : share_of_lps) * deadline_.seconds_left());
-    raise_to(lp_bound(cuts_, states_.table.columns(), unbounded, deadline));
+    const detail::Effort effort = detail::for_seconds((enough_ ? 1 : share_of_lps) * effort_.seconds_left());
+    raise_to(lp_bound(cuts_, states_.table.columns(), unbounded, effort));
     if (problem_.combination == Combination::spend) return;
-    while (best_.lower_bound > 0 && !is_settled() && !deadline.has_passed()) {
+    while (best_.lower_bound > 0 && !is_settled() && !effort.is_over(control_)) {
       const auto k = static_cast<std::size_t>(best_.lower_bound);
       StateCuts limited = cuts_;
-      if (lp_bound(limited, k, best_.lower_bound + least_step, deadline) < best_.lower_bound + least_step)
+      if (lp_bound(limited, k, best_.lower_bound + least_step, effort) < best_.lower_bound + least_step)
         break;
       raise_to(best_.lower_bound + 1);
     }
   }
 
   // The bound of the linear program over the cuts, to which violated ones are added, until it is `enough`.
-  double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const Deadline& deadline) {
+  double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const detail::Effort& effort) {
     std::vector<double> cost(states_.table.columns(), 1);
     if (problem_.combination == Combination::spend)
       for (std::size_t j = 0; j < cost.size(); ++j) cost[j] = price_to_spend(states_.table.transceivers[j]);
-    detail::LpBoundOptions options{.enough = enough};
+    detail::LpBoundOptions options{.effort = effort, .enough = enough};
     options.selections.max_count = max_units;
     const bool counts = problem_.combination != Combination::spend;
     double bound = 0;
     std::array<double, 3> before{};  // the last bounds, the oldest first
-    while (!deadline.has_passed() && !is_over() && bound < enough) {
+    while (!effort.is_over(control_) && bound < enough) {
       std::shift_left(before.begin(), before.end(), 1);
       before.back() = bound;
-      options.effort.until = deadline.end();
       const detail::LpBound found = detail::lp_bound(
           {cuts.table(), master_}, cost, milp::backends_of(options_.backend).front(), options, control_);
       bound = std::max(bound, found.dual.bound);
@@ -143,8 +139,7 @@ class Solver {
       const double rounds = max_units < cost.size() ? max_rounds_limited : max_rounds;
       const double progress = (bound - before.front()) / static_cast<double>(before.size());
       if (counts && !enough_ && next - bound > rounds * progress) break;
-      if (!found.complete || bound >= enough ||
-          cuts.add_violated(found.x, max_units, deadline, control_) == 0)
+      if (!found.complete || bound >= enough || cuts.add_violated(found.x, max_units, effort, control_) == 0)
         break;
     }
     return bound;
@@ -154,8 +149,7 @@ class Solver {
   // annealing uses the rest of it better.
   bool raise() {
     PlaceOptions own = options_;
-    own.time_limit_s =
-        std::min(std::max(1.0, share_of_master * deadline_.seconds_left()), end_.seconds_left());
+    own.time_limit_s = std::min(std::max(1.0, share_of_master * effort_.seconds_left()), end_.seconds_left());
     own.settles_ties = false;
     own.start.clear();
     const Placement placement = place(cuts_.table(), master_, own, control_);
@@ -189,7 +183,7 @@ class Solver {
 
   void search_for_fewer() {
     while (!is_settled() && !is_over()) {
-      const auto fewer = annealing_.next(known(), 1, {moves_, deadline_.end()}, control_);
+      const auto fewer = annealing_.next(known(), 1, {moves_, effort_.until}, control_);
       if (!fewer) return;
       take(*fewer);
     }
@@ -237,7 +231,7 @@ class Solver {
   const PlaceOptions& options_;
   std::optional<double> enough_;  ///< for a bound alone
   const RunControl& control_;
-  Deadline deadline_, end_;
+  detail::Effort effort_, end_;
   StateCuts cuts_;
   StateSearch search_;
   StateAnnealing annealing_;

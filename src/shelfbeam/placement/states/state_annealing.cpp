@@ -191,11 +191,12 @@ std::optional<Selection> StateAnnealing::next(const Selection& start, double res
   });
 }
 
-Selection StateAnnealing::spread(Selection selected, const Deadline& deadline, const RunControl& control) {
+Selection StateAnnealing::spread(Selection selected, const detail::Effort& effort,
+                                 const RunControl& control) {
   for (const double reserve : reserves) {
-    if (deadline.has_passed() || control.cancelled()) break;
+    if (effort.is_over(control)) break;
     if (allowance_.excess(misses_of(states_, problem_, selected, reserve)) == 0) continue;
-    std::optional<Selection> found = next(selected, reserve, {spread_moves, deadline.end()}, control);
+    std::optional<Selection> found = next(selected, reserve, {spread_moves, effort.until}, control);
     if (!found) break;
     selected = std::move(*found);
   }

@@ -5,9 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
-#include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
 
@@ -29,8 +27,8 @@ class StateAnnealing {
   /// Some unit may be exchanged for another candidate.
   bool can_exchange(const Selection& selected) const { return instance_.can_exchange(selected); }
   /// A selection of as many units, at no higher price, that keeps to the allowance with the largest reserve
-  /// that is found before the deadline, up to 1.2 times all requirements.
-  Selection spread(Selection selected, const Deadline& deadline, const RunControl& control);
+  /// that is found in time, up to 1.2 times all requirements.
+  Selection spread(Selection selected, const detail::Effort& effort, const RunControl& control);
 
  private:
   const StateTable& states_;

@@ -129,14 +129,14 @@ StateCuts::Cut StateCuts::most_violated(std::uint32_t label, std::span<const Par
 }
 
 std::size_t StateCuts::add_violated(std::span<const double> x, std::size_t max_units,
-                                    const Deadline& deadline, const RunControl& control) {
+                                    const detail::Effort& effort, const RunControl& control) {
   std::vector<Part> parts;
   for (std::uint32_t j = 0; j < x.size(); ++j)
     if (x[j] > 0) parts.push_back({j, x[j]});
   std::vector<Cut> cuts(states_.table.rows());
   with_threads(control.threads, [&] {
     parallel_for_ranges(cuts.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last && !control.cancelled() && !deadline.has_passed(); ++i)
+      for (std::size_t i = first; i < last && !effort.is_over(control); ++i)
         cuts[i] = most_violated(static_cast<std::uint32_t>(i), parts, max_units);
     });
   });

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
 
 namespace shelfbeam {
@@ -30,9 +29,9 @@ class StateCuts {
   /// Adds cuts that a selection violates, if it misses labels too often. Returns their number.
   std::size_t add(std::span<const std::uint32_t> selected, const StateMisses& misses);
   /// Adds the cuts of labels that a solution of a linear program violates most, for selections of at most
-  /// `max_units` units. Labels that are not examined before the deadline give none. Returns the number of
-  /// cuts; apart from the deadline, it does not depend on the threads.
-  std::size_t add_violated(std::span<const double> x, std::size_t max_units, const Deadline& deadline,
+  /// `max_units` units. Labels that are not examined in time give none. Returns the number of
+  /// cuts; apart from the time, it does not depend on the threads.
+  std::size_t add_violated(std::span<const double> x, std::size_t max_units, const detail::Effort& effort,
                            const RunControl& control);
 
  private:

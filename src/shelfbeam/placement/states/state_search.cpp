@@ -72,9 +72,9 @@ Selection StateSearch::with_another(Selection selected, std::span<const std::uin
   const std::vector<Weak> weak = weak_cases(selected);
   const Rank now = rank(weak, {}, labels);
   std::vector<Rank> gain(states_.table.columns());
-  with_threads(threads_, [&] {
+  with_threads(control_.threads, [&] {
     parallel_for_ranges(gain.size(), [&](std::size_t first, std::size_t last) {
-      for (auto j = static_cast<std::uint32_t>(first); j < last && !is_over_(); ++j) {
+      for (auto j = static_cast<std::uint32_t>(first); j < last && !effort_.is_over(control_); ++j) {
         if (!can_join(j, selected)) continue;
         const Rank then = rank(weak, j, labels);
         for (std::size_t k = 0; k < now.size(); ++k) gain[j][k] = (now[k] - then[k]) / price(j);
@@ -90,11 +90,11 @@ Selection StateSearch::with_another(Selection selected, std::span<const std::uin
 
 std::optional<Selection> StateSearch::repaired(Selection selected, double below) const {
   for (std::size_t before = selected.size() + 1; before != selected.size() && !fits(selected);) {
-    if (is_over_() || value(selected) >= below) return {};
+    if (effort_.is_over(control_) || value(selected) >= below) return {};
     before = selected.size();
     selected = with_another(std::move(selected));
   }
-  for (std::size_t k = selected.size(); k-- > 0 && !is_over_();) {
+  for (std::size_t k = selected.size(); k-- > 0 && !effort_.is_over(control_);) {
     if (states_.table.transceivers[selected[k]].installed) continue;
     Selection fewer = selected;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
 
@@ -20,14 +20,14 @@ double state_value(const StateTable& states, const PlacementProblem& problem,
 /// Adds units to selections, one at a time.
 class StateSearch {
  public:
-  /// All references must outlive the object. `is_over` ends a search early.
+  /// `states`, `problem` and `allowance` must outlive the object. The time of `effort` limits each search.
   StateSearch(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
-              std::function<bool()> is_over, unsigned threads)
+              const detail::Effort& effort, const RunControl& control)
       : states_(states),
         problem_(problem),
         allowance_(allowance),
-        is_over_(std::move(is_over)),
-        threads_(threads),
+        effort_(effort),
+        control_(control),
         mounts_(states.table) {}
 
   /// Adds units until the allowance holds or no unit helps, then drops units that are not required. nullopt
@@ -61,8 +61,8 @@ class StateSearch {
   const StateTable& states_;
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
-  std::function<bool()> is_over_;
-  unsigned threads_;
+  detail::Effort effort_;
+  RunControl control_;
   Mounts mounts_;
 };
 

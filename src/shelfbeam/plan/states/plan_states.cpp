@@ -181,16 +181,15 @@ class Planner {
     deciding_->add_if(
         [&](std::uint32_t i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
     allowance_ = allowance(deciding_->labels());
-    const StateSearch search(
-        deciding_->table(), problem(), allowance_, [&] { return control_.cancelled() || rounds.left() <= 0; },
-        control_.threads);
+    const StateSearch search(deciding_->table(), problem(), allowance_, detail::for_seconds(rounds.left()),
+                             control_);
     // The sampled states may not show the risk of the fresh ones.
     std::vector<std::uint32_t> rows;
     for (const std::uint32_t i : undecided) rows.push_back(deciding_->row_of(i));
     Selection more = search.with_another(selected_, rows);
     StateAnnealing annealing(deciding_->table(), problem(), allowance_);
-    const Deadline deadline(std::min(rounds.left(), share_of_spread * options_.place.time_limit_s));
-    return annealing.spread(std::move(more), deadline, control_);
+    const double seconds = std::min(rounds.left(), share_of_spread * options_.place.time_limit_s);
+    return annealing.spread(std::move(more), detail::for_seconds(seconds), control_);
   }
 
   void explain() {

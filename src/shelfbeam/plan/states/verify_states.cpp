@@ -59,8 +59,7 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
   DecidingLabels deciding(sample, table, problem, selected);
   deciding.add_if([&](std::uint32_t i) { return found.answer().missed[i] > 0; });
   const MissAllowance allowance = allowance_of(found.goal, found.required, deciding.labels(), count);
-  const StateSearch search(
-      deciding.table(), problem, allowance, [&] { return control.cancelled(); }, control.threads);
+  const StateSearch search(deciding.table(), problem, allowance, {}, control);
   const std::vector<std::uint32_t> more = search.with_another(selected);
   if (more.size() == selected.size()) return {};
   const Transceiver& unit = all.transceivers[more.back()];

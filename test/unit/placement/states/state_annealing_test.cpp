@@ -68,7 +68,7 @@ TEST(StateAnnealing, SpreadsAtNoHigherPrice) {
     };
     if (excess(start, 1) > 0 || excess(start, 1.2) == 0) continue;
     StateAnnealing annealing(states, problem, allowance);
-    const auto selected = annealing.spread(start, Deadline(1), {});
+    const auto selected = annealing.spread(start, detail::for_seconds(1), {});
     EXPECT_LE(state_value(states, problem, selected), state_value(states, problem, start));
     EXPECT_EQ(excess(selected, 1), 0U);
     spread += excess(selected, 1.2) == 0 ? 1 : 0;

@@ -37,7 +37,7 @@ TEST(StateCuts, OfLinearProgramsHoldForEverySmallSelection) {
     std::vector<double> x(8);
     for (double& value : x) value = 0.4 * random.uniform();
     const std::size_t before = cuts.size();
-    added += cuts.add_violated(x, max_units, Deadline(60), {});
+    added += cuts.add_violated(x, max_units, detail::for_seconds(60), {});
     for (std::uint32_t set = 0; set < 256; ++set) {
       const bool keeps = test::value_of_set(states, problem, allowance, set).has_value();
       const bool is_small = static_cast<std::size_t>(std::popcount(set)) <= max_units;
@@ -63,7 +63,7 @@ TEST(StateCuts, OfLinearProgramsAreViolatedByThem) {
   StateCuts cuts(states, problem, allowance);
   const std::size_t before = cuts.size();
   const std::vector<double> x(8, 0.1);
-  ASSERT_GT(cuts.add_violated(x, 3, Deadline(60), {}), 0U);
+  ASSERT_GT(cuts.add_violated(x, 3, detail::for_seconds(60), {}), 0U);
   for (std::size_t row = before; row < cuts.size(); ++row) {
     double sum = 0;
     for (const SignalEntry& entry : cuts.table().row(row)) sum += entry.signal * x[entry.transceiver];
