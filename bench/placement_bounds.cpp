@@ -35,14 +35,14 @@ void print_bound(const SignalTable& table, const milp::Backend& backend, double 
   detail::LpBound lp;
   const double seconds = wall_seconds([&] {
     lp = detail::lp_bound({table, problem}, ones, backend,
-                          {.effort = {.until = Deadline(limit).end()}, .cuts = false}, {});
+                          {.effort = detail::for_seconds(limit), .cuts = false}, {});
   });
   fmt::print("  cooperative, {:<6} relaxation {:.4f} from {} of {} labels, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), lp.dual.bound, lp.labels.size(), table.rows(), seconds,
              lp.complete ? "" : ", stopped");
   detail::CountBound count;
   const double with_shares = wall_seconds([&] {
-    count = detail::count_bound({table, problem}, backend, {.effort = {.until = Deadline(limit).end()}}, {});
+    count = detail::count_bound({table, problem}, backend, {.effort = detail::for_seconds(limit)}, {});
   });
   fmt::print("  cooperative, {:<6} count at least {} with shares, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), count.count, with_shares, count.complete ? "" : ", stopped");

@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"

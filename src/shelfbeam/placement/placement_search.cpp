@@ -179,9 +179,9 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
   if (state.limits.proves) run(schedule, state);
   if (state.limits.proves && !state.instance.is_weighted() &&
       state.instance.problem.objective != Objective::count) {
-    const CostBounds bounds(state.instance.table, state.instance.second_cost);
-    state.second = {bounds, state.incumbent.value_of(state.incumbent.selected()),
-                    bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound()))};
+    const CostBounds& bounds = state.instance.second_bounds;
+    state.second.emplace(SecondObjective{bounds, state.incumbent.value_of(state.incumbent.selected()),
+                                         bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound()))});
     if (state.incumbent.is_closed()) run(second_schedule, state);
   }
   const bool is_optimal = state.is_closed();

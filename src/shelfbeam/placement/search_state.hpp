@@ -67,7 +67,7 @@ class Incumbent {
 
 /// The second objective of a lexicographic problem, at the minimum count.
 struct SecondObjective {
-  CostBounds bounds;
+  const CostBounds& bounds;
   double value;
   /// Lower bound at the minimum count; if that count is not proven, over all counts from its lower bound on.
   double lower_bound;

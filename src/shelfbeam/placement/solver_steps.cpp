@@ -91,14 +91,11 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
   answer.bound = 0;
   for (const std::uint32_t j : reduction.forced) answer.bound += cost[j];
   bool is_whole = true;
-  std::vector<bool> is_out(instance.columns(), false);
-  const Mounts& mounts = instance.mounts;
-  for (const std::uint32_t j : reduction.forced)
-    mounts.for_each_conflict(j, [&](std::uint32_t other) { is_out[other] = true; });
+  const std::vector<bool> blocked = blocked_columns(instance, reduction);
   for (const CoverPart& part : reduction.parts) {
     if (part.labels.empty()) continue;
     std::vector<std::uint32_t> columns;
-    const SignalTable own = table_of(instance, cost, part, is_out, columns);
+    const SignalTable own = table_of(instance, cost, part, blocked, columns);
     PlacementProblem sum;
     sum.model = instance.problem.model;
     sum.combination = Combination::weighted;
@@ -188,16 +185,13 @@ std::vector<milp::Row> cuts_of(const SearchState& state) {
 }
 
 Answer solve_whole(SearchState& state, const Effort& effort) {
-  PlacementProblem first = state.instance.problem;
-  if (!state.instance.is_weighted()) first.objective = Objective::count;
+  const MipKnowledge knowledge{cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless,
+                               cuts_of(state)};
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    const MipResult mip = place_by_mip(
-        {state.instance.table, first}, std::nullopt, solve, effort, state.control,
-        {cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless, cuts_of(state)});
-    const bool is_empty = mip.placement.status == Status::infeasible;
-    return Answer{.selected = mip.placement.selected,
-                  .bound = is_empty ? milp::infinity : mip.placement.lower_bound,
-                  .failed = mip.solver_failed};
+    CoverModel model(state.instance, solve, effort, state.control, knowledge);
+    Answer answer = model.minimise({.cost = state.instance.first_cost});
+    if (answer.infeasible) answer.bound = milp::infinity;
+    return answer;
   });
 }
 
@@ -222,7 +216,7 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   const std::vector<milp::Backend> backends = is_large ? clp_first(state) : preferred(state);
   const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
     Relaxation relaxation;
-    const LpBoundOptions options{.effort = {.until = effort.until}, .selections = open, .rows = state.rows};
+    const LpBoundOptions options{.effort = effort, .selections = open, .rows = state.rows};
     if (state.instance.is_weighted()) {
       relaxation = {lp_bound(state.instance, state.instance.first_cost, backend, options, state.control)};
       state.raise_open(relaxation.dual.bound, BoundProof::dual);
@@ -259,9 +253,8 @@ void solve_mip(SearchState& state, const Effort& effort) {
 
 void bound_second_by_lp(SearchState& state, const Effort& effort) {
   const std::size_t count = state.incumbent.selected().size();
-  const LpBound lp =
-      lp_bound(state.instance, state.instance.second_cost, state.solvers.preferred.front(),
-               {.effort = {.until = effort.until}, .selections = {count, count}}, state.control);
+  const LpBound lp = lp_bound(state.instance, state.instance.second_cost, state.solvers.preferred.front(),
+                              {.effort = effort, .selections = {count, count}}, state.control);
   state.raise_second(lp.dual.bound, BoundProof::dual);
   begin_tree_with(lp, state);
 }

@@ -28,7 +28,7 @@ BoundGoal bound_goal(const SignalTable& table, const Placement& placement) {
   goal.price.assign(table.columns(), 1.0);
   if (has_known_prices(placement.problem)) {
     goal.problem.combination = Combination::weighted;
-    goal.price = first_objective(table, placement.problem);
+    goal.price = first_objective(table, placement.problem, objective_coefficients(table, placement.problem));
     goal.is_count =
         std::all_of(goal.price.begin(), goal.price.end(), [](double price) { return price == 1; });
     goal.step = price_step(goal.price);

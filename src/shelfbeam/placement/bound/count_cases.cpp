@@ -53,8 +53,7 @@ class Cases {
   // True if some label cannot be reached without these columns.
   bool is_empty(const LpBound& open, const std::vector<std::uint32_t>& without) const {
     constexpr double rounding = 1e-9;
-    std::vector<bool> is_out(instance_.columns(), false);
-    for (const std::uint32_t j : without) is_out[j] = true;
+    const std::vector<bool> is_out = chosen_columns(instance_, without);
     return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
       double outside = 0;
       cover_.for_entries(label, [&](std::uint32_t j, double a) { outside += is_out[j] ? 0 : a; });

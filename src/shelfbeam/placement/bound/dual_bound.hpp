@@ -62,6 +62,7 @@ struct DualSums {
   double constant = 0;         ///< sum_i y_i b_i or, if labels may be missed, sum_i min(y_i b_i, price_i)
   std::vector<double> weight;  ///< per column: sum_i y_i a_ij
   std::size_t rows = 0;
+  std::size_t max_count = 0;  ///< of the selections for which the rows hold
 };
 
 /// Of multipliers y >= 0 of `rows`, for selections of at most `max_count` units. Multipliers that are
@@ -79,14 +80,14 @@ DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std
 /// The bound is the minimum of the right-hand side over all T with the chosen units, at most one option
 /// per mounting point, and a count allowed by `selections`: the mounting points with the smallest r_j (of
 /// their best option), at least the minimum count, and further negative ones up to the maximum. `if_chosen`
-/// is the same minimum with T_j = 1. Rounding errors
+/// is the same minimum with T_j = 1. Columns in conflict with installed units are not chosen. Rounding errors
 /// are bounded by (rows + columns + 8) 2^-52 times the sum of the absolute terms.
 DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
                      std::span<const double> cost, const SelectionSet& selections = {});
-/// The same from sums for selections of at least as many units. If labels may be missed, their prices are
-/// part of the cost.
-DualBound dual_bound(const Instance& instance, const DualSums& sums, std::span<const double> cost,
-                     const SelectionSet& selections = {});
+/// The same bounds for selections of at most k units, k = 0 ... DualSums::max_count; infinite for fewer units
+/// than are installed. If labels may be missed, their prices are part of the cost.
+std::vector<double> bounds_by_count(const Instance& instance, const DualSums& sums,
+                                    std::span<const double> cost);
 
 /// Reduced-cost fixing: the columns, ascending, that no selection of cost at most `worth` contains, because
 /// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is

@@ -40,7 +40,7 @@ class RowPricing {
   /// For every strongest unit, the label with the smallest sum_j a_ij, ascending.
   std::vector<std::uint32_t> hardest() const {
     constexpr std::uint32_t none = ~std::uint32_t{0};
-    Selection best(columns_ + 1, none);
+    std::vector<std::uint32_t> best(columns_ + 1, none);
     for (std::uint32_t i = 0; i < rows_; ++i) {
       std::uint32_t& label = best[strongest_[i]];
       if (label == none || total_[i] < total_[label]) label = i;

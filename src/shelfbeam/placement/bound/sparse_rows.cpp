@@ -1,7 +1,5 @@
 #include "shelfbeam/placement/bound/sparse_rows.hpp"
 
-#include <utility>
-
 #include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam::detail {

@@ -48,8 +48,7 @@ class WeighedRows {
 
   bool reaches_all(const Selection& selected) {
     is_raised_ = false;
-    const double reached =
-        weights_.without(check_selection(instance_.table, instance_.problem, selected).unmet);
+    const double reached = weights_.without(instance_.check(selected).unmet);
     if (reached < target_) return false;
     if (aim_ == Aim::fewest_units) return true;
     best_ = {selected, -reached};

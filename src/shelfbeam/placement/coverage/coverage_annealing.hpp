@@ -7,7 +7,6 @@
 #include "shelfbeam/placement/coverage/label_weights.hpp"
 #include "shelfbeam/placement/kernels/active_rows.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
-#include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
@@ -30,27 +29,24 @@ CoverageBound::CoverageBound(const detail::Instance& instance, const detail::Lab
     point_[j] = mounts.options(j).empty() ? j : mounts.options(j).front();
     if (mounts.available(j)) chosen_[j] = 1;
   }
-  const bool cooperative = instance.is_cooperative();
-  if (!cooperative) lifted_rows_ = 1;
-  const detail::CoverRows cover(instance, max_units);
+  if (!instance.is_cooperative()) lifted_rows_ = 1;
+  const detail::CoverRows cover(instance);
   for (std::uint32_t i = 0; i < instance.rows(); ++i) {
     if (weights[i] <= 0 || !mounts.may_meet(instance.row(i), instance.requirement(i), instance.problem))
       continue;
-    // Shares of the requirement less its tolerance.
-    const double enough = cooperative ? 1 - 2 * met_tolerance : 1;
     cover.for_entries(i, [&](std::uint32_t j, double a) {
       if (!mounts.available(j)) return;
       column_.push_back(j);
-      share_.push_back(static_cast<float>(std::min(1.0, a / enough)));
+      share_.push_back(static_cast<float>(a));
     });
     max_row_ = std::max(max_row_, column_.size() - row_begin_.back());
     row_begin_.push_back(column_.size());
-    min_share_sum_.push_back(cover.bound(i) / enough);
     label_.push_back(i);
     weight_.push_back(weights[i]);
     reachable_ += weights[i];
   }
   best_.assign(max_units + 1, reachable_);
+  min_share_sum_.resize(label_.size());
   share_.resize(share_.size() + detail::SearchMatrix::block, 0.0F);
   const std::size_t size = std::max(min_entries_of_part, column_.size() / max_parts + 1);
   for (std::size_t i = 0; i < rows(); ++i) {
@@ -84,8 +80,8 @@ double CoverageBound::sum_over_parts(std::vector<double>& by_column, const Body&
   return total;
 }
 
-// Rows of the relaxation as rows of `dual_sums`. Updates the bounds of all numbers of units for which they
-// are valid: all if only d = 0 is used, otherwise up to `units`.
+// The rows of the relaxation with their multipliers give bounds for all numbers of units for which they are
+// valid: all if only d = 0 is used, otherwise up to `units`.
 void CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y) {
   const bool is_plain = std::all_of(y.begin(), y.end(), [](const Multipliers& of) {
     return std::all_of(of.begin() + 1, of.end(), [](float one) { return one == 0; });
@@ -101,15 +97,13 @@ void CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y) 
       rows.push_back({.label = label_[i], .share = omitted[d] / static_cast<double>(units)});
       multiplier.push_back(weight_[i] * share / (d == 0 ? cover.bound(label_[i]) : 1));
     }
-  const detail::DualSums sums = dual_sums(instance_, rows, multiplier, last, weights_.of_labels());
-  detail::SelectionSet selections;
-  for (std::uint32_t j = 0; j < instance_.columns(); ++j)
-    if (!instance_.available[j] && !instance_.is_installed(j)) selections.without.push_back(j);
+  const std::vector<double> missed =
+      bounds_by_count(instance_, dual_sums(instance_, rows, multiplier, last, weights_.of_labels()),
+                      std::vector<double>(instance_.columns(), 0.0));
+  // The slack of a sum that is 0; far below 1e-9 of the total, up to which bounds hold.
   constexpr double rounding = 1e-12;
-  const std::vector<double> nothing(instance_.columns(), 0.0);
   for (std::size_t k = instance_.installed.size(); k <= last; ++k) {
-    selections.max_count = k;
-    const double above = reachable_ - dual_bound(instance_, sums, nothing, selections).bound;
+    const double above = reachable_ - missed[k];
     best_[k] = std::min(best_[k], above > rounding * reachable_ ? above : 0);
   }
 }
@@ -172,6 +166,8 @@ std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAi
   if (!std::exchange(has_plain_bounds_, true)) evaluate(units, y);
   if (units <= instance_.installed.size()) return 1;
   keep_to(units);
+  const detail::CoverRows cover(instance_, units);
+  for (std::size_t i = 0; i < rows(); ++i) min_share_sum_[i] = cover.bound(label_[i]);
   std::vector<double> slope;
   double lowest = 0, sum_of_shares = 0;  // the relaxation has no bound below `lowest`
   const std::size_t steps = std::min<std::uint64_t>(effort.steps, max_steps);

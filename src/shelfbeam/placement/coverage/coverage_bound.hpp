@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,7 +11,6 @@
 #include "shelfbeam/placement/kernels/coverage_kernels.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
-#include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam {
 
@@ -23,30 +21,24 @@ enum class CoverageAim {
 
 /// Proven upper bounds on the weight of the labels that at most k units, installed units included, can reach.
 /// Every reached label satisfies sum_j b_ijd T_j >= 1 for several lifted rows d (docs/methods/placement.md,
-/// "Max coverage"), so for any multipliers y_id >= 0 with y_i = sum_d y_id <= 1
-///
-///   reached <= sum_i w_i (1 - y_i) + sum of the k largest c_j,   c_j = sum_id w_i y_id b_ijd.
-///
-/// Good multipliers come from the relaxation
+/// "Max coverage"), or label i is missed at the price w_i. For any multipliers, the dual bound
+/// (dual_bound.hpp) of these rows is a lower bound on the missed weight. Good multipliers come from the
+/// relaxation
 ///
 ///   max_T sum_i w_i min(1, min_d sum_j b_ijd T_j),   0 <= T_j <= 1,   sum_j T_j <= k:
 ///
 /// mirror ascent with entropy (Beck and Teboulle, Oper. Res. Lett. 31, 2003) takes steps in T, and y is the
-/// weighted mean of the rows that are the minima on the way. Bounds are sums in double precision over entries
-/// that are rounded up, so they hold for any steps. Results do not depend on the number of threads.
+/// weighted mean of the rows that are the minima on the way. Results do not depend on the number of threads.
 class CoverageBound {
  public:
-  using Clock = std::chrono::steady_clock;
-
   /// For selections of at most `max_units` units, at least the number installed.
   CoverageBound(const detail::Instance& instance, const detail::LabelWeights& weights, std::size_t max_units);
 
   /// Upper bound on the weight that `units` <= max_units can reach; does not decrease with `units`.
   double weight(std::size_t units) const;
 
-  /// Takes at most `steps` steps for `units`, starting from the T of the last ones. Ends early if the bound
-  /// falls to `reached`, if the relaxation has no bound that serves the aim better, or at `until`. Returns
-  /// the number of steps.
+  /// Takes steps for `units`, starting from the T of the last ones. Ends early if the bound falls to
+  /// `reached`, or if the relaxation has no bound that serves the aim better. Returns the number of steps.
   std::size_t improve(std::size_t units, double reached, CoverageAim aim, const detail::Effort& effort,
                       const RunControl& control);
 
@@ -68,7 +60,7 @@ class CoverageBound {
     std::vector<float> chosen, lifted;
   };
 
-  std::size_t rows() const { return min_share_sum_.size(); }
+  std::size_t rows() const { return label_.size(); }
   template <class Body>
   double sum_over_parts(std::vector<double>& by_column, const Body& body) const;
   void evaluate(std::size_t units, std::span<const Multipliers> y);
@@ -84,9 +76,9 @@ class CoverageBound {
   std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be reached and weigh anything
   std::size_t max_row_ = 0;
   std::vector<std::uint32_t> column_;  ///< of an entry
-  std::vector<float> share_;           ///< a_ij, rounded up; padded
+  std::vector<float> share_;           ///< a_ij; padded
   std::vector<double> weight_;         ///< w_i
-  std::vector<double> min_share_sum_;  ///< R_i, lower bound on the shares of a reached label
+  std::vector<double> min_share_sum_;  ///< R_i for the present number of units
   std::vector<Part> parts_;
   std::vector<std::uint32_t> point_;  ///< of every column, its first option
   std::vector<float> chosen_;         ///< T_j

@@ -25,7 +25,7 @@ inline std::uint64_t bound_steps(std::size_t entries, const Effort& effort, cons
   return 1 + allowed_work(coverage_bound_work, effort, table) / (2 * entries + 1);
 }
 
-/// That of `enumerate_coverage`, its steps in matrix entries.
+/// The effort of `enumerate_coverage`; a step is one matrix entry.
 inline Effort enumeration_effort(const Effort& effort, const SignalTable& table) {
   return {allowed_work(enumeration_work, effort, table), effort.until};
 }

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
+#include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/incumbent_report.hpp"
@@ -74,7 +74,7 @@ class CoverageSchedule {
   Effort until(double share) const {
     if (options_.step_limit) return {*options_.step_limit};
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
-    return {any_steps, Deadline(share * options_.time_limit_s - spent.count()).end()};
+    return for_seconds(share * options_.time_limit_s - spent.count());
   }
 
   // `share`: of the time limit, at the end of the step.

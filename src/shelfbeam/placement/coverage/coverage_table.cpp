@@ -20,34 +20,28 @@ float rounded_up(double value) {
 }  // namespace
 
 CoverageTable::CoverageTable(const Instance& instance, const LabelWeights& weights)
-    : instance_(instance), weights_(weights), mounts_(instance.table) {
+    : instance_(instance), weights_(weights) {
   const bool cooperative = instance.is_cooperative();
   omits_best_ = cooperative && instance.problem.redundant;
   target_ =
       cooperative ? static_cast<float>(1 - search_tolerance) : (instance.problem.redundant ? 2.0F : 1.0F);
 
-  std::vector<bool> chosen(instance.columns(), false), helps(instance.columns(), false);
-  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    chosen[j] = instance.is_installed(j);
-    if (chosen[j]) installed_.push_back(j);
-  }
+  const Mounts& mounts = instance.mounts;
+  const std::vector<bool> chosen = chosen_columns(instance, instance.installed);
+  std::vector<bool> helps(instance.columns(), false);
   for (std::uint32_t i = 0; i < instance.rows(); ++i) {
     if (weights[i] <= 0) continue;
-    const double requirement = instance.requirement(i);
-    if (is_met(instance.received(i, chosen), requirement)) {
+    if (instance.is_reached(i, chosen)) {
       settled_ += weights[i];
-    } else if (is_met(mounts_.max_signal(instance.row(i), instance.problem) * (1 + 1e-12), requirement)) {
+    } else if (mounts.may_meet(instance.row(i), instance.requirement(i), instance.problem)) {
       rows_.push_back(i);
       for (const SignalEntry& entry : instance.row(i)) helps[entry.transceiver] = true;
     }
   }
-  std::vector<std::uint32_t> mount(instance.columns());
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    const auto options = mounts_.options(j);
-    mount[j] = options.empty() ? j : options.front();
-    if (!helps[j] || chosen[j] || !mounts_.available(j)) continue;
+    if (!helps[j] || !instance.available[j]) continue;
     candidates_.push_back(j);
-    point_.push_back(mount[j]);
+    point_.push_back(mounts.options(j).empty() ? j : mounts.options(j).front());
   }
   constexpr std::size_t block = SearchMatrix::block;
   padded_ = (rows_.size() + block - 1) / block * block;
@@ -55,7 +49,7 @@ CoverageTable::CoverageTable(const Instance& instance, const LabelWeights& weigh
 
 bool CoverageTable::exclude_each_other(std::uint32_t candidate, std::uint32_t other) const {
   if (point_[candidate] == point_[other]) return true;
-  const auto partners = mounts_.partners(candidates_[candidate]);
+  const auto partners = instance_.mounts.partners(candidates_[candidate]);
   return std::find(partners.begin(), partners.end(), candidates_[other]) != partners.end();
 }
 
@@ -78,8 +72,7 @@ double CoverageTable::weight(std::span<const std::uint32_t> selected) const {
 
 std::vector<double> CoverageTable::weights_with_one() const {
   std::vector<double> by_column(instance_.columns(), settled_);
-  std::vector<bool> chosen(instance_.columns(), false);
-  for (const std::uint32_t j : installed_) chosen[j] = true;
+  const std::vector<bool> chosen = chosen_columns(instance_, instance_.installed);
   std::vector<SignalEntry> present;
   for (const std::uint32_t i : rows_) {
     const auto row = instance_.row(i);
@@ -108,9 +101,9 @@ void CoverageTable::fill() {
   constexpr std::uint32_t none = ~0U;
   std::vector<std::uint32_t> place(instance_.columns(), none);
   for (std::uint32_t c = 0; c < candidates_.size(); ++c) place[candidates_[c]] = c;
-  for (std::uint32_t u = 0; u < installed_.size(); ++u)
-    place[installed_[u]] = static_cast<std::uint32_t>(candidates_.size()) + u;
-  matrix_.assign((candidates_.size() + installed_.size()) * padded_, 0.0F);
+  for (std::uint32_t u = 0; u < instance_.installed.size(); ++u)
+    place[instance_.installed[u]] = static_cast<std::uint32_t>(candidates_.size()) + u;
+  matrix_.assign((candidates_.size() + instance_.installed.size()) * padded_, 0.0F);
   const bool cooperative = instance_.is_cooperative();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double requirement = instance_.requirement(rows_[i]);

@@ -22,8 +22,8 @@ class CoverageTable {
  public:
   CoverageTable(const Instance& instance, const LabelWeights& weights);
 
-  std::span<const std::uint32_t> installed() const { return installed_; }    ///< columns
-  std::span<const std::uint32_t> candidates() const { return candidates_; }  ///< columns
+  std::span<const std::uint32_t> installed() const { return instance_.installed; }  ///< columns
+  std::span<const std::uint32_t> candidates() const { return candidates_; }         ///< columns
   bool exclude_each_other(std::uint32_t candidate, std::uint32_t other) const;
   /// The mounting point of a candidate; candidates of one point have equal numbers.
   std::uint32_t point(std::uint32_t candidate) const { return point_[candidate]; }
@@ -54,8 +54,8 @@ class CoverageTable {
  private:
   const Instance& instance_;
   const LabelWeights& weights_;
-  Mounts mounts_;
-  Selection installed_, candidates_, point_;
+  Selection candidates_;
+  std::vector<std::uint32_t> point_;  ///< per candidate
   std::vector<std::uint32_t> rows_;
   double settled_ = 0;
   bool omits_best_ = false;

@@ -38,12 +38,11 @@ class Minimisation {
     result_.share = share;
     result_.target = weights_.in_table(target_);
     result_.solver = {Method::greedy};
-    const Selection installed = instance.installed;
-    offer(installed);
-    result_.count_lower_bound = installed.size();
+    offer(instance.installed);
+    result_.count_lower_bound = instance.installed.size();
     if (target_ > 0 && !result_.has_selection)
       result_.count_lower_bound =
-          std::max(installed.size() + 1, instance.problem.redundant ? std::size_t{2} : 1);
+          std::max(instance.installed.size() + 1, instance.problem.redundant ? std::size_t{2} : 1);
     if (!options.start.empty()) offer(options.start);
   }
 
@@ -140,12 +139,11 @@ class Minimisation {
       result_.solver = {Method::mip, backend.full_name()};
       if (outcome.selected) offer(*outcome.selected);
       // A solver that contradicts a checked selection is wrong.
-      const bool contradicts = result_.has_selection &&
-                               (outcome.infeasible || bound > static_cast<double>(result_.selected.size()));
+      const bool contradicts = result_.has_selection && bound > static_cast<double>(result_.selected.size());
       if (!contradicts && bound > 0)
         raise_to(static_cast<std::size_t>(std::min(bound, static_cast<double>(max_units_ + 1))),
                  BoundProof::solver);
-      if (!contradicts && outcome.infeasible) {
+      if (!result_.has_selection && outcome.infeasible) {
         is_infeasible_ = true;
         result_.bound_proof = BoundProof::solver;
       }

@@ -12,8 +12,7 @@ namespace shelfbeam::detail {
 
 std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWeights& weights,
                                         const Selection& selected) {
-  std::vector<bool> chosen(instance.columns(), false);
-  for (const std::uint32_t j : selected) chosen[j] = true;
+  const std::vector<bool> chosen = chosen_columns(instance, selected);
   std::vector<double> missed(instance.columns(), 0.0), lost(instance.columns(), 0.0);
   for (std::size_t i = 0; i < instance.rows(); ++i) {
     const double requirement = instance.requirement(i);

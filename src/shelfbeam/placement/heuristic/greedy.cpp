@@ -18,7 +18,6 @@ class Greedy {
       : instance_(instance),
         weight_(weight),
         cost_(greedy_costs(instance)),
-        mounts_(instance.table),
         chosen_(instance.columns(), false),
         blocked_by_(instance.columns(), 0) {
     for (std::uint32_t j = 0; j < instance.columns(); ++j)
@@ -62,13 +61,13 @@ class Greedy {
   void choose(std::uint32_t column) {
     order_.push_back(column);
     chosen_[column] = true;
-    mounts_.for_each_conflict(column, [&](std::uint32_t other) { ++blocked_by_[other]; });
+    instance_.mounts.for_each_conflict(column, [&](std::uint32_t other) { ++blocked_by_[other]; });
   }
 
   void drop(std::uint32_t column) {
     order_.erase(std::find(order_.begin(), order_.end(), column));
     chosen_[column] = false;
-    mounts_.for_each_conflict(column, [&](std::uint32_t other) { --blocked_by_[other]; });
+    instance_.mounts.for_each_conflict(column, [&](std::uint32_t other) { --blocked_by_[other]; });
   }
 
   double weight(std::size_t label) const { return weight_.empty() ? 1 : weight_[label]; }
@@ -91,7 +90,7 @@ class Greedy {
     std::vector<Exchange> result;
     for (std::uint32_t j = 0; j < instance_.columns(); ++j) {
       if (!chosen_[j] || instance_.is_installed(j)) continue;
-      mounts_.for_each_conflict(j, [&](std::uint32_t other) {
+      instance_.mounts.for_each_conflict(j, [&](std::uint32_t other) {
         if (!chosen_[other] && blocked_by_[other] == 1) result.push_back({j, other, 0});
       });
     }
@@ -134,8 +133,8 @@ class Greedy {
     std::vector<std::uint32_t> added;
     for (const std::size_t i : unmet_) {
       const double requirement = instance_.requirement(i);
-      if (is_met(instance_.received(i, chosen_), requirement)) continue;
-      if (!mounts_.may_meet(instance_.row(i), requirement, instance_.problem)) continue;
+      if (instance_.is_reached(i, chosen_)) continue;
+      if (!instance_.mounts.may_meet(instance_.row(i), requirement, instance_.problem)) continue;
       strongest.clear();
       added.clear();
       for (const SignalEntry& entry : instance_.row(i))
@@ -147,7 +146,7 @@ class Greedy {
         if (blocked_by_[entry.transceiver] > 0) continue;
         choose(entry.transceiver);
         added.push_back(entry.transceiver);
-        is_reached = is_met(instance_.received(i, chosen_), requirement);
+        is_reached = instance_.is_reached(i, chosen_);
         if (is_reached) break;
       }
       if (!is_reached)
@@ -182,7 +181,6 @@ class Greedy {
   const detail::Instance& instance_;
   std::span<const double> weight_;  ///< per label; empty: 1
   std::vector<double> cost_;
-  Mounts mounts_;
   std::vector<std::uint32_t> order_;  ///< the chosen units, in the order of their addition
   std::vector<bool> chosen_;
   std::vector<std::uint32_t> blocked_by_;  ///< per column: chosen units in conflict with it

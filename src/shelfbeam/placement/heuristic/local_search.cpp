@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <span>
 #include <utility>
@@ -31,7 +29,7 @@ class Walk {
         in_(all.columns(), false),
         touched_(all.columns(), 0),
         random_(seed) {
-    if (instance.problem.combination == Combination::weighted)
+    if (instance.is_weighted())
       for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(instance.cost[j]);
     for (const std::uint32_t j : start) in_[j] = true;
     if (margin_of(instance, all, start, memory_).is_met) best_cost_ = cost();

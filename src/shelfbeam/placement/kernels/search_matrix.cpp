@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>

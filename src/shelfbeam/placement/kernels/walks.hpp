@@ -10,7 +10,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
-#include "shelfbeam/placement/problem/instance.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam::detail {
 

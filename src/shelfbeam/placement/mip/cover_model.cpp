@@ -8,6 +8,7 @@
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/cover_rows.hpp"
 
 namespace shelfbeam::detail {
 
@@ -75,19 +76,18 @@ void CoverModel::build() {
   }
 }
 
-// The rows (i, j) of the k chosen units that reach label i add up to (k - 1) sum_j a_ij T_j >= k. As k / (k -
-// 1) falls with k, any upper bound on k is valid. The right-hand side follows the grid as in `relaxed`.
+// The right-hand side follows the grid as in `relaxed`, and u_i fills the row exactly.
 void CoverModel::bound_label_rows(std::size_t max_units) {
   if (!fails_by_rows()) return;
+  const CoverRows cover(instance_, max_units);
   for (std::size_t i = 0; i < instance_.rows(); ++i) {
-    const auto units =
-        static_cast<double>(std::max<std::size_t>(2, std::min(max_units, instance_.row(i).size())));
     double without = 0;
     for (const SignalEntry& entry : instance_.row(i))
       if (const double share = entry.signal / instance_.table.labels[i].requirement; share < negligible)
         without += share;
-    const double min_sum = (1 - 2 * met_tolerance) * units / (units - 1) - without;
-    model_.rows[i].lower = (std::ceil(min_sum * grid_steps) - 0.5) / grid_steps;
+    milp::Row& row = model_.rows[i];
+    row.lower = (std::ceil((cover.bound(i) - without) * grid_steps) - 0.5) / grid_steps;
+    if (may_miss()) row.entries.back().value = row.lower;
   }
 }
 
@@ -99,7 +99,7 @@ bool CoverModel::add_failure(std::size_t label, std::uint32_t failed) {
 }
 
 // Adds the failure rows that the selection violates; false if the model contains them all.
-bool CoverModel::add_failure_rows(const Selection& selected, const Selection& unmet) {
+bool CoverModel::add_failure_rows(const Selection& selected, const std::vector<std::uint32_t>& unmet) {
   if (!fails_by_rows()) return false;
   const std::vector<bool> chosen = chosen_columns(instance_, selected);
   bool added = false;
@@ -120,8 +120,9 @@ bool CoverModel::add_failure_rows(const Selection& selected, const Selection& un
   return added;
 }
 
-// Costs, and two rows at the end of the model: the number of units and the missed weight, in largest weights.
-void CoverModel::set_goal(const MipGoal& goal) {
+// Sets the costs; returns the rows that limit the number of units and the missed weight, as a multiple of the
+// largest weight.
+std::vector<milp::Row> CoverModel::set_goal(const MipGoal& goal, const CostBounds& bounds) {
   const double max_cost = std::min(goal.known, knowledge_.cutoff);
   for (std::size_t j = 0; j < goal.cost.size(); ++j) {
     milp::Column& column = model_.columns[j];
@@ -130,30 +131,40 @@ void CoverModel::set_goal(const MipGoal& goal) {
     column.upper = too_dear ? 0 : 1;
   }
   for (const std::uint32_t j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
-  bound_label_rows(goal.max_count < instance_.columns()
-                       ? goal.max_count
-                       : CostBounds(instance_.table, goal.cost).affordable(max_cost));
-  milp::Row count{static_cast<double>(goal.min_count), static_cast<double>(goal.max_count), {}, "units"};
-  for (std::uint32_t j = 0; j < instance_.columns(); ++j) count.entries.push_back({j, 1.0});
-  if (goal.min_count > 0 || goal.max_count < instance_.columns()) model_.rows.push_back(std::move(count));
-  const double largest = may_miss() ? *std::max_element(weights_.begin(), weights_.end()) : 0;
-  milp::Row weight{-milp::infinity, largest > 0 ? goal.max_missed / largest : 0, {}, "missed"};
-  for (std::size_t i = 0; i < weights_.size(); ++i) {
-    model_.columns[missed(i)].cost = goal.price_of_misses * weights_[i];
-    if (weights_[i] > 0) weight.entries.push_back({missed(i), weights_[i] / largest});
+  const bool limits_count = goal.min_count > 0 || goal.max_count < instance_.columns();
+  bound_label_rows(limits_count ? goal.max_count : bounds.affordable(max_cost));
+  std::vector<milp::Row> rows;
+  if (limits_count) {
+    milp::Row& count = rows.emplace_back();
+    count.lower = static_cast<double>(goal.min_count);
+    count.upper = static_cast<double>(goal.max_count);
+    for (std::uint32_t j = 0; j < instance_.columns(); ++j) count.entries.push_back({j, 1.0});
   }
-  if (may_miss() && goal.max_missed < milp::infinity) model_.rows.push_back(std::move(weight));
+  const double largest = may_miss() ? *std::max_element(weights_.begin(), weights_.end()) : 0;
+  for (std::size_t i = 0; i < weights_.size(); ++i)
+    model_.columns[missed(i)].cost = goal.price_of_misses * weights_[i];
+  if (largest > 0 && goal.max_missed < milp::infinity) {
+    milp::Row& weight = rows.emplace_back();
+    weight.lower = -milp::infinity;
+    weight.upper = goal.max_missed / largest;
+    for (std::size_t i = 0; i < weights_.size(); ++i)
+      if (weights_[i] > 0) weight.entries.push_back({missed(i), weights_[i] / largest});
+  }
+  return rows;
 }
 
 CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
   Outcome outcome;
   if (effort_.is_over(control_)) return outcome;
   if (!built_) build();
+  const CostBounds bounds(instance_.table, goal.cost);
+  const std::vector<milp::Row> of_goal = set_goal(goal, bounds);
   const bool has_cutoff = knowledge_.cutoff < milp::infinity;
-  const double step = may_miss() ? 0 : CostBounds(instance_.table, goal.cost).step();
+  const double step = may_miss() ? 0 : bounds.step();
+  double best = milp::infinity;  // the value of outcome.selected
   while (!effort_.is_over(control_)) {
     const std::size_t rows = model_.rows.size();
-    set_goal(goal);
+    model_.rows.insert(model_.rows.end(), of_goal.begin(), of_goal.end());
     const milp::Result result = solve_(model_,
                                        {.time_limit_s = effort_.seconds_left(),
                                         .node_limit = node_limit(effort_),
@@ -168,12 +179,13 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
 
     // Rows relax the rule and cuts keep every feasible selection, so this is a proof unless a selection is
     // known.
+    const auto safe = [&](double bound) {
+      return bound - (result.is_safe ? 0 : milp::objective_slack(model_, bound));
+    };
     if (result.termination == milp::Termination::infeasible && (goal.known == milp::infinity || has_cutoff)) {
       // A solver does not see costs within its tolerance of the cut-off.
       outcome.infeasible = !has_cutoff || result.is_safe;
-      if (!outcome.infeasible)
-        outcome.bound =
-            std::max(outcome.bound, knowledge_.cutoff - milp::objective_slack(model_, knowledge_.cutoff));
+      if (has_cutoff) outcome.bound = std::max(outcome.bound, safe(knowledge_.cutoff));
       break;
     }
     if (wrong || result.termination == milp::Termination::error ||
@@ -181,40 +193,38 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
       outcome.failed = true;
       break;
     }
-    const double tolerance = result.is_safe ? 0 : milp::objective_slack(model_, result.dual_bound);
-    outcome.bound = std::max(outcome.bound, result.dual_bound - tolerance);
+    outcome.bound = std::max(outcome.bound, safe(result.dual_bound));
     if (empty_handed) break;
     Selection selected;
     for (std::uint32_t j = 0; j < instance_.columns(); ++j)
       if (result.solution[j] > 0.5) selected.push_back(j);
     const Check check = instance_.check(selected);
-    Selection mistaken = check.unmet;  // labels that the solver counts as reached
-    if (may_miss())
+    std::vector<std::uint32_t> mistaken = check.unmet;  // labels that the solver counts as reached
+    double missed_weight = 0;
+    if (may_miss()) {
       std::erase_if(mistaken, [&](std::uint32_t i) { return result.solution[missed(i)] > 0.5; });
+      for (const std::uint32_t i : check.unmet) missed_weight += weights_[i];
+    }
+    double value = goal.price_of_misses * missed_weight;
+    for (const std::uint32_t j : selected) value += goal.cost[j];
+    const bool is_wanted =
+        check.allowed() && (may_miss() ? missed_weight <= goal.max_missed : mistaken.empty());
     const bool is_optimal = result.termination == milp::Termination::optimal;
-    if (check.allowed() && (may_miss() || mistaken.empty())) {
-      outcome.proven =
-          is_optimal && supports(outcome.bound, milp::objective(model_, result.solution), goal.cost);
+    if (is_wanted && value < best) {
+      best = value;
       outcome.selected = selected;
+      const bool is_near = step > 0 ? bounds.rounded(outcome.bound) >= value - bounds.tolerance(value)
+                                    : value - outcome.bound <= 1e-6 * value;
+      outcome.proven = is_optimal && !may_miss() && is_near;
     }
     if (mistaken.empty() || !is_optimal) {
-      outcome.failed = is_optimal && !check.allowed();  // a conflict, against the model's row
+      outcome.failed = mistaken.empty() && !is_wanted;  // against the rows of the model
       break;
     }
-    if (!add_failure_rows(selected, mistaken))
-      for (const std::uint32_t i : mistaken) {
-        cut_off(selected, i);
-        if (!may_miss()) break;
-      }
+    if (add_failure_rows(selected, mistaken)) continue;
+    for (const std::uint32_t i : mistaken) cut_off(selected, i);
   }
   return outcome;
-}
-
-bool CoverModel::supports(double bound, double value, std::span<const double> cost) const {
-  const CostBounds bounds(instance_.table, cost);
-  if (bounds.step() > 0) return bounds.rounded(bound) >= value - bounds.tolerance(value);
-  constexpr double gap = 1e-6;
-  return value - bound <= gap * value;
 }
 
 // The selection misses the label, and so does every part of it (signals are not negative). It is extended by

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -29,7 +30,7 @@ struct MipGoal {
   double price_of_misses = 0, max_missed = milp::infinity;  ///< for models with weights
 };
 
-/// The rows of a placement problem for a solver, with the cuts found so far and the deadline. With weights
+/// The rows of a placement problem for a solver, with the cuts found so far and the effort. With weights
 /// w_i, labels may be missed: a variable u_i fills the row of label i, and the missed weight is sum_i w_i
 /// u_i.
 class CoverModel {
@@ -39,11 +40,12 @@ class CoverModel {
              const RunControl& control, const MipKnowledge& knowledge = {},
              std::span<const double> weights = {});
 
-  /// False if a model in which labels may be missed is too large to be solved to optimality.
+  /// False if a model in which labels may be missed, with all failure rows that a solution may violate, is
+  /// too large to be solved to optimality.
   static bool fits_with_misses(const Instance& instance);
 
   struct Outcome {
-    /// Ascending. The checker finds no conflict and, without weights, all labels reached.
+    /// Ascending; the best one for the goal that the checker accepts.
     std::optional<Selection> selected;
     double bound = -milp::infinity;  ///< no selection costs less, as far as the solver's tolerances tell
     bool proven = false;             ///< the bound supports that `selected` is optimal; without weights only
@@ -65,10 +67,9 @@ class CoverModel {
     return static_cast<std::uint32_t>(instance_.columns() + label);
   }
   void build();
-  void set_goal(const MipGoal& goal);
-  bool supports(double bound, double value, std::span<const double> cost) const;
+  std::vector<milp::Row> set_goal(const MipGoal& goal, const CostBounds& bounds);
   void bound_label_rows(std::size_t max_units);
-  bool add_failure_rows(const Selection& selected, const Selection& unmet);
+  bool add_failure_rows(const Selection& selected, const std::vector<std::uint32_t>& unmet);
   bool add_failure(std::size_t label, std::uint32_t failed);
   void cut_off(const Selection& selected, std::size_t unmet_label);
 
@@ -78,7 +79,7 @@ class CoverModel {
   MipKnowledge knowledge_;
   std::span<const double> weights_;
   Effort effort_;
-  milp::Model model_;  ///< built on first use; the last two rows are those of the goal
+  milp::Model model_;  ///< built on first use
   bool built_ = false;
   /// Cooperative with unit failure: the pairs (label, unit) with a row in the model.
   std::set<std::pair<std::size_t, std::uint32_t>> failures_;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "shelfbeam/placement/mip/cover_model.hpp"
-#include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
@@ -60,7 +59,7 @@ struct Search {
     }
 
     const std::vector<double>& cost = instance.second_cost;
-    const CostBounds bounds(instance.table, cost);
+    const CostBounds& bounds = instance.second_bounds;
     double bound = bounds.cheapest(static_cast<std::size_t>(proven_count));
     bool is_optimal = is_fewest && closes(bound, value);
     if (is_fewest && !is_optimal) {

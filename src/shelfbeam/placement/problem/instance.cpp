@@ -1,5 +1,6 @@
 #include "shelfbeam/placement/problem/instance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -29,8 +30,9 @@ Instance::Instance(const SignalTable& t, const PlacementProblem& q)
       available(t.columns(), true),
       excludes(t.columns()),
       second_cost(objective_coefficients(t, q)),
-      first_cost(first_objective(t, q)),
-      bounds(t, first_cost) {
+      first_cost(first_objective(t, q, second_cost)),
+      bounds(t, first_cost),
+      second_bounds(t, second_cost) {
   const std::vector<double>& coefficients = is_weighted() ? first_cost : second_cost;
   const double largest =
       coefficients.empty() ? 0 : *std::max_element(coefficients.begin(), coefficients.end());

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -18,6 +17,7 @@ namespace shelfbeam::detail {
 struct Instance {
   /// The table must outlive the object.
   Instance(const SignalTable& table, const PlacementProblem& problem);
+  Instance(const Instance&) = delete;
 
   const SignalTable& table;
   PlacementProblem problem;
@@ -27,8 +27,8 @@ struct Instance {
   std::vector<std::vector<std::uint32_t>> excludes;  ///< per column: the columns in conflict with it
   /// Per column: objective_coefficients, the second objective if lexicographic.
   std::vector<double> second_cost;
-  std::vector<double> first_cost;  ///< per column: 1 if lexicographic, otherwise first_objective
-  CostBounds bounds;               ///< of first_cost
+  std::vector<double> first_cost;    ///< per column: 1 if lexicographic, otherwise first_objective
+  CostBounds bounds, second_bounds;  ///< of first_cost and of second_cost
   /// Per column: `second_cost` if lexicographic, `first_cost` if weighted, as a multiple of `cost_unit`, a
   /// power of two for which all columns together cost at most 2^60. Sums of integers do not depend on their
   /// order; they are exact unless costs differ by some fifteen digits. The rounding error is at most half of
@@ -66,9 +66,9 @@ struct Instance {
   /// At least 90 % of the candidates have one price, so that few units and a low spend go together.
   bool has_one_price = false;
   bool is_cooperative() const { return problem.model == CommunicationModel::cooperative; }
-  /// Every label requires one unit that reaches it alone, so that covers can be reduced.
+  /// Every label requires one unit that reaches it alone, so that `reduce_cover` applies.
   bool is_cover() const { return !is_cooperative() && !problem.redundant; }
-  /// A sum of costs comes before the count.
+  /// The sum of prices and objective is minimised.
   bool is_weighted() const { return problem.combination == Combination::weighted; }
   /// Some unit may be exchanged for another candidate.
   bool can_exchange(std::span<const std::uint32_t> selected) const;

@@ -5,7 +5,7 @@
 namespace shelfbeam {
 
 double Mounts::max_signal(std::span<const SignalEntry> row, const PlacementProblem& problem) const {
-  Selection best(shared_.size(), alone);  // per mounting point: index into the row
+  std::vector<std::uint32_t> best(shared_.size(), alone);  // per mounting point: index into the row
   std::vector<bool> chosen(mount_.size(), false);
   for (std::uint32_t k = 0; k < row.size(); ++k) {
     if (!available_[row[k].transceiver]) continue;

@@ -76,13 +76,13 @@ std::vector<double> objective_coefficients(const SignalTable& table, const Place
   return result;
 }
 
-std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem) {
+std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem,
+                                    std::vector<double> second) {
   if (problem.combination == Combination::lexicographic) return std::vector<double>(table.columns(), 1.0);
-  std::vector<double> cost = objective_coefficients(table, problem);
   const bool is_spend = problem.combination == Combination::spend;
-  for (std::size_t j = 0; j < cost.size(); ++j)
-    cost[j] += is_spend ? price_to_spend(table.transceivers[j]) : table.transceivers[j].cost;
-  return cost;
+  for (std::size_t j = 0; j < second.size(); ++j)
+    second[j] += is_spend ? price_to_spend(table.transceivers[j]) : table.transceivers[j].cost;
+  return second;
 }
 
 }  // namespace shelfbeam

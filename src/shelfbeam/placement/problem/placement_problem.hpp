@@ -151,7 +151,8 @@ bool is_cover_of_sums(const SignalTable& table, const PlacementProblem& problem)
 std::vector<double> objective_coefficients(const SignalTable& table, const PlacementProblem& problem);
 
 /// The costs of the first objective: 1 (lexicographic), or the price plus the coefficient in the second
-/// objective.
-std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem);
+/// objective, `second`.
+std::vector<double> first_objective(const SignalTable& table, const PlacementProblem& problem,
+                                    std::vector<double> second);
 
 }  // namespace shelfbeam

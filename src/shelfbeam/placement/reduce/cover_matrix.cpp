@@ -10,12 +10,10 @@ CoverMatrix::CoverMatrix(const Instance& instance, std::span<const double> costs
                          const Reduction& reduction) {
   constexpr std::uint32_t none = ~std::uint32_t{0};
   std::vector<std::uint32_t> place(instance.columns(), none);
-  std::vector<bool> is_out(instance.columns(), false);
-  for (const std::uint32_t j : reduction.forced)
-    for (const std::uint32_t other : instance.excludes[j]) is_out[other] = true;
+  const std::vector<bool> blocked = blocked_columns(instance, reduction);
   for (const CoverPart& part : reduction.parts)
     for (const std::uint32_t j : part.columns) {
-      if (is_out[j] || part.labels.empty()) continue;
+      if (blocked[j] || part.labels.empty()) continue;
       place[j] = static_cast<std::uint32_t>(column_of.size());
       column_of.push_back(j);
       cost.push_back(costs[j]);

@@ -259,4 +259,11 @@ Reduction reduce_cover(const Instance& instance, std::span<const double> cost,
   return CoverReducer(instance, cost, pinned, stop, omitted).run();
 }
 
+std::vector<bool> blocked_columns(const Instance& instance, const Reduction& reduction) {
+  std::vector<bool> blocked(instance.columns(), false);
+  for (const std::uint32_t j : reduction.forced)
+    for (const std::uint32_t other : instance.excludes[j]) blocked[other] = true;
+  return blocked;
+}
+
 }  // namespace shelfbeam::detail

@@ -46,4 +46,7 @@ Reduction reduce_cover(const Instance& instance, std::span<const double> cost,
                        const std::vector<bool>& pinned = {}, const std::function<bool()>& stop = {},
                        std::span<const std::uint32_t> omitted = {});
 
+/// Per column: in conflict with a forced one. Such columns may be left in the parts.
+std::vector<bool> blocked_columns(const Instance& instance, const Reduction& reduction);
+
 }  // namespace shelfbeam::detail

@@ -263,7 +263,9 @@ class ProofChecker {
 ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const Effort& effort,
                          const RunControl& control) {
   try {
-    return ProofChecker(instance, proof, effort, control).judge();
+    // Costs and conflicts from the table again.
+    const Instance own(instance.table, instance.problem);
+    return ProofChecker(own, proof, effort, control).judge();
   } catch (const std::out_of_range&) {
     return ProofVerdict::refuted;
   }

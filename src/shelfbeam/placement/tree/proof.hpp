@@ -63,7 +63,8 @@ enum class ProofVerdict {
   refuted
 };
 
-/// Verifies a proof in double precision from the table alone, using nothing of the search but the proof.
+/// Verifies a proof in double precision from the table and the problem of `instance` alone, using nothing of
+/// the search but the proof. Only the time of `effort` counts.
 ProofVerdict judge_proof(const Instance& instance, const Proof& proof, const Effort& effort = {},
                          const RunControl& control = {});
 

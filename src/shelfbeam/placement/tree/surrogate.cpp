@@ -19,8 +19,8 @@ constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 void SurrogateTest::score(TreeNode& node, std::size_t units, std::int64_t spent) {
   const std::size_t rows = node.value.size();
   const std::int64_t max_cost = run_.max_cost();  // read once: other threads lower it
-  node.by_cost = run_.instance.problem.combination == Combination::weighted && run_.instance.has_costs &&
-                 max_cost > spent && max_cost < no_limit;
+  node.by_cost =
+      run_.instance.is_weighted() && run_.instance.has_costs && max_cost > spent && max_cost < no_limit;
   const double divisor =
       static_cast<double>(node.by_cost ? max_cost - spent : static_cast<std::int64_t>(units)) *
       (1 + search_tolerance);

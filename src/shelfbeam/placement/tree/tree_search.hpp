@@ -8,7 +8,6 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
-#include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"

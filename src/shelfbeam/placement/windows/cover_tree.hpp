@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 
 namespace shelfbeam::detail {
 

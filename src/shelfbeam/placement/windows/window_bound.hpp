@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,7 +30,7 @@ struct WindowBound {
 
 /// Receives selections of the remainder that reach all labels, forced columns included, ascending;
 /// constraints between columns are ignored. Returns the cost of the best selection known.
-using WindowHeuristic = std::function<double(const std::vector<std::uint32_t>&)>;
+using WindowHeuristic = std::function<double(const Selection&)>;
 
 /// A lower bound on the remainder of a cover by Lagrangian decomposition into windows, that is, sets W_k of
 /// neighbouring labels to which the cost of every column is allotted:
@@ -46,7 +45,7 @@ using WindowHeuristic = std::function<double(const std::vector<std::uint32_t>&)>
 /// If windows search no longer gains, columns are excluded: a selection of cost C has w_k T <= v_k + (C - sum
 /// of all v) in every window, so a column that no such selection of the window contains is in none of cost C.
 ///
-/// The work is counted, so that the result is the same for any number of threads unless `until` comes first.
+/// The work is counted, so that the result is the same for any number of threads unless the time is up first.
 /// Without an LP from the back end, bounds hold but take longer.
 WindowBound window_bound(const Instance& instance, std::span<const double> cost, const Reduction& reduction,
                          const WindowBoundOptions& options, const milp::Backend& backend,

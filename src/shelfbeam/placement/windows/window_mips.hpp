@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,7 +35,7 @@ struct WindowMipOptions {
 /// proportion to the LP bounds and add up to the goal; a target that is met is raised in place of the others.
 ///
 /// Windows are asked in parallel, each on one thread. The result does not depend on the number of threads
-/// unless `until` comes first. The bound is lowered by the tolerance of solvers (milp::objective_slack).
+/// unless the time is up first. The bound is lowered by the tolerance of solvers (milp::objective_slack).
 double window_mip_bound(const Instance& instance, std::span<const double> cost,
                         const WindowMipOptions& options, const milp::Backend& backend,
                         const RunControl& control);

@@ -9,6 +9,7 @@
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
+#include "unit/placement/brute_force.hpp"
 #include "unit/placement/random_table.hpp"
 
 namespace shelfbeam {
@@ -97,7 +98,7 @@ TEST(DualBound, HoldsForAnyMultipliers) {
   for (int k = 0; k < 1500; ++k) {
     const SignalTable table = random.next();
     const PlacementProblem problem = random.next_problem();
-    std::vector<double> cost = first_objective(table, problem);
+    std::vector<double> cost = detail::Instance(table, problem).first_cost;
     if (random.chance(0.2))
       for (double& c : cost) c *= random.real(-1, 1);
     const auto units = [&](int min) {
@@ -196,6 +197,53 @@ TEST(DualBound, UsesTheNumberOfUnits) {
   EXPECT_NEAR(installed.bound, 6, 1e-12);
   EXPECT_NEAR(installed.if_chosen[2], 8, 1e-12);
   EXPECT_EQ(bound({.max_count = 1}).if_chosen[2], infinite);
+}
+
+// Labels that may be missed, each at the price of its weight: arbitrary multipliers of arbitrary rows never
+// prove more missed weight than the best selection of so many units misses, and those that take missing for
+// cheaper often do.
+TEST(DualBound, HoldsForMissedLabels) {
+  test::RandomTables random(23, {.labels = 6,
+                                 .transceivers = 7,
+                                 .mounts = true,
+                                 .conflicts = true,
+                                 .redundant = true,
+                                 .weights = true});
+  int tight = 0, too_much = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const SignalTable table = random.next();
+    const PlacementProblem problem = random.next_problem();
+    const detail::Instance instance(table, problem);
+    const auto best = test::BruteForce::weights(table, problem);
+    const auto units = static_cast<std::size_t>(random.whole(0, static_cast<int>(table.columns())));
+    const std::vector<BoundRow> rows = random_rows(table, units, random);
+    std::vector<double> y, weight, dearer;
+    for (std::size_t r = 0; r < rows.size(); ++r) y.push_back(random.chance(0.3) ? random.real(0, 2) : 0);
+    double total = 0;
+    for (const SignalTable::Label& label : table.labels) {
+      weight.push_back(label.weight);
+      dearer.push_back(1.5 * label.weight);
+      total += label.weight;
+    }
+    const std::vector<double> nothing(table.columns(), 0.0);
+    const auto bounds = [&](const std::vector<double>& price) {
+      return bounds_by_count(instance, dual_sums(instance, rows, y, units, price), nothing);
+    };
+    const std::vector<double> missed = bounds(weight), wrong = bounds(dearer);
+    ASSERT_EQ(missed.size(), units + 1);
+    for (std::size_t n = 0; n <= units; ++n) {
+      if (!best[n]) {
+        EXPECT_EQ(missed[n], infinite) << "more units are installed";
+        continue;
+      }
+      const double least = total - best[n]->reached, allowed = 1e-9 * (1 + total);
+      EXPECT_LE(missed[n], least + allowed) << k;
+      tight += least > 0 && missed[n] > 0.9 * least;
+      too_much += wrong[n] > least + allowed;
+    }
+  }
+  EXPECT_GT(tight, 50);
+  EXPECT_GT(too_much, 50);  // negative control
 }
 
 TEST(DualBound, UsesThePigeonholePrinciple) {

@@ -47,7 +47,7 @@ TEST_P(LpBounds, LieBetweenRelaxationAndOptimum) {
     if (!truth.feasible) continue;
     const double best = problem.combination == Combination::lexicographic ? static_cast<double>(truth.fewest)
                                                                           : truth.best_sum;
-    const std::vector<double> cost = first_objective(table, problem);
+    const std::vector<double> cost = detail::Instance(table, problem).first_cost;
     const LpBound plain = bound(table, problem, cost, {.cuts = false});
     const LpBound cut = bound(table, problem, cost);
     const double relaxed = relaxation(GetParam(), table, problem);
@@ -114,7 +114,7 @@ TEST_P(LpBounds, OfTheCountAreRaisedByLimitsAndCases) {
       const LpBound limited = bound(table, problem, ones, {.selections = {.max_count = most}});
       const auto is_shown = [&](double seconds, const RunControl& control) {
         return prove_count_exceeds({table, problem}, GetParam(), {.max_count = most}, limited,
-                                   {.until = Deadline(seconds).end()}, control);
+                                   detail::for_seconds(seconds), control);
       };
       if (most == truth.fewest) {
         ASSERT_FALSE(is_shown(milp::infinity, {}));

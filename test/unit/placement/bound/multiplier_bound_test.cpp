@@ -42,7 +42,7 @@ TEST(MultiplierBound, HoldsForEverySelection) {
     problem.combination = Combination::weighted;
     const test::BruteForce truth(table, problem);
     if (!truth.feasible || !(truth.best_sum > 0)) continue;
-    const std::vector<double> cost = first_objective(table, problem);
+    const std::vector<double> cost = detail::Instance(table, problem).first_cost;
     const auto found = bound(table, problem, cost, truth.best_sum);
     ASSERT_LE(found.dual.bound, truth.best_sum * (1 + 1e-9));
     tight += found.dual.bound > 0.9 * truth.best_sum;
@@ -74,7 +74,7 @@ SignalTable random_cover(std::size_t rows, std::size_t columns, std::uint64_t se
 TEST(MultiplierBound, ComesNearTheLinearProgram) {
   for (const std::uint64_t seed : {1U, 2U}) {
     const SignalTable table = random_cover(120, 12000, seed);
-    const std::vector<double> cost = first_objective(table, sum_alone);
+    const std::vector<double> cost = detail::Instance(table, sum_alone).first_cost;
     const double of_lp =
         detail::lp_bound({table, sum_alone}, cost, milp::backends().front(), {}, {}).dual.bound;
     detail::MultiplierBoundOptions options;
@@ -110,7 +110,7 @@ TEST(MultiplierGreedy, ChoosesCheapSelections) {
         .combination = Combination::weighted};
     const test::BruteForce truth(table, problem);
     if (!truth.feasible || !(truth.best_sum > 0)) continue;
-    const std::vector<double> cost = first_objective(table, problem);
+    const std::vector<double> cost = detail::Instance(table, problem).first_cost;
     detail::MultiplierBoundOptions options;
     options.known = 2 * truth.best_sum;
     for (std::uint32_t i = 0; i < table.rows(); ++i) options.rows.push_back({i});

@@ -77,7 +77,7 @@ TEST(CoverSearch, FindsCheapSelectionsWithConflicts) {
     const test::BruteForce truth(table, problem);
     const auto start = greedy_selection({table, {.model = problem.model}});
     if (!truth.feasible || !check_selection(table, problem, start).met()) continue;
-    const std::vector<double> cost = first_objective(table, problem);
+    const std::vector<double> cost = detail::Instance(table, problem).first_cost;
     const auto value = [&](const std::vector<std::uint32_t>& selected) {
       double sum = 0;
       for (const std::uint32_t j : selected) sum += cost[j];

@@ -28,7 +28,7 @@ TEST(PlacementBounds, HoldForEverySelection) {
     EXPECT_LE(count, brute.fewest);
     tight += count == brute.fewest;
 
-    const std::vector<double> cost = first_objective(table, problem);
+    const std::vector<double> cost = detail::Instance(table, problem).first_cost;
     const CostBounds bounds(table, cost);
     const double slack = 1e-12 * brute.best_sum;
     EXPECT_LE(bounds.cheapest(brute.fewest), brute.best_sum + slack);
