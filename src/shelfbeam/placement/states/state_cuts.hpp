@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/states/state_table.hpp"
 
 namespace shelfbeam {

@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/steps.hpp"
+#include "shelfbeam/placement/windows/divided_rows.hpp"
 #include "shelfbeam/placement/windows/window.hpp"
 
 namespace shelfbeam::detail {
