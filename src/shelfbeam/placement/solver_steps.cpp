@@ -190,7 +190,7 @@ Answer solve_whole(SearchState& state, const Effort& effort) {
   return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
     CoverModel model(state.instance, solve, effort, state.control, knowledge);
     Answer answer = model.minimise({.cost = state.instance.first_cost});
-    if (answer.infeasible) answer.bound = milp::infinity;
+    answer.bound = answer.infeasible ? milp::infinity : state.instance.bounds.rounded(answer.bound);
     return answer;
   });
 }

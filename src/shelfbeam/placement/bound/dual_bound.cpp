@@ -120,7 +120,8 @@ void take_points(std::span<const Point> points, std::size_t min_count, std::size
 DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
                    std::size_t max_count, std::span<const double> price_of_miss) {
   // Parts of fixed sizes, so that the sums do not depend on the number of threads.
-  constexpr std::size_t rows_of_part = 2048;
+  constexpr std::size_t min_rows = 2048, max_parts = 16;
+  const std::size_t rows_of_part = std::max(min_rows, rows.size() / max_parts + 1);
   const std::size_t parts = (rows.size() + rows_of_part - 1) / rows_of_part;
   std::vector<DualSums> of_part(parts);
   std::vector<double> of_row(rows.size(), 0.0);
@@ -160,16 +161,16 @@ DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, s
   return std::move(dual);
 }
 
-std::vector<double> bounds_by_count(const Instance& instance, const DualSums& sums,
-                                    std::span<const double> cost) {
+BoundsByCount bounds_by_count(const Instance& instance, const DualSums& sums, std::span<const double> cost) {
   const Relaxation relaxation = relaxation_of(instance, sums, cost, {});
-  std::vector<double> bounds(sums.max_count + 1, infinite);
-  double bound = relaxation.dual.bound - relaxation.slack;
-  for (std::size_t k = relaxation.chosen; k < bounds.size(); ++k) {
+  BoundsByCount bounds{std::vector<double>(sums.max_count + 1, infinite), relaxation.slack};
+  const bool is_finite = !std::isinf(relaxation.slack);
+  double bound = is_finite ? relaxation.dual.bound - relaxation.slack : -infinite;
+  for (std::size_t k = relaxation.chosen; k <= sums.max_count; ++k) {
     const std::size_t taken = k - relaxation.chosen;
-    if (taken > 0 && taken <= relaxation.points.size())
+    if (is_finite && taken > 0 && taken <= relaxation.points.size())
       bound += std::min(0.0, relaxation.points[taken - 1].min_cost);
-    bounds[k] = bound;
+    bounds.at_most[k] = bound;
   }
   return bounds;
 }

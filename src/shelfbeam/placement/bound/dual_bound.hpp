@@ -84,10 +84,15 @@ DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std
 /// are bounded by (rows + columns + 8) 2^-52 times the sum of the absolute terms.
 DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
                      std::span<const double> cost, const SelectionSet& selections = {});
-/// The same bounds for selections of at most k units, k = 0 ... DualSums::max_count; infinite for fewer units
-/// than are installed. If labels may be missed, their prices are part of the cost.
-std::vector<double> bounds_by_count(const Instance& instance, const DualSums& sums,
-                                    std::span<const double> cost);
+struct BoundsByCount {
+  std::vector<double> at_most;  ///< by the number of units; infinite for fewer units than are installed
+  double slack = 0;             ///< by which the bounds were lowered for rounding
+};
+
+/// Such bounds from the same rows for selections of at most 0, 1, ..., DualSums::max_count units, which must
+/// be finite; for fewer units than that, `dual_bound` with their number has stronger rows. If labels may be
+/// missed, their prices are part of the cost.
+BoundsByCount bounds_by_count(const Instance& instance, const DualSums& sums, std::span<const double> cost);
 
 /// Reduced-cost fixing: the columns, ascending, that no selection of cost at most `worth` contains, because
 /// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is

@@ -97,14 +97,14 @@ void CoverageBound::evaluate(std::size_t units, std::span<const Multipliers> y) 
       rows.push_back({.label = label_[i], .share = omitted[d] / static_cast<double>(units)});
       multiplier.push_back(weight_[i] * share / (d == 0 ? cover.bound(label_[i]) : 1));
     }
-  const std::vector<double> missed =
+  const detail::BoundsByCount missed =
       bounds_by_count(instance_, dual_sums(instance_, rows, multiplier, last, weights_.of_labels()),
                       std::vector<double>(instance_.columns(), 0.0));
-  // The slack of a sum that is 0; far below 1e-9 of the total, up to which bounds hold.
-  constexpr double rounding = 1e-12;
+  // The allowance for rounding is nothing, if it is within the 1e-9 of the total up to which bounds hold.
+  const double nothing = std::min(2 * missed.slack, 1e-9 * reachable_);
   for (std::size_t k = instance_.installed.size(); k <= last; ++k) {
-    const double above = reachable_ - missed[k];
-    best_[k] = std::min(best_[k], above > rounding * reachable_ ? above : 0);
+    const double above = reachable_ - missed.at_most[k];
+    best_[k] = std::min(best_[k], above <= nothing ? 0 : above);
   }
 }
 

@@ -78,7 +78,7 @@ class CoverageBound {
   std::vector<std::uint32_t> column_;  ///< of an entry
   std::vector<float> share_;           ///< a_ij; padded
   std::vector<double> weight_;         ///< w_i
-  std::vector<double> min_share_sum_;  ///< R_i for the present number of units
+  std::vector<double> min_share_sum_;  ///< b_i of CoverRows for the present number of units
   std::vector<Part> parts_;
   std::vector<std::uint32_t> point_;  ///< of every column, its first option
   std::vector<float> chosen_;         ///< T_j

@@ -132,7 +132,7 @@ std::vector<milp::Row> CoverModel::set_goal(const MipGoal& goal, const CostBound
   }
   for (const std::uint32_t j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
   const bool limits_count = goal.min_count > 0 || goal.max_count < instance_.columns();
-  bound_label_rows(limits_count ? goal.max_count : bounds.affordable(max_cost));
+  bound_label_rows(std::min(goal.max_count, bounds.affordable(max_cost)));
   std::vector<milp::Row> rows;
   if (limits_count) {
     milp::Row& count = rows.emplace_back();
@@ -184,7 +184,8 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
     };
     if (result.termination == milp::Termination::infeasible && (goal.known == milp::infinity || has_cutoff)) {
       // A solver does not see costs within its tolerance of the cut-off.
-      outcome.infeasible = !has_cutoff || result.is_safe;
+      outcome.failed = !has_cutoff && outcome.selected;  // a contradiction
+      outcome.infeasible = !outcome.failed && (!has_cutoff || result.is_safe);
       if (has_cutoff) outcome.bound = std::max(outcome.bound, safe(knowledge_.cutoff));
       break;
     }
@@ -202,7 +203,8 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
     std::vector<std::uint32_t> mistaken = check.unmet;  // labels that the solver counts as reached
     double missed_weight = 0;
     if (may_miss()) {
-      std::erase_if(mistaken, [&](std::uint32_t i) { return result.solution[missed(i)] > 0.5; });
+      std::erase_if(mistaken,
+                    [&](std::uint32_t i) { return result.solution[missed(i)] > 0.5 || !(weights_[i] > 0); });
       for (const std::uint32_t i : check.unmet) missed_weight += weights_[i];
     }
     double value = goal.price_of_misses * missed_weight;
@@ -217,14 +219,26 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
                                     : value - outcome.bound <= 1e-6 * value;
       outcome.proven = is_optimal && !may_miss() && is_near;
     }
-    if (mistaken.empty() || !is_optimal) {
-      outcome.failed = mistaken.empty() && !is_wanted;  // against the rows of the model
-      break;
+    outcome.failed = !check.allowed();  // a conflict, against the rows of the model
+    if (outcome.failed || !is_optimal || (mistaken.empty() && is_wanted)) break;
+    if (mistaken.empty()) {
+      forbid_misses(check.unmet);
+    } else if (!add_failure_rows(selected, mistaken)) {
+      for (const std::uint32_t i : mistaken) {
+        cut_off(selected, i);
+        if (!may_miss() || effort_.is_over(control_)) break;
+      }
     }
-    if (add_failure_rows(selected, mistaken)) continue;
-    for (const std::uint32_t i : mistaken) cut_off(selected, i);
   }
   return outcome;
+}
+
+// These labels weigh more than may be missed, though by less than the solver's tolerance.
+void CoverModel::forbid_misses(std::span<const std::uint32_t> labels) {
+  milp::Row& row = model_.rows.emplace_back();
+  row.lower = -milp::infinity;
+  row.upper = static_cast<double>(labels.size()) - 1;
+  for (const std::uint32_t i : labels) row.entries.push_back({missed(i), 1.0});
 }
 
 // The selection misses the label, and so does every part of it (signals are not negative). It is extended by

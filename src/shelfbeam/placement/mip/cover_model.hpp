@@ -35,7 +35,7 @@ struct MipGoal {
 /// u_i.
 class CoverModel {
  public:
-  /// `weights`: one per label, or none. Instance, control and weights must outlive the object.
+  /// `weights`: one per label, or none. Instance and weights must outlive the object.
   CoverModel(const Instance& instance, const SolveFunction& solve, const Effort& effort,
              const RunControl& control, const MipKnowledge& knowledge = {},
              std::span<const double> weights = {});
@@ -49,8 +49,9 @@ class CoverModel {
     std::optional<Selection> selected;
     double bound = -milp::infinity;  ///< no selection costs less, as far as the solver's tolerances tell
     bool proven = false;             ///< the bound supports that `selected` is optimal; without weights only
-    bool infeasible = false;  ///< no feasible selection exists, or safely none of cost up to the cut-off
-    bool failed = false;      ///< the solver failed or contradicted what is known
+    /// No feasible selection exists, or safely none of cost up to the cut-off; `selected` may cost more.
+    bool infeasible = false;
+    bool failed = false;  ///< the solver failed or contradicted what is known
   };
 
   /// The selection of minimum cost.
@@ -71,11 +72,12 @@ class CoverModel {
   void bound_label_rows(std::size_t max_units);
   bool add_failure_rows(const Selection& selected, const std::vector<std::uint32_t>& unmet);
   bool add_failure(std::size_t label, std::uint32_t failed);
+  void forbid_misses(std::span<const std::uint32_t> labels);
   void cut_off(const Selection& selected, std::size_t unmet_label);
 
   const Instance& instance_;
   SolveFunction solve_;
-  const RunControl& control_;
+  RunControl control_;
   MipKnowledge knowledge_;
   std::span<const double> weights_;
   Effort effort_;

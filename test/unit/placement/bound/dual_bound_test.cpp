@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
@@ -200,8 +201,8 @@ TEST(DualBound, UsesTheNumberOfUnits) {
 }
 
 // Labels that may be missed, each at the price of its weight: arbitrary multipliers of arbitrary rows never
-// prove more missed weight than the best selection of so many units misses, and those that take missing for
-// cheaper often do.
+// prove more missed weight than the best selection of so many units misses. With prices 1.5 times as high,
+// the same multipliers often prove too much.
 TEST(DualBound, HoldsForMissedLabels) {
   test::RandomTables random(23, {.labels = 6,
                                  .transceivers = 7,
@@ -227,9 +228,13 @@ TEST(DualBound, HoldsForMissedLabels) {
     }
     const std::vector<double> nothing(table.columns(), 0.0);
     const auto bounds = [&](const std::vector<double>& price) {
-      return bounds_by_count(instance, dual_sums(instance, rows, y, units, price), nothing);
+      return bounds_by_count(instance, dual_sums(instance, rows, y, units, price), nothing).at_most;
     };
     const std::vector<double> missed = bounds(weight), wrong = bounds(dearer);
+    const double all_reached = dual_bound(instance, rows, y, nothing, {.max_count = units}).bound;
+    if (best[units]) {
+      EXPECT_NEAR(bounds({})[units], all_reached, 1e-9 * (1 + std::abs(all_reached))) << k;
+    }
     ASSERT_EQ(missed.size(), units + 1);
     for (std::size_t n = 0; n <= units; ++n) {
       if (!best[n]) {
@@ -244,6 +249,54 @@ TEST(DualBound, HoldsForMissedLabels) {
   }
   EXPECT_GT(tight, 50);
   EXPECT_GT(too_much, 50);  // negative control
+}
+
+// Sums of many rows are divided among threads.
+TEST(DualBound, SumsManyRowsOnAnyThreads) {
+  test::RandomTables random(29, {.labels = 6, .transceivers = 7});
+  const SignalTable table = random.next();
+  const detail::Instance instance(table, {});
+  std::vector<BoundRow> rows;
+  std::vector<double> y;
+  for (int k = 0; k < 5000; ++k) {
+    rows.push_back({static_cast<std::uint32_t>(k % static_cast<int>(table.rows()))});
+    y.push_back(random.real(0, 1));
+  }
+  const auto sums = [&](unsigned threads) {
+    return with_threads(threads, [&] { return dual_sums(instance, rows, y, table.columns()); });
+  };
+  const detail::DualSums one = sums(1), four = sums(4);
+  EXPECT_EQ(one.weight, four.weight);
+  EXPECT_EQ(one.constant, four.constant);
+  std::vector<double> by_hand(table.columns(), 0.0);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (const SignalEntry& entry : table.row(rows[k].label))
+      by_hand[entry.transceiver] +=
+          y[k] * std::min(1.0, entry.signal / table.labels[rows[k].label].requirement);
+  for (std::size_t j = 0; j < by_hand.size(); ++j)
+    EXPECT_NEAR(one.weight[j], by_hand[j], 1e-9 * (1 + by_hand[j]));
+}
+
+TEST(DualBound, ProvesNothingFromInfiniteSums) {
+  const SignalTable table = test::make_table({{1, 1}}, 2);
+  const detail::Instance instance(table, {});
+  const std::vector<BoundRow> rows{{0}, {0}};
+  const std::vector<double> huge(2, 1e308), cost(2, 1.0);
+  const auto bounds = bounds_by_count(instance, dual_sums(instance, rows, huge, 2), cost);
+  EXPECT_EQ(bounds.at_most, std::vector<double>(3, -infinite));
+}
+
+TEST(DualBound, ExcludesColumnsInConflictWithInstalledUnits) {
+  SignalTable table = test::make_table({{1, 0, 1}}, 3);
+  table.transceivers[1].installed = true;
+  table.conflicts.emplace_back(1, 2);
+  const std::vector<BoundRow> rows{{0}};
+  const std::vector<double> y{1}, cost{1, 1, 0};
+  const DualBound bound = dual_bound({table, {}}, rows, y, cost);
+  EXPECT_EQ(bound.if_chosen[2], infinite);
+  EXPECT_NEAR(bound.bound, 2, 1e-8);
+  table.conflicts.clear();
+  EXPECT_NEAR(dual_bound({table, {}}, rows, y, cost).bound, 1, 1e-8) << "control: unit 2 costs nothing";
 }
 
 TEST(DualBound, UsesThePigeonholePrinciple) {
