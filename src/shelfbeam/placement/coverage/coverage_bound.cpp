@@ -26,7 +26,7 @@ CoverageBound::CoverageBound(const detail::Instance& instance, const detail::Lab
     : instance_(instance), weights_(weights), point_(instance.columns()), chosen_(instance.columns(), 0.0F) {
   const Mounts& mounts = instance.mounts;
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    point_[j] = mounts.options(j).empty() ? j : mounts.options(j).front();
+    point_[j] = mounts.first_option(j);
     if (mounts.available(j)) chosen_[j] = 1;
   }
   if (!instance.is_cooperative()) lifted_rows_ = 1;

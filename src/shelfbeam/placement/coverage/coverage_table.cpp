@@ -41,7 +41,7 @@ CoverageTable::CoverageTable(const Instance& instance, const LabelWeights& weigh
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
     if (!helps[j] || !instance.available[j]) continue;
     candidates_.push_back(j);
-    point_.push_back(mounts.options(j).empty() ? j : mounts.options(j).front());
+    point_.push_back(mounts.first_option(j));
   }
   constexpr std::size_t block = SearchMatrix::block;
   padded_ = (rows_.size() + block - 1) / block * block;

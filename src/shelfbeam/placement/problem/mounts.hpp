@@ -45,6 +45,11 @@ class Mounts {
   std::span<const std::uint32_t> options(std::uint32_t column) const {
     return mount_[column] == alone ? std::span<const std::uint32_t>() : shared_[mount_[column]];
   }
+  /// The first option of the column's mounting point, the same for all of them; the column itself if the
+  /// point is not shared.
+  std::uint32_t first_option(std::uint32_t column) const {
+    return mount_[column] == alone ? column : shared_[mount_[column]].front();
+  }
   /// The columns that form a forbidden pair with this column.
   std::span<const std::uint32_t> partners(std::uint32_t column) const { return partners_[column]; }
   /// Calls `visit` with every column in conflict with this column; twice with an option of the same mounting
