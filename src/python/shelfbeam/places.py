@@ -44,7 +44,7 @@ def covers(outline: Sequence[Sequence[float]], x: float, y: float) -> bool:
 def spaces(scene: Scene, low: NDArray[Any], high: NDArray[Any], spacing: float) -> list[Place]:
     """The middles of the cells over a rectangle above which there is a space of at least half a metre.
 
-    Space inside solids counts only if there is no other, as in a room whose faces look outwards.
+    The space inside solids counts if there is none outside, as in a room whose faces look outwards.
     """
     places: dict[bool, list[Place]] = {True: [], False: []}
     corners = scene.vertices[scene.triangles]

@@ -84,6 +84,7 @@ DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std
 /// are bounded by (rows + columns + 8) 2^-52 times the sum of the absolute terms.
 DualBound dual_bound(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
                      std::span<const double> cost, const SelectionSet& selections = {});
+
 struct BoundsByCount {
   std::vector<double> at_most;  ///< by the number of units; infinite for fewer units than are installed
   double slack = 0;             ///< by which the bounds were lowered for rounding

@@ -37,8 +37,9 @@ class CoverageBound {
   /// Upper bound on the weight that `units` <= max_units can reach; does not decrease with `units`.
   double weight(std::size_t units) const;
 
-  /// Takes steps for `units`, starting from the T of the last ones. Ends early if the bound falls to
-  /// `reached`, or if the relaxation has no bound that serves the aim better. Returns the number of steps.
+  /// Takes steps for `units`, starting from the T of the last ones. Ends when the effort is over, early if
+  /// the bound falls to `reached` or the relaxation has no bound that serves the aim better. Returns the
+  /// number of steps.
   std::size_t improve(std::size_t units, double reached, CoverageAim aim, const detail::Effort& effort,
                       const RunControl& control);
 

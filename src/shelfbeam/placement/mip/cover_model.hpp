@@ -51,7 +51,7 @@ class CoverModel {
     bool proven = false;             ///< the bound supports that `selected` is optimal; without weights only
     /// No feasible selection exists, or safely none of cost up to the cut-off; `selected` may cost more.
     bool infeasible = false;
-    bool failed = false;  ///< the solver failed or contradicted what is known
+    bool failed = false;  ///< the solver failed or its answer contradicts the problem
   };
 
   /// The selection of minimum cost.
