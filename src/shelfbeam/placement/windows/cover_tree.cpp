@@ -5,11 +5,26 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
+
+#include "shelfbeam/math/cpu_vectors.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
+
+/// The common members of sets and another one, per set.
+SHELFBEAM_FOR_EACH_CPU
+void count_common(std::span<const std::uint32_t> sets, const std::uint64_t* const* words_of,
+                  std::span<const std::uint64_t> other, std::uint32_t* count) {
+  for (const std::uint32_t k : sets) {
+    const std::uint64_t* const words = words_of[k];
+    int sum = 0;
+    for (std::size_t w = 0; w < other.size(); ++w) sum += std::popcount(words[w] & other[w]);
+    count[k] = static_cast<std::uint32_t>(sum);
+  }
+}
 
 /// A set of small numbers, one bit each.
 class BitSet {
@@ -28,11 +43,7 @@ class BitSet {
       if ((words_[w] & ~other.words_[w]) != 0) return false;
     return true;
   }
-  int count_common(const BitSet& other) const {
-    int count = 0;
-    for (std::size_t w = 0; w < words_.size(); ++w) count += std::popcount(words_[w] & other.words_[w]);
-    return count;
-  }
+  std::span<const std::uint64_t> words() const { return words_; }
   /// Calls visit(k) for the common members, ascending, until it returns false.
   template <class Visit>
   void for_common(const BitSet& other, Visit visit) const {
@@ -61,6 +72,9 @@ class CoverTree {
         rows_of_[j].push_back(static_cast<std::uint32_t>(i));
       }
     }
+    for (const BitSet& row : row_bits_) row_words_.push_back(row.words().data());
+    count_.resize(cover.rows.size());
+    for (const auto& row : cover.rows) tight_.push_back(row.empty() ? 0 : row.front());
     for (const auto& rows : rows_of_) {
       column_bits_.emplace_back(cover.rows.size());
       for (const std::uint32_t i : rows) column_bits_.back().insert(i);
@@ -136,25 +150,43 @@ class CoverTree {
     });
   }
 
-  double smallest_slack(const Node& node, std::uint32_t i) const {
+  // Of a row's open columns. The column of the last time often has none left.
+  double smallest_slack(const Node& node, std::uint32_t i) {
+    std::uint32_t& tight = tight_[i];
+    if (node.columns.contains(tight) && node.slack[tight] <= 0) return 0;
     double smallest = std::numeric_limits<double>::infinity();
     row_bits_[i].for_common(node.columns, [&](std::uint32_t j) {
+      if (node.slack[j] < smallest) tight = j;
       smallest = std::min(smallest, node.slack[j]);
       return smallest > 0;
     });
     return smallest;
   }
 
-  // Dual ascent, the rows with the fewest columns first; false if the node is closed.
-  bool ascend(Node& node) {
-    order_.clear();
+  void count_columns(const Node& node) {
+    count_common(order_, row_words_.data(), node.columns.words(), count_.data());
+  }
+
+  // The open rows, those with the fewest columns first.
+  void sort_rows(const Node& node) {
+    rows_.clear();
     node.rows.for_common(node.rows, [&](std::uint32_t i) {
-      order_.emplace_back(row_bits_[i].count_common(node.columns), i);
+      rows_.push_back(i);
       return true;
     });
-    std::sort(order_.begin(), order_.end());
-    for (const auto& [count, i] : order_) {
-      if (count == 0) return false;
+    order_ = rows_;
+    count_columns(node);
+    begin_.assign(cover_.cost.size() + 2, 0);
+    for (const std::uint32_t i : rows_) ++begin_[count_[i] + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    for (const std::uint32_t i : rows_) order_[begin_[count_[i]]++] = i;
+  }
+
+  // Dual ascent in this order; false if the node is closed.
+  bool ascend(Node& node) {
+    sort_rows(node);
+    for (const std::uint32_t i : order_) {
+      if (count_[i] == 0) return false;
       const double by = smallest_slack(node, i);
       if (by > 0) raise(node, i, by);
       if (is_closed(node)) return false;
@@ -163,17 +195,9 @@ class CoverTree {
   }
 
   // The open row with the fewest columns.
-  std::uint32_t branching_row(const Node& node) const {
-    std::uint32_t best = 0;
-    int fewest = std::numeric_limits<int>::max();
-    for (const auto& [before, i] : order_) {
-      const int count = row_bits_[i].count_common(node.columns);
-      if (count >= fewest) continue;
-      fewest = count;
-      best = i;
-      if (count <= 1) break;
-    }
-    return best;
+  std::uint32_t branching_row(const Node& node) {
+    count_columns(node);
+    return *std::ranges::min_element(order_, {}, [&](std::uint32_t i) { return count_[i]; });
   }
 
   // Without open rows, the slack of a column is its cost.
@@ -247,9 +271,12 @@ class CoverTree {
   double rounding_;  ///< exceeds the rounding errors of all sums, which have less than a million terms
   std::vector<std::vector<std::uint32_t>> rows_of_;
   std::vector<BitSet> row_bits_, column_bits_;
-  std::vector<Node> nodes_;  ///< the path from the root, by depth
+  std::vector<const std::uint64_t*> row_words_;  ///< of `row_bits_`
+  std::vector<Node> nodes_;                      ///< the path from the root, by depth
   std::vector<std::uint32_t> chosen_;
-  std::vector<std::pair<int, std::uint32_t>> order_;             ///< of the rows in the present node
+  // Of the open rows in the present node.
+  std::vector<std::uint32_t> rows_, order_, begin_, count_;
+  std::vector<std::uint32_t> tight_;  ///< per row, the column of its last smallest slack
   double open_bound_ = std::numeric_limits<double>::infinity();  ///< of the subtrees left open
   bool was_cut_ = false, finds_columns_ = false;
   BitSet is_found_;  ///< columns of covers
