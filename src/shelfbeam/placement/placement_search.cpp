@@ -64,7 +64,14 @@ constexpr auto is_small = [](State state) { return state.is_small(); };
 constexpr auto is_large = [](State state) { return !state.is_small(); };
 constexpr auto is_small_whole = [](State state) { return state.is_small() && !state.instance.is_cover(); };
 constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.instance.is_cover(); };
-constexpr auto is_covering = [](State state) { return state.instance.is_cover(); };
+// Relaxations say little, as for Steiner triples: MIP solvers know better cuts than `branch_and_bound`.
+constexpr auto has_wide_gap = [](State state) {
+  constexpr double wide = 1.5;
+  return state.incumbent.value() > wide * state.incumbent.bound();
+};
+constexpr auto may_branch = [](State state) {
+  return state.instance.is_cover() && !(has_wide_gap(state) && state.may_ask_mip());
+};
 // Better selections exclude more columns, which pays if many are left.
 constexpr auto has_many_left = [](State state) {
   constexpr std::size_t many = 1000;
@@ -76,7 +83,9 @@ constexpr auto may_have_windows = [](State state) {
   return state.instance.is_cover() && !state.instance.is_weighted() && !state.is_small() &&
          state.instance.columns() - state.useless.size() >= enough;
 };
-constexpr auto has_few_left = [](State state) { return !has_many_left(state); };
+constexpr auto has_few_left = [](State state) {
+  return !has_many_left(state) && !(state.instance.is_cover() && has_wide_gap(state) && state.may_ask_mip());
+};
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
 // Tree searches of more units hardly ever end.
 constexpr auto has_few_units = [](State state) {
@@ -109,7 +118,7 @@ constexpr Step schedule[] = {
     // Branch and bound gives up at once if it cannot end in time; windows do not know when they will end.
     {"short branch and bound", may_have_windows, 0.15, no_limit_s, any_steps, branch_on_remainder},
     {"windows", may_have_windows, 0.75, no_limit_s, any_steps, raise_bound_by_windows},
-    {"branch and bound", is_covering, 0.8, no_limit_s, any_steps, branch_on_remainder},
+    {"branch and bound", may_branch, 0.8, no_limit_s, any_steps, branch_on_remainder},
     {"more local search", has_few_left, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
