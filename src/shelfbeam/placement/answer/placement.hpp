@@ -99,6 +99,8 @@ struct PlaceOptions {
   Selection start = {};
   bool proves = true;        ///< false: a short local search, without proof
   bool settles_ties = true;  ///< false: any selection of the best value is accepted
+
+  bool uses(SolverChoice choice) const { return solver == SolverChoice::automatic || solver == choice; }
 };
 
 /// Solves the placement problem for a table. Every returned selection has passed the checker (checker.hpp).

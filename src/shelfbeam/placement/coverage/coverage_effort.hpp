@@ -36,10 +36,6 @@ inline std::uint64_t brief_annealing(const SignalTable& table) {
   return moves_per_candidate * table.columns();
 }
 
-inline bool uses(const PlaceOptions& options, SolverChoice solver) {
-  return options.solver == SolverChoice::automatic || options.solver == solver;
-}
-
 /// The problem of all goals that may leave labels missed: objective and prices play no part.
 inline PlacementProblem counting(const PlacementProblem& problem) {
   return {.model = problem.model, .redundant = problem.redundant};

@@ -47,8 +47,8 @@ class CoverageSchedule {
       : goal_(goal), instance_(instance), options_(options), control_(control) {}
 
   CoverageRun run() {
-    const bool fits = CoverModel::fits_with_misses(instance_), may_ask = uses(options_, SolverChoice::mip);
-    const bool solves = may_ask && fits, searches = uses(options_, SolverChoice::search);
+    const bool fits = CoverModel::fits_with_misses(instance_), may_ask = options_.uses(SolverChoice::mip);
+    const bool solves = may_ask && fits, searches = options_.uses(SolverChoice::search);
     const bool anneals = searches && CoverageAnnealing::fits(instance_);
     const bool has_rest = solves || anneals;  // a step that can use the rest of the time
     run_.too_large = may_ask && !fits;

@@ -21,6 +21,7 @@
 #include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_cuts.hpp"
 #include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/placement/windows/window_mips.hpp"
 
 namespace shelfbeam {
 
@@ -31,7 +32,8 @@ constexpr double least_step = 1e-6;  ///< of a bound on the count
 // Parts of the time that is left.
 constexpr double share_of_master = 0.1;  ///< one placement on cuts
 constexpr double share_of_lps = 0.4;
-constexpr double share_of_spread = 0.2;  ///< of the whole time limit
+constexpr double share_of_annealing = 0.4;  ///< before windows
+constexpr double share_of_spread = 0.2;     ///< of the whole time limit
 // Linear programs end if, at the progress of the last three, the next count would take more than this number
 // of them; without and with a limit K.
 constexpr double max_rounds = 10, max_rounds_limited = 40;
@@ -45,6 +47,7 @@ class Solver {
         problem_(problem),
         allowance_(allowance),
         options_(options),
+        backend_(milp::backends_of(options.backend).front()),
         enough_(enough),
         control_(control),
         effort_(detail::for_seconds((enough ? 1 : 1 - share_of_spread) * options.time_limit_s)),
@@ -63,19 +66,19 @@ class Solver {
     }
     if (!enough_) {
       step("greedy", [&] { start(); });
-      step("annealing", [&] { search_for_fewer(); });
+      step("annealing", [&] { search_for_fewer(effort_); });
     }
     step("linear programs", [&] { relax(); });
     step("placements on cuts", [&] {
       while (!is_over() && !is_settled() && raise()) {
       }
     });
-    if (!enough_)
-      step("annealing", [&] {
-        for (; !is_over() && !is_settled() && annealing_.can_exchange(known());
-             moves_ = std::min(max_moves, 2 * moves_))
-          search_for_fewer();
-      });
+    const bool has_windows = may_have_windows();
+    if (!enough_) step("annealing", [&] { anneal(has_windows ? share_of_annealing : 1); });
+    if (has_windows) {
+      step("windows by MIPs", [&] { raise_by_windows(); });
+      if (!enough_) step("annealing", [&] { anneal(1); });
+    }
     best_.cuts = cuts_.size();
     effort_ = end_;
     // The first selection that fits the sampled states overfits them.
@@ -101,19 +104,51 @@ class Solver {
     take(first_);
   }
 
-  // Raises the bound by linear programs. A selection of at most K units does not exist if the bound for these
-  // exceeds K.
   void relax() {
     if (is_settled()) return;
     const detail::Effort effort = detail::for_seconds((enough_ ? 1 : share_of_lps) * effort_.seconds_left());
     raise_to(lp_bound(cuts_, states_.table.columns(), unbounded, effort));
-    if (problem_.combination == Combination::spend) return;
+    if (problem_.combination != Combination::spend) refute_counts(effort);
+  }
+
+  // No selection has at most K units if the bound of the linear program for these exceeds K. Raises the bound
+  // until that fails; `limited_` are the cuts for the present bound then.
+  void refute_counts(const detail::Effort& effort) {
     while (best_.lower_bound > 0 && !is_settled() && !effort.is_over(control_)) {
-      const auto k = static_cast<std::size_t>(best_.lower_bound);
-      StateCuts limited = cuts_;
-      if (lp_bound(limited, k, best_.lower_bound + least_step, effort) < best_.lower_bound + least_step)
-        break;
+      const double enough = best_.lower_bound + least_step;
+      limit_ = static_cast<std::size_t>(best_.lower_bound);
+      limited_.emplace(cuts_);
+      limited_bound_ = lp_bound(*limited_, limit_, enough, effort);
+      if (limited_bound_ < enough) return;
       raise_to(best_.lower_bound + 1);
+    }
+  }
+
+  // Windows gain up to a tenth.
+  bool may_have_windows() const {
+    constexpr double gain = 1.1;
+    return options_.uses(SolverChoice::mip) && limited_ && !is_settled() &&
+           best_.lower_bound < gain * limited_bound_;
+  }
+
+  // The same as `refute_counts` by windows of the cuts.
+  void raise_by_windows() {
+    constexpr std::size_t units_per_window = 3;
+    constexpr double above = 1e-3;  // more than rounding takes back
+    const std::vector<double> cost(states_.table.columns(), 1);
+    while (may_have_windows() && !is_over()) {
+      if (static_cast<double>(limit_) < best_.lower_bound) {
+        refute_counts(effort_);
+        continue;
+      }
+      const detail::WindowMipOptions options{.goal = static_cast<double>(limit_) + above,
+                                             .effort = effort_,
+                                             .windows = std::max<std::size_t>(1, limit_ / units_per_window)};
+      if (detail::window_mip_bound({limited_->table(), master_}, cost, options, backend_, control_) <
+          options.goal)
+        return;
+      raise_to(static_cast<double>(limit_ + 1));
+      report();
     }
   }
 
@@ -130,8 +165,8 @@ class Solver {
     while (!effort.is_over(control_) && bound < enough) {
       std::shift_left(before.begin(), before.end(), 1);
       before.back() = bound;
-      const detail::LpBound found = detail::lp_bound(
-          {cuts.table(), master_}, cost, milp::backends_of(options_.backend).front(), options, control_);
+      const detail::LpBound found =
+          detail::lp_bound({cuts.table(), master_}, cost, backend_, options, control_);
       bound = std::max(bound, found.dual.bound);
       control_.report(Task::placing_over_states, -1, fmt::format("at least {:.3g}", bound));
       options.rows = detail::rows_of(found);
@@ -174,16 +209,23 @@ class Solver {
 
   bool is_settled() const { return best_.is_proven() || (enough_ && best_.lower_bound >= *enough_); }
 
+  void anneal(double share) {
+    const detail::Effort effort = detail::for_seconds(share * effort_.seconds_left());
+    for (; !effort.is_over(control_) && !is_settled() && annealing_.can_exchange(known());
+         moves_ = std::min(max_moves, 2 * moves_))
+      search_for_fewer(effort);
+  }
+
   const Selection& known() const { return best_.has_selection() ? best_.selected : first_; }
 
   void improve(const Selection& selected) {
     if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
-    search_for_fewer();
+    search_for_fewer(effort_);
   }
 
-  void search_for_fewer() {
-    while (!is_settled() && !is_over()) {
-      const auto fewer = annealing_.next(known(), 1, {moves_, effort_.until}, control_);
+  void search_for_fewer(const detail::Effort& effort) {
+    while (!is_settled() && !effort.is_over(control_)) {
+      const auto fewer = annealing_.next(known(), 1, {moves_, effort.until}, control_);
       if (!fewer) return;
       take(*fewer);
     }
@@ -229,6 +271,7 @@ class Solver {
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   const PlaceOptions& options_;
+  milp::Backend backend_;
   std::optional<double> enough_;  ///< for a bound alone
   const RunControl& control_;
   detail::Effort effort_, end_;
@@ -237,6 +280,9 @@ class Solver {
   StateAnnealing annealing_;
   // Shares add up in both models, and cuts contain unit failure.
   PlacementProblem master_ = problem_;
+  std::optional<StateCuts> limited_;  ///< for selections of at most `limit_` units
+  std::size_t limit_ = 0;
+  double limited_bound_ = 0;  ///< of the linear program over these
   StatePlacement best_;
   Selection first_;  ///< annealing begins with it as long as no selection is known
   std::uint64_t moves_ = first_moves;
