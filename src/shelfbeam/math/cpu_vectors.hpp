@@ -2,7 +2,7 @@
 
 /// SHELFBEAM_FOR_EACH_CPU compiles a function for several kinds of processor; the program selects the best
 /// version when it starts. SHELFBEAM_VECTORIZE precedes a loop over lanes with independent iterations. Files
-/// with these macros are compiled without errno and floating-point traps (src/CMakeLists.txt).
+/// named *_kernels.cpp are compiled without errno and floating-point traps (cmake/layer.cmake).
 
 // Function multiversioning is resolved before the sanitizers start, which crashes the program.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \

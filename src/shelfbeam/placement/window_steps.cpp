@@ -17,7 +17,7 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   options.known = state.incumbent.value();
   options.step = state.instance.bounds.step();
   options.effort = effort;
-  options.windows = state.incumbent.selected().size() / units_per_window;
+  options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
   const auto heuristic = [&](const Selection& selected) {
     state.offer(selected);
     return state.incumbent.value();

@@ -14,18 +14,6 @@ namespace shelfbeam::detail {
 
 namespace {
 
-/// The common members of sets and another one, per set.
-SHELFBEAM_FOR_EACH_CPU
-void count_common(std::span<const std::uint32_t> sets, const std::uint64_t* const* words_of,
-                  std::span<const std::uint64_t> other, std::uint32_t* count) {
-  for (const std::uint32_t k : sets) {
-    const std::uint64_t* const words = words_of[k];
-    int sum = 0;
-    for (std::size_t w = 0; w < other.size(); ++w) sum += std::popcount(words[w] & other[w]);
-    count[k] = static_cast<std::uint32_t>(sum);
-  }
-}
-
 /// A set of small numbers, one bit each.
 class BitSet {
  public:
@@ -57,6 +45,19 @@ class BitSet {
   std::vector<std::uint64_t> words_;
 };
 
+/// Counts the members that some sets share with another one.
+SHELFBEAM_FOR_EACH_CPU
+void count_common(std::span<const std::uint32_t> some, std::span<const BitSet> sets, const BitSet& other,
+                  std::span<std::uint32_t> count) {
+  const std::span<const std::uint64_t> others = other.words();
+  for (const std::uint32_t k : some) {
+    const std::uint64_t* const words = sets[k].words().data();
+    int sum = 0;
+    for (std::size_t w = 0; w < others.size(); ++w) sum += std::popcount(words[w] & others[w]);
+    count[k] = static_cast<std::uint32_t>(sum);
+  }
+}
+
 class CoverTree {
  public:
   CoverTree(const SmallCover& cover, const CoverTreeOptions& options)
@@ -72,7 +73,6 @@ class CoverTree {
         rows_of_[j].push_back(static_cast<std::uint32_t>(i));
       }
     }
-    for (const BitSet& row : row_bits_) row_words_.push_back(row.words().data());
     count_.resize(cover.rows.size());
     for (const auto& row : cover.rows) tight_.push_back(row.empty() ? 0 : row.front());
     for (const auto& rows : rows_of_) {
@@ -163,9 +163,7 @@ class CoverTree {
     return smallest;
   }
 
-  void count_columns(const Node& node) {
-    count_common(order_, row_words_.data(), node.columns.words(), count_.data());
-  }
+  void count_columns(const Node& node) { count_common(order_, row_bits_, node.columns, count_); }
 
   // The open rows, those with the fewest columns first.
   void sort_rows(const Node& node) {
@@ -271,11 +269,11 @@ class CoverTree {
   double rounding_;  ///< exceeds the rounding errors of all sums, which have less than a million terms
   std::vector<std::vector<std::uint32_t>> rows_of_;
   std::vector<BitSet> row_bits_, column_bits_;
-  std::vector<const std::uint64_t*> row_words_;  ///< of `row_bits_`
-  std::vector<Node> nodes_;                      ///< the path from the root, by depth
+  std::vector<Node> nodes_;  ///< the path from the root, by depth
   std::vector<std::uint32_t> chosen_;
-  // Of the open rows in the present node.
-  std::vector<std::uint32_t> rows_, order_, begin_, count_;
+  std::vector<std::uint32_t> rows_, order_;  ///< the open rows of the present node
+  std::vector<std::uint32_t> count_;         ///< per row, of its open columns
+  std::vector<std::uint32_t> begin_;  ///< per number of columns, the place of its first row in `order_`
   std::vector<std::uint32_t> tight_;  ///< per row, the column of its last smallest slack
   double open_bound_ = std::numeric_limits<double>::infinity();  ///< of the subtrees left open
   bool was_cut_ = false, finds_columns_ = false;

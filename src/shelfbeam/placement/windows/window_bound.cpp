@@ -34,11 +34,10 @@ class WindowSearch {
   }
 
   WindowBound run(std::size_t parts) {
-    for (std::vector<std::uint32_t>& rows : divided_rows(cover_, parts))
-      now_.push_back(make_window(cover_, std::move(rows)));
-    share_costs();
     with_threads(control_.threads, [&] {
-      search(now_);
+      // One hard window would keep all others waiting, so there are more of them if a tree is cut short.
+      const std::size_t max_parts = 2 * parts;
+      for (divide(parts); is_cut_short() && !is_over() && parts < max_parts;) divide(++parts);
       offer();
       keep();
       length_ = first_length * std::max(0.0, target_ - best_value_);
@@ -64,8 +63,11 @@ class WindowSearch {
     return options_.step > 0 ? next_better(target_, options_.step) : target_ * (1 - rounding);
   }
 
-  // At first every row pays the same share of its columns.
-  void share_costs() {
+  // Searches windows in which every row pays the same share of its columns.
+  void divide(std::size_t parts) {
+    now_.clear();
+    for (std::vector<std::uint32_t>& rows : divided_rows(cover_, parts))
+      now_.push_back(make_window(cover_, std::move(rows)));
     for (Window& window : now_) {
       std::vector<int> count(cover_.columns.size(), 0);
       for (const std::uint32_t i : window.rows)
@@ -75,6 +77,12 @@ class WindowSearch {
         window.weight[k] = cover_.cost[j] * count[j] / static_cast<double>(cover_.columns[j].size());
       }
     }
+    search(now_);
+    report();
+  }
+
+  bool is_cut_short() const {
+    return std::any_of(now_.begin(), now_.end(), [](const Window& window) { return !window.complete; });
   }
 
   void search(Windows& windows) {
@@ -107,6 +115,10 @@ class WindowSearch {
     }
     for (std::size_t j = 0; j < allotted.size(); ++j) beyond += std::max(0.0, allotted[j] - cover_.cost[j]);
     return (1 - rounding) * sum - (1 + rounding) * beyond;
+  }
+
+  void report() const {
+    control_.report(Task::windows, -1, fmt::format("{}, bound {:.3f}", now_.size(), best_value_));
   }
 
   bool keep() {
@@ -153,9 +165,8 @@ class WindowSearch {
       offer();
       keep();
       // Steps gain nothing while trees are cut short.
-      if (std::any_of(now_.begin(), now_.end(), [](const Window& window) { return !window.complete; }))
-        allow_larger_trees(2);
-      control_.report(Task::windows, -1, fmt::format("{}, bound {:.3f}", best_.size(), best_value_));
+      if (is_cut_short()) allow_larger_trees(2);
+      report();
       const bool is_better = best_value_ > reached + gain * std::max(0.0, target_ - reached);
       idle = is_better ? 0 : idle + 1;
       if (is_better) reached = best_value_;

@@ -18,7 +18,7 @@ struct WindowBoundOptions {
   double known = 0;    ///< cost of a selection, which the steps aim at; any positive number is valid
   double step = 0;     ///< costs are multiples of this (0: any): a bound above known - step ends the search
   Effort effort = {};  ///< its steps: nodes of trees
-  std::size_t windows = 8;  ///< at first
+  std::size_t windows = 8;  ///< at first; more if their trees are large
 };
 
 struct WindowBound {

@@ -75,6 +75,29 @@ TEST(CoverTree, FindsTheCheapestCoverFromAnyMultipliers) {
   }
 }
 
+// Repeated rows and dearer copies of columns change nothing, but sets of more than 64 members.
+TEST(CoverTree, FindsTheSameAmongManyRowsAndColumns) {
+  test::RandomTables random(74);
+  for (int repeat = 0; repeat < 100; ++repeat) {
+    const SmallCover cover = random_cover(random);
+    const double least = min_cost(cover);
+    SmallCover wide = cover;
+    for (std::uint32_t j = 0; j < 70; ++j) {
+      const std::uint32_t original = j % static_cast<std::uint32_t>(cover.cost.size());
+      const auto copy = static_cast<std::uint32_t>(wide.cost.size());
+      wide.cost.push_back(cover.cost[original] + 1);
+      for (std::size_t i = 0; i < cover.rows.size(); ++i)
+        if (std::ranges::count(cover.rows[i], original) > 0) wide.rows[i].push_back(copy);
+    }
+    for (std::size_t i = 0; i < 8 * cover.rows.size(); ++i)
+      wide.rows.push_back(wide.rows[i % cover.rows.size()]);
+    const CheapestCover found = cheapest_cover(wide, {}, {least + 1, {any_nodes}});
+    ASSERT_TRUE(found.complete);
+    ASSERT_LE(found.bound, least);
+    ASSERT_NEAR(found.bound, least, 1e-8 * (least + 1));
+  }
+}
+
 TEST(CoverTree, BoundOfAnUnfinishedTreeHolds) {
   test::RandomTables random(72);
   int unfinished = 0;
