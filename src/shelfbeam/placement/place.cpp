@@ -145,7 +145,7 @@ Placement placed(const Instance& instance, const PlaceOptions& options, const De
                  std::vector<SearchStep>& steps, const RunControl& control) {
   const auto backends = milp::backends_of(options.backend);
   const bool without_mip = options.solver == SolverChoice::search;
-  const bool searches = without_mip || options.solver == SolverChoice::automatic;
+  const bool searches = options.uses(SolverChoice::search);
   const bool is_all = options.solver == SolverChoice::greedy;
   // A search of a large table takes about a second to begin.
   constexpr double share_of_greedy = 0.6, share_to_begin = 0.3, seconds_to_begin = 1;

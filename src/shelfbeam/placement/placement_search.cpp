@@ -65,13 +65,12 @@ constexpr auto is_large = [](State state) { return !state.is_small(); };
 constexpr auto is_small_whole = [](State state) { return state.is_small() && !state.instance.is_cover(); };
 constexpr auto is_large_or_cover = [](State state) { return !state.is_small() || state.instance.is_cover(); };
 // Relaxations say little, as for Steiner triples: MIP solvers know better cuts than `branch_and_bound`.
-constexpr auto has_wide_gap = [](State state) {
+constexpr auto asks_mip_first = [](State state) {
   constexpr double wide = 1.5;
-  return state.incumbent.value() > wide * state.incumbent.bound();
+  return state.instance.is_cover() && !state.is_small() && state.may_ask_mip() &&
+         state.incumbent.value() > wide * state.incumbent.bound();
 };
-constexpr auto may_branch = [](State state) {
-  return state.instance.is_cover() && !(has_wide_gap(state) && state.may_ask_mip());
-};
+constexpr auto may_branch = [](State state) { return state.instance.is_cover() && !asks_mip_first(state); };
 // Better selections exclude more columns, which pays if many are left.
 constexpr auto has_many_left = [](State state) {
   constexpr std::size_t many = 1000;
@@ -83,9 +82,7 @@ constexpr auto may_have_windows = [](State state) {
   return state.instance.is_cover() && !state.instance.is_weighted() && !state.is_small() &&
          state.instance.columns() - state.useless.size() >= enough;
 };
-constexpr auto has_few_left = [](State state) {
-  return !has_many_left(state) && !(state.instance.is_cover() && has_wide_gap(state) && state.may_ask_mip());
-};
+constexpr auto has_few_left = [](State state) { return !has_many_left(state) && !asks_mip_first(state); };
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
 // Tree searches of more units hardly ever end.
 constexpr auto has_few_units = [](State state) {

@@ -221,6 +221,17 @@ TEST(PlacementSearch, FindsASelectionIfGreedyIsStuck) {
   EXPECT_EQ(place(table, {coop}, {}).status, Status::infeasible);
 }
 
+// The relaxation of A27 is half of its optimum of 18.
+TEST(PlacementSearch, AsksAMipFirstWhereRelaxationsSayLittle) {
+  const SignalTable table = test::affine_lines(3);
+  const auto branches = [&](SolverChoice solver) {
+    const Placement found = place(table, {alone}, {.solver = solver, .step_limit = 100});
+    return std::ranges::count(found.steps, "branch and bound", &SearchStep::name);
+  };
+  EXPECT_EQ(branches(SolverChoice::automatic), 0);
+  EXPECT_EQ(branches(SolverChoice::search), 1);
+}
+
 // A proof would take more than five minutes.
 TEST(PlacementSearchSlow, IsCloseToBestKnownWithoutProof) {
   const struct {

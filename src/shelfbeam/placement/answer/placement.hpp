@@ -100,6 +100,7 @@ struct PlaceOptions {
   bool proves = true;        ///< false: a short local search, without proof
   bool settles_ties = true;  ///< false: any selection of the best value is accepted
 
+  /// The search may use this method.
   bool uses(SolverChoice choice) const { return solver == SolverChoice::automatic || solver == choice; }
 };
 

@@ -33,7 +33,8 @@ constexpr double least_step = 1e-6;  ///< of a bound on the count
 constexpr double share_of_master = 0.1;  ///< one placement on cuts
 constexpr double share_of_lps = 0.4;
 constexpr double share_of_annealing = 0.4;  ///< before windows
-constexpr double share_of_spread = 0.2;     ///< of the whole time limit
+constexpr double share_of_windows = 0.8;
+constexpr double share_of_spread = 0.2;  ///< of the whole time limit
 // Linear programs end if, at the progress of the last three, the next count would take more than this number
 // of them; without and with a limit K.
 constexpr double max_rounds = 10, max_rounds_limited = 40;
@@ -136,13 +137,15 @@ class Solver {
     constexpr std::size_t units_per_window = 3;
     constexpr double above = 1e-3;  // more than rounding takes back
     const std::vector<double> cost(states_.table.columns(), 1);
-    while (may_have_windows() && !is_over()) {
+    const detail::Effort effort =
+        detail::for_seconds((enough_ ? 1 : share_of_windows) * effort_.seconds_left());
+    while (may_have_windows() && !effort.is_over(control_)) {
       if (static_cast<double>(limit_) < best_.lower_bound) {
-        refute_counts(effort_);
+        refute_counts(effort);
         continue;
       }
       const detail::WindowMipOptions options{.goal = static_cast<double>(limit_) + above,
-                                             .effort = effort_,
+                                             .effort = effort,
                                              .windows = std::max<std::size_t>(1, limit_ / units_per_window)};
       if (detail::window_mip_bound({limited_->table(), master_}, cost, options, backend_, control_) <
           options.goal)

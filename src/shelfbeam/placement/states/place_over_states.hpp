@@ -37,6 +37,7 @@ struct StatePlacement {
 /// sum_j a_j x_j >= 1, a_j the mean of the t - k largest shares of unit j. If a rule is broken even with all
 /// units of a set W, another unit is required: sum over j not in W of x_j >= 1. Linear programs over the cuts
 /// bound the count first, then `place` solves the cuts exactly; solutions that break a rule violate new cuts.
+/// If the bound K stays open, windows of the cuts for at most K units (window_mips.hpp) may exceed it.
 /// With unit failure, the inequality of a case holds without any one unit, so each case of a cut leaves out
 /// the unit that is strongest there.
 ///

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/windows/window_mips.hpp"
+
 #include "unit/placement/states/random_states.hpp"
 
 namespace shelfbeam {
@@ -53,6 +56,30 @@ TEST(StateCuts, OfLinearProgramsHoldForEverySmallSelection) {
   EXPECT_GT(added, 60U);
   EXPECT_GT(cut_off, 0U);
   EXPECT_GT(larger_cut_off, 0U);
+}
+
+// Windows exceed K only if no selection of at most K units keeps to the allowance.
+TEST(StateCuts, WindowsExceedOnlyImpossibleCounts) {
+  RandomStates random(5);
+  const PlacementProblem problem;
+  const std::vector<double> cost(8, 1);
+  int exceeded = 0;
+  for (int k = 0; k < 60; ++k) {
+    SCOPED_TRACE(k);
+    const StateTable states = random.next(k % 2 == 1);
+    const MissAllowance allowance = random.allowance(Rule::label);
+    const std::size_t max_units = 1 + static_cast<std::size_t>(k % 3);
+    StateCuts cuts(states, problem, allowance);
+    cuts.add_violated(std::vector<double>(8, 0.1), max_units, detail::for_seconds(60), {});
+    const double goal = static_cast<double>(max_units) + 1e-3;
+    const double bound = detail::window_mip_bound(
+        {cuts.table(), problem}, cost, {.goal = goal, .effort = detail::for_seconds(60), .windows = 2},
+        milp::backends().front(), {});
+    const double best = test::best_by_enumeration(states, problem, allowance);
+    EXPECT_TRUE(bound < goal || best > static_cast<double>(max_units));
+    exceeded += bound >= goal ? 1 : 0;
+  }
+  EXPECT_GE(exceeded, 10);
 }
 
 TEST(StateCuts, OfLinearProgramsAreViolatedByThem) {
