@@ -9,6 +9,7 @@
 #include "shelfbeam/placement/coverage/coverage_effort.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
@@ -96,7 +97,7 @@ class Curve {
   // The units that a greedy selection adds first.
   void look_forwards() {
     const detail::Effort end = part_of_rest(effort_, 4);
-    const auto order = detail::greedy_by_weight(instance_, weights_, end, control_);
+    const auto order = greedy_order(instance_, weights_.of_labels(), end, control_);
     is_cut_short(end);
     for (const Point& point : points_) {
       if (is_over()) return;

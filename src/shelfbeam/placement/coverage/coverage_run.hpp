@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/random.hpp"
+#include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
@@ -109,5 +111,18 @@ class CoverageSchedule {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   CoverageRun run_;
 };
+
+/// The answer of `search` to a question that may leave labels missed, with the time that it took.
+template <class Search>
+auto search_partial(const SignalTable& table, const PlacementProblem& problem, const PlaceOptions& options,
+                    const RunControl& control, const Search& search) {
+  const auto begin = std::chrono::steady_clock::now();
+  const ThreadLimit allowed(control.threads);
+  check_problem(table, problem);
+  milp::backends_of(options.backend);  // throws for an unknown name
+  auto answer = search(Instance(table, counting(problem)));
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return answer;
+}
 
 }  // namespace shelfbeam::detail

@@ -1,12 +1,10 @@
 #include "shelfbeam/placement/coverage/fewest_units.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
@@ -14,14 +12,13 @@
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/coverage_run.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 class Minimisation {
  public:
@@ -73,7 +70,7 @@ class Minimisation {
 
   /// The fewest units with which a greedy selection of all labels begins and that reach the target.
   void begin(const detail::Effort& effort) {
-    const auto order = detail::greedy_by_weight(instance_, weights_, {.until = effort.until}, control_);
+    const auto order = greedy_order(instance_, weights_.of_labels(), {.until = effort.until}, control_);
     std::size_t too_few = 0, enough = order.size();
     while (too_few + 1 < enough) {
       const std::size_t middle = too_few + (enough - too_few) / 2;
@@ -202,14 +199,9 @@ class Minimisation {
 
 FewestUnits fewest_units(const SignalTable& table, const PlacementProblem& problem, double share,
                          const PlaceOptions& options, const RunControl& control) {
-  const auto start = Clock::now();
-  const ThreadLimit allowed(control.threads);
-  check_problem(table, problem);
-  milp::backends_of(options.backend);  // throws for an unknown name
-  const detail::Instance instance(table, detail::counting(problem));
-  FewestUnits result = Minimisation(instance, problem, share, options, control).run();
-  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return result;
+  return detail::search_partial(table, problem, options, control, [&](const detail::Instance& instance) {
+    return Minimisation(instance, problem, share, options, control).run();
+  });
 }
 
 }  // namespace shelfbeam

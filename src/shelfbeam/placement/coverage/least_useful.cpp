@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 
@@ -52,11 +51,6 @@ Selection without_useless(const Instance& instance, const LabelWeights& weights,
     selected = std::move(fewer);
   }
   return selected;
-}
-
-std::vector<std::uint32_t> greedy_by_weight(const Instance& instance, const LabelWeights& weights,
-                                            const Effort& effort, const RunControl& control) {
-  return greedy_order(instance, weights.of_labels(), effort, control);
 }
 
 Selection first_units(std::span<const std::uint32_t> order, std::size_t units) {

@@ -28,10 +28,7 @@ std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWei
 Selection without_useless(const Instance& instance, const LabelWeights& weights, Selection selected,
                           const Effort& effort, const RunControl& control);
 
-/// The units of a greedy selection of all labels, by weight, in the order of their addition, and the first
-/// ones of them, ascending.
-std::vector<std::uint32_t> greedy_by_weight(const Instance& instance, const LabelWeights& weights,
-                                            const Effort& effort, const RunControl& control);
+/// The first units of an order, ascending.
 Selection first_units(std::span<const std::uint32_t> order, std::size_t units);
 
 /// The weight of the labels that a selection reaches, by the checker.

@@ -1,13 +1,11 @@
 #include "shelfbeam/placement/coverage/max_coverage.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
-#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/coverage/coverage_annealing.hpp"
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
@@ -15,6 +13,7 @@
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
 #include "shelfbeam/placement/coverage/coverage_run.hpp"
 #include "shelfbeam/placement/coverage/least_useful.hpp"
+#include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
@@ -23,7 +22,6 @@ namespace shelfbeam {
 namespace {
 
 using detail::EnumerationAim;
-using Clock = std::chrono::steady_clock;
 
 // MIP solvers prove optima within a part in 1e6.
 constexpr double solver_gap = 2e-6;
@@ -81,7 +79,7 @@ class Maximisation {
 
   /// The units that a greedy selection of all labels adds first.
   void begin(const detail::Effort& effort) {
-    order_ = detail::greedy_by_weight(instance_, weights_, {.until = effort.until}, control_);
+    order_ = greedy_order(instance_, weights_.of_labels(), {.until = effort.until}, control_);
     offer_compact(detail::first_units(order_, units_), effort);
   }
 
@@ -215,18 +213,13 @@ class Maximisation {
 
 MaxCoverage maximise_coverage(const SignalTable& table, const PlacementProblem& problem, std::size_t units,
                               const PlaceOptions& options, const RunControl& control) {
-  const auto start = Clock::now();
-  const ThreadLimit allowed(control.threads);
-  check_problem(table, problem);
-  milp::backends_of(options.backend);  // throws for an unknown name
-  const detail::Instance instance(table, detail::counting(problem));
-  if (const std::size_t installed = instance.installed.size(); installed > units)
-    throw InputError("number of units",
-                     fmt::format("is {}, but {} units are installed or pinned", units, installed),
-                     "use at least this number", Setting::units);
-  MaxCoverage reach = Maximisation(instance, problem, units, options, control).run();
-  reach.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return reach;
+  return detail::search_partial(table, problem, options, control, [&](const detail::Instance& instance) {
+    if (const std::size_t installed = instance.installed.size(); installed > units)
+      throw InputError("number of units",
+                       fmt::format("is {}, but {} units are installed or pinned", units, installed),
+                       "use at least this number", Setting::units);
+    return Maximisation(instance, problem, units, options, control).run();
+  });
 }
 
 }  // namespace shelfbeam
