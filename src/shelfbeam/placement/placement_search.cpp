@@ -115,6 +115,7 @@ constexpr Step schedule[] = {
     // Branch and bound gives up at once if it cannot end in time; windows do not know when they will end.
     {"short branch and bound", may_have_windows, 0.15, no_limit_s, any_steps, branch_on_remainder},
     {"windows", may_have_windows, 0.75, no_limit_s, any_steps, raise_bound_by_windows},
+    {"short branch and bound", asks_mip_first, 0.15, 2, any_steps, branch_on_remainder},
     {"branch and bound", may_branch, 0.8, no_limit_s, any_steps, branch_on_remainder},
     {"more local search", has_few_left, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.
