@@ -82,7 +82,9 @@ constexpr auto may_have_windows = [](State state) {
   return state.instance.is_cover() && !state.instance.is_weighted() && !state.is_small() &&
          state.instance.columns() - state.useless.size() >= enough;
 };
-constexpr auto has_few_left = [](State state) { return !has_many_left(state) && !asks_mip_first(state); };
+constexpr auto may_improve_again = [](State state) {
+  return !has_many_left(state) && !asks_mip_first(state);
+};
 constexpr auto has_tree = [](State state) { return state.has_tree(state.incumbent.selected().size()); };
 // Tree searches of more units hardly ever end.
 constexpr auto has_few_units = [](State state) {
@@ -117,7 +119,7 @@ constexpr Step schedule[] = {
     {"windows", may_have_windows, 0.75, no_limit_s, any_steps, raise_bound_by_windows},
     {"short branch and bound", asks_mip_first, 0.15, 2, any_steps, branch_on_remainder},
     {"branch and bound", may_branch, 0.8, no_limit_s, any_steps, branch_on_remainder},
-    {"more local search", has_few_left, 0.2, 20, 200'000, improve},
+    {"more local search", may_improve_again, 0.2, 20, 200'000, improve},
     // MIP solvers suit reduced covers of many units; tree searches do not.
     {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
     {"tree search", is_large_whole_of_few, 0.35, no_limit_s, any_steps, raise_bound_by_tree},

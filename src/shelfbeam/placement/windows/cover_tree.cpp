@@ -163,7 +163,7 @@ class CoverTree {
     return smallest;
   }
 
-  void count_columns(const Node& node) { count_common(order_, row_bits_, node.columns, count_); }
+  void count_columns(const Node& node) { count_common(rows_, row_bits_, node.columns, count_); }
 
   // The open rows, those with the fewest columns first.
   void sort_rows(const Node& node) {
@@ -172,11 +172,11 @@ class CoverTree {
       rows_.push_back(i);
       return true;
     });
-    order_ = rows_;
     count_columns(node);
     begin_.assign(cover_.cost.size() + 2, 0);
     for (const std::uint32_t i : rows_) ++begin_[count_[i] + 1];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    order_.resize(rows_.size());
     for (const std::uint32_t i : rows_) order_[begin_[count_[i]]++] = i;
   }
 
@@ -271,7 +271,7 @@ class CoverTree {
   std::vector<BitSet> row_bits_, column_bits_;
   std::vector<Node> nodes_;  ///< the path from the root, by depth
   std::vector<std::uint32_t> chosen_;
-  std::vector<std::uint32_t> rows_, order_;  ///< the open rows of the present node
+  std::vector<std::uint32_t> rows_, order_;  ///< the open rows of the present node, ascending and sorted
   std::vector<std::uint32_t> count_;         ///< per row, of its open columns
   std::vector<std::uint32_t> begin_;  ///< per number of columns, the place of its first row in `order_`
   std::vector<std::uint32_t> tight_;  ///< per row, the column of its last smallest slack
