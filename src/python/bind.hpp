@@ -1,6 +1,26 @@
 #pragma once
 
+#include <cstdint>
+
 #include <pybind11/pybind11.h>
+
+#include "shelfbeam/base/ids.hpp"
+
+/// Numbers of columns are whole numbers in Python.
+template <class Tag>
+struct pybind11::detail::type_caster<shelfbeam::Number<Tag>> {
+  PYBIND11_TYPE_CASTER(shelfbeam::Number<Tag>, const_name("int"));
+
+  bool load(handle from, bool converts) {
+    make_caster<std::uint32_t> number;
+    if (!number.load(from, converts)) return false;
+    value = cast_op<std::uint32_t>(number);
+    return true;
+  }
+  static handle cast(shelfbeam::Number<Tag> number, return_value_policy policy, handle parent) {
+    return make_caster<std::uint32_t>::cast(std::uint32_t{number}, policy, parent);
+  }
+};
 
 namespace shelfbeam::python {
 

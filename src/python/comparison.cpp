@@ -1,6 +1,5 @@
 #include "shelfbeam/report/messages/comparison.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -31,7 +30,7 @@ namespace {
 using py::arg;
 
 py::dict compared(const std::shared_ptr<StoredSignals>& signals, const fs::path& measured,
-                  const std::vector<std::uint32_t>& units, double confidence) {
+                  const std::vector<ColumnId>& units, double confidence) {
   struct Found {
     std::vector<ComparedPair> pairs;
     Comparison comparison;

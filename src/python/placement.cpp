@@ -35,7 +35,6 @@ namespace shelfbeam::python {
 namespace {
 
 using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
-using Columns = std::vector<std::uint32_t>;
 
 // Entries that are not finite or negative are refused as in a file.
 SignalTable table_of(const Values& signals, const std::vector<std::string>& labels,
@@ -101,7 +100,7 @@ py::dict placed(const SignalTable& table, const std::string& options, const py::
     PlaceOptions how = job.plan.place;
     how.seed = job.plan.seed;
     if (!start.empty()) {
-      Columns columns;
+      Selection columns;
       for (std::uint32_t j = 0; j < with.columns(); ++j)
         if (std::find(start.begin(), start.end(), with.transceivers[j].id) != start.end())
           columns.push_back(j);
@@ -129,7 +128,7 @@ py::dict placed(const SignalTable& table, const std::string& options, const py::
                   arg("costs") = copy_of(costs), arg("steps") = steps_json(answer.steps));
 }
 
-py::dict checked(const SignalTable& table, const std::string& options, const Columns& selected) {
+py::dict checked(const SignalTable& table, const std::string& options, const Selection& selected) {
   const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   const PlacementProblem problem = problem_of(job, table);
   const Check check =

@@ -93,8 +93,7 @@ py::dict planned(const std::shared_ptr<Shop>& shop, const std::string& options, 
 
 // Mounted units: the ids, the file, or those that the store chooses.
 jobs::Installation installation(const Shop& shop, const jobs::PlanJob& job,
-                                const std::optional<std::vector<std::uint32_t>>& units,
-                                const CancelToken* cancel) {
+                                const std::optional<Selection>& units, const CancelToken* cancel) {
   Store store = shop.store;
   store.cancel = cancel;
   leave_out(store, job.without);
@@ -137,7 +136,7 @@ py::dict verdicts(const Certificate& certificate, const CertifiedPlan& verified,
 }
 
 py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
-                  const std::optional<std::vector<std::uint32_t>>& units) {
+                  const std::optional<Selection>& units) {
   const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   const SimulationOptions simulation = job.plan.simulation.options(job.plan.seed);
   if (job.plan.states.value_or(0) > 0) {
@@ -152,7 +151,7 @@ py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options,
     const SignalTable table = table_without_signals(mounted.scene);
     Placement placement;
     placement.problem = mounted.problem;
-    placement.selected = all_numbers(mounted.scene.transceivers.size());
+    placement.selected = all_numbers<ColumnId>(mounted.scene.transceivers.size());
     return py::dict(arg("code") = static_cast<int>(jobs::exit_code_of(found)),
                     arg("answer") = availability_answer(found, placement, table),
                     arg("json") = availability_text(found, table),

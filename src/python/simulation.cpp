@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct Extras {
   std::optional<double> by_length;
   std::optional<std::uint32_t> lengths;
   jobs::WantedStates states;
-  std::optional<std::vector<std::uint32_t>> labels, units;  // numbers; none: all
+  std::optional<std::vector<std::uint32_t>> labels;  // none: all
+  std::optional<std::vector<ColumnId>> units;        // none: all
 
   explicit Extras(const py::dict& more) {
     read(more, "by_bounce", by_bounce);
@@ -116,7 +118,8 @@ Simulated simulate_shop(const Shop& shop, const jobs::PlanJob& job, const Extras
     const auto or_all = [](const auto& chosen, std::size_t count) {
       if (chosen && chosen->empty())
         throw InputError("the simulation", "has no labels or no units", "choose some");
-      return chosen ? *chosen : all_numbers(count);
+      using Number = typename std::decay_t<decltype(*chosen)>::value_type;
+      return chosen ? *chosen : all_numbers<Number>(count);
     };
     const Scene part = sub_scene(shop.scene, or_all(extras.labels, shop.scene.labels.size()),
                                  or_all(extras.units, shop.scene.transceivers.size()));

@@ -69,8 +69,8 @@ void prepare(const CompareArguments& options, const Outputs& outputs) {
   }
 }
 
-std::vector<std::uint32_t> units_of(const CompareArguments& options, const SignalMatrix& matrix,
-                                    const Measurements& measurements) {
+Selection units_of(const CompareArguments& options, const SignalMatrix& matrix,
+                   const Measurements& measurements) {
   if (measurements.of_pairs) {
     if (!options.placement.empty())
       throw InputError(options.measured.string(),
@@ -83,7 +83,7 @@ std::vector<std::uint32_t> units_of(const CompareArguments& options, const Signa
                      "has no column 'transceiver', so several units were on at once",
                      "name these units with --placement");
   const SignalTable table = make_signal_table(matrix, options.signal.string());
-  std::vector<std::uint32_t> units = read_placement(options.placement, table).selected;
+  Selection units = read_placement(options.placement, table).selected;
   if (units.empty())
     throw InputError(options.placement.string(), "selects no transceiver", "use another placement");
   return units;

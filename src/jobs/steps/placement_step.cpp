@@ -87,8 +87,8 @@ PlacementAnswer answer(const SignalTable& table, const PlacementQuestion& questi
                                   : cover(table, question, options, control);
 }
 
-std::vector<std::uint32_t> start_of(std::vector<std::uint32_t> selected, const SignalTable& table,
-                                    const PlacementQuestion& question, const std::string& name) {
+Selection start_of(Selection selected, const SignalTable& table, const PlacementQuestion& question,
+                   const std::string& name) {
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     if (table.transceivers[j].installed && !std::binary_search(selected.begin(), selected.end(), j))
       selected.insert(std::lower_bound(selected.begin(), selected.end(), j), j);

@@ -25,11 +25,11 @@ struct PlacementQuestion {
 struct PlacementAnswer {
   Status status = Status::stopped;
   bool has_selection = false;
-  std::vector<std::uint32_t> selected;  ///< ascending columns
-  std::size_t reached = 0;              ///< labels that the selection reaches
-  double value = 0;                     ///< objective_value, number of units, or reached labels or weight
-  double bound = 0;                     ///< proven on the value: from below, or for reached labels from above
-  std::string json, text;               ///< placement.json, and the same in a few lines
+  Selection selected;
+  std::size_t reached = 0;  ///< labels that the selection reaches
+  double value = 0;         ///< objective_value, number of units, or reached labels or weight
+  double bound = 0;         ///< proven on the value: from below, or for reached labels from above
+  std::string json, text;   ///< placement.json, and the same in a few lines
   ExitCode code = done;
   std::vector<SearchStep> steps = {};
   double seconds = 0;
@@ -41,7 +41,7 @@ PlacementAnswer answer(const SignalTable& table, const PlacementQuestion& questi
 
 /// A selection with which a search begins: with the installed units. `name` is its source in errors. Throws
 /// InputError if it does not answer the question.
-std::vector<std::uint32_t> start_of(std::vector<std::uint32_t> selected, const SignalTable& table,
-                                    const PlacementQuestion& question, const std::string& name);
+Selection start_of(Selection selected, const SignalTable& table, const PlacementQuestion& question,
+                   const std::string& name);
 
 }  // namespace shelfbeam::jobs

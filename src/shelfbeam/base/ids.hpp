@@ -12,6 +12,24 @@ struct Index {
   friend constexpr auto operator<=>(Index, Index) = default;
 };
 
+/// The number of an element of one particular list: converts from and to whole numbers, but not into the
+/// number in another list, and lists of them are of different types.
+template <class Tag>
+class Number {
+ public:
+  constexpr Number() = default;
+  constexpr Number(std::uint32_t value) : value_(value) {}
+  constexpr operator std::uint32_t() const { return value_; }
+  constexpr Number& operator++() {
+    ++value_;
+    return *this;
+  }
+
+ private:
+  std::uint32_t value_ = 0;
+};
+
+using ColumnId = Number<struct ColumnTag>;  ///< a transceiver of a SignalTable
 using MaterialId = Index<struct MaterialTag>;
 using LabelTypeId = Index<struct LabelTypeTag>;
 using TransceiverTypeId = Index<struct TransceiverTypeTag>;

@@ -9,8 +9,9 @@
 namespace shelfbeam {
 
 /// 0, 1, ..., count - 1.
-inline std::vector<std::uint32_t> all_numbers(std::size_t count) {
-  std::vector<std::uint32_t> numbers(count);
+template <class Number = std::uint32_t>
+std::vector<Number> all_numbers(std::size_t count) {
+  std::vector<Number> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0U);
   return numbers;
 }

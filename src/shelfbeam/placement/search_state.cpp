@@ -15,8 +15,8 @@ namespace shelfbeam::detail {
 namespace {
 
 // The union of ascending columns.
-std::vector<std::uint32_t> united(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
-  std::vector<std::uint32_t> all;
+std::vector<ColumnId> united(std::span<const ColumnId> a, std::span<const ColumnId> b) {
+  std::vector<ColumnId> all;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
   return all;
 }
@@ -120,7 +120,7 @@ Reduction SearchState::reduction_below(double cost) const {
   return reduction_without(united(useless, useless_columns(*relaxation, cost)));
 }
 
-Reduction SearchState::reduction_without(std::span<const std::uint32_t> columns) const {
+Reduction SearchState::reduction_without(std::span<const ColumnId> columns) const {
   std::vector<bool> pinned(instance.table.conflicts.empty() ? 0 : instance.columns(), false);
   for (const auto& [a, b] : instance.table.conflicts) pinned[a] = pinned[b] = true;
   return reduce_cover(instance, instance.first_cost, pinned, [this] { return out_of_time(); }, columns);
@@ -130,8 +130,8 @@ bool SearchState::exclude(const DualBound& dual) {
   return exclude(useless_columns(dual, instance.bounds.below(incumbent.value())));
 }
 
-bool SearchState::exclude(std::span<const std::uint32_t> columns) {
-  std::vector<std::uint32_t> all = united(useless, columns);
+bool SearchState::exclude(std::span<const ColumnId> columns) {
+  std::vector<ColumnId> all = united(useless, columns);
   if (all.size() == useless.size()) return false;
   useless = std::move(all);
   // Few further columns are not worth another reduction.
@@ -145,12 +145,12 @@ SelectionSet SearchState::open_selections() {
   if (!instance.is_cover()) return {.without = useless};
   SelectionSet open;
   std::vector<bool> is_open(instance.columns(), false);
-  for (const std::uint32_t j : reduction().forced) {
+  for (const ColumnId j : reduction().forced) {
     is_open[j] = true;
     if (!instance.is_installed(j)) open.with.push_back(j);
   }
   for (const CoverPart& part : reduction().parts)
-    for (const std::uint32_t j : part.columns) is_open[j] = true;
+    for (const ColumnId j : part.columns) is_open[j] = true;
   for (std::uint32_t j = 0; j < instance.columns(); ++j)
     if (!is_open[j]) open.without.push_back(j);
   return open;

@@ -94,7 +94,7 @@ struct SearchState final : ProgressSink {
   std::optional<SecondObjective> second;  ///< once the first objective is done
   /// Reduced-cost fixing, ascending: if a selection of cost CostBounds::below(value) exists, an optimal one
   /// contains none of these columns and is among those of `open_selections`.
-  std::vector<std::uint32_t> useless;
+  std::vector<ColumnId> useless;
   std::optional<DualBound> relaxation;  ///< the last LP of the first objective, for `open_selections`
   /// Label rows and multipliers of the last relaxation of the first objective, for the next one.
   std::vector<BoundRow> rows;
@@ -143,7 +143,7 @@ struct SearchState final : ProgressSink {
   /// Excludes the columns that this bound rules out, or these; true if enough of them are new for a
   /// reduction.
   bool exclude(const DualBound& dual);
-  bool exclude(std::span<const std::uint32_t> columns);
+  bool exclude(std::span<const ColumnId> columns);
   /// The selections that remain after reductions and exclusions.
   SelectionSet open_selections();
   /// The same for the second objective.
@@ -159,7 +159,7 @@ struct SearchState final : ProgressSink {
   void report(Task stage, double fraction, std::string_view detail) override;
 
  private:
-  Reduction reduction_without(std::span<const std::uint32_t> columns) const;
+  Reduction reduction_without(std::span<const ColumnId> columns) const;
 
   std::optional<Reduction> reduction_;
   std::size_t reduced_without_ = 0;  ///< number of useless columns at the time

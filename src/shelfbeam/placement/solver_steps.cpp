@@ -51,10 +51,10 @@ void begin_tree_with(const LpBound& lp, SearchState& state) {
 
 // The part as a table; transceivers have the given costs.
 SignalTable table_of(const Instance& instance, std::span<const double> cost, const CoverPart& part,
-                     const std::vector<bool>& is_out, std::vector<std::uint32_t>& columns) {
+                     const std::vector<bool>& is_out, std::vector<ColumnId>& columns) {
   SignalTable own;
   std::vector<std::uint32_t> place(instance.columns(), ~std::uint32_t{0});
-  for (const std::uint32_t j : part.columns) {
+  for (const ColumnId j : part.columns) {
     if (is_out[j]) continue;
     place[j] = static_cast<std::uint32_t>(own.transceivers.size());
     columns.push_back(j);
@@ -63,8 +63,8 @@ SignalTable table_of(const Instance& instance, std::span<const double> cost, con
     own.transceivers.back().installed = false;
   }
   for (const auto& mount : instance.table.mounts) {
-    std::vector<std::uint32_t> options;
-    for (const std::uint32_t j : mount)
+    std::vector<ColumnId> options;
+    for (const ColumnId j : mount)
       if (place[j] < own.columns()) options.push_back(place[j]);
     if (options.size() > 1) own.mounts.push_back(std::move(options));
   }
@@ -89,12 +89,12 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
   Answer answer;
   Selection selected = reduction.forced;
   answer.bound = 0;
-  for (const std::uint32_t j : reduction.forced) answer.bound += cost[j];
+  for (const ColumnId j : reduction.forced) answer.bound += cost[j];
   bool is_whole = true;
   const std::vector<bool> blocked = blocked_columns(instance, reduction);
   for (const CoverPart& part : reduction.parts) {
     if (part.labels.empty()) continue;
-    std::vector<std::uint32_t> columns;
+    std::vector<ColumnId> columns;
     const SignalTable own = table_of(instance, cost, part, blocked, columns);
     PlacementProblem sum;
     sum.model = instance.problem.model;
@@ -109,7 +109,7 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
     }
     answer.bound += std::max(0.0, best.placement.lower_bound);
     is_whole = is_whole && !best.placement.selected.empty();
-    for (const std::uint32_t j : best.placement.selected) selected.push_back(columns[j]);
+    for (const ColumnId j : best.placement.selected) selected.push_back(columns[j]);
   }
   std::sort(selected.begin(), selected.end());
   if (is_whole) answer.selected = std::move(selected);

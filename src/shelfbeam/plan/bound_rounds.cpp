@@ -206,7 +206,7 @@ std::vector<ValidationRow> BoundRounds::take_fresh() {
   return std::exchange(fresh_, {});
 }
 
-std::vector<std::uint32_t> BoundRounds::take_counterexample() {
+Selection BoundRounds::take_counterexample() {
   return std::exchange(counterexample_, {});
 }
 

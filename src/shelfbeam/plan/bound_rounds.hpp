@@ -55,7 +55,7 @@ class BoundRounds {
   /// Independent batches of all candidates that no test needs any more.
   std::vector<ValidationRow> take_fresh();
   /// A cheaper selection that may reach all labels; empty if the last test met none.
-  std::vector<std::uint32_t> take_counterexample();
+  Selection take_counterexample();
   /// After a change of the matrix.
   void forget_failures() { refuter_.forget_failures(); }
 
@@ -86,7 +86,7 @@ class BoundRounds {
   std::size_t rows_ = max_undecided;               ///< expected maximum number of core rows
   std::optional<EndReason> obstacle_;
   std::vector<ValidationRow> fresh_;
-  std::vector<std::uint32_t> counterexample_;
+  Selection counterexample_;
 };
 
 }  // namespace shelfbeam

@@ -22,7 +22,7 @@ std::uint32_t strongest_of(const SignalTable& table, std::uint32_t row) {
   const auto entries = table.row(row);
   const auto best = std::max_element(entries.begin(), entries.end(),
                                      [](const auto& a, const auto& b) { return a.signal < b.signal; });
-  return best == entries.end() ? std::numeric_limits<std::uint32_t>::max() : best->transceiver;
+  return best == entries.end() ? std::numeric_limits<std::uint32_t>::max() : std::uint32_t{best->transceiver};
 }
 
 // The first labels in `order`, spread over the shop: one per strongest unit.

@@ -52,7 +52,7 @@ struct CoreRows {
   std::vector<std::uint32_t> rows;  ///< ascending
   bool suffice = false;             ///< these labels alone require the cost
   /// Otherwise, a cheaper selection that reaches all labels, if the search met one.
-  std::vector<std::uint32_t> counterexample;
+  Selection counterexample;
 };
 
 /// Finds core rows: a few labels that by themselves require a selection to cost at least `cost`. Repeatedly

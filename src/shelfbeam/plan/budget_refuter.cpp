@@ -89,9 +89,10 @@ BudgetRefuter::Attempt BudgetRefuter::attempt(const BoundGoal& goal, double boun
 
 // A refutation of the matrix with the largest reserve that allows one, and the batches that it is expected
 // to need.
-std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(
-    const BoundGoal& goal, double bound, const Progress& progress, const PlannedSignals& signals,
-    std::vector<std::uint32_t>& counterexample) const {
+std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(const BoundGoal& goal, double bound,
+                                                                 const Progress& progress,
+                                                                 const PlannedSignals& signals,
+                                                                 Selection& counterexample) const {
   constexpr double reserve_of_batches = 1.5;
   const SelectionBudget limit = goal.below(bound);
   const SignalTable& table = signals.table;

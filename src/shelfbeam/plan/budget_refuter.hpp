@@ -26,8 +26,8 @@ class BudgetRefuter {
     bool is_proven = false;  ///< every feasible selection costs at least the bound
     std::size_t labels = 0;  ///< of the refutation
     std::vector<ValidationRow> fresh;
-    double cost = 0;                            ///< of a test that exceeds the budget
-    std::vector<std::uint32_t> counterexample;  ///< a cheaper selection that may reach all labels
+    double cost = 0;           ///< of a test that exceeds the budget
+    Selection counterexample;  ///< a cheaper selection that may reach all labels
   };
 
   /// Tests whether no selection that costs less than `bound` reaches all labels. `share`: of the rest of the
@@ -52,8 +52,7 @@ class BudgetRefuter {
     std::optional<Promising> pending;  ///< waits for its test
   };
   std::optional<Promising> promising(const BoundGoal& goal, double bound, const Progress& progress,
-                                     const PlannedSignals& signals,
-                                     std::vector<std::uint32_t>& counterexample) const;
+                                     const PlannedSignals& signals, Selection& counterexample) const;
   CoreRows core_labels(const SignalTable& raised, const BoundGoal& goal, double bound,
                        const Deadline& deadline) const;
 

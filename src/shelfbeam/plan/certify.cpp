@@ -364,7 +364,7 @@ CertifiedPlan verify_installation(const Scene& scene, const PlacementProblem& pr
   // These units are mounted, so no objective chooses them.
   placement.problem.model = problem.model;
   placement.problem.redundant = problem.redundant;
-  placement.selected = all_numbers(scene.transceivers.size());
+  placement.selected = all_numbers<ColumnId>(scene.transceivers.size());
   placement.objective_value = static_cast<double>(placement.count());
   Certificate& certificate = plan.certificate.emplace();
   certificate.confidence = options.confidence;

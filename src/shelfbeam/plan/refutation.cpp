@@ -70,14 +70,13 @@ class Search {
     return static_cast<std::uint32_t>(tree_.planned.size() - 1);
   }
 
-  double left(std::span<const std::uint32_t> chosen) const {
+  double left(std::span<const ColumnId> chosen) const {
     double left = tree_.limit.budget;
-    for (const std::uint32_t j : chosen) left -= tree_.limit.price[j];
+    for (const ColumnId j : chosen) left -= tree_.limit.price[j];
     return left;
   }
 
-  bool add_leaf(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free,
-                std::uint32_t weights) {
+  bool add_leaf(const std::vector<ColumnId>& chosen, std::vector<ColumnId> free, std::uint32_t weights) {
     if (tree_.leaves.size() >= max_leaves_) return false;
     for (const std::uint32_t row : tree_.weights[weights].rows) is_used_[row] = true;
     tree_.leaves.push_back({chosen, std::move(free), weights});
@@ -94,8 +93,8 @@ class Search {
   }
 
   // The known weights with the smallest total below the maximum, penalty included.
-  std::uint32_t closing_weights(const std::vector<std::uint32_t>& chosen,
-                                const std::vector<std::uint32_t>& free, double max_total) {
+  std::uint32_t closing_weights(const std::vector<ColumnId>& chosen, const std::vector<ColumnId>& free,
+                                double max_total) {
     std::uint32_t best = none;
     double smallest = std::numeric_limits<double>::infinity();
     for (std::uint32_t w = 0; w < tree_.planned.size(); ++w) {
@@ -110,8 +109,7 @@ class Search {
 
   // Whether no selection of these columns, the chosen ones included, reaches all labels. The relaxation
   // closes the node if it gives a total below `max_total`.
-  bool refute(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free,
-              double max_total = below) {
+  bool refute(const std::vector<ColumnId>& chosen, std::vector<ColumnId> free, double max_total = below) {
     if (control_.cancelled() || deadline_.has_passed()) return false;
     const double budget = left(chosen);
     if (budget < 0) return true;  // no selection of the budget
@@ -128,9 +126,9 @@ class Search {
   }
 
   // Whether a selection can contain at most one of the columns.
-  bool takes_one(const std::vector<std::uint32_t>& free, double budget) const {
+  bool takes_one(const std::vector<ColumnId>& free, double budget) const {
     double first = std::numeric_limits<double>::infinity(), second = first;
-    for (const std::uint32_t j : free) {
+    for (const ColumnId j : free) {
       const double price = tree_.limit.price[j];
       second = std::min(second, std::max(first, price));
       first = std::min(first, price);
@@ -139,12 +137,12 @@ class Search {
   }
 
   // Each column, and none, leaves the total of some known weights below 1; those of one label suffice.
-  bool refute_singles(const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& free) {
+  bool refute_singles(const std::vector<ColumnId>& chosen, const std::vector<ColumnId>& free) {
     std::vector<double> smallest(free.size(), std::numeric_limits<double>::infinity());
     std::vector<std::uint32_t> best(free.size(), none);
     for (std::uint32_t w = 0; w < tree_.planned.size(); ++w) {
       double total = 0;
-      for (const std::uint32_t j : chosen) total += tree_.planned[w][j];
+      for (const ColumnId j : chosen) total += tree_.planned[w][j];
       if (total >= below) continue;
       const double penalty = penalty_of_new_labels(w);
       for (std::size_t k = 0; k < free.size(); ++k) {
@@ -154,10 +152,10 @@ class Search {
         best[k] = w;
       }
     }
-    std::vector<std::vector<std::uint32_t>> by_weights(tree_.planned.size());
+    std::vector<std::vector<ColumnId>> by_weights(tree_.planned.size());
     for (std::size_t k = 0; k < free.size(); ++k) {
       if (best[k] == none) {
-        std::vector<std::uint32_t> selected = chosen;
+        Selection selected = chosen;
         selected.push_back(free[k]);
         return fail(std::move(selected));
       }
@@ -173,7 +171,7 @@ class Search {
   }
 
   // The selection reaches all labels.
-  bool fail(std::vector<std::uint32_t> selected) {
+  bool fail(Selection selected) {
     counterexample_ = std::move(selected);
     std::sort(counterexample_.begin(), counterexample_.end());
     return false;
@@ -181,8 +179,8 @@ class Search {
 
   // Dual values of max c: c <= sum_{j chosen} x_ij + sum_{j free} x_ij T_j for every row, sum_j p_j T_j
   // within the budget, 0 <= T <= 1.
-  std::optional<Refutation::Weights> relaxation_weights(const std::vector<std::uint32_t>& chosen,
-                                                        const std::vector<std::uint32_t>& free) {
+  std::optional<Refutation::Weights> relaxation_weights(const std::vector<ColumnId>& chosen,
+                                                        const std::vector<ColumnId>& free) {
     const auto n = static_cast<std::uint32_t>(free.size());
     std::vector<milp::Column> columns(n, {0, 0, 1, false, {}});
     columns.push_back({-1, 0, milp::infinity, false, {}});
@@ -192,7 +190,7 @@ class Search {
     for (std::uint32_t k = 0; k < n; ++k) rows[0].entries.push_back({k, tree_.limit.price[free[k]]});
     for (const std::vector<double>& values : rows_) {
       milp::Row row{0, milp::infinity, {{n, -1.0}}, {}};
-      for (const std::uint32_t j : chosen) row.lower -= values[j];
+      for (const ColumnId j : chosen) row.lower -= values[j];
       for (std::uint32_t k = 0; k < n; ++k)
         if (values[free[k]] > 0) row.entries.push_back({k, values[free[k]]});
       rows.push_back(std::move(row));
@@ -216,15 +214,15 @@ class Search {
 
   // A selection that reaches a label has a column that makes up for at least an even share of the label's
   // lack. Branches on these columns for the label that has the fewest, the strongest first.
-  bool branch(const std::vector<std::uint32_t>& chosen, std::vector<std::uint32_t> free, double budget) {
-    std::vector<std::uint32_t> supporters;
+  bool branch(const std::vector<ColumnId>& chosen, std::vector<ColumnId> free, double budget) {
+    std::vector<ColumnId> supporters;
     bool is_first = true;
     for (const std::vector<double>& row : rows_) {
       double lack = 1;
-      for (const std::uint32_t j : chosen) lack -= row[j];
+      for (const ColumnId j : chosen) lack -= row[j];
       if (lack <= 0) continue;
-      std::vector<std::uint32_t> of_row;
-      for (const std::uint32_t j : free)
+      std::vector<ColumnId> of_row;
+      for (const ColumnId j : free)
         if (row[j] >= below * lack * tree_.limit.price[j] / budget - (1 - below)) of_row.push_back(j);
       if (!is_first && of_row.size() >= supporters.size()) continue;
       is_first = false;
@@ -234,9 +232,9 @@ class Search {
       supporters = std::move(of_row);
     }
     if (is_first) return fail(chosen);
-    for (const std::uint32_t j : supporters) {
+    for (const ColumnId j : supporters) {
       std::erase(free, j);
-      std::vector<std::uint32_t> with = chosen;
+      std::vector<ColumnId> with = chosen;
       with.push_back(j);
       if (!refute(with, allowed_with(j, free))) return false;
       if (const std::uint32_t w = closing_weights(chosen, free, max_known_); w != none)
@@ -248,8 +246,8 @@ class Search {
   }
 
   // The columns that a selection with this one may contain.
-  std::vector<std::uint32_t> allowed_with(std::uint32_t chosen, std::vector<std::uint32_t> columns) const {
-    const auto exclude = [&](std::uint32_t j) { std::erase(columns, j); };
+  std::vector<ColumnId> allowed_with(ColumnId chosen, std::vector<ColumnId> columns) const {
+    const auto exclude = [&](ColumnId j) { std::erase(columns, j); };
     for (const auto& mount : table_.mounts)
       if (std::binary_search(mount.begin(), mount.end(), chosen))
         std::for_each(mount.begin(), mount.end(), exclude);
@@ -267,7 +265,7 @@ class Search {
   std::vector<bool> is_used_;              ///< by row: a leaf has it
   double max_known_ = below;               ///< totals by which known weights close a node
   std::optional<LeafTotal> total_;
-  std::vector<std::uint32_t> counterexample_;
+  Selection counterexample_;
 };
 
 }  // namespace
@@ -299,21 +297,21 @@ Refutation used_part(Refutation tree) {
   return kept;
 }
 
-LeafTotal::LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<std::uint32_t>>& mounts)
+LeafTotal::LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<ColumnId>>& mounts)
     : limit_(limit), mount_of_(limit.price.size(), none), of_mount_(mounts.size()) {
   for (std::uint32_t m = 0; m < mounts.size(); ++m)
-    for (const std::uint32_t j : mounts[m]) mount_of_[j] = m;
+    for (const ColumnId j : mounts[m]) mount_of_[j] = m;
   is_count_ = mounts.empty() &&
               std::all_of(limit.price.begin(), limit.price.end(), [](double price) { return price == 1; });
 }
 
 // The largest values, kept in ascending order.
-double LeafTotal::top(double total, double left, std::span<const std::uint32_t> free,
+double LeafTotal::top(double total, double left, std::span<const ColumnId> free,
                       std::span<const double> value) {
   const auto units = static_cast<std::size_t>(std::max(0.0, left));
   if (units == 0) return total;
   top_.assign(units, 0.0);
-  for (const std::uint32_t j : free) {
+  for (const ColumnId j : free) {
     if (value[j] <= top_[0]) continue;
     std::size_t k = 0;
     for (; k + 1 < units && top_[k + 1] < value[j]; ++k) top_[k] = top_[k + 1];
@@ -322,17 +320,17 @@ double LeafTotal::top(double total, double left, std::span<const std::uint32_t> 
   return std::accumulate(top_.begin(), top_.end(), total);
 }
 
-double LeafTotal::operator()(std::span<const std::uint32_t> chosen, std::span<const std::uint32_t> free,
+double LeafTotal::operator()(std::span<const ColumnId> chosen, std::span<const ColumnId> free,
                              std::span<const double> value) {
   double total = 0, left = limit_.budget;
-  for (const std::uint32_t j : chosen) {
+  for (const ColumnId j : chosen) {
     total += value[j];
     left -= limit_.price[j];
   }
   if (is_count_) return top(total, left, free, value);
   items_.clear();
   for (Item& item : of_mount_) item = {0, std::numeric_limits<double>::infinity()};
-  for (const std::uint32_t j : free) {
+  for (const ColumnId j : free) {
     if (!(value[j] > 0) || limit_.price[j] > left) continue;
     if (mount_of_[j] == none) {
       items_.push_back({value[j], limit_.price[j]});

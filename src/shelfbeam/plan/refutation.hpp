@@ -8,6 +8,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
 namespace shelfbeam {
@@ -33,15 +34,15 @@ struct Refutation {
     std::vector<double> weight;
   };
   struct Leaf {
-    std::vector<std::uint32_t> chosen;  ///< in every selection of the leaf, installed units included
-    std::vector<std::uint32_t> free;    ///< the other columns that a selection may contain
-    std::uint32_t weights = 0;          ///< position in `weights`
+    std::vector<ColumnId> chosen;  ///< in every selection of the leaf, installed units included
+    std::vector<ColumnId> free;    ///< the other columns that a selection may contain
+    std::uint32_t weights = 0;     ///< position in `weights`
   };
 
   SelectionBudget limit;
-  std::vector<std::vector<std::uint32_t>> mounts;  ///< at most one column each, as in SignalTable
-  std::vector<std::uint32_t> labels;               ///< ascending
-  std::vector<std::vector<bool>> is_clipped;       ///< by row and column
+  std::vector<std::vector<ColumnId>> mounts;  ///< at most one column each, as in SignalTable
+  std::vector<std::uint32_t> labels;          ///< ascending
+  std::vector<std::vector<bool>> is_clipped;  ///< by row and column
   std::vector<Weights> weights;
   std::vector<std::vector<double>> planned;  ///< x_j of the table that was searched, by weights and column
   std::vector<Leaf> leaves;
@@ -55,8 +56,8 @@ Refutation used_part(Refutation tree);
 /// largest values of as many columns as the budget allows. Options of a mounting point count as one column.
 class LeafTotal {
  public:
-  LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<std::uint32_t>>& mounts);
-  double operator()(std::span<const std::uint32_t> chosen, std::span<const std::uint32_t> free,
+  LeafTotal(const SelectionBudget& limit, const std::vector<std::vector<ColumnId>>& mounts);
+  double operator()(std::span<const ColumnId> chosen, std::span<const ColumnId> free,
                     std::span<const double> value);
 
  private:
@@ -64,7 +65,7 @@ class LeafTotal {
     double value, price;
   };
   double largest_items(double left);
-  double top(double total, double left, std::span<const std::uint32_t> free, std::span<const double> value);
+  double top(double total, double left, std::span<const ColumnId> free, std::span<const double> value);
 
   const SelectionBudget& limit_;
   bool is_count_ = false;  ///< all prices are 1, and no mounting point has options
@@ -77,7 +78,7 @@ class LeafTotal {
 struct RefutationSearch {
   std::optional<Refutation> found;
   /// Otherwise, a selection that reaches all examined labels, if the search met one.
-  std::vector<std::uint32_t> counterexample;
+  Selection counterexample;
 };
 
 /// Searches for a refutation of the selections in `roots` (or of all selections, if there are none) by some

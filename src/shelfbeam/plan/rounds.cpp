@@ -60,8 +60,8 @@ double Rounds::samples_per_batch(const PreparedScene& prepared) {
   return static_cast<double>(prepared.estimator().part(any_label, 0, min_samples)->samples_per_batch());
 }
 
-void LabelRounds::select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
-                         std::vector<float> planned, bool is_final) {
+void LabelRounds::select(const PlacementProblem& problem, Selection selected, std::vector<float> planned,
+                         bool is_final) {
   for (LabelVerdict& label : labels_) label = {.requirement = label.requirement};
   problem_ = problem;
   selected_ = std::move(selected);

@@ -127,8 +127,7 @@ class LabelRounds {
 
   /// Selects the units and forgets all verdicts. `planned`: their signals on the matrix, row by row.
   /// `is_final`: no other selection replaces them, even if they miss labels.
-  void select(const PlacementProblem& problem, std::vector<std::uint32_t> selected,
-              std::vector<float> planned, bool is_final);
+  void select(const PlacementProblem& problem, Selection selected, std::vector<float> planned, bool is_final);
 
   /// Verifies open labels with independent samples and returns their number. Open are the labels that lack
   /// the joint statement, as long as it can hold for all, and otherwise the labels that the list leaves
@@ -162,7 +161,7 @@ class LabelRounds {
   SimulationOptions simulation_;
   std::vector<LabelVerdict>& labels_;
   PlacementProblem problem_;
-  std::vector<std::uint32_t> selected_;
+  Selection selected_;
   std::vector<float> planned_;
   std::vector<double> margins_;  ///< planned signals, as shares of the requirements; 0: unknown
   bool is_final_ = true;

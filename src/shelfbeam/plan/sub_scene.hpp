@@ -21,7 +21,7 @@ inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels
 
 /// The scene with some of its labels and transceivers.
 inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels,
-                       std::span<const std::uint32_t> transceivers) {
+                       std::span<const ColumnId> transceivers) {
   Scene part = sub_scene(scene, labels);
   part.transceivers.clear();
   for (const std::uint32_t j : transceivers) part.transceivers.push_back(scene.transceivers[j]);
@@ -29,7 +29,7 @@ inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels
 }
 
 /// The scene with all of its labels and some of its transceivers.
-inline Scene with_units(const Scene& scene, std::span<const std::uint32_t> transceivers) {
+inline Scene with_units(const Scene& scene, std::span<const ColumnId> transceivers) {
   return sub_scene(scene, all_numbers(scene.labels.size()), transceivers);
 }
 

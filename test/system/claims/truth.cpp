@@ -16,7 +16,7 @@ namespace {
 constexpr double rounding = 1e-9;
 
 // The signal of a label from some units, after the worst failure if one may fail.
-double received(const SignalTable& table, std::size_t label, const std::vector<std::uint32_t>& units,
+double received(const SignalTable& table, std::size_t label, const Selection& units,
                 const PlacementProblem& problem) {
   std::vector<double> signals;
   for (const SignalEntry& entry : table.row(label))
@@ -107,7 +107,7 @@ void Truth::add_labels(const PlannedStore& store) {
   const auto most_lost = [&](const PlacementProblem& rule) {
     double most = 0;
     for (const std::uint32_t failed : placement.selected) {
-      std::vector<std::uint32_t> others = placement.selected;
+      Selection others = placement.selected;
       std::erase(others, failed);
       double lost = 0;
       for (std::size_t i = 0; i < store.table.rows(); ++i) {

@@ -29,7 +29,7 @@ enum class Omission {
 /// Solves the paper's models by enumeration, written from the formulas of chapter 3 with dense matrices M, l
 /// and t, and without code of the library.
 struct BruteForce {
-  using Columns = std::vector<std::uint32_t>;
+  using Columns = Selection;
 
   bool feasible = false;
   std::size_t fewest = 0;     ///< minimum count

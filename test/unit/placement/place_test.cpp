@@ -18,7 +18,7 @@
 namespace shelfbeam {
 namespace {
 
-using Columns = std::vector<std::uint32_t>;
+using Columns = Selection;
 using test::alone;
 using test::coop;
 
@@ -221,7 +221,7 @@ TEST(Placement, SeedsDoNotChangeTheValue) {
   const Placement proven = place(test::affine_lines(3), {alone}, {.seed = 1ULL << 40});
   EXPECT_EQ(proven.status, Status::optimal);
   EXPECT_EQ(proven.objective_value, 18) << "as with the seed of other tests";
-  std::set<std::vector<std::uint32_t>> unproven;
+  std::set<Selection> unproven;
   for (const std::uint64_t seed : {1ULL, 1ULL << 40})
     for (const std::uint64_t steps : {1U, 10U, 10U})
       unproven.insert(place(test::cube_cycles(5), {alone},

@@ -190,13 +190,13 @@ TEST(PlacementSearch, PrefersTheCheaperOfTwoSimilarUnits) {
   table.transceivers[1].cost = 1 + 5e-10;
   const PlacementProblem problem{coop, Objective::count, Combination::weighted};
   const Placement answer = place(table, problem, {});
-  EXPECT_EQ(answer.selected, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(answer.selected, Selection{0});
   EXPECT_EQ(answer.lower_bound, 1);
   table.transceivers[1].cost = 1;
-  EXPECT_EQ(place(table, problem, {}).selected, std::vector<std::uint32_t>{1}) << "the wider margin";
+  EXPECT_EQ(place(table, problem, {}).selected, Selection{1}) << "the wider margin";
   table.entries[1].signal = 1;
   table.transceivers[0].id = "T2";
-  EXPECT_EQ(place(table, problem, {}).selected, std::vector<std::uint32_t>{1}) << "the first by id";
+  EXPECT_EQ(place(table, problem, {}).selected, Selection{1}) << "the first by id";
 }
 
 // Greedy takes the unit that reaches most labels and is in conflict with all others.

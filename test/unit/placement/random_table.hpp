@@ -123,13 +123,13 @@ class RandomTables {
 
   // Any columns may share a point; at most one of them is installed.
   void add_mounts(SignalTable& table) {
-    std::vector<std::uint32_t> columns(table.columns());
+    Selection columns(table.columns());
     std::iota(columns.begin(), columns.end(), 0U);
     std::shuffle(columns.begin(), columns.end(), random_);
     for (std::size_t begin = 0; begin < columns.size();) {
       const std::size_t end = std::min(columns.size(), begin + static_cast<std::size_t>(whole(1, 4)));
-      std::vector<std::uint32_t> mount(columns.begin() + static_cast<std::ptrdiff_t>(begin),
-                                       columns.begin() + static_cast<std::ptrdiff_t>(end));
+      Selection mount(columns.begin() + static_cast<std::ptrdiff_t>(begin),
+                      columns.begin() + static_cast<std::ptrdiff_t>(end));
       begin = end;
       if (mount.size() < 2) continue;
       std::sort(mount.begin(), mount.end());

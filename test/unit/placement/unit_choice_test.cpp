@@ -27,7 +27,7 @@ using test::RandomTables;
 
 struct Question {
   SignalTable table;  ///< with all columns
-  std::vector<std::uint32_t> pinned, excluded;
+  Selection pinned, excluded;
   PlacementProblem problem;
 
   UnitChoice choice() const {
@@ -196,7 +196,7 @@ TEST(UnitChoice, RemovesColumns) {
   ASSERT_EQ(table.columns(), 3u);
   EXPECT_EQ(table.transceivers[2].id, "T4");
   EXPECT_TRUE(table.transceivers[2].pinned && table.transceivers[2].installed);
-  EXPECT_EQ(table.mounts, (std::vector<std::vector<std::uint32_t>>{{0, 1}}));
+  EXPECT_EQ(table.mounts, (std::vector<Selection>{{0, 1}}));
   EXPECT_TRUE(table.conflicts.empty());
   EXPECT_EQ(table.excluded, (std::vector<std::string>{"T0", "T2"}));
   ASSERT_EQ(table.row(0).size(), 1u);

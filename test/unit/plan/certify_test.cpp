@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/plan/plan.hpp"
 #include "shelfbeam/plan/rounds.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
@@ -61,7 +61,7 @@ SignalMatrix true_matrix(const Scene& scene, double error) {
   return simulate(scene, options).matrix;
 }
 
-double received(const SignalMatrix& truth, std::size_t label, const std::vector<std::uint32_t>& selected,
+double received(const SignalMatrix& truth, std::size_t label, const Selection& selected,
                 CommunicationModel model) {
   double sum = 0, best = 0;
   for (const std::uint32_t j : selected) {
@@ -72,22 +72,16 @@ double received(const SignalMatrix& truth, std::size_t label, const std::vector<
   return model == coop ? sum : best;
 }
 
-std::vector<std::uint32_t> all_of(std::size_t count) {
-  std::vector<std::uint32_t> all(count);
-  std::iota(all.begin(), all.end(), 0U);
-  return all;
-}
-
 // The signal of the weakest label from all units together.
 double min_received(const SignalMatrix& truth) {
   double least = 1e9;
   for (std::size_t i = 0; i < truth.rows(); ++i)
-    least = std::min(least, received(truth, i, all_of(truth.columns()), coop));
+    least = std::min(least, received(truth, i, all_numbers<ColumnId>(truth.columns()), coop));
   return least;
 }
 
-Scene sub_scene_of(const Scene& scene, const std::vector<std::uint32_t>& chosen) {
-  return sub_scene(scene, all_of(scene.labels.size()), chosen);
+Scene sub_scene_of(const Scene& scene, const Selection& chosen) {
+  return sub_scene(scene, all_numbers(scene.labels.size()), chosen);
 }
 
 TEST(Certify, ProvesASmallStore) {
@@ -170,7 +164,7 @@ TEST(Certify, VerifiesInfeasibilityOfTheMatrix) {
         EXPECT_FALSE(certificate.open);
         for (std::size_t i = 0; i < truth.rows(); ++i)
           if (certificate.labels[i].verdict == Verdict::missed) {
-            EXPECT_LT(received(truth, i, all_of(truth.columns()), coop), store.threshold);
+            EXPECT_LT(received(truth, i, all_numbers<ColumnId>(truth.columns()), coop), store.threshold);
           }
       }
       const Placement fit = place(make_signal_table(plan.simulation.matrix), {}, {});
@@ -246,7 +240,7 @@ TEST(CertifySlow, ResumesAfterAnInterruption) {
 TEST(Verify, VerdictsAreTrue) {
   test::PlanStore store;
   const SignalMatrix truth = true_matrix(store.scene(), 0.01);
-  const std::vector<std::uint32_t> chosen{1, 7};
+  const Selection chosen{1, 7};
   SimulationOptions reuse{EstimatorKind::reuse};
   reuse.direct = DirectLight::exact;
   for (const auto model : {coop, alone})
@@ -335,7 +329,7 @@ TEST(CertifySlow, IntervalsOfSumsContainTheTruth) {
   const test::PlanStore store;
   const Scene scene = store.scene();
   const SignalMatrix truth = true_matrix(scene, 0.002);
-  const std::vector<std::uint32_t> chosen{0, 5, 10};
+  const Selection chosen{0, 5, 10};
   const Scene part = sub_scene_of(scene, chosen);
   int held = 0, narrow = 0, pairs = 0;
   for (std::uint64_t seed = 0; seed < 500; ++seed) {

@@ -44,7 +44,7 @@ struct PlanStore {
 
 /// The two units with the largest sum at their weakest label, and this sum.
 struct BestPair {
-  std::vector<std::uint32_t> units;
+  std::vector<ColumnId> units;
   double min_signal = 0;
 };
 

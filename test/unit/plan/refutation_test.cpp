@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/plan/bound_rows.hpp"
 #include "shelfbeam/plan/tested_refutation.hpp"
 #include "shelfbeam/transport/run/prepared_scene.hpp"
@@ -18,13 +19,7 @@
 namespace shelfbeam {
 namespace {
 
-using Columns = std::vector<std::uint32_t>;
-
-Columns numbers(std::size_t count) {
-  Columns all(count);
-  for (std::uint32_t k = 0; k < count; ++k) all[k] = k;
-  return all;
-}
+using Columns = Selection;
 
 bool is_in(const Refutation::Leaf& leaf, const Columns& selected) {
   const auto contains = [](const Columns& set, std::uint32_t j) {
@@ -68,7 +63,8 @@ TEST(Refutation, HasEverySelectionInARefutedLeaf) {
     if (trial % 2 == 1)
       for (double& one : limit.price) one = price(random);
     const SignalTable table = test::make_table(matrix, n);
-    const RefutationSearch search = find_refutation(table, numbers(m), limit, {}, 100000, Deadline(60), {});
+    const RefutationSearch search =
+        find_refutation(table, all_numbers(m), limit, {}, 100000, Deadline(60), {});
     bool is_possible = false;
     for_each_selection(n, [&](const Columns& selected) {
       double cost = 0;
@@ -119,7 +115,7 @@ TEST(Refutation, OpenLeavesAreTestedAgain) {
   const SignalTable table = make_signal_table(matrix);
   const SelectionBudget limit{std::vector<double>(table.columns(), 1.0), 2};
   const RefutationSearch search =
-      find_refutation(table, numbers(table.rows()), limit, {}, 100000, Deadline(60), {});
+      find_refutation(table, all_numbers(table.rows()), limit, {}, 100000, Deadline(60), {});
   ASSERT_TRUE(search.found);
   Refutation tree = *search.found;
   ASSERT_EQ(tree.leaves.size(), 1U);
@@ -174,8 +170,8 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
     const SignalMatrix matrix = simulate(scene, options).matrix;
     const SignalTable table = make_signal_table(matrix);
     const RefutationSearch search =
-        find_refutation(raised_table(table, matrix, 0.1, 64 * 131), numbers(truth.rows()), limit, {}, 100000,
-                        Deadline(60), {});
+        find_refutation(raised_table(table, matrix, 0.1, 64 * 131), all_numbers(truth.rows()), limit, {},
+                        100000, Deadline(60), {});
     if (!search.found) continue;
     ++trees;
     const auto is_refuted = [&](double level) {

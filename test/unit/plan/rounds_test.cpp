@@ -24,7 +24,7 @@ TEST(LabelRoundsSlow, BeginWithTheRiskiestLabels) {
   SimulationOptions options{EstimatorKind::reuse};
   options.samples = 500;
   const SignalMatrix matrix = simulate(store.scene(), options).matrix;
-  const std::vector<std::uint32_t> selected{1, 7};
+  const Selection selected{1, 7};
   std::vector<float> planned;
   std::vector<double> sums;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {

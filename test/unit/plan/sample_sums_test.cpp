@@ -162,7 +162,7 @@ TEST(ValidationEstimate, LimitsZeroHits) {
 
 TEST(SubScene, KeepsTheSignals) {
   const Scene scene = test::PlanStore().scene();
-  const Scene part = sub_scene(scene, std::vector<std::uint32_t>{4, 1}, std::vector<std::uint32_t>{7, 2, 9});
+  const Scene part = sub_scene(scene, std::vector<std::uint32_t>{4, 1}, std::vector<ColumnId>{7, 2, 9});
   ASSERT_EQ(part.labels.size(), 2U);
   EXPECT_EQ(part.labels[0].id, scene.labels[4].id);
   EXPECT_EQ(part.transceivers[2].id, scene.transceivers[9].id);

@@ -171,7 +171,7 @@ bool is_false(const Plan& plan, const SignalMatrix& truth, const PlacementProble
   const Certificate& certificate = *plan.certificate;
   // Without a selection, a missed label is one that all units miss.
   const bool has_selection = !plan.placement.selected.empty();
-  const auto selected = has_selection ? plan.placement.selected : all_numbers(truth.columns());
+  const auto selected = has_selection ? plan.placement.selected : all_numbers<ColumnId>(truth.columns());
   double received = 0;
   for (const std::uint32_t j : selected) received += static_cast<double>(truth.mean[j]);
   const bool is_reached = received >= truth.labels[0].requirement;

@@ -29,7 +29,7 @@ std::vector<Critical> critical_units(const SignalTable& table, const PlacementPr
   std::vector<std::size_t> place(table.columns(), 0);
   std::vector<bool> working(table.columns(), false);
   std::vector<Critical> result;
-  for (const std::uint32_t j : selected) {
+  for (const ColumnId j : selected) {
     place[j] = result.size();
     working[j] = true;
     result.push_back({j, {}});

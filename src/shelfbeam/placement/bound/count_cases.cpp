@@ -16,7 +16,7 @@ namespace {
 // A label and the columns that contribute at least the share t to it.
 struct Split {
   BoundRow row;
-  std::vector<std::uint32_t> strong;
+  std::vector<ColumnId> strong;
 };
 
 class Cases {
@@ -33,7 +33,7 @@ class Cases {
         ones_(instance.columns(), 1.0) {}
 
   // True if no selection without the columns `without` remains; `open` is the LP bound of these selections.
-  bool close(const LpBound& open, const std::vector<std::uint32_t>& without) {
+  bool close(const LpBound& open, const std::vector<ColumnId>& without) {
     if (open.dual.bound >= enough_) return true;
     if (open.x.empty()) return false;
     const std::optional<Split> split = best_split(open);
@@ -41,7 +41,7 @@ class Cases {
     std::vector<BoundRow> with_strong = rows_of(open);
     with_strong.push_back(split->row);
     if (!close_case(open, std::move(with_strong), without)) return false;
-    std::vector<std::uint32_t> without_strong = without;
+    std::vector<ColumnId> without_strong = without;
     without_strong.insert(without_strong.end(), split->strong.begin(), split->strong.end());
     return is_empty(open, without_strong) || close_case(open, rows_of(open), without_strong);
   }
@@ -51,7 +51,7 @@ class Cases {
   static constexpr double deepest = 5;  // levels
 
   // True if some label cannot be reached without these columns.
-  bool is_empty(const LpBound& open, const std::vector<std::uint32_t>& without) const {
+  bool is_empty(const LpBound& open, const std::vector<ColumnId>& without) const {
     constexpr double rounding = 1e-9;
     const std::vector<bool> is_out = chosen_columns(instance_, without);
     return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
@@ -61,8 +61,7 @@ class Cases {
     });
   }
 
-  bool close_case(const LpBound& open, std::vector<BoundRow> rows,
-                  const std::vector<std::uint32_t>& without) {
+  bool close_case(const LpBound& open, std::vector<BoundRow> rows, const std::vector<ColumnId>& without) {
     if (effort_.is_over(control_) || ++cases_ > max_cases) return false;
     control_.report(Task::bound, -1, fmt::format("at most {} units, case {}", selections_.max_count, cases_));
     SelectionSet selections = selections_;

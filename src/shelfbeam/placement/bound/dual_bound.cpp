@@ -15,37 +15,37 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A mounting point without a chosen unit, or a column with a mounting point of its own.
 struct Point {
-  std::vector<std::uint32_t> options;
+  std::vector<ColumnId> options;
   double min_cost = infinite;  ///< of its options, reduced
 };
 
-Point make_point(std::vector<std::uint32_t> options, const std::vector<double>& reduced_cost) {
+Point make_point(std::vector<ColumnId> options, const std::vector<double>& reduced_cost) {
   double min_cost = infinite;
-  for (const std::uint32_t j : options) min_cost = std::min(min_cost, reduced_cost[j]);
+  for (const ColumnId j : options) min_cost = std::min(min_cost, reduced_cost[j]);
   return {std::move(options), min_cost};
 }
 
 /// The mounting points without a chosen unit. Adds the chosen units to the bound and excludes the other
 /// options of their points, and columns in conflict with installed units.
 std::vector<Point> free_points(const Instance& instance, const std::vector<bool>& chosen,
-                               const std::vector<std::uint32_t>& without, DualBound& dual) {
+                               const std::vector<ColumnId>& without, DualBound& dual) {
   std::vector<Point> points;
   std::vector<bool> shares(instance.columns(), false), is_out(instance.columns(), false);
-  for (const std::uint32_t j : without) is_out[j] = true;
+  for (const ColumnId j : without) is_out[j] = true;
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
     is_out[j] = is_out[j] || (!instance.available[j] && !chosen[j]);
     if (is_out[j]) dual.if_chosen[j] = infinite;
   }
   for (const auto& mount : instance.table.mounts) {
     bool taken = false;
-    for (const std::uint32_t j : mount) {
+    for (const ColumnId j : mount) {
       shares[j] = true;
       taken = taken || chosen[j];
     }
-    for (const std::uint32_t j : mount)
+    for (const ColumnId j : mount)
       if (taken && !chosen[j]) dual.if_chosen[j] = infinite;
-    std::vector<std::uint32_t> options;
-    for (const std::uint32_t j : mount)
+    std::vector<ColumnId> options;
+    for (const ColumnId j : mount)
       if (!is_out[j]) options.push_back(j);
     if (!taken && !options.empty()) points.push_back(make_point(std::move(options), dual.reduced_cost));
   }
@@ -82,7 +82,7 @@ Relaxation relaxation_of(const Instance& instance, const DualSums& sums, std::sp
                      ? static_cast<double>(sums.rows + n + 8) * std::numeric_limits<double>::epsilon() * added
                      : infinite;
   std::vector<bool> chosen = chosen_columns(instance, instance.installed);
-  for (const std::uint32_t j : selections.with) chosen[j] = true;
+  for (const ColumnId j : selections.with) chosen[j] = true;
   result.chosen = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
   result.points = free_points(instance, chosen, selections.without, dual);
   std::stable_sort(result.points.begin(), result.points.end(),
@@ -105,7 +105,7 @@ void take_points(std::span<const Point> points, std::size_t min_count, std::size
     if (is_taken) dual.bound += point.min_cost;
     // If the count is at its maximum, or at a minimum that forces units, a further unit replaces the last.
     const bool replaces = taken == max_count || (taken == min_count && negative < min_count);
-    for (const std::uint32_t j : point.options) {
+    for (const ColumnId j : point.options) {
       const double r = dual.reduced_cost[j];
       if (is_taken)
         dual.if_chosen[j] = r - point.min_cost;
@@ -175,8 +175,8 @@ BoundsByCount bounds_by_count(const Instance& instance, const DualSums& sums, st
   return bounds;
 }
 
-std::vector<std::uint32_t> useless_columns(const DualBound& dual, double worth) {
-  std::vector<std::uint32_t> useless;
+std::vector<ColumnId> useless_columns(const DualBound& dual, double worth) {
+  std::vector<ColumnId> useless;
   for (std::uint32_t j = 0; j < dual.if_chosen.size(); ++j)
     if (dual.if_chosen[j] > worth) useless.push_back(j);
   return useless;

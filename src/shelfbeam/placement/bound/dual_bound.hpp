@@ -32,9 +32,9 @@ namespace shelfbeam::detail {
 ///   sum_{j: a_ij >= t} T_j >= 1.
 struct BoundRow {
   std::uint32_t label = 0;
-  std::vector<std::uint32_t> taken = {};  ///< A, ascending
-  double share = 0;                       ///< s
-  double strongest = 0;                   ///< t
+  std::vector<ColumnId> taken = {};  ///< A, ascending
+  double share = 0;                  ///< s
+  double strongest = 0;              ///< t
 
   /// The label's own row.
   bool is_plain() const { return taken.empty() && share == 0 && strongest == 0; }
@@ -46,8 +46,8 @@ struct BoundRow {
 struct SelectionSet {
   std::size_t min_count = 0;  ///< minimum count, installed units included
   std::size_t max_count = std::numeric_limits<std::size_t>::max();
-  std::vector<std::uint32_t> without = {};  ///< columns that are not chosen; no installed ones
-  std::vector<std::uint32_t> with = {};     ///< columns that are chosen besides the installed ones
+  std::vector<ColumnId> without = {};  ///< columns that are not chosen; no installed ones
+  std::vector<ColumnId> with = {};     ///< columns that are chosen besides the installed ones
 };
 
 /// A lower bound from multipliers; all numbers are safe against rounding.
@@ -98,7 +98,7 @@ BoundsByCount bounds_by_count(const Instance& instance, const DualSums& sums, st
 /// Reduced-cost fixing: the columns, ascending, that no selection of cost at most `worth` contains, because
 /// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is
 /// CostBounds::below(v).
-std::vector<std::uint32_t> useless_columns(const DualBound& dual, double worth);
+std::vector<ColumnId> useless_columns(const DualBound& dual, double worth);
 
 /// Expands the inequalities of one table, slightly relaxed, by more than rounding errors.
 class BoundRowReader {
@@ -144,7 +144,7 @@ class BoundRowReader {
 
   template <class Visit>
   double read_without_taken(const BoundRow& row, Visit visit) {
-    for (const std::uint32_t j : row.taken) taken_[j] = true;
+    for (const ColumnId j : row.taken) taken_[j] = true;
     double lacking = cover_.bound(row.label) - rounding;
     cover_.for_entries(row.label, [&](std::uint32_t j, double a) { lacking -= taken_[j] ? a : 0; });
     const bool excludes_any = lacking >= min_lack;
@@ -152,7 +152,7 @@ class BoundRowReader {
       cover_.for_entries(row.label, [&](std::uint32_t j, double a) {
         if (!taken_[j]) visit(j, std::min(1.0, a / lacking));
       });
-    for (const std::uint32_t j : row.taken) taken_[j] = false;
+    for (const ColumnId j : row.taken) taken_[j] = false;
     return excludes_any ? 1 : 0;
   }
 

@@ -30,7 +30,7 @@ class RowGeneration {
         lp_(load(instance, cost, backend, options)),
         is_row_(instance.rows(), false),
         is_out_(instance.columns(), false) {
-    for (const std::uint32_t j : options.selections.without) is_out_[j] = true;
+    for (const ColumnId j : options.selections.without) is_out_[j] = true;
     result_.dual = dual_bound(instance, {}, {}, cost, options.selections);
   }
 
@@ -59,13 +59,13 @@ class RowGeneration {
     std::vector<milp::Column> columns;
     for (std::uint32_t j = 0; j < instance.columns(); ++j)
       columns.push_back({cost[j], instance.is_installed(j) ? 1.0 : 0.0, 1, false, {}});
-    for (const std::uint32_t j : options.selections.without) columns[j].upper = 0;
-    for (const std::uint32_t j : options.selections.with) columns[j].lower = 1;
+    for (const ColumnId j : options.selections.without) columns[j].upper = 0;
+    for (const ColumnId j : options.selections.with) columns[j].lower = 1;
     auto lp = backend.lp(columns);
     std::vector<milp::Row> rows;
     for (const auto& mount : instance.table.mounts) {
       milp::Row row{-milp::infinity, 1, {}, {}};
-      for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
+      for (const ColumnId j : mount) row.entries.push_back({j, 1.0});
       rows.push_back(std::move(row));
     }
     if (limits_count(options)) {

@@ -80,7 +80,7 @@ class Bounding {
         if (y_[k] > 0) best_.rows.push_back(rows_[k]);
     }
     std::vector<double> x(instance_.columns(), 0.0);
-    for (const std::uint32_t j : rows.chosen()) x[j] = 1;
+    for (const ColumnId j : rows.chosen()) x[j] = 1;
     for (std::size_t j = 0; j < rows.columns(); ++j) x[rows.column(j)] = found.x[j];
     return x;
   }

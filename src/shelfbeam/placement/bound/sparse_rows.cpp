@@ -13,9 +13,9 @@ SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, c
     if (!mounts.available(j)) place[j] = closed;
     if (instance.is_installed(j)) place[j] = is_chosen;
   }
-  for (const std::uint32_t j : selections.without) place[j] = closed;
-  for (const std::uint32_t j : selections.with) {
-    for (const std::uint32_t option : mounts.options(j)) place[option] = closed;
+  for (const ColumnId j : selections.without) place[j] = closed;
+  for (const ColumnId j : selections.with) {
+    for (const ColumnId option : mounts.options(j)) place[option] = closed;
     place[j] = is_chosen;
   }
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
@@ -31,7 +31,7 @@ SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, c
   group_.assign(column_.size(), no_group);
   for (const auto& mount : instance.table.mounts) {
     bool is_open = false;
-    for (const std::uint32_t j : mount) {
+    for (const ColumnId j : mount) {
       if (place[j] >= is_chosen) continue;
       group_[place[j]] = static_cast<std::uint32_t>(groups_);
       is_open = true;

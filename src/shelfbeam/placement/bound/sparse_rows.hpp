@@ -26,7 +26,7 @@ class SparseRows {
   std::size_t rows() const { return rhs_.size(); }
   std::size_t columns() const { return column_.size(); }
   std::size_t entries() const { return of_row_.size(); }
-  std::uint32_t column(std::size_t j) const { return column_[j]; }  ///< of the table
+  ColumnId column(std::size_t j) const { return column_[j]; }  ///< of the table
   double cost(std::size_t j) const { return cost_[j]; }
   double rhs(std::size_t i) const { return rhs_[i]; }
   std::span<const Term> row(std::size_t i) const { return part(of_row_, row_begin_, i); }
@@ -36,7 +36,7 @@ class SparseRows {
   std::size_t groups() const { return groups_; }
   static constexpr std::uint32_t no_group = ~std::uint32_t{0};
   /// Columns chosen in every selection, ascending, and their cost.
-  const std::vector<std::uint32_t>& chosen() const { return chosen_; }
+  const std::vector<ColumnId>& chosen() const { return chosen_; }
   double chosen_cost() const { return chosen_cost_; }
 
  private:
@@ -45,7 +45,8 @@ class SparseRows {
     return std::span(all).subspan(begin[k], begin[k + 1] - begin[k]);
   }
 
-  std::vector<std::uint32_t> column_, group_, chosen_;
+  std::vector<ColumnId> column_, chosen_;
+  std::vector<std::uint32_t> group_;
   std::vector<double> cost_, rhs_;
   std::vector<std::size_t> row_begin_ = {0}, column_begin_;
   std::vector<Term> of_row_, of_column_;

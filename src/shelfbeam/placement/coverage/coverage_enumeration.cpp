@@ -327,9 +327,9 @@ class Search {
   std::size_t padded_;
   double error_ = 0;
   Floats weight_, shift_, scale_;
-  std::vector<Floats> strongest_;   ///< per number of units: the sum of a label's strongest signals
-  std::vector<LabelState> states_;  ///< per depth
-  std::vector<std::uint32_t> chosen_;
+  std::vector<Floats> strongest_;      ///< per number of units: the sum of a label's strongest signals
+  std::vector<LabelState> states_;     ///< per depth
+  std::vector<std::uint32_t> chosen_;  ///< candidates
   std::size_t work_ = 0;
   Progress progress_;
   bool is_cut_short_ = false, is_done_ = false;

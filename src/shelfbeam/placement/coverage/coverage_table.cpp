@@ -53,14 +53,14 @@ bool CoverageTable::exclude_each_other(std::uint32_t candidate, std::uint32_t ot
   return std::find(partners.begin(), partners.end(), candidates_[other]) != partners.end();
 }
 
-double CoverageTable::weight(std::span<const std::uint32_t> selected) const {
+double CoverageTable::weight(std::span<const ColumnId> selected) const {
   double result = settled_;
   for (const std::uint32_t i : rows_) {
     const auto row = instance_.row(i);
     ReceivedSignal received(instance_.problem);
     auto from = row.begin();
-    for (const std::uint32_t j : selected) {
-      from = std::lower_bound(from, row.end(), j, [](const SignalEntry& entry, std::uint32_t column) {
+    for (const ColumnId j : selected) {
+      from = std::lower_bound(from, row.end(), j, [](const SignalEntry& entry, ColumnId column) {
         return entry.transceiver < column;
       });
       if (from != row.end() && from->transceiver == j) received.add(from->signal);
@@ -93,7 +93,7 @@ std::vector<double> CoverageTable::weights_with_one() const {
     }
   }
   std::vector<double> result;
-  for (const std::uint32_t j : candidates_) result.push_back(by_column[j]);
+  for (const ColumnId j : candidates_) result.push_back(by_column[j]);
   return result;
 }
 

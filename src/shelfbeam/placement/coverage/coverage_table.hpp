@@ -22,8 +22,8 @@ class CoverageTable {
  public:
   CoverageTable(const Instance& instance, const LabelWeights& weights);
 
-  std::span<const std::uint32_t> installed() const { return instance_.installed; }  ///< columns
-  std::span<const std::uint32_t> candidates() const { return candidates_; }         ///< columns
+  std::span<const ColumnId> installed() const { return instance_.installed; }  ///< columns
+  std::span<const ColumnId> candidates() const { return candidates_; }         ///< columns
   bool exclude_each_other(std::uint32_t candidate, std::uint32_t other) const;
   /// The mounting point of a candidate; candidates of one point have equal numbers.
   std::uint32_t point(std::uint32_t candidate) const { return point_[candidate]; }
@@ -35,7 +35,7 @@ class CoverageTable {
 
   /// The weight of all labels that a selection of columns reaches, by the exact rule. Precondition:
   /// ascending.
-  double weight(std::span<const std::uint32_t> selected) const;
+  double weight(std::span<const ColumnId> selected) const;
   /// The same for the installed units and one candidate at a time, for all candidates.
   std::vector<double> weights_with_one() const;
 

@@ -29,8 +29,8 @@ std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWei
       if (before == 0 && after > 0) missed[j] += weights[i];
     }
   }
-  std::optional<std::uint32_t> least;
-  for (const std::uint32_t j : selected)
+  std::optional<ColumnId> least;
+  for (const ColumnId j : selected)
     if (!instance.is_installed(j) &&
         (!least || std::pair(missed[j], lost[j]) < std::pair(missed[*least], lost[*least])))
       least = j;
@@ -53,8 +53,8 @@ Selection without_useless(const Instance& instance, const LabelWeights& weights,
   return selected;
 }
 
-Selection first_units(std::span<const std::uint32_t> order, std::size_t units) {
-  const std::span<const std::uint32_t> first = order.first(std::min(order.size(), units));
+Selection first_units(std::span<const ColumnId> order, std::size_t units) {
+  const std::span<const ColumnId> first = order.first(std::min(order.size(), units));
   Selection selected(first.begin(), first.end());
   std::sort(selected.begin(), selected.end());
   return selected;

@@ -15,7 +15,7 @@ namespace shelfbeam::detail {
 
 /// A unit of a selection and the weight of the labels that only the selection with it reaches.
 struct LeastUseful {
-  std::uint32_t column = 0;
+  ColumnId column;
   double weight = 0;
 };
 
@@ -29,7 +29,7 @@ Selection without_useless(const Instance& instance, const LabelWeights& weights,
                           const Effort& effort, const RunControl& control);
 
 /// The first units of an order, ascending.
-Selection first_units(std::span<const std::uint32_t> order, std::size_t units);
+Selection first_units(std::span<const ColumnId> order, std::size_t units);
 
 /// The weight of the labels that a selection reaches, by the checker.
 double weight_of(const Instance& instance, const LabelWeights& weights, const Selection& selected);

@@ -152,13 +152,13 @@ class Maximisation {
 
   /// The incumbent, with further units of the greedy selection up to the allowed number.
   Selection filled() const {
-    std::vector<std::uint32_t> result;
+    Selection result;
     std::vector<bool> is_out(instance_.columns(), false);
     const auto take = [&](std::uint32_t j) {
       if (is_out[j] || result.size() >= units_) return;
       result.push_back(j);
       is_out[j] = true;
-      for (const std::uint32_t other : instance_.excludes[j]) is_out[other] = true;
+      for (const ColumnId other : instance_.excludes[j]) is_out[other] = true;
     };
     std::for_each(reach_.selected.begin(), reach_.selected.end(), take);
     std::for_each(order_.begin(), order_.end(), take);
@@ -202,7 +202,7 @@ class Maximisation {
   const RunControl& control_;
   std::size_t units_;
   detail::LabelWeights weights_;
-  std::vector<std::uint32_t> order_;  ///< of the greedy method
+  std::vector<ColumnId> order_;  ///< of the greedy method
   MaxCoverage reach_;
   double value_ = 0, bound_ = 0;      ///< weights of the selection and of its upper bound
   bool is_closed_by_solver_ = false;  ///< within its gap, for weights that are not whole

@@ -51,7 +51,7 @@ class AnnealingWalk {
   AnnealingWalk(const Instance& instance, const SearchMatrix& all, Rows rows, const Selection& start,
                 std::uint32_t seed)
       : instance_(instance), rows_(std::move(rows)), in_(all.columns(), false), random_(seed) {
-    for (const std::uint32_t j : start) {
+    for (const ColumnId j : start) {
       in_[j] = true;
       (instance.available[j] ? free_ : fixed_).push_back(j);
     }
@@ -87,7 +87,7 @@ class AnnealingWalk {
 
  private:
   Selection selection() const {
-    std::vector<std::uint32_t> result = fixed_;
+    Selection result = fixed_;
     result.insert(result.end(), free_.begin(), free_.end());
     std::sort(result.begin(), result.end());
     return result;
@@ -103,7 +103,7 @@ class AnnealingWalk {
     held_.assign(rows_.padded(), 0.0F);
     // Padding lacks nothing.
     std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held_.end(), 1.0F);
-    for (const std::uint32_t j : selection())
+    for (const ColumnId j : selection())
       SearchKernels::receive(Receiving::sum, rows_.column(j), held_.size(), held_.data(), nullptr);
     rank();
     rows_.excuse(held_, best_signal_);
@@ -123,7 +123,7 @@ class AnnealingWalk {
     best_signal_.assign(held_.size(), 0.0F);
     second_signal_.assign(held_.size(), 0.0F);
     for (const auto* const part : {&fixed_, &free_})
-      for (const std::uint32_t j : *part)
+      for (const ColumnId j : *part)
         SearchKernels::rank(rows_.column(j), held_.size(), best_signal_.data(), second_signal_.data());
   }
 
@@ -166,17 +166,17 @@ class AnnealingWalk {
   double unit() { return to_uniform(bits()); }
 
   // The candidate to exchange for `out`: mostly a similar one, which leaves the rest in place, sometimes any.
-  std::uint32_t another_for(std::uint32_t out) {
+  ColumnId another_for(ColumnId out) {
     constexpr double any = 0.1, nearest = 0.4;
     constexpr std::size_t nearest_count = 8;
     const double kind = unit();
     if (kind < any) return candidates_[index(candidates_.size())];
-    const std::span<const std::uint32_t> near = similar_->to(out);
+    const std::span<const ColumnId> near = similar_->to(out);
     return near[index(kind < any + nearest ? std::min(nearest_count, near.size()) : near.size())];
   }
 
   // A walk that minimises a spend raises no price.
-  bool is_excluded(std::uint32_t in, std::uint32_t out) const {
+  bool is_excluded(ColumnId in, ColumnId out) const {
     if (instance_.problem.combination == Combination::spend &&
         instance_.table.transceivers[in].cost > instance_.table.transceivers[out].cost)
       return true;
@@ -186,8 +186,8 @@ class AnnealingWalk {
 
   // A random exchange, accepted with probability min(1, exp((L(before) - L(after)) / temperature)).
   void exchange(double temperature) {
-    std::uint32_t& place = free_[index(free_.size())];
-    const std::uint32_t out = place, in = another_for(out);
+    ColumnId& place = free_[index(free_.size())];
+    const ColumnId out = place, in = another_for(out);
     if (in_[in] || is_excluded(in, out)) return;
     const float lack = lack_after(rows_.column(out), rows_.column(in));
     if (lack > lack_ && unit() >= std::exp(static_cast<double>(lack_ - lack) / temperature)) return;
@@ -206,7 +206,7 @@ class AnnealingWalk {
   const Instance& instance_;
   Rows rows_;
   std::vector<bool> in_;
-  std::vector<std::uint32_t> fixed_, free_, candidates_;
+  std::vector<ColumnId> fixed_, free_, candidates_;
   std::optional<SimilarColumns> similar_;
   std::vector<float> held_, zeros_, best_signal_, second_signal_;
   float lack_ = 0;           ///< L(T)

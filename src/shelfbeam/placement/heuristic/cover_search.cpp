@@ -76,7 +76,13 @@ class CoverWalk {
     }
   }
 
-  Found best() const { return {best_, static_cast<double>(least_)}; }
+  // As columns of the table.
+  Found best() const {
+    if (!best_) return {};
+    Selection selected;
+    for (const std::uint32_t c : *best_) selected.push_back(cover_.column_of[c]);
+    return {std::move(selected), static_cast<double>(least_)};
+  }
 
  private:
   double value(std::uint32_t c) const { return static_cast<double>(score_[c]) * per_cost_[c]; }
@@ -177,7 +183,7 @@ class CoverWalk {
   std::vector<std::uint32_t> times_;  ///< by row: chosen columns that reach it
   std::vector<std::uint32_t> open_, position_;
   std::vector<std::uint32_t> chosen_;
-  std::optional<Selection> best_;
+  std::optional<std::vector<std::uint32_t>> best_;
   std::mt19937 random_;
   std::uint64_t now_ = 0;
 };
@@ -199,19 +205,18 @@ std::optional<Selection> cover_search(const Instance& instance, const Reduction&
   for (std::uint32_t c = 0; c < cover.column_of.size(); ++c) place[cover.column_of[c]] = c;
   std::vector<std::int64_t> cost;
   std::vector<std::vector<std::uint32_t>> excludes;
-  for (const std::uint32_t j : cover.column_of) {
+  for (const ColumnId j : cover.column_of) {
     cost.push_back(is_weighted ? instance.cost[j] : 1);
     auto& others = excludes.emplace_back();
-    for (const std::uint32_t other : instance.excludes[j])
+    for (const ColumnId other : instance.excludes[j])
       if (place[other] != no_place) others.push_back(place[other]);
   }
-  const auto columns = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
+  auto selected = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
     return CoverWalk(cover, cost, excludes, known, own_seed);
   });
-  if (!columns) return std::nullopt;
-  Selection selected = reduction.forced;
-  for (const std::uint32_t c : *columns) selected.push_back(cover.column_of[c]);
-  std::sort(selected.begin(), selected.end());
+  if (!selected) return std::nullopt;
+  selected->insert(selected->end(), reduction.forced.begin(), reduction.forced.end());
+  std::sort(selected->begin(), selected->end());
   return selected;
 }
 

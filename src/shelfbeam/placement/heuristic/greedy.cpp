@@ -25,7 +25,7 @@ class Greedy {
     look_at_every_label();
   }
 
-  std::vector<std::uint32_t> run(const detail::Effort& effort, const RunControl& control) {
+  std::vector<ColumnId> run(const detail::Effort& effort, const RunControl& control) {
     for (std::uint64_t step = 0;; ++step) {
       if (step >= effort.steps || effort.is_over(control)) {
         reach_each_label();
@@ -58,13 +58,13 @@ class Greedy {
     double lacking = 0;  ///< change of the total lack
   };
 
-  void choose(std::uint32_t column) {
+  void choose(ColumnId column) {
     order_.push_back(column);
     chosen_[column] = true;
     instance_.mounts.for_each_conflict(column, [&](std::uint32_t other) { ++blocked_by_[other]; });
   }
 
-  void drop(std::uint32_t column) {
+  void drop(ColumnId column) {
     order_.erase(std::find(order_.begin(), order_.end(), column));
     chosen_[column] = false;
     instance_.mounts.for_each_conflict(column, [&](std::uint32_t other) { --blocked_by_[other]; });
@@ -130,7 +130,7 @@ class Greedy {
   // Adds the strongest units of each missed label until it is reached, or none if they do not suffice.
   void reach_each_label() {
     std::vector<SignalEntry> strongest;
-    std::vector<std::uint32_t> added;
+    std::vector<ColumnId> added;
     for (const std::size_t i : unmet_) {
       const double requirement = instance_.requirement(i);
       if (instance_.is_reached(i, chosen_)) continue;
@@ -150,7 +150,7 @@ class Greedy {
         if (is_reached) break;
       }
       if (!is_reached)
-        for (const std::uint32_t j : added) drop(j);
+        for (const ColumnId j : added) drop(j);
     }
   }
 
@@ -181,7 +181,7 @@ class Greedy {
   const detail::Instance& instance_;
   std::span<const double> weight_;  ///< per label; empty: 1
   std::vector<double> cost_;
-  std::vector<std::uint32_t> order_;  ///< the chosen units, in the order of their addition
+  std::vector<ColumnId> order_;  ///< the chosen units, in the order of their addition
   std::vector<bool> chosen_;
   std::vector<std::uint32_t> blocked_by_;  ///< per column: chosen units in conflict with it
   std::vector<std::size_t> unmet_;
@@ -205,8 +205,8 @@ Selection greedy_selection(const detail::Instance& instance, const detail::Effor
   return selected;
 }
 
-std::vector<std::uint32_t> greedy_order(const detail::Instance& instance, std::span<const double> weight,
-                                        const detail::Effort& effort, const RunControl& control) {
+std::vector<ColumnId> greedy_order(const detail::Instance& instance, std::span<const double> weight,
+                                   const detail::Effort& effort, const RunControl& control) {
   return Greedy(instance, weight).run(effort, control);
 }
 

@@ -40,8 +40,8 @@ Selection greedy_selection(const detail::Instance& instance, const detail::Effor
 /// The same units in the order of their addition, the installed ones first. Each gain and lack counts by the
 /// weight of its label (empty: 1); labels of weight 0 play no part. A unit never conflicts with an earlier
 /// one.
-std::vector<std::uint32_t> greedy_order(const detail::Instance& instance, std::span<const double> weight,
-                                        const detail::Effort& effort, const RunControl& control);
+std::vector<ColumnId> greedy_order(const detail::Instance& instance, std::span<const double> weight,
+                                   const detail::Effort& effort, const RunControl& control);
 
 /// c(S_j) of every column.
 std::vector<double> greedy_costs(const detail::Instance& instance);

@@ -31,7 +31,7 @@ class Walk {
         random_(seed) {
     if (instance.is_weighted())
       for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(instance.cost[j]);
-    for (const std::uint32_t j : start) in_[j] = true;
+    for (const ColumnId j : start) in_[j] = true;
     if (margin_of(instance, all, start, memory_).is_met) best_cost_ = cost();
     rows_.add_hardest(start, ActiveRows::at_first);
     follow_rows();
@@ -73,7 +73,7 @@ class Walk {
     weight_.resize(rows_.padded(), 0.0F);
     for (std::size_t r = supporters_.size(); r < rows_.size(); ++r) {
       const std::uint32_t row = rows_.row(r);
-      std::vector<std::uint32_t> columns;
+      std::vector<ColumnId> columns;
       for (std::uint32_t j = 0; j < in_.size(); ++j)
         if (is_free_[j] && rows_.used_of(row, j) > 0) columns.push_back(j);
       const std::size_t count = std::min(max_supporters, columns.size());
@@ -110,7 +110,7 @@ class Walk {
   }
 
   Selection selection() const {
-    std::vector<std::uint32_t> result;
+    Selection result;
     for (std::uint32_t j = 0; j < in_.size(); ++j)
       if (in_[j]) result.push_back(j);
     return result;
@@ -173,11 +173,11 @@ class Walk {
     const std::uint32_t row = unmet_[random_() % unmet_.size()];
     std::uint32_t in = none;
     double max_worth = 0;
-    for (const std::uint32_t j : supporters_[row]) {
+    for (const ColumnId j : supporters_[row]) {
       if (in_[j] || (touched_[j] > 0 && touched_[j] + 1 >= now_) || price_[j] >= best_cost_) continue;
       double gained = static_cast<double>(
           SearchKernels::worth(rows_.column(j), weight_.data(), held_.data(), demand_, rows_.padded()));
-      for (const std::uint32_t other : instance_.excludes[j])
+      for (const ColumnId other : instance_.excludes[j])
         if (in_[other]) gained -= lost_with(other);
       const double worth = ratio(gained, price_[j]);
       if (in == none || worth > max_worth || (worth == max_worth && touched_[j] < touched_[in])) {
@@ -189,7 +189,7 @@ class Walk {
       in_[in] = true;
       touched_[in] = now_;
       bool replaces = false;
-      for (const std::uint32_t other : instance_.excludes[in]) {
+      for (const ColumnId other : instance_.excludes[in]) {
         if (!in_[other]) continue;
         replaces = true;
         in_[other] = false;
@@ -220,7 +220,7 @@ class Walk {
   std::vector<std::uint64_t> touched_;  ///< last move that added or removed the column
   std::mt19937 random_;
   std::uint64_t now_ = 0;
-  std::vector<std::vector<std::uint32_t>> supporters_;  ///< by row: the free columns with the largest signals
+  std::vector<std::vector<ColumnId>> supporters_;  ///< by row: the free columns with the largest signals
   std::vector<float> weight_, held_, largest_, memory_;
   std::vector<std::uint32_t> unmet_;
   std::optional<Selection> best_;

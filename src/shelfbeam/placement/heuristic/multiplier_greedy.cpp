@@ -29,7 +29,7 @@ class Greedy {
     }
   }
 
-  std::vector<std::uint32_t> run() {
+  Selection run() {
     while (open_ > 0) {
       const std::size_t place = best();
       if (place == core_.size()) return {};

@@ -51,7 +51,7 @@ Selection read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTa
   }
   if (const auto crowded = shared_mounts(table, seen); !crowded.empty() && !is_given) {
     std::vector<std::string> options;
-    for (const std::uint32_t j : table.mounts[crowded.front()])
+    for (const ColumnId j : table.mounts[crowded.front()])
       if (seen[j]) options.push_back(in_quotes(table.transceivers[j].id));
     cursor.fail(fmt::format("has {}, which are options of one mounting point", fmt::join(options, " and ")),
                 "keep one of them");

@@ -12,24 +12,12 @@ Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json Ids::list(std::span<const std::uint32_t> positions) const {
-  Json list = Json::array();
-  for (const std::uint32_t k : positions) list.push_back(ids_[k]);
-  return list;
-}
-
 std::uint32_t Ids::position(const std::string& id, const JsonCursor& member) const {
   const auto found = positions_.find(id);
   if (found == positions_.end())
     member.fail(fmt::format("names {}, but the matrix has no such {}", in_quotes(id), what_),
                 "use the matrix that this placement was computed from");
   return found->second;
-}
-
-std::vector<std::uint32_t> Ids::positions(const JsonCursor& ids) const {
-  std::vector<std::uint32_t> positions;
-  for (const JsonCursor& id : ids.elements()) positions.push_back(position(id));
-  return positions;
 }
 
 std::optional<JsonCursor> Record::find(std::string_view key) {
@@ -52,12 +40,6 @@ void Record::id(std::string_view key, std::uint32_t& position, const Ids& ids) {
   custom(
       key, [&] { return Json(ids[position]); },
       [&](const JsonCursor& json) { position = ids.position(json); });
-}
-
-void Record::id_list(std::string_view key, std::vector<std::uint32_t>& positions, const Ids& ids) {
-  custom(
-      key, [&] { return ids.list(positions); },
-      [&](const JsonCursor& json) { positions = ids.positions(json); });
 }
 
 void Record::texts(std::string_view key, std::vector<std::string>& texts) {

@@ -41,12 +41,22 @@ class Ids {
 
   std::size_t size() const { return ids_.size(); }
   std::string_view operator[](std::uint32_t position) const { return ids_[position]; }
-  Json list(std::span<const std::uint32_t> positions) const;
+  template <class Positions>
+  Json list(const Positions& positions) const {
+    Json list = Json::array();
+    for (const auto position : positions) list.push_back(ids_[position]);
+    return list;
+  }
   /// Throws InputError for other ids, as the functions below.
   std::uint32_t position(const JsonCursor& id) const { return position(id.text(), id); }
   /// That of the key of a member.
   std::uint32_t position(const std::string& id, const JsonCursor& member) const;
-  std::vector<std::uint32_t> positions(const JsonCursor& ids) const;
+  template <class Position>
+  std::vector<Position> positions(const JsonCursor& ids) const {
+    std::vector<Position> positions;
+    for (const JsonCursor& id : ids.elements()) positions.push_back(position(id));
+    return positions;
+  }
 
  private:
   std::string_view what_;
@@ -154,7 +164,12 @@ class Record {
         [&](const JsonCursor& json) { value = json.choice<Enum>(); });
   }
   void id(std::string_view key, std::uint32_t& position, const Ids& ids);
-  void id_list(std::string_view key, std::vector<std::uint32_t>& positions, const Ids& ids);
+  template <class Position>
+  void id_list(std::string_view key, std::vector<Position>& positions, const Ids& ids) {
+    custom(
+        key, [&] { return ids.list(positions); },
+        [&](const JsonCursor& json) { positions = ids.positions<Position>(json); });
+  }
   void texts(std::string_view key, std::vector<std::string>& texts);
 
   template <class Struct, class Describe = Usual>

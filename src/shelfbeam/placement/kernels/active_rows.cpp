@@ -9,7 +9,7 @@ namespace shelfbeam::detail {
 ActiveRows::ActiveRows(const SearchMatrix& all, Receiving rule)
     : all_(all), rule_(rule), is_known_(all.rows(), false), values_(all.columns()) {}
 
-float ActiveRows::used_of(std::uint32_t row, std::uint32_t column) const {
+float ActiveRows::used_of(std::uint32_t row, ColumnId column) const {
   const float ratio = all_.column(column)[row];
   if (is_sum(rule_)) return std::min(ratio, 1.0F);
   return ratio >= 1.0F ? 1.0F : 0.0F;
@@ -25,12 +25,12 @@ void ActiveRows::take(std::span<const std::uint32_t> rows) {
   });
 }
 
-void ActiveRows::add_hardest(std::span<const std::uint32_t> selected, std::size_t count) {
+void ActiveRows::add_hardest(std::span<const ColumnId> selected, std::size_t count) {
   std::vector<std::pair<float, std::uint32_t>> by_sum;
   for (std::uint32_t i = 0; i < all_.rows(); ++i) {
     if (is_known_[i]) continue;
     float sum = 0;
-    for (const std::uint32_t j : selected) sum += used_of(i, j);
+    for (const ColumnId j : selected) sum += used_of(i, j);
     by_sum.emplace_back(sum, i);
   }
   take_weakest(by_sum, count);

@@ -23,12 +23,12 @@ class ActiveRows {
   std::uint32_t row(std::size_t r) const { return rows_[r]; }  ///< of the table
   const float* column(std::size_t j) const { return values_.column(j); }
 
-  float used_of(std::uint32_t row, std::uint32_t column) const;
+  float used_of(std::uint32_t row, ColumnId column) const;
 
   /// A search starts with this many rows.
   static constexpr std::size_t at_first = 256;
   /// Adds the `count` rows that receive the smallest signals from a selection.
-  void add_hardest(std::span<const std::uint32_t> selected, std::size_t count);
+  void add_hardest(std::span<const ColumnId> selected, std::size_t count);
   /// For a selection that meets all active rows but misses labels: adds up to 32 rows with the largest lack
   /// by `received` (the signal of every row of `all`), or else `label`, which is missed in double precision.
   /// Returns false if that row is active already, so only single precision accepts it.

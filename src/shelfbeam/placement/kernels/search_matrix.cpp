@@ -48,14 +48,14 @@ Receiving receiving(const PlacementProblem& problem) {
   return problem.redundant ? Receiving::second_best : Receiving::best;
 }
 
-Margin margin_of(const Instance& instance, const SearchMatrix& all, std::span<const std::uint32_t> selected,
+Margin margin_of(const Instance& instance, const SearchMatrix& all, std::span<const ColumnId> selected,
                  std::vector<float>& received) {
   Margin margin{std::numeric_limits<double>::infinity(), 0, true};
   received.assign(2 * all.padded_rows(), 0.0F);
   const Receiving rule = receiving(instance.problem);
   float* const value = received.data();
   float* const best = received.data() + all.padded_rows();
-  for (const std::uint32_t j : selected)
+  for (const ColumnId j : selected)
     SearchKernels::receive(rule, all.column(j), all.padded_rows(), value, best);
   float smallest = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < all.rows(); ++i) smallest = std::min(smallest, received[i]);

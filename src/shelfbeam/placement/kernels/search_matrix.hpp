@@ -46,7 +46,7 @@ struct Margin {
 };
 
 /// `all` contains all rows of the table. `received` is a buffer.
-Margin margin_of(const Instance& instance, const SearchMatrix& all, std::span<const std::uint32_t> selected,
+Margin margin_of(const Instance& instance, const SearchMatrix& all, std::span<const ColumnId> selected,
                  std::vector<float>& received);
 
 }  // namespace shelfbeam::detail

@@ -18,7 +18,7 @@ namespace shelfbeam::detail {
 /// In a shop these are its neighbours; no positions are required. Computed on first use.
 class SimilarColumns {
  public:
-  SimilarColumns(const SearchMatrix& all, std::span<const std::uint32_t> candidates)
+  SimilarColumns(const SearchMatrix& all, std::span<const ColumnId> candidates)
       : candidates_(candidates.begin(), candidates.end()), similar_(all.columns()) {
     constexpr std::size_t block = SearchMatrix::block, looked_at = 512;
     const std::size_t step = std::max<std::size_t>(1, all.rows() / looked_at);
@@ -31,13 +31,13 @@ class SimilarColumns {
   }
 
   /// Up to 60 candidates other than `column`, the most similar first.
-  std::span<const std::uint32_t> to(std::uint32_t column) {
+  std::span<const ColumnId> to(ColumnId column) {
     constexpr std::size_t max_count = 60;
-    std::vector<std::uint32_t>& similar = similar_[column];
+    std::vector<ColumnId>& similar = similar_[column];
     if (!similar.empty()) return similar;
     std::vector<std::pair<float, std::uint32_t>> by_distance;
     const float* const own = sample_.data() + column * sampled_;
-    for (const std::uint32_t j : candidates_) {
+    for (const ColumnId j : candidates_) {
       if (j == column) continue;
       by_distance.emplace_back(SearchKernels::distance(own, sample_.data() + j * sampled_, sampled_), j);
     }
@@ -49,10 +49,10 @@ class SimilarColumns {
   }
 
  private:
-  std::vector<std::uint32_t> candidates_;
+  std::vector<ColumnId> candidates_;
   std::size_t sampled_ = 0;  ///< sampled rows, padded as in a SearchMatrix
   std::vector<float> sample_;
-  std::vector<std::vector<std::uint32_t>> similar_;
+  std::vector<std::vector<ColumnId>> similar_;
 };
 
 }  // namespace shelfbeam::detail

@@ -130,7 +130,7 @@ std::vector<milp::Row> CoverModel::set_goal(const MipGoal& goal, const CostBound
     column.cost = too_dear ? 0 : goal.cost[j];
     column.upper = too_dear ? 0 : 1;
   }
-  for (const std::uint32_t j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
+  for (const ColumnId j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
   const bool limits_count = goal.min_count > 0 || goal.max_count < instance_.columns();
   bound_label_rows(std::min(goal.max_count, bounds.affordable(max_cost)));
   std::vector<milp::Row> rows;
@@ -208,7 +208,7 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
       for (const std::uint32_t i : check.unmet) missed_weight += weights_[i];
     }
     double value = goal.price_of_misses * missed_weight;
-    for (const std::uint32_t j : selected) value += goal.cost[j];
+    for (const ColumnId j : selected) value += goal.cost[j];
     const bool is_wanted =
         check.allowed() && (may_miss() ? missed_weight <= goal.max_missed : mistaken.empty());
     const bool is_optimal = result.termination == milp::Termination::optimal;

@@ -28,7 +28,7 @@ milp::Model model_without_failures(const detail::Instance& instance) {
   }
   for (const auto& mount : table.mounts) {
     milp::Row row{-milp::infinity, 1.0, {}, "mount_" + table.transceivers[mount.front()].id};
-    for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
+    for (const ColumnId j : mount) row.entries.push_back({j, 1.0});
     model.rows.push_back(std::move(row));
   }
   for (const auto& [a, b] : table.conflicts)

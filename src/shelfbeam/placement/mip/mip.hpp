@@ -24,9 +24,9 @@ struct MipResult {
 
 /// Results of earlier methods, valid for selections of cost up to the cut-off.
 struct MipKnowledge {
-  double cutoff = milp::infinity;           ///< only selections of at most this cost are sought
-  std::vector<std::uint32_t> without = {};  ///< columns that are not chosen
-  std::vector<milp::Row> cuts = {};         ///< further rows, over the columns of the table
+  double cutoff = milp::infinity;      ///< only selections of at most this cost are sought
+  std::vector<ColumnId> without = {};  ///< columns that are not chosen
+  std::vector<milp::Row> cuts = {};    ///< further rows, over the columns of the table
 };
 
 /// Solves a placement problem with a MIP solver, starting from `start`, a selection that the checker accepts.

@@ -8,9 +8,9 @@
 namespace shelfbeam {
 
 Check check_selection(const SignalTable& table, const PlacementProblem& problem,
-                      std::span<const std::uint32_t> selected) {
+                      std::span<const ColumnId> selected) {
   std::vector<bool> chosen(table.columns(), false);
-  for (const std::uint32_t j : selected) chosen.at(j) = true;
+  for (const ColumnId j : selected) chosen.at(j) = true;
   const auto count = static_cast<double>(std::count(chosen.begin(), chosen.end(), true));
   const bool cooperative = problem.model == CommunicationModel::cooperative;
   const std::vector<double> cost = label_costs(table, problem.objective).cost;

@@ -27,6 +27,6 @@ struct Check {
 
 /// `selected`: columns of the table in any order; duplicates count once.
 Check check_selection(const SignalTable& table, const PlacementProblem& problem,
-                      std::span<const std::uint32_t> selected);
+                      std::span<const ColumnId> selected);
 
 }  // namespace shelfbeam

@@ -55,26 +55,26 @@ std::size_t Instance::trivial_count_bound() const {
   return problem.redundant && rows() > 0 ? std::max<std::size_t>(min_count, 2) : min_count;
 }
 
-bool Instance::can_exchange(std::span<const std::uint32_t> selected) const {
+bool Instance::can_exchange(std::span<const ColumnId> selected) const {
   const auto candidates = std::count(available.begin(), available.end(), true);
   const auto chosen =
       std::count_if(selected.begin(), selected.end(), [&](std::uint32_t j) { return available[j]; });
   return 0 < chosen && chosen < candidates;
 }
 
-bool Instance::is_first_by_id(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
-  const auto ids = [&](std::span<const std::uint32_t> selected) {
+bool Instance::is_first_by_id(std::span<const ColumnId> a, std::span<const ColumnId> b) const {
+  const auto ids = [&](std::span<const ColumnId> selected) {
     std::vector<std::string_view> result;
-    for (const std::uint32_t j : selected) result.emplace_back(table.transceivers[j].id);
+    for (const ColumnId j : selected) result.emplace_back(table.transceivers[j].id);
     std::sort(result.begin(), result.end());
     return result;
   };
   return ids(a) < ids(b);
 }
 
-std::vector<bool> chosen_columns(const Instance& instance, std::span<const std::uint32_t> selected) {
+std::vector<bool> chosen_columns(const Instance& instance, std::span<const ColumnId> selected) {
   std::vector<bool> chosen(instance.columns(), false);
-  for (const std::uint32_t j : selected) chosen[j] = true;
+  for (const ColumnId j : selected) chosen[j] = true;
   return chosen;
 }
 

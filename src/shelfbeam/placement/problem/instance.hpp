@@ -24,7 +24,7 @@ struct Instance {
   Mounts mounts;
   Selection installed;
   std::vector<bool> available;  ///< per column: neither installed nor in conflict with an installed unit
-  std::vector<std::vector<std::uint32_t>> excludes;  ///< per column: the columns in conflict with it
+  std::vector<std::vector<ColumnId>> excludes;  ///< per column: the columns in conflict with it
   /// Per column: objective_coefficients, the second objective if lexicographic.
   std::vector<double> second_cost;
   std::vector<double> first_cost;    ///< per column: 1 if lexicographic, otherwise first_objective
@@ -40,7 +40,7 @@ struct Instance {
   std::size_t rows() const { return table.rows(); }
   std::size_t columns() const { return table.columns(); }
   std::span<const SignalEntry> row(std::size_t label) const { return table.row(label); }
-  bool is_installed(std::uint32_t column) const { return table.transceivers[column].installed; }
+  bool is_installed(ColumnId column) const { return table.transceivers[column].installed; }
   /// gamma_i tau_i.
   double requirement(std::size_t label) const { return requirement_of(table.labels[label], problem.model); }
   /// S_i.
@@ -50,9 +50,7 @@ struct Instance {
   bool is_reached(std::size_t label, const std::vector<bool>& chosen) const {
     return is_met(received(label, chosen), requirement(label));
   }
-  Check check(std::span<const std::uint32_t> selected) const {
-    return check_selection(table, problem, selected);
-  }
+  Check check(std::span<const ColumnId> selected) const { return check_selection(table, problem, selected); }
 
   /// Lower bound on the count without a search: the installed units, one more if they miss a label, and at
   /// least two if a unit may fail.
@@ -71,18 +69,18 @@ struct Instance {
   /// The sum of prices and objective is minimised.
   bool is_weighted() const { return problem.combination == Combination::weighted; }
   /// Some unit may be exchanged for another candidate.
-  bool can_exchange(std::span<const std::uint32_t> selected) const;
+  bool can_exchange(std::span<const ColumnId> selected) const;
 
-  std::int64_t cost_of(std::span<const std::uint32_t> selected) const {
+  std::int64_t cost_of(std::span<const ColumnId> selected) const {
     std::int64_t sum = 0;
-    for (const std::uint32_t j : selected) sum += cost[j];
+    for (const ColumnId j : selected) sum += cost[j];
     return sum;
   }
   /// Whether the ids of the first of two selections of equal size come first in order.
-  bool is_first_by_id(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const;
+  bool is_first_by_id(std::span<const ColumnId> a, std::span<const ColumnId> b) const;
 };
 
 /// One element per column: whether it is selected.
-std::vector<bool> chosen_columns(const Instance& instance, std::span<const std::uint32_t> selected);
+std::vector<bool> chosen_columns(const Instance& instance, std::span<const ColumnId> selected);
 
 }  // namespace shelfbeam::detail

@@ -15,7 +15,7 @@ struct LabelShares {
   double largest = 0, second = 0;
   std::uint32_t strongest = 0;  ///< the column of `largest`
 
-  void add(std::uint32_t column, double share) {
+  void add(ColumnId column, double share) {
     sum += share;
     if (share > largest) {
       second = largest;
@@ -26,7 +26,7 @@ struct LabelShares {
     }
   }
 
-  double largest_without(std::uint32_t column) const { return column == strongest ? second : largest; }
+  double largest_without(ColumnId column) const { return column == strongest ? second : largest; }
 };
 
 /// The share of one entry.

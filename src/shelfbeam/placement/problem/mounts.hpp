@@ -19,19 +19,19 @@ class Mounts {
   /// `shared` is SignalTable::mounts, `conflicts` SignalTable::conflicts; `units` are the columns, each with
   /// members `installed` and `pinned`.
   template <class Units>
-  Mounts(std::vector<std::vector<std::uint32_t>> shared, const Units& units,
-         std::span<const std::pair<std::uint32_t, std::uint32_t>> conflicts = {})
+  Mounts(std::vector<std::vector<ColumnId>> shared, const Units& units,
+         std::span<const std::pair<ColumnId, ColumnId>> conflicts = {})
       : shared_(std::move(shared)),
         mount_(units.size(), alone),
         available_(units.size(), true),
         partners_(units.size()) {
     for (std::uint32_t k = 0; k < shared_.size(); ++k) {
       bool taken = false;
-      for (const std::uint32_t j : shared_[k]) {
+      for (const ColumnId j : shared_[k]) {
         mount_[j] = k;
         taken = taken || is_given(units[j]);
       }
-      for (const std::uint32_t j : shared_[k]) available_[j] = !taken || is_given(units[j]);
+      for (const ColumnId j : shared_[k]) available_[j] = !taken || is_given(units[j]);
     }
     for (const auto& [a, b] : conflicts) {
       partners_[a].push_back(b);
@@ -42,26 +42,26 @@ class Mounts {
   }
 
   /// The options of the column's mounting point, including the column; empty if the point is not shared.
-  std::span<const std::uint32_t> options(std::uint32_t column) const {
-    return mount_[column] == alone ? std::span<const std::uint32_t>() : shared_[mount_[column]];
+  std::span<const ColumnId> options(ColumnId column) const {
+    return mount_[column] == alone ? std::span<const ColumnId>() : shared_[mount_[column]];
   }
   /// The first option of the column's mounting point, the same for all of them; the column itself if the
   /// point is not shared.
-  std::uint32_t first_option(std::uint32_t column) const {
+  std::uint32_t first_option(ColumnId column) const {
     return mount_[column] == alone ? column : shared_[mount_[column]].front();
   }
   /// The columns that form a forbidden pair with this column.
-  std::span<const std::uint32_t> partners(std::uint32_t column) const { return partners_[column]; }
+  std::span<const ColumnId> partners(ColumnId column) const { return partners_[column]; }
   /// Calls `visit` with every column in conflict with this column; twice with an option of the same mounting
   /// point that also forms a forbidden pair with it.
   template <class Visit>
-  void for_each_conflict(std::uint32_t column, const Visit& visit) const {
-    for (const std::uint32_t j : options(column))
+  void for_each_conflict(ColumnId column, const Visit& visit) const {
+    for (const ColumnId j : options(column))
       if (j != column) visit(j);
-    for (const std::uint32_t j : partners(column)) visit(j);
+    for (const ColumnId j : partners(column)) visit(j);
   }
   /// The column is not in conflict with an installed unit.
-  bool available(std::uint32_t column) const { return available_[column]; }
+  bool available(ColumnId column) const { return available_[column]; }
 
   /// Upper bound on received_signal for a label with `row` (SignalTable::row), apart from rounding: all
   /// available units, but only the best option of every mounting point. Forbidden pairs without an installed
@@ -82,10 +82,10 @@ class Mounts {
 
   static constexpr std::uint32_t alone = ~std::uint32_t{0};
 
-  std::vector<std::vector<std::uint32_t>> shared_;
+  std::vector<std::vector<ColumnId>> shared_;
   std::vector<std::uint32_t> mount_;  ///< index into `shared_`, or alone
   std::vector<bool> available_;
-  std::vector<std::vector<std::uint32_t>> partners_;
+  std::vector<std::vector<ColumnId>> partners_;
 };
 
 /// Indices into SignalTable::mounts of the points with two or more chosen columns, ascending.

@@ -13,7 +13,7 @@
 namespace shelfbeam {
 
 /// Columns of a table, ascending unless stated otherwise.
-using Selection = std::vector<std::uint32_t>;
+using Selection = std::vector<ColumnId>;
 
 /// How the signals of several transceivers act on one label (3.2).
 enum class CommunicationModel {

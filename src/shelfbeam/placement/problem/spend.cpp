@@ -20,9 +20,9 @@ constexpr double share_of_tie = 1e-6;
 
 }  // namespace
 
-Price price_of(const SignalTable& table, std::span<const std::uint32_t> selected) {
+Price price_of(const SignalTable& table, std::span<const ColumnId> selected) {
   Price price{table.currency};
-  for (const std::uint32_t j : selected) {
+  for (const ColumnId j : selected) {
     price.total += table.transceivers[j].cost;
     price.to_spend += price_to_spend(table.transceivers[j]);
   }

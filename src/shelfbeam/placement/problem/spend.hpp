@@ -16,7 +16,7 @@ struct Price {
   double total = 0;      ///< all units, installed ones included
   double to_spend = 0;   ///< units that are not installed yet
 };
-Price price_of(const SignalTable& table, std::span<const std::uint32_t> selected);
+Price price_of(const SignalTable& table, std::span<const ColumnId> selected);
 
 /// The table names a currency, or some cost is not 1, so that sums of costs mean something to a user.
 bool has_prices(const SignalTable& table);

@@ -15,7 +15,7 @@ struct CoverMatrix {
   std::vector<std::vector<std::uint32_t>> rows;     ///< columns of every row, ascending
   std::vector<std::vector<std::uint32_t>> columns;  ///< rows of every column, ascending
   std::vector<double> cost;                         ///< of every column, not negative
-  std::vector<std::uint32_t> column_of;             ///< the table's column of every column
+  std::vector<ColumnId> column_of;                  ///< the table's column of every column
 
   /// All parts of the reduction together, without the columns in conflict with forced ones. Other conflicts
   /// are ignored.

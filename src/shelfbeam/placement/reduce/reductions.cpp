@@ -50,8 +50,9 @@ class BitRows {
 };
 
 /// The indices with keep[k].
-std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
-  std::vector<std::uint32_t> result;
+template <class Id>
+std::vector<Id> indices(const std::vector<bool>& keep) {
+  std::vector<Id> result;
   for (std::uint32_t k = 0; k < keep.size(); ++k)
     if (keep[k]) result.push_back(k);
   return result;
@@ -60,7 +61,7 @@ std::vector<std::uint32_t> indices(const std::vector<bool>& keep) {
 class CoverReducer {
  public:
   CoverReducer(const Instance& instance, std::span<const double> cost, const std::vector<bool>& pinned,
-               const std::function<bool()>& stop, std::span<const std::uint32_t> omitted)
+               const std::function<bool()>& stop, std::span<const ColumnId> omitted)
       : table_(instance.table),
         stop_(stop),
         cost_(cost),
@@ -74,8 +75,8 @@ class CoverReducer {
     for (std::uint32_t i = 0; i < instance.rows(); ++i)
       cover.for_entries(i, [&](std::uint32_t j, double) { rows_.add(i, j); });
     for (std::uint32_t k = 0; k < instance.table.mounts.size(); ++k)
-      for (const std::uint32_t j : instance.table.mounts[k]) mount_[j] = k;
-    for (const std::uint32_t j : omitted) open_[j] = false;
+      for (const ColumnId j : instance.table.mounts[k]) mount_[j] = k;
+    for (const ColumnId j : omitted) open_[j] = false;
   }
 
   Reduction run() {
@@ -84,7 +85,7 @@ class CoverReducer {
     drop_met_labels();
     drop_dominated_labels();
     while (!infeasible_ && !stops() && (force_columns() || drop_dominated_columns())) drop_dominated_labels();
-    Reduction result{infeasible_, indices(forced_), {}};
+    Reduction result{infeasible_, indices<ColumnId>(forced_), {}};
     if (!infeasible_) result.parts = parts();
     return result;
   }
@@ -92,15 +93,15 @@ class CoverReducer {
  private:
   bool stops() const { return stop_ && stop_(); }
 
-  void force(std::uint32_t column) {
+  void force(ColumnId column) {
     if (mount_[column] != no_column)
-      for (const std::uint32_t option : table_.mounts[mount_[column]]) open_[option] = false;
+      for (const ColumnId option : table_.mounts[mount_[column]]) open_[option] = false;
     open_[column] = false;
     forced_[column] = true;
   }
 
-  std::vector<std::uint32_t> open_columns(std::uint32_t label) const {
-    std::vector<std::uint32_t> columns;
+  std::vector<ColumnId> open_columns(std::uint32_t label) const {
+    std::vector<ColumnId> columns;
     rows_.for_each(label, [&](std::uint32_t j) {
       if (open_[j]) columns.push_back(j);
     });
@@ -135,11 +136,11 @@ class CoverReducer {
   // Rows in order of size: only a smaller row can be contained in another. Each row is filed under its rarest
   // column, so a row is compared only with rows filed under its own columns.
   void drop_dominated_labels() {
-    const std::vector<std::uint32_t> labels = indices(unmet_);
+    const std::vector<std::uint32_t> labels = indices<std::uint32_t>(unmet_);
     BitRows rows(labels.size(), table_.columns());
     std::vector<std::uint32_t> size(labels.size(), 0), reached(table_.columns(), 0);
     for (std::size_t k = 0; k < labels.size(); ++k)
-      for (const std::uint32_t j : open_columns(labels[k])) rows.add(k, j), ++size[k], ++reached[j];
+      for (const ColumnId j : open_columns(labels[k])) rows.add(k, j), ++size[k], ++reached[j];
 
     std::vector<std::uint32_t> order;
     std::unordered_set<std::string_view> seen;
@@ -168,25 +169,25 @@ class CoverReducer {
     }
   }
 
-  bool may_replace(std::uint32_t in, std::uint32_t out) const {
+  bool may_replace(ColumnId in, ColumnId out) const {
     return !pinned_[in] && (mount_[in] == no_column || mount_[in] == mount_[out]) && cost_[in] <= cost_[out];
   }
 
   bool drop_dominated_columns() {
-    const std::vector<std::uint32_t> labels = indices(unmet_);
-    std::vector<std::vector<std::uint32_t>> columns(labels.size());
+    const std::vector<std::uint32_t> labels = indices<std::uint32_t>(unmet_);
+    std::vector<std::vector<ColumnId>> columns(labels.size());
     BitRows reach(table_.columns(), labels.size());
     std::vector<std::uint32_t> size(table_.columns(), 0);
     for (std::uint32_t k = 0; k < labels.size(); ++k) {
       columns[k] = open_columns(labels[k]);
-      for (const std::uint32_t j : columns[k]) reach.add(j, k), ++size[j];
+      for (const ColumnId j : columns[k]) reach.add(j, k), ++size[j];
     }
     bool dropped = false;
     // Columns are closed one at a time, compared with open columns, so one of equal columns stays.
     for (auto j = static_cast<std::uint32_t>(table_.columns()); j-- > 0;) {
       if (!open_[j] || pinned_[j]) continue;
       if (j % 64 == 0 && stops()) break;
-      const std::vector<std::uint32_t>* fewest = nullptr;
+      const std::vector<ColumnId>* fewest = nullptr;
       reach.for_each(j, [&](std::uint32_t k) {
         if (fewest == nullptr || columns[k].size() < fewest->size()) fewest = &columns[k];
       });
@@ -209,23 +210,23 @@ class CoverReducer {
       while (parent[j] != j) j = parent[j] = parent[parent[j]];
       return j;
     };
-    const auto join = [&](const std::vector<std::uint32_t>& columns) {
-      for (const std::uint32_t j : columns) parent[root(j)] = root(columns.front());
+    const auto join = [&](const std::vector<ColumnId>& columns) {
+      for (const ColumnId j : columns) parent[root(j)] = root(columns.front());
     };
-    const std::vector<std::uint32_t> labels = indices(unmet_);
+    const std::vector<std::uint32_t> labels = indices<std::uint32_t>(unmet_);
     for (const std::uint32_t i : labels) join(open_columns(i));
-    std::vector<std::uint32_t> pinned;
+    std::vector<ColumnId> pinned;
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
       if (open_[j] && pinned_[j]) pinned.push_back(j);
     join(pinned);
-    for (std::vector<std::uint32_t> mount : table_.mounts) {
+    for (std::vector<ColumnId> mount : table_.mounts) {
       std::erase_if(mount, [&](std::uint32_t j) { return !open_[j]; });
       join(mount);
     }
 
     std::vector<CoverPart> result;
     std::vector<std::uint32_t> part(table_.columns(), no_column);
-    const auto part_of = [&](std::uint32_t column) -> CoverPart& {
+    const auto part_of = [&](ColumnId column) -> CoverPart& {
       std::uint32_t& k = part[root(column)];
       if (k == no_column) {
         k = static_cast<std::uint32_t>(result.size());
@@ -255,14 +256,14 @@ class CoverReducer {
 
 Reduction reduce_cover(const Instance& instance, std::span<const double> cost,
                        const std::vector<bool>& pinned, const std::function<bool()>& stop,
-                       std::span<const std::uint32_t> omitted) {
+                       std::span<const ColumnId> omitted) {
   return CoverReducer(instance, cost, pinned, stop, omitted).run();
 }
 
 std::vector<bool> blocked_columns(const Instance& instance, const Reduction& reduction) {
   std::vector<bool> blocked(instance.columns(), false);
-  for (const std::uint32_t j : reduction.forced)
-    for (const std::uint32_t other : instance.excludes[j]) blocked[other] = true;
+  for (const ColumnId j : reduction.forced)
+    for (const ColumnId other : instance.excludes[j]) blocked[other] = true;
   return blocked;
 }
 

@@ -11,8 +11,8 @@ namespace shelfbeam::detail {
 
 /// An independent part: no label and no mounting point extends over two parts.
 struct CoverPart {
-  std::vector<std::uint32_t> labels;   ///< ascending
-  std::vector<std::uint32_t> columns;  ///< ascending
+  std::vector<std::uint32_t> labels;  ///< ascending
+  std::vector<ColumnId> columns;      ///< ascending
 };
 
 /// The remainder of a non-cooperative problem. If a feasible selection exists, one of minimum cost consists
@@ -20,9 +20,9 @@ struct CoverPart {
 /// has at most one unit per mounting point, and respects the constraints of pinned columns, forced ones
 /// included.
 struct Reduction {
-  bool infeasible = false;            ///< some label has no open column
-  std::vector<std::uint32_t> forced;  ///< installed and forced columns, ascending
-  std::vector<CoverPart> parts;       ///< in the order of their first label, parts without labels last
+  bool infeasible = false;       ///< some label has no open column
+  std::vector<ColumnId> forced;  ///< installed and forced columns, ascending
+  std::vector<CoverPart> parts;  ///< in the order of their first label, parts without labels last
 };
 
 /// Reduces the cover sum_j l_ij T_j >= 1 until nothing changes (docs/methods/placement.md, "Reductions"):
@@ -44,7 +44,7 @@ struct Reduction {
 /// reached twice.
 Reduction reduce_cover(const Instance& instance, std::span<const double> cost,
                        const std::vector<bool>& pinned = {}, const std::function<bool()>& stop = {},
-                       std::span<const std::uint32_t> omitted = {});
+                       std::span<const ColumnId> omitted = {});
 
 /// Per column: in conflict with a forced one. Such columns may be left in the parts.
 std::vector<bool> blocked_columns(const Instance& instance, const Reduction& reduction);

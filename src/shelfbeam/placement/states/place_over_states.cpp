@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
@@ -257,8 +258,7 @@ class Solver {
   bool is_possible() {
     // Options of a mounting point exclude one another, but all of them give at least as much as any one.
     const Mounts mounts(states_.table);
-    std::vector<std::uint32_t> all(states_.table.columns());
-    std::iota(all.begin(), all.end(), 0U);
+    Selection all = all_numbers<ColumnId>(states_.table.columns());
     std::erase_if(all, [&](std::uint32_t j) { return !mounts.available(j); });
     const StateMisses misses = misses_of(states_, problem_, all);
     for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)

@@ -35,14 +35,14 @@ StateCuts::StateCuts(const StateTable& states, const PlacementProblem& problem,
       append(mean_of_largest(cases_of(i, {}, {}), states.states - limit, {}));
 }
 
-void StateCuts::Case::add(std::uint32_t column, double share, bool fails) {
+void StateCuts::Case::add(ColumnId column, double share, bool fails) {
   received += fails ? std::min(largest, share) : share;
   if (!fails || share <= largest) return;
   largest = share;
   failed = column;
 }
 
-double StateCuts::share(const Case& at, std::uint32_t column) const {
+double StateCuts::share(const Case& at, ColumnId column) const {
   if (column == at.failed) return 0;
   return detail::share_of(static_cast<double>(states_.of(column, at.label)[at.state]),
                           requirement_of(states_.table.labels[at.label], problem_.model), problem_);
@@ -53,7 +53,7 @@ double StateCuts::Counted::of(double share) const {
 }
 
 // The mean of the largest shares of a column in the cases. `shares` is a buffer.
-double StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept, std::uint32_t column,
+double StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept, ColumnId column,
                                   const Counted& counted, std::vector<double>& shares) const {
   shares.resize(cases.size());
   std::transform(cases.begin(), cases.end(), shares.begin(),
@@ -166,7 +166,7 @@ std::vector<double> StateCuts::cover_cut(std::vector<Case> cases, std::size_t al
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, {}, [&](std::uint32_t j) { return total[j]; });
-  for (const std::uint32_t j : order) {
+  for (const ColumnId j : order) {
     if (outside[j] == 0) continue;
     std::vector<Case> still = cases;
     for (Case& at : still) at.add(j, share(at, j), problem_.redundant);
@@ -195,10 +195,10 @@ void StateCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_s
   if (!best.shares.empty()) append(best.shares);
 }
 
-std::size_t StateCuts::add(std::span<const std::uint32_t> selected, const StateMisses& misses) {
+std::size_t StateCuts::add(std::span<const ColumnId> selected, const StateMisses& misses) {
   const std::size_t before = size();
   std::vector<Part> parts;
-  for (const std::uint32_t j : selected) parts.push_back({j});
+  for (const ColumnId j : selected) parts.push_back({j});
   std::vector<std::uint32_t> worst;
   for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
     if (misses.of_label[i] > allowance_.limit(i)) worst.push_back(i);

@@ -28,7 +28,7 @@ class StateCuts {
   std::size_t size() const { return table_.rows(); }
 
   /// Adds cuts that a selection violates, if it misses labels too often. Returns their number.
-  std::size_t add(std::span<const std::uint32_t> selected, const StateMisses& misses);
+  std::size_t add(std::span<const ColumnId> selected, const StateMisses& misses);
   /// Adds the cuts of labels that a solution of a linear program violates most, for selections of at most
   /// `max_units` units. Labels that are not examined in time give none. Returns the number of
   /// cuts; apart from the time, it does not depend on the threads.
@@ -45,7 +45,7 @@ class StateCuts {
     double largest = 0;           ///< received from the failed unit
     double received = 0;          ///< from the others, as a share of the requirement
 
-    void add(std::uint32_t column, double share, bool fails);
+    void add(ColumnId column, double share, bool fails);
   };
   /// The parts of shares that count.
   struct Counted {
@@ -62,8 +62,8 @@ class StateCuts {
     std::vector<double> shares;
   };
 
-  double share(const Case& at, std::uint32_t column) const;
-  double mean_of_largest(std::span<const Case> cases, std::size_t kept, std::uint32_t column,
+  double share(const Case& at, ColumnId column) const;
+  double mean_of_largest(std::span<const Case> cases, std::size_t kept, ColumnId column,
                          const Counted& counted, std::vector<double>& shares) const;
   std::vector<double> mean_of_largest(std::span<const Case> cases, std::size_t kept,
                                       const Counted& counted) const;

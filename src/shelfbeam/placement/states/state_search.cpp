@@ -13,28 +13,28 @@ constexpr std::array depths{1.0, 1.1, 1.2};  ///< in requirements
 }  // namespace
 
 double state_value(const StateTable& states, const PlacementProblem& problem,
-                   std::span<const std::uint32_t> selected) {
+                   std::span<const ColumnId> selected) {
   if (problem.combination != Combination::spend) return static_cast<double>(selected.size());
   double spend = 0;
-  for (const std::uint32_t j : selected) spend += price_to_spend(states.table.transceivers[j]);
+  for (const ColumnId j : selected) spend += price_to_spend(states.table.transceivers[j]);
   return spend;
 }
 
-double StateSearch::price(std::uint32_t column) const {
+double StateSearch::price(ColumnId column) const {
   constexpr double least = 1e-9;
   return problem_.combination == Combination::spend
              ? std::max(least, price_to_spend(states_.table.transceivers[column]))
              : 1;
 }
 
-bool StateSearch::can_join(std::uint32_t column, const Selection& selected) const {
-  const auto is_in = [&](std::uint32_t j) { return std::ranges::binary_search(selected, j); };
+bool StateSearch::can_join(ColumnId column, const Selection& selected) const {
+  const auto is_in = [&](ColumnId j) { return std::ranges::binary_search(selected, j); };
   bool fits = mounts_.available(column) && !is_in(column);
   mounts_.for_each_conflict(column, [&](std::uint32_t other) { fits = fits && !is_in(other); });
   return fits;
 }
 
-std::vector<StateSearch::Weak> StateSearch::weak_cases(std::span<const std::uint32_t> selected) const {
+std::vector<StateSearch::Weak> StateSearch::weak_cases(std::span<const ColumnId> selected) const {
   std::vector<Weak> weak;
   for_each_weak(states_, problem_, selected, depths.back(),
                 [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal& received) {
@@ -43,7 +43,7 @@ std::vector<StateSearch::Weak> StateSearch::weak_cases(std::span<const std::uint
   return weak;
 }
 
-StateSearch::Rank StateSearch::rank(const std::vector<Weak>& weak, std::optional<std::uint32_t> added,
+StateSearch::Rank StateSearch::rank(const std::vector<Weak>& weak, std::optional<ColumnId> added,
                                     std::span<const std::uint32_t> labels) const {
   MissCounter misses(states_.table.rows(), states_.states);
   Rank rank{};
@@ -83,7 +83,7 @@ Selection StateSearch::with_another(Selection selected, std::span<const std::uin
   });
   const auto best = std::ranges::max_element(gain);
   if (best == gain.end() || *best <= Rank{}) return selected;
-  const auto j = static_cast<std::uint32_t>(best - gain.begin());
+  const ColumnId j = static_cast<std::uint32_t>(best - gain.begin());
   selected.insert(std::ranges::lower_bound(selected, j), j);
   return selected;
 }

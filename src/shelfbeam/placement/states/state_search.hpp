@@ -15,7 +15,7 @@ namespace shelfbeam {
 
 /// Count or new spend of a selection, by the problem's combination.
 double state_value(const StateTable& states, const PlacementProblem& problem,
-                   std::span<const std::uint32_t> selected);
+                   std::span<const ColumnId> selected);
 
 /// Adds units to selections, one at a time.
 class StateSearch {
@@ -48,15 +48,15 @@ class StateSearch {
   // signals at some labels.
   using Rank = std::array<double, 3>;
 
-  std::vector<Weak> weak_cases(std::span<const std::uint32_t> selected) const;
-  Rank rank(const std::vector<Weak>& weak, std::optional<std::uint32_t> added,
+  std::vector<Weak> weak_cases(std::span<const ColumnId> selected) const;
+  Rank rank(const std::vector<Weak>& weak, std::optional<ColumnId> added,
             std::span<const std::uint32_t> labels) const;
-  bool can_join(std::uint32_t column, const Selection& selected) const;
+  bool can_join(ColumnId column, const Selection& selected) const;
   bool fits(const Selection& selected) const {
     return allowance_.excess(misses_of(states_, problem_, selected)) == 0;
   }
   double value(const Selection& selected) const { return state_value(states_, problem_, selected); }
-  double price(std::uint32_t column) const;
+  double price(ColumnId column) const;
 
   const StateTable& states_;
   const PlacementProblem& problem_;

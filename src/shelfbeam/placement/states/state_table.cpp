@@ -43,9 +43,9 @@ StateTable raised(const StateTable& states, double errors) {
 }
 
 std::vector<ReceivedSignal> received_signals(const StateTable& states, const PlacementProblem& problem,
-                                             std::size_t label, std::span<const std::uint32_t> selected) {
+                                             std::size_t label, std::span<const ColumnId> selected) {
   std::vector<ReceivedSignal> received(states.states, ReceivedSignal(problem));
-  for (const std::uint32_t j : selected) {
+  for (const ColumnId j : selected) {
     const std::span<const float> signal = states.of(j, label);
     for (std::size_t s = 0; s < signal.size(); ++s) received[s].add(static_cast<double>(signal[s]));
   }
@@ -53,7 +53,7 @@ std::vector<ReceivedSignal> received_signals(const StateTable& states, const Pla
 }
 
 StateMisses misses_of(const StateTable& states, const PlacementProblem& problem,
-                      std::span<const std::uint32_t> selected, double reserve) {
+                      std::span<const ColumnId> selected, double reserve) {
   MissCounter misses(states.table.rows(), states.states);
   for_each_weak(states, problem, selected, reserve,
                 [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal&) { misses.add(i, s); });

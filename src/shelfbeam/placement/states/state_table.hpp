@@ -23,7 +23,7 @@ struct StateTable {
     return (column * table.rows() + label) * states + state;
   }
   /// The signals of one label from one column in all states.
-  std::span<const float> of(std::uint32_t column, std::size_t label) const {
+  std::span<const float> of(ColumnId column, std::size_t label) const {
     return std::span(signal).subspan(at(column, label, 0), states);
   }
 };
@@ -41,13 +41,13 @@ StateTable raised(const StateTable& states, double errors);
 
 /// What a label receives in every state from the chosen columns, ascending.
 std::vector<ReceivedSignal> received_signals(const StateTable& states, const PlacementProblem& problem,
-                                             std::size_t label, std::span<const std::uint32_t> selected);
+                                             std::size_t label, std::span<const ColumnId> selected);
 
 /// Calls visit(label, state, received) for those labels in states that receive less than `enough` times their
 /// requirement from the chosen columns, label by label.
 template <class Visit>
 void for_each_weak(const StateTable& states, const PlacementProblem& problem,
-                   std::span<const std::uint32_t> selected, double enough, const Visit& visit) {
+                   std::span<const ColumnId> selected, double enough, const Visit& visit) {
   for (std::uint32_t i = 0; i < states.table.rows(); ++i) {
     const double requirement = enough * requirement_of(states.table.labels[i], problem.model);
     const std::vector<ReceivedSignal> received = received_signals(states, problem, i, selected);
@@ -59,6 +59,6 @@ void for_each_weak(const StateTable& states, const PlacementProblem& problem,
 /// The misses of a selection with `reserve` times all requirements, from the signals alone, without solver or
 /// cuts.
 StateMisses misses_of(const StateTable& states, const PlacementProblem& problem,
-                      std::span<const std::uint32_t> selected, double reserve = 1);
+                      std::span<const ColumnId> selected, double reserve = 1);
 
 }  // namespace shelfbeam

@@ -42,7 +42,7 @@ class ProofChecker {
     if (proof_.max_cost < 0) return true;  // costs are not negative
     chosen_.assign(instance_.columns(), false);
     std::vector<bool> allowed = instance_.available;
-    for (const std::uint32_t j : instance_.installed) take(j);
+    for (const ColumnId j : instance_.installed) take(j);
     if (instance_.installed.size() > proof_.max_units) return true;
     // A selection never exceeds all columns.
     const std::size_t units = std::min(proof_.max_units - instance_.installed.size(), instance_.columns());
@@ -69,7 +69,7 @@ class ProofChecker {
   // The row's lack of `demand` (cooperative), or in units that must reach it.
   double lacking(const std::vector<double>& row, double demand = 1 - met_tolerance - near_tie) const {
     double sum = 0, best = 0;
-    for (const std::uint32_t j : taken_) {
+    for (const ColumnId j : taken_) {
       sum += row[j];
       best = std::max(best, row[j]);
     }
@@ -167,7 +167,7 @@ class ProofChecker {
     // it, and near-ties count as in the search.
     const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
     Weighing w{std::vector<double>(instance_.columns(), 0.0)};
-    std::vector<std::uint32_t> columns;
+    std::vector<ColumnId> columns;
     for (std::uint32_t j = 0; j < w.value.size(); ++j)
       if (allowed[j]) columns.push_back(j);
     for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -178,10 +178,10 @@ class ProofChecker {
       const double shift = is_sum_ ? Proof::shift * open / static_cast<double>(units) : 0;
       const double counted = open - static_cast<double>(units) * shift;
       w.need += weight * counted;
-      for (const std::uint32_t j : columns)
+      for (const ColumnId j : columns)
         w.value[j] += weight * std::min(counted, std::max(0.0, rows[r][j] - shift));
     }
-    for (const std::uint32_t j : columns) w.value[j] -= price * static_cast<double>(instance_.cost[j]);
+    for (const ColumnId j : columns) w.value[j] -= price * static_cast<double>(instance_.cost[j]);
     const std::int64_t left = proof_.max_cost - spent_;
     w.paid = price > 0 && left > 0 ? price * static_cast<double>(left) : 0;
     // Such a price proves nothing, and cancellation could make it appear to.
@@ -226,7 +226,7 @@ class ProofChecker {
       // The search may list columns that have become too expensive; their children fail at once.
       std::vector<bool> below = left;
       below[j] = false;
-      for (const std::uint32_t other : instance_.excludes[j]) below[other] = false;
+      for (const ColumnId other : instance_.excludes[j]) below[other] = false;
       if (chosen_[j]) return false;
       take(j);
       const bool is_proven = node(std::move(below), units - 1);
@@ -252,7 +252,7 @@ class ProofChecker {
   bool is_sum_ = true, is_open_ = false, ran_out_ = false;
   std::uint64_t looks_ = 0;
   std::vector<std::vector<double>> rows_, relaxed_rows_;
-  std::vector<std::uint32_t> taken_;
+  std::vector<ColumnId> taken_;
   std::vector<bool> chosen_;
   std::int64_t spent_ = 0;
   std::size_t at_ = 0;

@@ -112,7 +112,7 @@ TreeWindow::TreeWindow(const SearchMatrix& whole)
     : rows(whole.rows()), slot(whole.columns()), padded(whole.padded_rows()) {
   std::iota(rows.begin(), rows.end(), 0U);
   std::iota(slot.begin(), slot.end(), 0U);
-  for (const std::uint32_t j : slot) values.insert(values.end(), whole.column(j), whole.column(j) + padded);
+  for (const ColumnId j : slot) values.insert(values.end(), whole.column(j), whole.column(j) + padded);
 }
 
 void TreeNode::look_through(std::shared_ptr<const TreeWindow> through) {
@@ -144,8 +144,8 @@ void TreeNode::narrow() {
   below = std::move(narrow);
 }
 
-void TreeNode::take(const TreeNode& parent, std::uint32_t column, Receiving rule,
-                    std::span<const std::uint32_t> excluded) {
+void TreeNode::take(const TreeNode& parent, ColumnId column, Receiving rule,
+                    std::span<const ColumnId> excluded) {
   look_through(parent.below);
   if (parent.below == parent.window) {
     value = parent.value;
@@ -161,11 +161,11 @@ void TreeNode::take(const TreeNode& parent, std::uint32_t column, Receiving rule
   SearchKernels::receive(rule, window->column(column), value.size(), value.data(), best.data());
   weights_id = parent.weights_id;
   allowed.clear();
-  for (const std::uint32_t j : parent.allowed)
+  for (const ColumnId j : parent.allowed)
     if (j != column && std::find(excluded.begin(), excluded.end(), j) == excluded.end()) allowed.push_back(j);
 }
 
-void TreeNode::forbid(std::uint32_t column) {
+void TreeNode::forbid(ColumnId column) {
   const auto place = std::lower_bound(allowed.begin(), allowed.end(), column);
   if (place != allowed.end() && *place == column) allowed.erase(place);
 }

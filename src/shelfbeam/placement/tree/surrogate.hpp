@@ -39,9 +39,9 @@ struct TreeNode {
   std::vector<float> shift, counted;        ///< s_i, d_i
   std::vector<float> share;                 ///< r_i / b or r_i / C, the pigeonhole share
   std::vector<float> supporters;            ///< number of allowed columns with that share
-  std::vector<std::uint32_t> allowed;       ///< A, ascending
+  std::vector<ColumnId> allowed;            ///< A, ascending
   std::vector<float> gain;                  ///< v_j, one for each allowed column
-  std::vector<std::uint32_t> order;         ///< branching columns, one per child
+  std::vector<ColumnId> order;              ///< branching columns, one per child
   std::uint32_t weights_id = unlogged;      ///< number of `weight` in the proof
   bool by_cost = false;                     ///< shares refer to the cost left, C, instead of the count b
 
@@ -51,9 +51,8 @@ struct TreeNode {
   /// forbidden columns stay forbidden. (If the target rises, the check on all rows finds rows no longer met.)
   void narrow();
   /// Becomes the child of `parent` that chooses `column`; `excluded` are the columns in conflict with it.
-  void take(const TreeNode& parent, std::uint32_t column, Receiving rule,
-            std::span<const std::uint32_t> excluded);
-  void forbid(std::uint32_t column);
+  void take(const TreeNode& parent, ColumnId column, Receiving rule, std::span<const ColumnId> excluded);
+  void forbid(ColumnId column);
 };
 
 /// The surrogate bound that closes nodes (docs/methods/placement.md, "Tree search"). A node may add at most b

@@ -83,7 +83,7 @@ float TreeRun::target() const {
   return static_cast<float>(std::min(exact_target(), largest) * (1 - search_tolerance));
 }
 
-Margin TreeRun::offer(std::span<const std::uint32_t> selected, std::vector<float>& memory) {
+Margin TreeRun::offer(std::span<const ColumnId> selected, std::vector<float>& memory) {
   const Margin margin = margin_of(instance, all, selected, memory);
   count_work(all.padded_rows() * selected.size());
   if (!margin.is_met) return margin;

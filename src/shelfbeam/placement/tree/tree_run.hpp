@@ -36,7 +36,7 @@ class TreeRun {
 
   /// Checks a selection that meets the search's rows on all rows; keeps it if it is the best. Returns its
   /// margin.
-  Margin offer(std::span<const std::uint32_t> selected, std::vector<float>& memory);
+  Margin offer(std::span<const ColumnId> selected, std::vector<float>& memory);
   /// Counts a miss of a row that the search does not contain.
   void miss(std::uint32_t row);
   /// Enough misses for a restart with the missed rows.

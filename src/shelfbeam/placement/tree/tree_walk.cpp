@@ -23,7 +23,7 @@ void ProofLog::add_weighing(TreeNode& node, Proof::Tag tag, float price) {
   add(std::bit_cast<std::uint32_t>(price));
 }
 
-void ProofLog::add_branch(std::uint32_t row, bool by_cost, std::span<const std::uint32_t> columns) {
+void ProofLog::add_branch(std::uint32_t row, bool by_cost, std::span<const ColumnId> columns) {
   add(Proof::branch);
   add(row);
   add(by_cost ? 1 : 0);
@@ -48,13 +48,13 @@ TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t n
   chosen_ = instance.installed;
   max_units_ = run.goal.max_units >= chosen_.size() ? run.goal.max_units - chosen_.size() : 0;
   nodes_.resize(max_units_ + 1);
-  for (const std::uint32_t j : chosen_) spent_ += instance.cost[j];
+  for (const ColumnId j : chosen_) spent_ += instance.cost[j];
   if (number > 0) return;
 
   TreeNode& root = nodes_[0];
   root.look_through(std::make_shared<TreeWindow>(run.matrix));
   std::copy(weights.begin(), weights.end(), root.weight.begin());
-  for (const std::uint32_t j : chosen_)
+  for (const ColumnId j : chosen_)
     SearchKernels::receive(run.rule, root.window->column(j), root.value.size(), root.value.data(),
                            root.best.data());
   for (std::uint32_t j = 0; j < instance.available.size(); ++j)
@@ -94,18 +94,19 @@ bool TreeWalk::may_complete(std::size_t depth) {
 // Children: the allowed columns that contribute the pigeonhole share to the row, the largest gain first.
 void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double needed) {
   TreeNode& node = nodes_[depth];
-  node.order.clear();
+  std::vector<std::uint32_t> order;  // places in A
   for (std::uint32_t c = 0; c < node.allowed.size(); ++c) {
     const std::uint32_t j = node.allowed[c];
     const double scale = node.by_cost ? static_cast<double>(run_.instance.cost[j]) : 1;
     const auto given = static_cast<double>(run_.all.column(j)[row]);
-    if (given > 0 && given >= scale * needed) node.order.push_back(c);
+    if (given > 0 && given >= scale * needed) order.push_back(c);
   }
   if (node.gain.size() == node.allowed.size())
-    std::sort(node.order.begin(), node.order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return node.gain[a] > node.gain[b] || (node.gain[a] == node.gain[b] && a < b);
     });
-  for (std::uint32_t& c : node.order) c = node.allowed[c];
+  node.order.clear();
+  for (const std::uint32_t c : order) node.order.push_back(node.allowed[c]);
   log_.add_branch(row, node.by_cost, node.order);
 }
 
@@ -171,7 +172,7 @@ void TreeWalk::take_last(std::size_t depth) {
   const bool sums = is_sum(run_.rule);
   const float needed = sums ? node.lacking[hardest] : target;
   bool is_open = false;
-  for (const std::uint32_t j : node.allowed) {
+  for (const ColumnId j : node.allowed) {
     const float* const column = node.window->column(j);
     if (column[hardest] < needed || spent_ + run_.instance.cost[j] > run_.max_cost()) continue;
     run_.count_work(node.value.size());
@@ -189,8 +190,8 @@ void TreeWalk::take_last(std::size_t depth) {
 }
 
 void TreeWalk::visit_children(std::size_t depth) {
-  const std::vector<std::uint32_t> order = nodes_[depth].order;
-  for (const std::uint32_t j : order) {
+  const std::vector<ColumnId> order = nodes_[depth].order;
+  for (const ColumnId j : order) {
     log_.add(j);
     make_child(nodes_[depth], j, nodes_[depth + 1]);
     chosen_.push_back(j);
@@ -275,7 +276,7 @@ void TreeWalk::children_in_parallel() {
   }
 }
 
-void TreeWalk::add_child(TreeRun& run, std::uint32_t column) {
+void TreeWalk::add_child(TreeRun& run, ColumnId column) {
   auto walk =
       std::make_unique<TreeWalk>(run, nodes_[0].weight, static_cast<std::uint32_t>(children_.size() + 1));
   walk->make_child(nodes_[0], column, walk->nodes_[1]);

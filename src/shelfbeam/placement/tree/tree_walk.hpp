@@ -24,7 +24,7 @@ class ProofLog {
   /// A step with the node's weights, which are stored if they are new.
   void add_weighing(TreeNode& node, Proof::Tag tag, float price);
   /// The head of a branch; the children follow, each after its column.
-  void add_branch(std::uint32_t row, bool by_cost, std::span<const std::uint32_t> columns);
+  void add_branch(std::uint32_t row, bool by_cost, std::span<const ColumnId> columns);
   void move_to(Proof& proof);
 
  private:
@@ -55,14 +55,14 @@ class TreeWalk {
   void visit(std::size_t depth);
   void visit_children(std::size_t depth);
   void children_in_parallel();
-  void add_child(TreeRun& run, std::uint32_t column);
+  void add_child(TreeRun& run, ColumnId column);
   bool enter(std::size_t depth);
   void complete(std::size_t depth);
   void take_last(std::size_t depth);
   bool may_complete(std::size_t depth);
   void choose_branch(std::size_t depth);
   void branch_on(std::size_t depth, std::uint32_t row, double least);
-  void make_child(const TreeNode& parent, std::uint32_t column, TreeNode& child) const {
+  void make_child(const TreeNode& parent, ColumnId column, TreeNode& child) const {
     child.take(parent, column, run_.rule, run_.instance.excludes[column]);
   }
 
@@ -72,12 +72,12 @@ class TreeWalk {
   ProofLog log_;
   SurrogateTest surrogate_;
   std::size_t max_units_;  ///< besides the installed units
-  std::vector<std::uint32_t> chosen_;
+  std::vector<ColumnId> chosen_;
   std::int64_t spent_ = 0;
   std::vector<TreeNode> nodes_;  ///< by depth
   std::vector<float> memory_;
   std::vector<std::unique_ptr<TreeWalk>> children_;  ///< of the root
-  std::vector<std::uint32_t> columns_of_children_;
+  std::vector<ColumnId> columns_of_children_;
 };
 
 }  // namespace shelfbeam::detail

@@ -25,8 +25,8 @@ struct CoverTreeOptions {
 
 struct CheapestCover {
   double bound = 0;  ///< no cover costs less than this and `known`; lowered by more than rounding errors
-  std::optional<Selection> selected;  ///< a cover that costs less than `known`
-  bool complete = false;              ///< no limit came first: `selected` is the cheapest
+  std::optional<std::vector<std::uint32_t>> selected;  ///< a cover that costs less than `known`
+  bool complete = false;                               ///< no limit came first: `selected` is the cheapest
   std::uint64_t nodes = 0;
 };
 

@@ -15,7 +15,7 @@ struct Window {
   std::vector<std::uint32_t> rows, columns;  ///< ascending
   std::vector<double> weight;                ///< of every column, not negative
   /// Ascending; reaches all rows. Empty before the first search and after the removal of one of them.
-  Selection selected;
+  std::vector<std::uint32_t> selected;
   double value = 0;        ///< no selection that reaches all rows has a smaller weight
   bool complete = false;   ///< `selected` has this weight
   std::uint64_t work = 0;  ///< of the last search, in nodes of trees

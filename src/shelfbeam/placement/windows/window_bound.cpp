@@ -136,7 +136,8 @@ class WindowSearch {
     for (const Window& window : now_) all.insert(window.selected.begin(), window.selected.end());
     for (const std::uint32_t j : all)
       for (const std::uint32_t i : cover_.columns[j]) ++times[i];
-    std::vector<std::uint32_t> order(all.begin(), all.end()), selected;
+    std::vector<std::uint32_t> order(all.begin(), all.end());
+    Selection selected;
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return cover_.cost[a] * static_cast<double>(cover_.columns[b].size()) >
              cover_.cost[b] * static_cast<double>(cover_.columns[a].size());
@@ -331,7 +332,7 @@ class WindowSearch {
   const RunControl& control_;
   double target_;  ///< cost of the best selection known
   Windows now_, best_;
-  std::vector<std::uint32_t> useless_;
+  std::vector<ColumnId> useless_;
   double best_value_ = 0, length_ = 0;
   std::vector<std::vector<double>> directions_;  ///< per window and column, mean of recent steps
   std::uint64_t max_nodes_ = 50'000, work_ = 0;

@@ -25,7 +25,7 @@ struct WindowBound {
   /// Every selection of the remainder, forced columns included, that is better than the known ones costs at
   /// least this; above known - step if there is none.
   double bound = 0;
-  std::vector<std::uint32_t> useless;  ///< the table's columns that no such selection contains, ascending
+  std::vector<ColumnId> useless;  ///< the table's columns that no such selection contains, ascending
 };
 
 /// Receives selections of the remainder that reach all labels, forced columns included, ascending;

@@ -114,7 +114,7 @@ class WindowMips final : ProgressSink {
       for (std::size_t j = 0; j < share.size(); ++j) all[j] += share[j];
     }
     std::vector<bool> is_out(cost_.size(), false);
-    for (const std::uint32_t j : options_.without) is_out[j] = true;
+    for (const ColumnId j : options_.without) is_out[j] = true;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       std::vector<double>& share = shares[k];
       WindowMip& window = windows_.emplace_back();

@@ -17,8 +17,8 @@ struct WindowMipOptions {
   double goal = 0;     ///< a bound of this size ends the search, and no larger one is proven
   Effort effort = {};  ///< its steps: nodes of every MIP
   std::size_t windows = 4;
-  std::vector<std::uint32_t> without = {};  ///< the bound holds for selections without these columns
-  std::vector<BoundRow> rows = {};          ///< the first rows of the LP, without cuts
+  std::vector<ColumnId> without = {};  ///< the bound holds for selections without these columns
+  std::vector<BoundRow> rows = {};     ///< the first rows of the LP, without cuts
 };
 
 /// A lower bound on c T by the decomposition of `window_bound`, for sums of signals or covers without unit

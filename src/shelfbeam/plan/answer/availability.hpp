@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/base/names.hpp"
 #include "shelfbeam/math/vec3.hpp"
 #include "shelfbeam/plan/answer/end_reason.hpp"
@@ -137,9 +138,9 @@ struct Availability {
   StateOutcome nominal;           ///< the plan for the shop as the file gives it
   std::size_t nominal_bound = 0;  ///< fewest units proven for this shop, by signals; 0: none
   StateOutcome sample;  ///< the fewest units, or the smallest spend, that keep to the goal on these states
-  std::vector<std::uint32_t> sample_selected;  ///< ascending columns; empty: none was found
-  double sample_value = 0;                     ///< count or new spend
-  double sample_lower_bound = 0;               ///< of the value, proven for the sampled states
+  std::vector<ColumnId> sample_selected;  ///< ascending columns; empty: none was found
+  double sample_value = 0;                ///< count or new spend
+  double sample_lower_bound = 0;          ///< of the value, proven for the sampled states
   /// A bound on the value of every selection that keeps to the goal in the long run, with the confidence; 0:
   /// not examined.
   double lower_bound = 0;

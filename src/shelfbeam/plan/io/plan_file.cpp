@@ -34,7 +34,7 @@ void describe(Record& record, Certificate& certificate) {
       return ids.list(positions);
     };
     record.custom(key, write, [&](const JsonCursor& json) {
-      for (const std::uint32_t i : ids.positions(json)) labels[i].verdict = verdict;
+      for (const std::uint32_t i : ids.positions<std::uint32_t>(json)) labels[i].verdict = verdict;
     });
   };
   if (record.file() != nullptr) labels.assign(ids.size(), {.verdict = Verdict::reached});

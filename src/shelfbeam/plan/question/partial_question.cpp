@@ -37,8 +37,7 @@ Placement with_bounds(FewestUnits fewest) {
   return placement;
 }
 
-Placement with_bounds(const SignalTable& table, const PlacementProblem& problem,
-                      const std::vector<std::uint32_t>& given) {
+Placement with_bounds(const SignalTable& table, const PlacementProblem& problem, const Selection& given) {
   Placement placement;
   const std::size_t missed = check_selection(table, problem, given).unmet.size();
   placement.partial = {ReachGoal::given, static_cast<double>(given.size()), table.rows() - missed,

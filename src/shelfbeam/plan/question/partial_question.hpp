@@ -16,7 +16,7 @@ struct PartialQuestion {
   std::optional<std::size_t> at_most = {};  ///< number of units that reach as many labels as possible
   std::optional<double> share = {};         ///< of the labels, to be reached with as few units as possible
   /// Columns of the selection to be examined, ascending.
-  std::optional<std::vector<std::uint32_t>> given = {};
+  std::optional<Selection> given = {};
 
   bool is_asked() const { return at_most || share || given; }
 };

@@ -33,9 +33,10 @@ std::uint64_t question_key(std::uint64_t seed, const SignalTable& table, const P
         .add(label.weight);
   for (const SignalTable::Transceiver& unit : table.transceivers)
     bytes.add(unit.id).add(unit.cost).add(unit.installed).add(unit.pinned);
-  for (const auto& [a, b] : table.conflicts) bytes.add(a).add(b);
+  for (const auto& [a, b] : table.conflicts) bytes.add(std::uint32_t{a}).add(std::uint32_t{b});
   for (const std::size_t begin : table.row_begin) bytes.add(begin);
-  for (const SignalEntry& entry : table.entries) bytes.add(entry.transceiver).add(entry.signal);
+  for (const SignalEntry& entry : table.entries)
+    bytes.add(std::uint32_t{entry.transceiver}).add(entry.signal);
   return mix_key(seed, bytes.key());
 }
 

@@ -65,7 +65,7 @@ MissAllowance CausesAlone::allowance(std::span<const std::uint32_t> labels, std:
   return allowance_of(found_.goal, found_.required, labels, states);
 }
 
-void CausesAlone::examine(std::span<const std::uint32_t> selected, const std::optional<PlaceOptions>& place,
+void CausesAlone::examine(std::span<const ColumnId> selected, const std::optional<PlaceOptions>& place,
                           Availability& found) const {
   const StateSample fixed = sample(as_given);
   const StateMisses given = DecidingLabels(fixed, table_, problem_).misses(selected);
@@ -102,7 +102,7 @@ void CausesAlone::examine(std::span<const std::uint32_t> selected, const std::op
 }
 
 std::vector<LostLabel> CausesAlone::lost(std::span<const std::uint32_t> labels,
-                                         std::span<const std::uint32_t> selected) const {
+                                         std::span<const ColumnId> selected) const {
   std::vector<LostLabel> lost;
   for (const std::uint32_t i : labels) lost.push_back({i, {}});
   if (labels.empty()) return lost;

@@ -30,13 +30,13 @@ class CausesAlone {
 
   /// Sets Availability::alone and missed_as_given for some columns. With `place`, finds the units that each
   /// cause alone needs; its time limit is that of all causes together. Throws as `simulate_states`.
-  void examine(std::span<const std::uint32_t> selected, const std::optional<PlaceOptions>& place,
+  void examine(std::span<const ColumnId> selected, const std::optional<PlaceOptions>& place,
                Availability& found) const;
 
   /// Which causes make some columns miss each of these labels in all of their states; "none" if the columns
   /// miss it in the shop as the file gives it.
   std::vector<LostLabel> lost(std::span<const std::uint32_t> labels,
-                              std::span<const std::uint32_t> selected) const;
+                              std::span<const ColumnId> selected) const;
 
  private:
   struct Part {

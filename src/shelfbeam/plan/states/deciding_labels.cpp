@@ -27,7 +27,7 @@ DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all
       table_(make_state_table(all_, {}, sample_.count())) {}
 
 DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all,
-                               const PlacementProblem& problem, std::span<const std::uint32_t> start)
+                               const PlacementProblem& problem, std::span<const ColumnId> start)
     : DecidingLabels(sample, all, problem) {
   const std::vector<std::uint32_t> every = all_numbers(all.rows());
   const std::size_t entries = all.rows() * all.columns() * sample_.count();
@@ -60,7 +60,7 @@ void DecidingLabels::add(std::span<const std::uint32_t> labels) {
 
 StateMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
                                         std::span<const double> received,
-                                        std::span<const std::uint32_t> selected) const {
+                                        std::span<const ColumnId> selected) const {
   const std::size_t states = sample_.count();
   MissCounter misses(row_of_.size(), states);
   for (std::size_t k = 0; k < others.size(); ++k) {
@@ -74,7 +74,7 @@ StateMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
   return misses.misses();
 }
 
-StateMisses DecidingLabels::misses(std::span<const std::uint32_t> selected) const {
+StateMisses DecidingLabels::misses(std::span<const ColumnId> selected) const {
   std::vector<std::uint32_t> others;
   for (std::uint32_t i = 0; i < row_of_.size(); ++i)
     if (!has(i)) others.push_back(i);

@@ -15,7 +15,7 @@ class DecidingLabels {
   /// Begins with the labels that `start` reaches with little reserve in any state. `all`: the table of all
   /// labels. All references must outlive the object. Throws as `simulate_states`, as the other functions do.
   DecidingLabels(const StateSample& sample, const SignalTable& all, const PlacementProblem& problem,
-                 std::span<const std::uint32_t> start);
+                 std::span<const ColumnId> start);
 
   /// Begins without labels.
   DecidingLabels(const StateSample& sample, const SignalTable& all, const PlacementProblem& problem);
@@ -31,7 +31,7 @@ class DecidingLabels {
   const StateMisses& misses_of_start() const { return misses_of_start_; }
 
   /// The misses of all labels in the sampled states.
-  StateMisses misses(std::span<const std::uint32_t> selected) const;
+  StateMisses misses(std::span<const ColumnId> selected) const;
   /// Adds the labels that are not in the table and satisfy a test. Returns their number.
   template <class Test>
   std::size_t add_if(const Test& test) {
@@ -48,7 +48,7 @@ class DecidingLabels {
   void add(std::span<const std::uint32_t> labels);
   // Labels of the table, and others by the signals that they receive.
   StateMisses misses_with(std::span<const std::uint32_t> others, std::span<const double> received,
-                          std::span<const std::uint32_t> selected) const;
+                          std::span<const ColumnId> selected) const;
 
   const StateSample& sample_;
   const SignalTable& all_;

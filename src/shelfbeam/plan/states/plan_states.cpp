@@ -177,7 +177,7 @@ class Planner {
 
   // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
   Selection with_another(const Rounds& rounds) {
-    const Selection& undecided = result_.availability.responsible;
+    const std::vector<std::uint32_t>& undecided = result_.availability.responsible;
     deciding_->add_if(
         [&](std::uint32_t i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
     allowance_ = allowance(deciding_->labels());
@@ -195,10 +195,10 @@ class Planner {
   void explain() {
     Availability& answer = result_.availability;
     if (!answer.unreachable.empty()) answer.responsible = answer.unreachable;
-    const Selection risky = !answer.unreachable.empty() ? answer.unreachable
-                            : answer.has_answer()       ? most_missed(answer.answer())
-                            : answer.sample.states > 0  ? most_missed(answer.sample)
-                                                        : most_missed(answer.nominal);
+    const std::vector<std::uint32_t> risky = !answer.unreachable.empty() ? answer.unreachable
+                                             : answer.has_answer()       ? most_missed(answer.answer())
+                                             : answer.sample.states > 0  ? most_missed(answer.sample)
+                                                                         : most_missed(answer.nominal);
     const Scene units = with_units(scene_, selected_.empty() ? result_.placement.selected : selected_);
     answer.at_risk = risk_causes(states_, units, risky, problem(), options_.simulation, log_, control_);
     explain_need();
@@ -212,7 +212,7 @@ class Planner {
     PlaceOptions place = options_.place;
     place.time_limit_s *= share_of_causes;
     causes.examine(result_.placement.selected, place, answer);
-    const Selection every = all_numbers(all_.columns());
+    const Selection every = all_numbers<ColumnId>(all_.columns());
     const bool is_impossible = !answer.unreachable.empty();
     if (is_impossible)
       answer.lost = causes.lost(

@@ -14,7 +14,7 @@ namespace shelfbeam {
 
 /// Units for the sampled states.
 struct SamplePlacement {
-  std::vector<std::uint32_t> selected;     ///< empty: none was found
+  std::vector<ColumnId> selected;          ///< empty: none was found
   StateMisses misses;                      ///< of all labels
   double value = 0, lower_bound = 0;       ///< as of StatePlacement, proven for all labels
   std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often

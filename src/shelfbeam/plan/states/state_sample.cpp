@@ -16,7 +16,8 @@ void StateSample::simulate(const Scene& part, const std::function<void(const Sta
                   control_);
 }
 
-void StateSample::signals(Ids labels, std::optional<Ids> units,
+void StateSample::signals(std::span<const std::uint32_t> labels,
+                          std::optional<std::span<const ColumnId>> units,
                           const std::function<void(const StateSignals&)>& use) const {
   if (which_.sampled == nullptr) {
     simulate(units ? sub_scene(scene_, labels, *units) : sub_scene(scene_, labels), use);
@@ -49,7 +50,7 @@ void StateSample::fill(StateTable& table, std::span<const std::uint32_t> labels,
 }
 
 std::vector<double> StateSample::received(std::span<const std::uint32_t> labels,
-                                          std::span<const std::uint32_t> units,
+                                          std::span<const ColumnId> units,
                                           const PlacementProblem& problem) const {
   std::vector<double> result(labels.size() * which_.count);
   if (labels.empty() || units.empty()) return result;

@@ -45,13 +45,12 @@ class StateSample {
   void fill(StateTable& table, std::span<const std::uint32_t> labels, std::size_t first) const;
 
   /// The signals that some labels receive from units, by label and state. Throws as `simulate_states`.
-  std::vector<double> received(std::span<const std::uint32_t> labels, std::span<const std::uint32_t> units,
+  std::vector<double> received(std::span<const std::uint32_t> labels, std::span<const ColumnId> units,
                                const PlacementProblem& problem) const;
 
  private:
-  using Ids = std::span<const std::uint32_t>;
   // All units, or some.
-  void signals(Ids labels, std::optional<Ids> units,
+  void signals(std::span<const std::uint32_t> labels, std::optional<std::span<const ColumnId>> units,
                const std::function<void(const StateSignals&)>& use) const;
   void simulate(const Scene& part, const std::function<void(const StateSignals&)>& use) const;
 

@@ -55,12 +55,12 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
   const std::uint32_t count = std::min(options.states, max_sample);
   const SignalTable table = table_without_signals(all);
   const StateSample sample(states, all, options.simulation, {.count = count}, log, control);
-  const std::vector<std::uint32_t> selected = all_numbers(mounted);
+  const Selection selected = all_numbers<ColumnId>(mounted);
   DecidingLabels deciding(sample, table, problem, selected);
   deciding.add_if([&](std::uint32_t i) { return found.answer().missed[i] > 0; });
   const MissAllowance allowance = allowance_of(found.goal, found.required, deciding.labels(), count);
   const StateSearch search(deciding.table(), problem, allowance, {}, control);
-  const std::vector<std::uint32_t> more = search.with_another(selected);
+  const Selection more = search.with_another(selected);
   if (more.size() == selected.size()) return {};
   const Transceiver& unit = all.transceivers[more.back()];
   return Addition{unit.id, unit.position, outcome_of(deciding.misses_of_start(), mounted, count),
@@ -103,7 +103,7 @@ Availability verify_over_states(const Store& store, const Scene& scene, const Sc
   found.at_risk =
       risk_causes(states, low_units, most_missed(found.answer()), problem, options.simulation, log, control);
   const SignalTable mounted = table_without_signals(units);
-  const std::vector<std::uint32_t> every = all_numbers(units.transceivers.size());
+  const Selection every = all_numbers<ColumnId>(units.transceivers.size());
   const CausesAlone causes(store, units, mounted, problem, found, options.simulation, options.states, log,
                            control);
   causes.examine(every, {}, found);

@@ -24,8 +24,8 @@ Store with_candidates_of(const std::filesystem::path& file, Store store) {
                                                  : store_with_units(std::move(store), file);
 }
 
-std::vector<std::uint32_t> chosen_units(const Scene& scene) {
-  std::vector<std::uint32_t> chosen;
+std::vector<ColumnId> chosen_units(const Scene& scene) {
+  std::vector<ColumnId> chosen;
   for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j)
     if (scene.transceivers[j].is_chosen()) chosen.push_back(j);
   return chosen;
@@ -43,7 +43,7 @@ Placement given_units(const std::filesystem::path& file, const Scene& scene,
   }
   if (!is_placement_file(file)) {
     Placement all;
-    all.selected = all_numbers(scene.transceivers.size());
+    all.selected = all_numbers<ColumnId>(scene.transceivers.size());
     return all;
   }
   Placement placement = read_placement(file, table_without_signals(scene));

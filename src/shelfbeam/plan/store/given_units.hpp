@@ -20,7 +20,7 @@ bool is_placement_file(const std::filesystem::path& file);
 Store with_candidates_of(const std::filesystem::path& file, Store store);
 
 /// The numbers of the units that the store chooses (Transceiver::is_chosen).
-std::vector<std::uint32_t> chosen_units(const Scene& scene);
+std::vector<ColumnId> chosen_units(const Scene& scene);
 
 /// The selection and the problem of a placement.json; all units of the scene for a CSV; the chosen ones
 /// (Transceiver::is_chosen) without a file. Throws InputError if no unit is selected; `store` is its name.

@@ -112,7 +112,7 @@ ProofRemarks proof_remarks(const ReportData& data) {
 }
 
 std::size_t new_units(const ReportData& data) {
-  const std::vector<std::uint32_t>& selected = data.input.plan.placement.selected;
+  const Selection& selected = data.input.plan.placement.selected;
   return static_cast<std::size_t>(std::count_if(selected.begin(), selected.end(), [&](std::uint32_t column) {
     return !data.transceiver(column).installed;
   }));

@@ -45,7 +45,7 @@ std::string reached_part(std::size_t reached, const std::optional<CoverageWeight
 }
 
 /// The price of a choice that no price has decided.
-std::string price_line(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
+std::string price_line(const Selection& selected, const SignalTable& table) {
   if (!has_prices(table)) return {};
   const Price price = price_of(table, selected);
   return fmt::format("  price: {} of new units, {} in total; prices are not considered in this choice\n",

@@ -119,8 +119,7 @@ std::string partial(const Placement& placement, const SignalTable& table) {
                             bound_proof_text(english(), placement.bound_proof));
 }
 
-std::vector<std::string> added_to(const std::vector<std::uint32_t>& before,
-                                  const std::vector<std::uint32_t>& after, const SignalTable& table) {
+std::vector<std::string> added_to(const Selection& before, const Selection& after, const SignalTable& table) {
   std::vector<std::string> ids;
   for (const std::uint32_t j : after)
     if (!std::binary_search(before.begin(), before.end(), j)) ids.push_back(table.transceivers[j].id);
@@ -133,7 +132,7 @@ std::string model_of(const PlacementProblem& problem) {
   return fmt::format("{}{}", to_text(problem.model), failure_clause(english(), problem));
 }
 
-std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table) {
+std::string chosen(const Selection& selected, const SignalTable& table) {
   std::vector<std::string_view> ids;
   ids.reserve(selected.size());
   for (const std::uint32_t j : selected) ids.push_back(table.transceivers[j].id);

@@ -17,7 +17,7 @@ std::string describe(const Placement& placement, const SignalTable& table);
 /// "cooperative, even if any one unit fails"
 std::string model_of(const PlacementProblem& problem);
 /// "  chosen: ids"; empty without any.
-std::string chosen(const std::vector<std::uint32_t>& selected, const SignalTable& table);
+std::string chosen(const Selection& selected, const SignalTable& table);
 /// The answer for a shop that changes, one sentence.
 std::string availability_answer(const Availability& availability, const Placement& placement,
                                 const SignalTable& table);

@@ -46,8 +46,7 @@ std::uint32_t grains_of(double mean, double need, std::uint32_t grains_per_requi
 }
 
 // The columns of the two largest entries of the chosen units.
-std::array<std::uint32_t, 2> two_largest(std::span<const float> row,
-                                         const std::vector<std::uint32_t>& selected) {
+std::array<std::uint32_t, 2> two_largest(std::span<const float> row, const Selection& selected) {
   std::array<std::uint32_t, 2> largest{~0U, ~0U};
   const auto more = [&](std::uint32_t a, std::uint32_t b) { return b == ~0U || row[a] > row[b]; };
   for (const std::uint32_t j : selected) {

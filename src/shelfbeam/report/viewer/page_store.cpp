@@ -75,8 +75,11 @@ Json add_units(PageData& page, const ReportData& data) {
     selected.push_back(unit.column);
     needed_by.push_back(unit.needed_by);
   }
+  Json mounts = Json::array();
+  for (const auto& mount : shared_mounts(data.input.matrix))
+    mounts.push_back(std::vector<std::uint32_t>(mount.begin(), mount.end()));
   return {{"ids", ids},           {"types", types},         {"places", places},
-          {"orders", orders},     {"installed", installed}, {"mounts", shared_mounts(data.input.matrix)},
+          {"orders", orders},     {"installed", installed}, {"mounts", mounts},
           {"selected", selected}, {"neededBy", needed_by}};
 }
 

@@ -17,7 +17,7 @@ namespace shelfbeam {
 
 namespace {
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using Pairs = std::vector<std::pair<ColumnId, ColumnId>>;
 
 void order(Pairs& pairs) {
   std::sort(pairs.begin(), pairs.end());

@@ -38,10 +38,10 @@ void expect_same(const SignalTable::Transceiver& unit, const SignalTable::Transc
 }
 
 /// For every column of this table, its column in the first table.
-std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTable& first) {
+std::vector<ColumnId> columns_of(const NamedTable& scenario, const NamedTable& first) {
   std::unordered_map<std::string_view, std::uint32_t> column;
   for (std::uint32_t j = 0; j < first.table.columns(); ++j) column.emplace(first.table.transceivers[j].id, j);
-  std::vector<std::uint32_t> result;
+  std::vector<ColumnId> result;
   for (const SignalTable::Transceiver& unit : scenario.table.transceivers) {
     const auto found = column.find(unit.id);
     if (found == column.end())
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> columns_of(const NamedTable& scenario, const NamedTab
   return result;
 }
 
-void append(SignalTable& all, const NamedTable& scenario, const std::vector<std::uint32_t>& column) {
+void append(SignalTable& all, const NamedTable& scenario, const std::vector<ColumnId>& column) {
   all.scenarios.push_back({scenario.name, all.rows(), scenario.table.rows()});
   for (std::size_t i = 0; i < scenario.table.rows(); ++i) {
     all.labels.push_back(scenario.table.labels[i]);
@@ -98,7 +98,7 @@ SignalTable stack_tables(std::vector<NamedTable> tables) {
   all.currency = tables.front().table.currency;
   all.row_begin = {0};
   for (NamedTable& scenario : tables) {
-    const std::vector<std::uint32_t> column = columns_of(scenario, tables.front());
+    const std::vector<ColumnId> column = columns_of(scenario, tables.front());
     append(all, scenario, column);
     // Positions, and with them mounting points, may be missing in some files.
     for (std::size_t j = 0; j < column.size(); ++j)
@@ -107,7 +107,7 @@ SignalTable stack_tables(std::vector<NamedTable> tables) {
     if (all.mounts.empty()) {
       all.mounts = scenario.table.mounts;
       for (auto& mount : all.mounts) {
-        for (std::uint32_t& j : mount) j = column[j];
+        for (ColumnId& j : mount) j = column[j];
         std::sort(mount.begin(), mount.end());
       }
     }

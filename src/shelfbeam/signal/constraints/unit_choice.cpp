@@ -38,7 +38,7 @@ std::vector<bool> matches(const std::vector<std::string>& patterns, const Signal
 }
 
 void remove_columns(const std::vector<bool>& is_excluded, SignalTable& table) {
-  std::vector<std::uint32_t> number(table.columns());  // of the columns that are left
+  std::vector<ColumnId> number(table.columns());  // of the columns that are left
   std::uint32_t left = 0;
   std::vector<SignalTable::Transceiver> units;
   for (std::size_t j = 0; j < is_excluded.size(); ++j)
@@ -51,7 +51,7 @@ void remove_columns(const std::vector<bool>& is_excluded, SignalTable& table) {
   table.transceivers = std::move(units);
   for (auto& mount : table.mounts) {
     std::erase_if(mount, [&](std::uint32_t j) { return is_excluded[j]; });
-    for (std::uint32_t& j : mount) j = number[j];
+    for (ColumnId& j : mount) j = number[j];
   }
   std::erase_if(table.mounts, [](const auto& mount) { return mount.size() < 2; });
   std::erase_if(table.conflicts,

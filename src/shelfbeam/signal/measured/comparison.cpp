@@ -299,7 +299,7 @@ void summarize(Comparison& result, std::span<const ComparedPair> pairs, std::spa
 }  // namespace
 
 std::vector<ComparedPair> compared_pairs(const SignalMatrix& matrix, const Measurements& measurements,
-                                         std::span<const std::uint32_t> units) {
+                                         std::span<const ColumnId> units) {
   std::vector<ComparedPair> pairs;
   for (const Measurement& one : measurements.values) {
     ComparedPair pair{one.label, one.transceiver, one.signal, one.error};

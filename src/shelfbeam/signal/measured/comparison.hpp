@@ -18,7 +18,7 @@ namespace shelfbeam {
 /// A measured signal and the simulated signal.
 struct ComparedPair {
   std::uint32_t label = 0;
-  std::optional<std::uint32_t> transceiver;  ///< nothing: several units at once
+  std::optional<ColumnId> transceiver;  ///< nothing: several units at once
   double measured = 0;
   std::optional<double> error;  ///< standard deviation of `measured`
   double simulated = 0;         ///< W/m^2
@@ -28,7 +28,7 @@ struct ComparedPair {
 /// Pairs the measurements with entries of the matrix, or with sums over `units` (columns) if several units
 /// were measured at once. Standard errors from few batches are enlarged to the spread of Student's t.
 std::vector<ComparedPair> compared_pairs(const SignalMatrix& matrix, const Measurements& measurements,
-                                         std::span<const std::uint32_t> units = {});
+                                         std::span<const ColumnId> units = {});
 
 /// The role of a pair in the fit.
 enum class PairUse {

@@ -5,16 +5,17 @@
 #include <optional>
 #include <vector>
 
+#include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/signal/signal_matrix.hpp"
 
 namespace shelfbeam {
 
 /// A measured signal with its label and transceiver.
 struct Measurement {
-  std::uint32_t label = 0;                   ///< row of the matrix
-  std::optional<std::uint32_t> transceiver;  ///< column; nothing: several units at once
-  double signal = 0;                         ///< linear, in any unit of measure; may be 0 or negative
-  std::optional<double> error;               ///< standard deviation of `signal`, above 0
+  std::uint32_t label = 0;              ///< row of the matrix
+  std::optional<ColumnId> transceiver;  ///< column; nothing: several units at once
+  double signal = 0;                    ///< linear, in any unit of measure; may be 0 or negative
+  std::optional<double> error;          ///< standard deviation of `signal`, above 0
 };
 
 /// Measured signals: either all from single transceivers or all from several at once.

@@ -120,9 +120,9 @@ ReadTable read_text_table(std::string_view text, const std::string& name, TableR
 
 }  // namespace
 
-std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix) {
+std::vector<std::vector<ColumnId>> shared_mounts(const SignalMatrix& matrix) {
   const DistinctPositions groups = distinct_positions(positions_of(matrix.transceivers));
-  std::vector<std::vector<std::uint32_t>> mounts(groups.count);
+  std::vector<std::vector<ColumnId>> mounts(groups.count);
   for (std::uint32_t j = 0; j < matrix.columns(); ++j) mounts[groups.group_of[j]].push_back(j);
   std::erase_if(mounts, [](const auto& mount) { return mount.size() < 2; });
   return mounts;

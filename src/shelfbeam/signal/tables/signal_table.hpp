@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam {
@@ -17,7 +18,7 @@ struct SignalMatrix;
 
 /// One non-zero entry of a row.
 struct SignalEntry {
-  std::uint32_t transceiver = 0;
+  ColumnId transceiver;
   double signal = 0;
 };
 
@@ -48,10 +49,10 @@ struct SignalTable {
   std::string currency;               ///< of the costs of transceivers; empty: not given
   /// Groups of columns that are options of one mounting point, of which at most one can be chosen: at least
   /// two each, ascending, without duplicates. Every other column has its own mounting point.
-  std::vector<std::vector<std::uint32_t>> mounts;
+  std::vector<std::vector<ColumnId>> mounts;
   /// Pairs of columns that must not both be chosen (signal/constraints/conflicts.hpp), without those of one
   /// mounting point: smaller column first, ascending, no duplicates, no pairs of installed units.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> conflicts;
+  std::vector<std::pair<ColumnId, ColumnId>> conflicts;
   double min_spacing =
       0;  ///< m; the distance that pairs of `conflicts` enforce, 0 without one (add_conflicts)
   /// The scenarios of the rows, in order, if they come from several matrices (stack_tables); otherwise empty.
@@ -77,7 +78,7 @@ struct SignalTable {
 };
 
 /// Groups of at least two candidates at the same position (math/distinct_positions.hpp): SignalTable::mounts.
-std::vector<std::vector<std::uint32_t>> shared_mounts(const SignalMatrix& matrix);
+std::vector<std::vector<ColumnId>> shared_mounts(const SignalMatrix& matrix);
 
 /// The table of a simulated matrix (its means, requirements, costs, installed units and mounting points).
 /// Throws InputError, which names the matrix as `name`, if two units are installed at one mounting point.

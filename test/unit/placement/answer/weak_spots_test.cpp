@@ -22,7 +22,7 @@ SignalTable two_seasons() {
 TEST(Scenarios, OnePlacementMeetsAll) {
   const SignalTable table = two_seasons();
   const Placement found = place(table, {}, {});
-  EXPECT_EQ(found.selected, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(found.selected, (Selection{0, 1}));
   const auto margins = scenario_margins(table, found);
   ASSERT_EQ(margins.size(), 3U);
   EXPECT_EQ(margins[0].smallest_margin, 2);

@@ -27,8 +27,7 @@ struct Strongest {
   std::uint32_t label = 0;
   double share = 0;
 
-  bool holds(const SignalTable& table, const PlacementProblem& problem,
-             const std::vector<std::uint32_t>& selected) const {
+  bool holds(const SignalTable& table, const PlacementProblem& problem, const Selection& selected) const {
     if (share == 0) return true;
     const double requirement = requirement_of(table.labels[label], problem.model);
     for (const SignalEntry& entry : table.row(label)) {
@@ -51,7 +50,7 @@ struct Least {
         const detail::SelectionSet& selections, const Strongest& strongest = {})
       : with(table.columns(), infinite) {
     for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
-      std::vector<std::uint32_t> selected;
+      Selection selected;
       double sum = 0;
       bool holds_installed = true;
       for (std::uint32_t j = 0; j < table.columns(); ++j) {
@@ -321,7 +320,7 @@ TEST(DualBound, UsesTheCasesOfALabel) {
   const SignalTable table = test::make_table({{1, 0.5}}, 2);
   const std::vector<double> price{1, 1};
   const BoundRow strong{.label = 0, .strongest = 1}, half{.label = 0, .strongest = 0.5}, plain{0};
-  const auto bound = [&](const BoundRow& row, double y, const std::vector<std::uint32_t>& without) {
+  const auto bound = [&](const BoundRow& row, double y, const Selection& without) {
     return dual_bound({table, {}}, std::vector{row}, std::vector{y}, price, {.without = without});
   };
   EXPECT_NEAR(bound(strong, 1, {}).bound, 1, 1e-9);
@@ -356,7 +355,7 @@ TEST(DualBound, CountsOneUnitPerMountingPoint) {
   const DualBound installed = dual_bound({table, problem}, rows, std::vector<double>{3, 1}, cost);
   EXPECT_NEAR(installed.bound, 4, 1e-9);
   EXPECT_EQ(installed.if_chosen[1], infinite);
-  EXPECT_EQ(useless_columns(installed, 4), (std::vector<std::uint32_t>{1, 3}));
+  EXPECT_EQ(useless_columns(installed, 4), (Selection{1, 3}));
 }
 
 }  // namespace

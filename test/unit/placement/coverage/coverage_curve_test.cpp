@@ -116,7 +116,7 @@ TEST(PlacementCurve, EnclosesTheOptimumForEveryCount) {
     const PlacementProblem problem = tables.next_problem();
     const BruteForce brute(table, problem);
     if (!brute.feasible) continue;
-    const std::vector<std::uint32_t>& selected = brute.at_fewest;
+    const Selection& selected = brute.at_fewest;
     std::size_t first = 0;
     for (const auto& unit : table.transceivers) first += unit.installed ? 1 : 0;
     const auto best = BruteForce::budgets(table, problem);
@@ -179,7 +179,7 @@ TEST(Critical, AreTheLabelsThatOnlyOneUnitReaches) {
   for (int k = 0; k < 3000; ++k) {
     const SignalTable table = tables.next();
     const PlacementProblem problem = tables.next_problem();
-    std::vector<std::uint32_t> selected;
+    Selection selected;
     for (std::uint32_t j = 0; j < table.columns(); ++j)
       if (tables.chance(0.5)) selected.push_back(j);
     PlacementProblem nothing_fails = problem;
@@ -189,7 +189,8 @@ TEST(Critical, AreTheLabelsThatOnlyOneUnitReaches) {
     ASSERT_EQ(critical.size(), selected.size());
     std::size_t labels = 0;
     for (std::size_t s = 0; s < selected.size(); ++s) {
-      std::vector<std::uint32_t> others = selected, expected;
+      Selection others = selected;
+      std::vector<std::uint32_t> expected;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
       const Check without = check_selection(table, nothing_fails, others);
       std::set_difference(without.unmet.begin(), without.unmet.end(), with_all.unmet.begin(),
@@ -208,7 +209,7 @@ TEST(Critical, AreTheLabelsThatOnlyOneUnitReaches) {
   EXPECT_GT(none_where_one_may_fail, 100);
 }
 
-CoverageCurve curve_of(std::vector<CurvePoint> points, std::vector<std::uint32_t> selected) {
+CoverageCurve curve_of(std::vector<CurvePoint> points, Selection selected) {
   return {std::move(points), std::move(selected)};
 }
 
@@ -224,7 +225,7 @@ TEST(PlacementCurve, AgreesWithItsPlacement) {
   Placement placement = stopped;
   CoverageCurve curve = curve_of({{1, 2, 2}, {2, 3, 3}, {3, 3, 3}}, {0, 1});
   reconcile_bounds(placement, curve, table);
-  EXPECT_EQ(placement.selected, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(placement.selected, (Selection{0, 1}));
   EXPECT_EQ(placement.objective_value, 2);
   EXPECT_EQ(placement.count_lower_bound, 2);
   EXPECT_EQ(placement.lower_bound, 2);

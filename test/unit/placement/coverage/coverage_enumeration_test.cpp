@@ -71,7 +71,7 @@ TEST(CoverageEnumeration, EqualsBruteForce) {
 double best_of_three(const SignalTable& table, const PlacementProblem& problem) {
   double best = 0;
   const auto n = static_cast<std::uint32_t>(table.columns());
-  const auto examine = [&](std::vector<std::uint32_t> selected) {
+  const auto examine = [&](Selection selected) {
     const Check check = check_selection(table, problem, selected);
     double weight = 0;
     for (const auto& label : table.labels) weight += label.weight;

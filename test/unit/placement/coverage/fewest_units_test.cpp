@@ -64,7 +64,7 @@ TEST(FewestUnits, ByHand) {
   const SignalTable table =
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
   FewestUnits found = fewest_units(table, {}, 4.0 / 6, {});
-  EXPECT_EQ(found.selected, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(found.selected, Selection{2});
   EXPECT_EQ(found.target, 4) << "a share of labels is rounded up, but not because of its own rounding";
   EXPECT_EQ(found.status, Status::optimal);
   found = fewest_units(table, {}, 0.67, {});

@@ -163,14 +163,14 @@ TEST(MaxCoverage, ByHand) {
       test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
   for (const auto model : {coop, alone}) {
     MaxCoverage reach = maximise_coverage(table, {model}, 1, {});
-    EXPECT_EQ(reach.selected, std::vector<std::uint32_t>{2});
+    EXPECT_EQ(reach.selected, Selection{2});
     EXPECT_EQ(reach.reached, 4U);
     EXPECT_EQ(reach.upper_bound, 4U);
     EXPECT_EQ(reach.missed, (std::vector<std::uint32_t>{2, 5}));
     for (const std::size_t units : {std::size_t{2}, std::size_t{3}, std::size_t{50}, std::size_t{1} << 32,
                                     std::numeric_limits<std::size_t>::max()}) {
       reach = maximise_coverage(table, {model}, units, {});
-      EXPECT_EQ(reach.selected, (std::vector<std::uint32_t>{0, 1})) << "fewest units that reach all";
+      EXPECT_EQ(reach.selected, (Selection{0, 1})) << "fewest units that reach all";
       EXPECT_EQ(reach.status, Status::optimal);
     }
     EXPECT_EQ(maximise_coverage(table, {.model = model, .redundant = true}, 1, {}).upper_bound, 0U);

@@ -35,7 +35,7 @@ inline bool are_equal(double a, double b) {
 }
 
 inline double weight_of(const SignalTable& table, const PlacementProblem& problem,
-                        const std::vector<std::uint32_t>& selected) {
+                        const Selection& selected) {
   const Check check = check_selection(table, problem, selected);
   EXPECT_TRUE(check.allowed());
   double weight = 0;

@@ -19,17 +19,16 @@ namespace {
 
 using test::covering;
 
-std::optional<std::vector<std::uint32_t>> search(const SignalTable& table, const PlacementProblem& problem,
-                                                 const std::vector<std::uint32_t>& start, std::uint64_t moves,
-                                                 std::uint32_t seed = 1) {
+std::optional<Selection> search(const SignalTable& table, const PlacementProblem& problem,
+                                const Selection& start, std::uint64_t moves, std::uint32_t seed = 1) {
   const std::vector<double> ones(table.columns(), 1.0);
   const detail::Reduction reduction = detail::reduce_cover({table, covering}, ones);
   const detail::Instance instance(table, problem);
   return detail::cover_search(instance, reduction, start, {moves}, seed, {});
 }
 
-std::vector<std::uint32_t> all_units(const SignalTable& table) {
-  std::vector<std::uint32_t> all(table.columns());
+Selection all_units(const SignalTable& table) {
+  Selection all(table.columns());
   std::iota(all.begin(), all.end(), 0U);
   return all;
 }
@@ -78,7 +77,7 @@ TEST(CoverSearch, FindsCheapSelectionsWithConflicts) {
     const auto start = greedy_selection({table, {.model = problem.model}});
     if (!truth.feasible || !check_selection(table, problem, start).met()) continue;
     const std::vector<double> cost = detail::Instance(table, problem).first_cost;
-    const auto value = [&](const std::vector<std::uint32_t>& selected) {
+    const auto value = [&](const Selection& selected) {
       double sum = 0;
       for (const std::uint32_t j : selected) sum += cost[j];
       return sum;

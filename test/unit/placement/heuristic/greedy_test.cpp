@@ -13,7 +13,7 @@
 namespace shelfbeam {
 namespace {
 
-using Columns = std::vector<std::uint32_t>;
+using Columns = Selection;
 using test::alone;
 using test::coop;
 

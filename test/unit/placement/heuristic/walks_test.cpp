@@ -18,7 +18,7 @@
 namespace shelfbeam::detail {
 namespace {
 
-using Columns = std::vector<std::uint32_t>;
+using Columns = Selection;
 using Search = decltype(&local_search);
 using test::alone;
 using test::coop;

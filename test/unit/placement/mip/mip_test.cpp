@@ -15,7 +15,7 @@
 namespace shelfbeam {
 namespace {
 
-using Columns = std::vector<std::uint32_t>;
+using Columns = Selection;
 using milp::Result;
 using milp::Termination;
 

@@ -12,7 +12,8 @@
 namespace shelfbeam {
 namespace {
 
-using Columns = std::vector<std::uint32_t>;
+using Columns = Selection;
+using Numbers = std::vector<std::uint32_t>;
 using test::alone;
 using test::coop;
 
@@ -29,14 +30,14 @@ TEST(PlacementChecker, AddsSignalsWhereUnitsCooperate) {
   const Check check = check_selection(example(), {coop, Objective::signal}, Columns{0, 1, 2});
   EXPECT_TRUE(check.met());
   EXPECT_EQ(check.signal, (std::vector<double>{1.0, 1.75, 1.75}));
-  EXPECT_EQ(check.serving, (Columns{0, 1, 1}));
+  EXPECT_EQ(check.serving, (Numbers{0, 1, 1}));
   EXPECT_EQ(check.transceiver_cost, 6);
   EXPECT_EQ(check.objective, 45);
 }
 
 TEST(PlacementChecker, UsesTheLargestSignalIfUnitsDoNotCooperate) {
   const Check check = check_selection(example(), {alone, Objective::links}, Columns{2, 1, 0});
-  EXPECT_EQ(check.unmet, Columns{0});
+  EXPECT_EQ(check.unmet, Numbers{0});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 1.0, 1.5}));
   EXPECT_EQ(check.objective, 101);
   EXPECT_TRUE(check_selection(example(), {alone}, Columns{1, 2, 3}).met());
@@ -57,7 +58,7 @@ TEST(PlacementChecker, ComputesEveryObjective) {
 TEST(PlacementChecker, RemovesTheStrongestUnitIfOneMayFail) {
   Check check = check_selection(example(), {.model = coop, .redundant = true}, Columns{0, 1, 2, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{1.0, 0.75, 0.25}));
-  EXPECT_EQ(check.unmet, (Columns{1, 2}));
+  EXPECT_EQ(check.unmet, (Numbers{1, 2}));
   check = check_selection(example(), {.model = alone, .redundant = true}, Columns{0, 1, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 0.0, 0.0}));
   // A failing signal of any size leaves the others unchanged to the last bit.
@@ -79,21 +80,21 @@ TEST(PlacementChecker, NamesViolatedPointsAndPairs) {
   EXPECT_TRUE(check_selection(table, {coop}, Columns{2, 3, 3}).crowded.empty());
   Check check = check_selection(table, {coop}, Columns{0, 1, 2});
   EXPECT_TRUE(check.unmet.empty());
-  EXPECT_EQ(check.crowded, Columns{0});
+  EXPECT_EQ(check.crowded, Numbers{0});
   EXPECT_FALSE(check.met());
   check = check_selection(table, {alone}, Columns{0, 1, 2, 3});
-  EXPECT_EQ(check.crowded, (Columns{0, 1}));
+  EXPECT_EQ(check.crowded, (Numbers{0, 1}));
   EXPECT_FALSE(check.met());
   table.mounts.clear();
   table.conflicts = {{0, 2}, {1, 3}};
   check = check_selection(table, {coop}, Columns{0, 1, 2});
   EXPECT_TRUE(check.unmet.empty());
-  EXPECT_EQ(check.too_close, Columns{0});
+  EXPECT_EQ(check.too_close, Numbers{0});
   EXPECT_FALSE(check.allowed() || check.met());
 }
 
 TEST(PlacementChecker, CountsARepeatedColumnOnce) {
-  EXPECT_EQ(check_selection(example(), {coop}, Columns{0, 0}).unmet, (Columns{0, 1, 2}));
+  EXPECT_EQ(check_selection(example(), {coop}, Columns{0, 0}).unmet, (Numbers{0, 1, 2}));
   EXPECT_THROW(check_selection(example(), {coop}, Columns{4}), std::out_of_range);
 }
 
@@ -116,7 +117,7 @@ TEST(PlacementChecker, RejectsBrokenSelections) {
     for (const std::uint32_t removed : whole) {
       Columns rest = whole;
       std::erase(rest, removed);
-      Columns expected;
+      Numbers expected;
       for (std::uint32_t i = 0; i < table.rows(); ++i) {
         double sum = 0, largest = 0;
         for (const SignalEntry& entry : table.row(i)) {

@@ -33,9 +33,9 @@ TEST(Mounts, KnowTheConflictsOfAPair) {
   table.transceivers[4].installed = true;
   const Mounts mounts(table);
   EXPECT_EQ(mounts.partners(0).size(), 2U);
-  std::vector<std::uint32_t> excluded;
+  Selection excluded;
   mounts.for_each_conflict(1, [&](std::uint32_t j) { excluded.push_back(j); });
-  EXPECT_EQ(excluded, (std::vector<std::uint32_t>{3, 2}));
+  EXPECT_EQ(excluded, (Selection{3, 2}));
   EXPECT_FALSE(mounts.available(0)) << "an installed unit is too near";
   EXPECT_TRUE(mounts.available(2));
   EXPECT_EQ(mounts.max_signal(table.row(0), {coop}), 0.25 + 1 + 2);

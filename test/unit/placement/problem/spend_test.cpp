@@ -119,7 +119,7 @@ TEST(Spend, ReportsThePriceOfTheAnswer) {
   for (auto& unit : table.transceivers) unit.cost = 45.5;
   table.transceivers[1].cost = 120;
   const Placement cheap = place(table, by_default, {});
-  EXPECT_EQ(cheap.selected, (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(cheap.selected, (Selection{0, 2}));
   EXPECT_EQ(cheap.objective_value, 91);
   EXPECT_EQ(cheap.lower_bound, 91);
   EXPECT_EQ(cheap.price->currency, "EUR");
@@ -127,7 +127,7 @@ TEST(Spend, ReportsThePriceOfTheAnswer) {
   EXPECT_EQ(cheap.price->to_spend, 91);
   table.transceivers[1].installed = true;
   const Placement kept = place(table, by_default, {});
-  EXPECT_EQ(kept.selected, (std::vector<std::uint32_t>{1}));
+  EXPECT_EQ(kept.selected, (Selection{1}));
   EXPECT_EQ(kept.price->total, 120);
   EXPECT_EQ(kept.price->to_spend, 0);
 }
@@ -137,7 +137,7 @@ TEST(Spend, OfTwoSelectionsOfOnePriceTheSmallerIsChosen) {
   for (auto& unit : table.transceivers) unit.cost = 0.1;
   table.transceivers[2].cost = 0.2;
   table.transceivers[1].cost = 0.3;  // less than 0.1 + 0.2 only as floating-point numbers
-  EXPECT_EQ(place(table, by_default, {}).selected, (std::vector<std::uint32_t>{1}));
+  EXPECT_EQ(place(table, by_default, {}).selected, (Selection{1}));
 }
 
 // With one odd price, the bound of the count is one of the spend.

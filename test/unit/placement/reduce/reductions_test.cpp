@@ -22,7 +22,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-bool holds_pair(const std::vector<std::uint32_t>& selected, const Pairs& forbidden) {
+bool holds_pair(const Selection& selected, const Pairs& forbidden) {
   const auto in = [&](std::uint32_t j) { return std::count(selected.begin(), selected.end(), j) > 0; };
   return std::any_of(forbidden.begin(), forbidden.end(),
                      [&](const auto& pair) { return in(pair.first) && in(pair.second); });
@@ -30,12 +30,11 @@ bool holds_pair(const std::vector<std::uint32_t>& selected, const Pairs& forbidd
 
 /// The minimum cost of `fixed` with any of `columns` that reach the labels, with at most one unit per
 /// mounting point and without conflicts.
-double min_cost(const SignalTable& table, const std::vector<double>& cost,
-                const std::vector<std::uint32_t>& fixed, const std::vector<std::uint32_t>& columns,
-                const std::vector<std::uint32_t>& labels, const Pairs& forbidden) {
+double min_cost(const SignalTable& table, const std::vector<double>& cost, const Selection& fixed,
+                const Selection& columns, const std::vector<std::uint32_t>& labels, const Pairs& forbidden) {
   double best = infinite;
   for (std::uint32_t set = 0; set < (std::uint32_t{1} << columns.size()); ++set) {
-    std::vector<std::uint32_t> selected = fixed;
+    Selection selected = fixed;
     for (std::size_t k = 0; k < columns.size(); ++k)
       if ((set >> k & 1U) != 0) selected.push_back(columns[k]);
     double sum = 0;
@@ -57,7 +56,7 @@ std::vector<std::uint32_t> all(std::size_t count) {
 }
 
 double min_cost(const SignalTable& table, const std::vector<double>& cost, const Pairs& forbidden) {
-  std::vector<std::uint32_t> installed, others;
+  Selection installed, others;
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     (table.transceivers[j].installed ? installed : others).push_back(j);
   return min_cost(table, cost, installed, others, all(table.rows()), forbidden);
@@ -167,7 +166,7 @@ TEST(Reductions, SolveEasyInstances) {
   // Only unit 1 reaches label 2, and it also reaches label 1. Unit 0 then replaces unit 2 at a lower cost.
   const SignalTable table = test::make_table({{1, 0, 1}, {1, 1, 1}, {0, 1, 0}}, 3);
   const Reduction reduction = reduce_cover({table, covering}, std::vector<double>{1, 5, 2});
-  EXPECT_EQ(reduction.forced, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(reduction.forced, (Selection{0, 1}));
   EXPECT_TRUE(reduction.parts.empty());
   EXPECT_FALSE(reduction.infeasible);
 }
@@ -184,7 +183,7 @@ TEST(Reductions, SplitIntoParts) {
   const Reduction reduction = reduce_cover({table, covering}, cost);
   ASSERT_EQ(reduction.parts.size(), 2U);
   EXPECT_EQ(reduction.parts[0].labels, (std::vector<std::uint32_t>{0, 2, 3}));
-  EXPECT_EQ(reduction.parts[0].columns, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(reduction.parts[0].columns, (Selection{0, 1, 2}));
   EXPECT_EQ(reduction.parts[1].labels, (std::vector<std::uint32_t>{1, 4, 5}));
   // Shared points, or unknown constraints, keep parts together.
   SignalTable shared = table;

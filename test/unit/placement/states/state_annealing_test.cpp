@@ -29,8 +29,7 @@ TEST_P(StateAnnealingOf, FindsTheFewestUnits) {
         .redundant = k % 5 == 0};
     const StateTable states = random.next(k % 2 == 1);
     const MissAllowance allowance = random.allowance(GetParam());
-    const std::vector<std::uint32_t> start = k % 2 == 1 ? std::vector<std::uint32_t>{0, 3, 4, 6, 7}
-                                                        : std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7};
+    const Selection start = k % 2 == 1 ? Selection{0, 3, 4, 6, 7} : Selection{0, 1, 2, 3, 4, 5, 6, 7};
     if (allowance.excess(misses_of(states, problem, start)) > 0) continue;
     const double best = test::best_by_enumeration(states, problem, allowance);
     StateAnnealing annealing(states, problem, allowance);
@@ -62,7 +61,7 @@ TEST(StateAnnealing, SpreadsAtNoHigherPrice) {
                                        k % 2 == 0 ? Combination::spend : Combination::lexicographic};
     const StateTable states = random.next(false);
     const MissAllowance allowance = random.allowance(Rule::label);
-    const std::vector<std::uint32_t> start{0, 1, 2, 3, 4, 5};
+    const Selection start{0, 1, 2, 3, 4, 5};
     const auto excess = [&](const auto& selected, double reserve) {
       return allowance.excess(misses_of(states, problem, selected, reserve));
     };

@@ -13,7 +13,7 @@ inline double min_cost(const SignalTable& table, const PlacementProblem& problem
                        const std::vector<double>& cost) {
   double best = std::numeric_limits<double>::infinity();
   for (std::uint32_t set = 0; set < (std::uint32_t{1} << table.columns()); ++set) {
-    std::vector<std::uint32_t> selected;
+    Selection selected;
     double sum = 0;
     for (std::uint32_t j = 0; j < table.columns(); ++j)
       if ((set >> j & 1U) != 0 || table.transceivers[j].installed) selected.push_back(j), sum += cost[j];

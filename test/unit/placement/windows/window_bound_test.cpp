@@ -72,7 +72,7 @@ TEST(WindowBound, ExceedsTheLpOnDiscs) {
   std::vector<double> bounds;
   for (const unsigned threads : {1U, 2U}) {
     double fewest = 1e6;
-    const auto heuristic = [&](const std::vector<std::uint32_t>& selected) {
+    const auto heuristic = [&](const Selection& selected) {
       EXPECT_TRUE(check_selection(table, covering, selected).met());
       fewest = std::min(fewest, static_cast<double>(selected.size()));
       return fewest;

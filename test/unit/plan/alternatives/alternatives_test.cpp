@@ -45,7 +45,7 @@ TEST(Alternatives, AgreeWithEnumeration) {
       ++more;
       double widest = 0;
       for (std::uint32_t j = 0; j < table.columns(); ++j) {
-        std::vector<std::uint32_t> with = placement.selected;
+        Selection with = placement.selected;
         if (std::binary_search(with.begin(), with.end(), j)) continue;
         with.insert(std::upper_bound(with.begin(), with.end(), j), j);
         if (check_selection(table, placement.problem, with).allowed())

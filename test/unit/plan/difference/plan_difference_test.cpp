@@ -22,7 +22,7 @@ struct Example {
   CertifiedPlan plan;
   std::string store = R"({"transceivers": {"list": []}})";
 
-  explicit Example(std::vector<std::uint32_t> selected = {0, 1, 2}) {
+  explicit Example(Selection selected = {0, 1, 2}) {
     for (int i = 0; i < 3; ++i) {
       matrix.labels.push_back({fmt::format("L{}", i), "standard", {1.0 * i, 0, 1}, {0, 1, 0}, 1});
       for (int j = 0; j < 4; ++j) matrix.mean.push_back(i == j ? 1.0F : 0.1F);
@@ -31,7 +31,7 @@ struct Example {
       matrix.transceivers.push_back({fmt::format("T{}", j), "ceiling", {1.0 * j, 0, 3}, {0, 0, -1}, 100});
     choose(std::move(selected));
   }
-  void choose(std::vector<std::uint32_t> selected) {
+  void choose(Selection selected) {
     plan.placement.selected = std::move(selected);
     plan.placement.objective_value = static_cast<double>(plan.placement.count());
   }

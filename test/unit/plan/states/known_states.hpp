@@ -64,13 +64,13 @@ class KnownStates {
   const Store& store() const { return store_; }
 
   /// The availability of the label in an aisle, from the columns that are chosen.
-  double availability(std::size_t aisle, const std::vector<std::uint32_t>& selected) const {
+  double availability(std::size_t aisle, const Selection& selected) const {
     double blocked = 1;
     for (const std::uint32_t j : selected)
       if (j / 2 == aisle) blocked *= pallets_[aisle][j % 2];
     return 1 - blocked;
   }
-  bool keeps_to(double required, const std::vector<std::uint32_t>& selected) const {
+  bool keeps_to(double required, const Selection& selected) const {
     for (std::size_t k = 0; k < pallets_.size(); ++k)
       if (availability(k, selected) < required) return false;
     return true;
@@ -79,7 +79,7 @@ class KnownStates {
   std::size_t fewest() const {
     std::size_t best = 6;
     for (std::uint32_t set = 0; set < 64; ++set) {
-      std::vector<std::uint32_t> selected;
+      Selection selected;
       for (std::uint32_t j = 0; j < 6; ++j)
         if ((set >> j & 1U) != 0) selected.push_back(j);
       if (keeps_to(0.95, selected)) best = std::min(best, selected.size());

@@ -175,7 +175,8 @@ TEST(RiskCauses, SharesAreThoseOfClosedForms) {
   const SimulationOptions options = KnownStates::simulation(3);
   const Scene scene = make_scene(shop.store());
   const StoreStates states(shop.store(), scene, 3);
-  const std::vector<std::uint32_t> every{0, 1, 2}, left{0}, first{0};
+  const std::vector<std::uint32_t> every{0, 1, 2}, first{0};
+  const Selection left{0};
   ResultLog log({}, {}, false, 0);
   const std::vector<LabelAtRisk> found =
       risk_causes(states, sub_scene(scene, every, left), first, {}, options, log, {});
@@ -236,7 +237,8 @@ TEST(ReflectanceEnds, NoBrdfFallsWithItsReflectance) {
 TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
   const KnownStates shop({{{0, 0}, {0.15, 0.15}, {0, 0.2}}});
   const Scene scene = make_scene(shop.store());
-  const std::vector<std::uint32_t> every{0, 1, 2}, left{0, 2, 4};
+  const std::vector<std::uint32_t> every{0, 1, 2};
+  const Selection left{0, 2, 4};
   VerifyStatesOptions options;
   options.states = 300;
   options.simulation = KnownStates::simulation(5);
@@ -264,7 +266,8 @@ std::vector<std::uint64_t> numbers_of(const Availability& found) {
 // Fresh states that may have suggested a change must not confirm it.
 TEST(VerifyStates, TakesOtherStatesForAnotherQuestion) {
   const KnownStates::Pallets pallets{{{0, 0}, {0.15, 0.15}, {0, 0.2}}};
-  const std::vector<std::uint32_t> every{0, 1, 2}, left{0, 2, 4};
+  const std::vector<std::uint32_t> every{0, 1, 2};
+  const Selection left{0, 2, 4};
   const auto numbers = [&](const VerifyStatesOptions& options, const KnownStates& shop) {
     const Scene scene = make_scene(shop.store());
     ResultLog log({}, {}, false, 0);

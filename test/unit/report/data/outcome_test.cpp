@@ -29,11 +29,11 @@ Placement some_units(std::uint32_t columns, std::uint32_t trial, CommunicationMo
 // exact.
 bool agrees(const Outcome& outcome, const SignalMatrix& matrix, const Placement& placement) {
   const SignalTable table = make_signal_table(matrix);
-  const auto check_of = [&](std::vector<std::uint32_t> selected) {
+  const auto check_of = [&](Selection selected) {
     return check_selection(table, placement.problem, selected);
   };
   const Check check = check_of(placement.selected);
-  std::vector<std::uint32_t> all(matrix.columns());
+  Selection all(matrix.columns());
   for (std::uint32_t j = 0; j < all.size(); ++j) all[j] = j;
   const Check everything = check_of(all);
   const auto unmet = [](const Check& c, std::uint32_t i) {
@@ -61,7 +61,7 @@ bool agrees(const Outcome& outcome, const SignalMatrix& matrix, const Placement&
   }
   for (std::size_t k = 0; k < placement.selected.size(); ++k) {
     const std::uint32_t column = placement.selected[k];
-    std::vector<std::uint32_t> without = placement.selected;
+    Selection without = placement.selected;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
     const Check rest = check_of(without);
     UnitOutcome expected{column, 0, 0, 0};

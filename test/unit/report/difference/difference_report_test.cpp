@@ -30,7 +30,7 @@ struct KioskPlan {
   CertifiedPlan plan{sample_store::cover(matrix)};
 
   ComparedPlan compared() const { return compared_plan(matrix, plan, resolved_store_json(store, scene)); }
-  void choose(std::vector<std::uint32_t> selected) {
+  void choose(Selection selected) {
     plan.placement.selected = std::move(selected);
     plan.placement.objective_value = static_cast<double>(plan.placement.count());
   }

@@ -57,7 +57,7 @@ struct Dense {
   }
 };
 
-Placement placement_of(std::vector<std::uint32_t> selected, CommunicationModel model, bool redundant) {
+Placement placement_of(Selection selected, CommunicationModel model, bool redundant) {
   Placement placement;
   placement.problem.model = model;
   placement.problem.redundant = redundant;
@@ -175,7 +175,7 @@ TEST(PageSignals, KeepDetailsOfStrongSignals) {
 
 TEST(PageSignals, SwitchErrorsStayWithinTheStatedBound) {
   const SignalMatrix matrix = random_matrix(60, 40, 5);
-  const std::vector<std::uint32_t> plan{0, 4, 9, 17, 25, 31, 38};
+  const Selection plan{0, 4, 9, 17, 25, 31, 38};
   for (const auto model : {CommunicationModel::cooperative, CommunicationModel::non_cooperative})
     for (const bool redundant : {false, true}) {
       const Placement placement = placement_of(plan, model, redundant);
@@ -302,7 +302,8 @@ TEST(PageStore, NamesTheContentsOfTheReport) {
   const auto& about = page.about;
   ASSERT_EQ(about["labels"]["ids"].size(), s.matrix.rows());
   ASSERT_EQ(about["units"]["ids"].size(), s.matrix.columns());
-  EXPECT_EQ(about["units"]["selected"], s.placement.selected);
+  EXPECT_EQ(about["units"]["selected"],
+            std::vector<std::uint32_t>(s.placement.selected.begin(), s.placement.selected.end()));
   EXPECT_EQ(about["levels"].size(), data.levels.size());
   EXPECT_EQ(about["unit"]["name"], data.unit.name);
   const auto kind = page.get<std::uint16_t>("label_kind"), level = page.get<std::uint16_t>("label_level");

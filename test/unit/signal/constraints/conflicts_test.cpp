@@ -11,7 +11,7 @@
 namespace shelfbeam {
 namespace {
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using Pairs = std::vector<std::pair<ColumnId, ColumnId>>;
 
 TEST(Conflicts, KeepsADistance) {
   // Units in a row, 1 m apart; unit 2 is installed.

@@ -66,7 +66,7 @@ TEST(StackTables, KeepsPositionsKnownToOneFile) {
   blind.table.mounts.clear();
   for (auto& unit : blind.table.transceivers) unit.position.reset();
   const SignalTable table = stack_tables({blind, scenario("open", reversed(matrix))});
-  EXPECT_EQ(table.mounts, (std::vector<std::vector<std::uint32_t>>{{0, 3}}));
+  EXPECT_EQ(table.mounts, (std::vector<std::vector<ColumnId>>{{0, 3}}));
   EXPECT_EQ(table.transceivers[1].position, matrix.transceivers[1].position);
 }
 

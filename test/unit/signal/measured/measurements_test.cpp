@@ -51,7 +51,7 @@ TEST(Measurements, OfSeveralUnits) {
   const Measurements read = read_measurements(folder.write("m.csv", "label,signal\nA1-front-2,7\n"), matrix);
   EXPECT_FALSE(read.of_pairs);
   EXPECT_FALSE(read.has_errors);
-  const std::vector<std::uint32_t> units{0, 2, 4};
+  const std::vector<ColumnId> units{0, 2, 4};
   const auto pairs = compared_pairs(matrix, read, units);
   double sum = 0, errors = 0;
   for (const std::uint32_t j : units) {

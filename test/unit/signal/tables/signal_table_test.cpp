@@ -22,7 +22,7 @@ using test::expect_input_error;
 using test::small_matrix;
 using test::TempFolder;
 using test::with_line_ends;
-using Mounts = std::vector<std::vector<std::uint32_t>>;
+using Mounts = std::vector<std::vector<ColumnId>>;
 
 // Columns 0, 3 and 4 are at one point within rounding.
 SignalMatrix with_options() {
