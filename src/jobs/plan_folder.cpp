@@ -10,6 +10,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/provenance.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 
 #include "jobs/run_file.hpp"
