@@ -16,15 +16,12 @@
 
 #include "support/processor_time.hpp"
 #include "unit/placement/brute_force.hpp"
-#include "unit/placement/random_table.hpp"
+#include "unit/placement/coverage/weighed_tables.hpp"
 
 namespace shelfbeam {
 namespace {
 
 using test::BruteForce;
-
-constexpr test::RandomTableLimits everything{
-    .labels = 8, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true};
 
 // The labels that single units reach bound those of two: 4 and 3 of 6 labels, although 7 together.
 TEST(CoverageBound, ByHand) {
@@ -43,7 +40,7 @@ TEST(CoverageBound, ByHand) {
 // The bound is valid for every number of units after any number of steps towards any of them, and often but
 // not always tight.
 TEST(CoverageBound, HoldsForAnySteps) {
-  test::RandomTableLimits limits = everything;
+  test::RandomTableLimits limits = test::unweighed_tables;
   limits.weights = true;
   test::RandomTables tables(81, limits);
   int tight = 0, loose = 0, all = 0;
@@ -109,7 +106,7 @@ TEST(CoverageBound, DependsNeitherOnThreadsNorOnEarlierCounts) {
 }
 
 TEST(PlacementCurve, EnclosesTheOptimumForEveryCount) {
-  test::RandomTables tables(82, everything);
+  test::RandomTables tables(82, test::unweighed_tables);
   int points = 0, by_enumeration = 0;
   for (int k = 0; k < 6000; ++k) {
     const SignalTable table = tables.next();
@@ -147,7 +144,7 @@ TEST(PlacementCurve, EnclosesTheOptimumForEveryCount) {
 }
 
 TEST(PlacementCurve, WeighsLabels) {
-  test::RandomTableLimits limits = everything;
+  test::RandomTableLimits limits = test::unweighed_tables;
   limits.weights = true;
   test::RandomTables tables(85, limits);
   int points = 0;
@@ -267,7 +264,7 @@ TEST(PlacementCurve, AgreesWithItsPlacement) {
 
 // The greedy method's placement and bound are often not optimal, and the curve is often better.
 TEST(PlacementCurve, ContradictsNoPlacement) {
-  test::RandomTables tables(84, everything);
+  test::RandomTables tables(84, test::unweighed_tables);
   int fewer = 0, raised = 0;
   for (int k = 0; k < 9000; ++k) {
     const SignalTable table = tables.next();

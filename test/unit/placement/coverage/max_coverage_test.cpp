@@ -25,8 +25,6 @@ using test::BruteForce;
 using test::coop;
 using test::dense_table;
 
-constexpr test::RandomTableLimits everything{
-    .labels = 8, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true};
 constexpr test::RandomTableLimits pairs_only{
     .labels = 8, .transceivers = 10, .conflicts = true, .redundant = true};
 
@@ -51,7 +49,7 @@ void expect_consistent(const SignalTable& table, const PlacementProblem& problem
 }
 
 void run(const milp::Backend& backend, std::uint64_t seed, int cases) {
-  test::RandomTables with_all(seed, everything), with_pairs(seed + 1000, pairs_only);
+  test::RandomTables with_all(seed, test::unweighed_tables), with_pairs(seed + 1000, pairs_only);
   int stopped = 0, one_more_reaches_more = 0;
   for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
     SCOPED_TRACE(testing::Message() << "case " << k);
@@ -91,7 +89,7 @@ TEST_P(PlacementBudget, EqualsEnumeration) {
 
 // Without an exact solver: never more than possible, never a smaller bound, and both are often tight.
 TEST(MaxCoverage, GreedyAndItsBoundEncloseTheOptimum) {
-  test::RandomTables tables(73, everything);
+  test::RandomTables tables(73, test::unweighed_tables);
   int met = 0, tight = 0, below = 0, loose = 0, cases = 1500;
   for (int k = 0; k < cases; ++k) {
     const SignalTable table = tables.next();

@@ -15,6 +15,8 @@
 // Random questions about weights of labels, and comparisons of their results.
 namespace shelfbeam::test {
 
+inline constexpr RandomTableLimits unweighed_tables{
+    .labels = 8, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true};
 inline constexpr RandomTableLimits weighed_tables{
     .labels = 8, .transceivers = 10, .mounts = true, .conflicts = true, .redundant = true, .weights = true};
 

@@ -61,10 +61,10 @@ TEST(PlacementExport, HasRowsForMountingPointsAndConflicts) {
 
 TEST(PlacementExport, LetsEveryUnitFail) {
   const SignalTable table = test::make_table({{4.0, 0.5, 0.0, 1.0}}, 4);
-  const milp::Model alone =
+  const milp::Model of_single =
       placement_model(table, {.model = CommunicationModel::non_cooperative, .redundant = true});
-  ASSERT_EQ(alone.rows.size(), 1U);
-  EXPECT_EQ(alone.rows[0].lower, 2);
+  ASSERT_EQ(of_single.rows.size(), 1U);
+  EXPECT_EQ(of_single.rows[0].lower, 2);
   const milp::Model model = placement_model(table, {.redundant = true});
   ASSERT_EQ(model.rows.size(), 4U);
   EXPECT_EQ(model.rows[1].name, "L0_without_T0");

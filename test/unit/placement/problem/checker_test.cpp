@@ -17,7 +17,7 @@ using Numbers = std::vector<std::uint32_t>;
 using test::alone;
 using test::coop;
 
-SignalTable example() {
+SignalTable four_units() {
   SignalTable table =
       test::make_table({{0.5, 0.5, 0.0, 2.0}, {0.0, 1.0, 0.75, 0.0}, {0.25, 0.0, 1.5, 0.0}}, 4);
   for (std::size_t j = 0; j < 4; ++j) table.transceivers[j].cost = static_cast<double>(j + 1);
@@ -27,7 +27,7 @@ SignalTable example() {
 }
 
 TEST(PlacementChecker, AddsSignalsWhereUnitsCooperate) {
-  const Check check = check_selection(example(), {coop, Objective::signal}, Columns{0, 1, 2});
+  const Check check = check_selection(four_units(), {coop, Objective::signal}, Columns{0, 1, 2});
   EXPECT_TRUE(check.met());
   EXPECT_EQ(check.signal, (std::vector<double>{1.0, 1.75, 1.75}));
   EXPECT_EQ(check.serving, (Numbers{0, 1, 1}));
@@ -36,16 +36,16 @@ TEST(PlacementChecker, AddsSignalsWhereUnitsCooperate) {
 }
 
 TEST(PlacementChecker, UsesTheLargestSignalIfUnitsDoNotCooperate) {
-  const Check check = check_selection(example(), {alone, Objective::links}, Columns{2, 1, 0});
+  const Check check = check_selection(four_units(), {alone, Objective::links}, Columns{2, 1, 0});
   EXPECT_EQ(check.unmet, Numbers{0});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 1.0, 1.5}));
   EXPECT_EQ(check.objective, 101);
-  EXPECT_TRUE(check_selection(example(), {alone}, Columns{1, 2, 3}).met());
+  EXPECT_TRUE(check_selection(four_units(), {alone}, Columns{1, 2, 3}).met());
 }
 
 TEST(PlacementChecker, ComputesEveryObjective) {
   const auto value = [](CommunicationModel model, Objective objective, double share) {
-    return check_selection(example(), {model, objective, Combination::weighted, share}, Columns{1, 2})
+    return check_selection(four_units(), {model, objective, Combination::weighted, share}, Columns{1, 2})
         .objective;
   };
   EXPECT_EQ(value(coop, Objective::count, 1), 0);
@@ -56,10 +56,10 @@ TEST(PlacementChecker, ComputesEveryObjective) {
 }
 
 TEST(PlacementChecker, RemovesTheStrongestUnitIfOneMayFail) {
-  Check check = check_selection(example(), {.model = coop, .redundant = true}, Columns{0, 1, 2, 3});
+  Check check = check_selection(four_units(), {.model = coop, .redundant = true}, Columns{0, 1, 2, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{1.0, 0.75, 0.25}));
   EXPECT_EQ(check.unmet, (Numbers{1, 2}));
-  check = check_selection(example(), {.model = alone, .redundant = true}, Columns{0, 1, 3});
+  check = check_selection(four_units(), {.model = alone, .redundant = true}, Columns{0, 1, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 0.0, 0.0}));
   // A failing signal of any size leaves the others unchanged to the last bit.
   const SignalTable table = test::make_table({{0.5, 1e30, 0.5}}, 3);
@@ -75,7 +75,7 @@ TEST(PlacementChecker, AppliesTheToleranceOfTheContract) {
 }
 
 TEST(PlacementChecker, NamesViolatedPointsAndPairs) {
-  SignalTable table = example();
+  SignalTable table = four_units();
   table.mounts = {{0, 2}, {1, 3}};
   EXPECT_TRUE(check_selection(table, {coop}, Columns{2, 3, 3}).crowded.empty());
   Check check = check_selection(table, {coop}, Columns{0, 1, 2});
@@ -94,8 +94,8 @@ TEST(PlacementChecker, NamesViolatedPointsAndPairs) {
 }
 
 TEST(PlacementChecker, CountsARepeatedColumnOnce) {
-  EXPECT_EQ(check_selection(example(), {coop}, Columns{0, 0}).unmet, (Numbers{0, 1, 2}));
-  EXPECT_THROW(check_selection(example(), {coop}, Columns{4}), std::out_of_range);
+  EXPECT_EQ(check_selection(four_units(), {coop}, Columns{0, 0}).unmet, (Numbers{0, 1, 2}));
+  EXPECT_THROW(check_selection(four_units(), {coop}, Columns{4}), std::out_of_range);
 }
 
 TEST(PlacementChecker, HandlesTablesWithoutLabelsOrUnits) {
