@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "shelfbeam/placement/problem/incumbent_report.hpp"
+#include "shelfbeam/placement/answer/incumbent.hpp"
 #include "shelfbeam/plan/answer/value_bounds.hpp"
 #include "shelfbeam/report/terminal/plan_text.hpp"
 

@@ -59,8 +59,8 @@ void raise_bound_by_multipliers(SearchState& state, const Effort& effort) {
 void bound_second_by_multipliers(SearchState& state, const Effort& effort) {
   MultiplierBoundOptions options;
   options.selections.min_count = options.selections.max_count = state.incumbent.selected().size();
-  options.known = state.second->value;
-  options.step = state.second->bounds.step();
+  options.known = state.second->value();
+  options.step = state.second->steps().step();
   options.effort = effort;
   state.raise_second(
       multiplier_bound(state.instance, state.instance.second_cost, options, {}, state.control).dual.bound,

@@ -52,18 +52,10 @@ Placement infeasible(const Instance& instance, std::vector<Unreachable> unreacha
   return placement;
 }
 
-/// Count or whole sum; infinite if the selection is not feasible.
-double value_of(const Instance& instance, const Selection& selected) {
-  const Check check = instance.check(selected);
-  if (!check.met()) return infinite;
-  return instance.is_weighted() ? check.transceiver_cost + check.objective
-                                : static_cast<double>(selected.size());
-}
-
 /// The cheaper feasible one of two selections, the first if both cost the same.
 MaybeSelection better_of(const Instance& instance, const Selection& first, const Selection& second) {
-  const double of_first = value_of(instance, first);
-  if (!second.empty() && value_of(instance, second) < of_first) return second;
+  const double of_first = instance.value_of(first);
+  if (!second.empty() && instance.value_of(second) < of_first) return second;
   return of_first < infinite ? MaybeSelection(first) : std::nullopt;
 }
 
@@ -153,7 +145,7 @@ Placement placed(const Instance& instance, const PlaceOptions& options, const De
   Selection greedy;
   MaybeSelection known;
   detail::record_step(
-      steps, "greedy", [&] { return known ? value_of(instance, *known) : infinite; }, [] { return 0.0; },
+      steps, "greedy", [&] { return known ? instance.value_of(*known) : infinite; }, [] { return 0.0; },
       [&] {
         greedy = greedy_selection(
             instance, detail::greedy_effort(options, deadline.seconds_left() - after_greedy), control);

@@ -139,10 +139,9 @@ constexpr Step second_schedule[] = {
 
 template <class Run>
 void record(std::string_view name, SearchState& state, const Run& run) {
-  const auto value = [&] { return state.second ? state.second->value : state.incumbent.value(); };
-  const auto bound = [&] { return state.second ? state.second->lower_bound : state.incumbent.bound(); };
+  const auto of = [&]() -> const Incumbent& { return state.second ? *state.second : state.incumbent; };
   state.step = name;
-  record_step(state.steps, name, value, bound, run);
+  record_step(state.steps, name, [&] { return of().value(); }, [&] { return of().bound(); }, run);
 }
 
 /// Runs the steps that apply in order, until the gap is closed or the time limit is reached.
@@ -168,10 +167,10 @@ Placement answer_of(State state, const PlacementProblem& problem) {
   placement.unit_costs = label_costs(instance.table, problem.objective).unit;
   placement.selected = state.incumbent.selected();
   placement.objective_value = instance.is_weighted() || problem.objective != Objective::count
-                                  ? state.incumbent.value_of(placement.selected)
+                                  ? instance.second_value_of(placement.selected)
                                   : static_cast<double>(placement.selected.size());
   placement.lower_bound =
-      std::min(state.second ? state.second->lower_bound : state.incumbent.bound(), placement.objective_value);
+      std::min(state.second ? state.second->bound() : state.incumbent.bound(), placement.objective_value);
   placement.count_lower_bound =
       instance.is_weighted() ? static_cast<double>(std::max(instance.trivial_count_bound(),
                                                             instance.bounds.fewest(placement.lower_bound)))
@@ -189,8 +188,9 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
   if (state.limits.proves && !state.instance.is_weighted() &&
       state.instance.problem.objective != Objective::count) {
     const CostBounds& bounds = state.instance.second_bounds;
-    state.second.emplace(SecondObjective{bounds, state.incumbent.value_of(state.incumbent.selected()),
-                                         bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound()))});
+    const Selection& best = state.incumbent.selected();
+    state.second.emplace(bounds, bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound())));
+    state.second->replace(best, state.instance.second_value_of(best));
     if (state.incumbent.is_closed()) run(second_schedule, state);
   }
   const bool is_optimal = state.is_closed();

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/math/random.hpp"
-#include "shelfbeam/placement/problem/incumbent_report.hpp"
 
 namespace shelfbeam::detail {
 
@@ -23,63 +21,6 @@ std::vector<ColumnId> united(std::span<const ColumnId> a, std::span<const Column
 
 }  // namespace
 
-Incumbent::Incumbent(const Instance& instance, const Selection& start) : instance_(instance) {
-  accept(start);
-  const std::size_t count = instance.trivial_count_bound();
-  bound_ = instance.is_weighted() ? instance.bounds.cheapest(count) : static_cast<double>(count);
-}
-
-double Incumbent::value_of(const Selection& selected) const {
-  const Check check = instance_.check(selected);
-  return check.objective + (instance_.is_weighted() ? check.transceiver_cost : 0);
-}
-
-// nullopt if the checker rejects the selection.
-std::optional<double> Incumbent::first_value(const Selection& selected) const {
-  const Check check = instance_.check(selected);
-  if (!check.met()) return std::nullopt;
-  return instance_.is_weighted() ? check.objective + check.transceiver_cost
-                                 : static_cast<double>(selected.size());
-}
-
-bool Incumbent::accept(const Selection& selected) {
-  const std::optional<double> value = first_value(selected);
-  if (!value) return false;
-  selected_ = selected;
-  value_ = *value;
-  return true;
-}
-
-bool Incumbent::offer(const std::optional<Selection>& found) {
-  if (!found) return false;
-  const std::optional<double> value = first_value(*found);
-  return value && *value < value_ && accept(*found);
-}
-
-bool Incumbent::raise(double bound, BoundProof proof, std::string_view step) {
-  bound = instance_.bounds.rounded(bound);
-  constexpr double gap = 1e-6;
-  if (proof == BoundProof::solver && instance_.bounds.step() == 0 && !is_closed() &&
-      value_ - bound <= gap * value_) {
-    solver_closed_ = true;
-    proof_ = proof;
-  }
-  if (!(bound > bound_)) return false;
-  if (bound > value_ * (1 + 1e-6)) {
-    if (proof == BoundProof::solver) return false;
-    throw std::logic_error(
-        fmt::format("{}: a lower bound of {} contradicts a selection of {}", step, bound, value_));
-  }
-  bound_ = std::min(bound, value_);
-  proof_ = proof;
-  return true;
-}
-
-std::string Incumbent::text() const {
-  const double gap = value_ > bound_ ? 100 * (value_ - bound_) / value_ : 0;
-  return fmt::format("best {:.6g}, bound {:.6g}, gap {:.1f} %", value_, bound_, gap);
-}
-
 SearchState::SearchState(const Instance& of, const Selection& start, const Solvers& s, double time_limit_s,
                          std::uint64_t own_seed, const RunControl& c, const SearchLimits& l)
     : instance(of),
@@ -87,24 +28,24 @@ SearchState::SearchState(const Instance& of, const Selection& start, const Solve
       limits(l),
       deadline(l.step_limit ? no_limit_s : time_limit_s),
       seed(static_cast<std::uint32_t>(mix_key(own_seed, 0))),
-      incumbent(of, start),
+      incumbent(of.bounds, of.is_weighted() ? of.bounds.cheapest(of.trivial_count_bound())
+                                            : static_cast<double>(of.trivial_count_bound())),
       watcher(c.progress),
       control{c.threads, c.cancel, c.progress == nullptr ? nullptr : this} {
+  incumbent.replace(start, of.value_of(start));
   if (of.rows() * of.columns() <= l.max_cells_of_local_search) matrix.emplace(of);
   if (has_tree(0)) tree.emplace(instance, *matrix);
 }
 
 void SearchState::offer_second(const std::optional<Selection>& found) {
   if (!found || found->size() != incumbent.selected().size()) return;
-  const double other = incumbent.value_of(*found);
-  if (other < second->value && incumbent.accept(*found)) second->value = other;
+  const double first = instance.value_of(*found);
+  if (first <= incumbent.value() && second->offer(*found, instance.second_value_of(*found)))
+    incumbent.replace(*found, first);
 }
 
 void SearchState::raise_second(double bound, BoundProof proof) {
-  bound = second->bounds.rounded(bound);
-  if (!(bound > second->lower_bound)) return;
-  second->lower_bound = bound;
-  incumbent.rest_on(proof);
+  if (second->raise(bound, proof, step)) incumbent.rest_on(proof);
 }
 
 const Reduction& SearchState::reduction() {

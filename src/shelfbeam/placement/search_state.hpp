@@ -11,6 +11,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/deadline.hpp"
+#include "shelfbeam/placement/answer/incumbent.hpp"
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
@@ -23,58 +24,6 @@
 namespace shelfbeam::detail {
 
 inline constexpr double no_limit_s = 1e8;
-
-/// The incumbent of a search and the best bound on its first objective: the count (lexicographic) or the
-/// whole sum (weighted). Every selection has passed the checker, and no bound exceeds the value.
-class Incumbent {
- public:
-  /// `start` is a selection that the checker accepts.
-  Incumbent(const Instance& instance, const Selection& start);
-
-  const Selection& selected() const { return selected_; }
-  double value() const { return value_; }
-  double bound() const { return bound_; }
-  BoundProof proof() const { return proof_; }
-  bool is_closed() const { return solver_closed_ || value_ - bound_ <= instance_.bounds.tolerance(value_); }
-
-  /// The second objective (lexicographic), or the whole sum (weighted).
-  double value_of(const Selection& selected) const;
-
-  /// Replaces the incumbent, better or not; false if the checker rejects the selection.
-  bool accept(const Selection& selected);
-  /// Replaces the incumbent if the selection is better; true then.
-  bool offer(const std::optional<Selection>& found);
-  /// Raises the bound; true if it rises. A bound above the value of an accepted selection is wrong: from a
-  /// solver it is ignored, from our own methods it throws std::logic_error with the name of the step. A
-  /// solver's bound within 1e-6 of the value closes the gap if costs have no step.
-  bool raise(double bound, BoundProof proof, std::string_view step);
-  /// Sets the proof to the weaker of this one and `proof`, since the result reports one proof for both
-  /// bounds.
-  void rest_on(BoundProof proof) { proof_ = std::max(proof_, proof); }
-
-  std::string text() const;
-
- private:
-  std::optional<double> first_value(const Selection& selected) const;
-
-  const Instance& instance_;
-  Selection selected_;
-  double value_ = std::numeric_limits<double>::infinity();
-  double bound_ = 0;
-  BoundProof proof_ = BoundProof::trivial;
-  bool solver_closed_ = false;
-};
-
-/// The second objective of a lexicographic problem, at the minimum count.
-struct SecondObjective {
-  const CostBounds& bounds;
-  double value;
-  /// Lower bound at the minimum count; if that count is not proven, over all counts from its lower bound on.
-  double lower_bound;
-  bool solver_closed = false;
-
-  bool is_closed() const { return solver_closed || value - lower_bound <= bounds.tolerance(value); }
-};
 
 /// State shared by the steps of one search: problem, incumbent, bounds and remaining time. Reports incumbent
 /// and bound as progress, whichever method runs.
@@ -90,8 +39,10 @@ struct SearchState final : ProgressSink {
   std::uint32_t seed;
   std::optional<SearchMatrix> matrix;  ///< all rows, if the memory limit allows
   std::optional<TreeSearch> tree;      ///< starts with the rows and weights of the last LP
-  Incumbent incumbent;
-  std::optional<SecondObjective> second;  ///< once the first objective is done
+  Incumbent incumbent;                 ///< by the first objective
+  /// The incumbent by the second objective, once the first is done. Its bound holds at the minimum count; if
+  /// that is not proven, over all counts from its lower bound on.
+  std::optional<Incumbent> second;
   /// Reduced-cost fixing, ascending: if a selection of cost CostBounds::below(value) exists, an optimal one
   /// contains none of these columns and is among those of `open_selections`.
   std::vector<ColumnId> useless;
@@ -128,7 +79,7 @@ struct SearchState final : ProgressSink {
   }
 
   void offer(const std::optional<Selection>& found) {
-    if (incumbent.offer(found)) report_state();
+    if (found && incumbent.offer(*found, instance.value_of(*found))) report_state();
   }
   void raise(double bound, BoundProof proof) {
     if (incumbent.raise(bound, proof, step)) report_state();

@@ -117,7 +117,7 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
 }
 
 // Between the values of the incumbent and of any better selection.
-double cutoff_of(const CostBounds& bounds, double value) {
+double cutoff_of(const ValueSteps& bounds, double value) {
   return bounds.below(value) + (bounds.sees_steps(value) ? 0.5 * bounds.step() : 0);
 }
 
@@ -262,16 +262,16 @@ void bound_second_by_lp(SearchState& state, const Effort& effort) {
 void solve_mip_for_second(SearchState& state, const Effort& effort) {
   const Selection& best = state.incumbent.selected();
   const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    const SecondObjective& second = *state.second;
+    const Incumbent& second = *state.second;
     CoverModel model(state.instance, solve, effort, state.control,
-                     {.cutoff = cutoff_of(second.bounds, second.value)});
+                     {.cutoff = cutoff_of(second.steps(), second.value())});
     const double known = state.instance.check(best).objective;
     return model.minimise({state.instance.second_cost, known, best.size(), best.size()});
   });
   state.offer_second(answer.selected);
   state.raise_second(answer.bound, BoundProof::solver);
   if (!answer.proven) return;
-  state.second->solver_closed = true;
+  state.second->close(BoundProof::solver);
   state.incumbent.rest_on(BoundProof::solver);
 }
 

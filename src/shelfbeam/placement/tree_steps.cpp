@@ -74,7 +74,7 @@ void raise_bound_by_tree(SearchState& state, const Effort& effort) {
 }
 
 void search_second_by_tree(SearchState& state, const Effort& effort) {
-  const double value = state.second->value, between = 0.5 * (value + state.second->bounds.below(value));
+  const double value = state.second->value(), between = 0.5 * (value + state.second->steps().below(value));
   const Cheapest found = cheapest(state, state.incumbent.selected().size(), between, effort, *state.tree);
   state.offer_second(found.selected);
   if (found.proof) state.raise_second(found.lower_bound, *found.proof);
@@ -108,7 +108,9 @@ bool settle_ties(SearchState& state, const PlacementProblem& problem, const Sele
   limits.effort.until = Deadline(0.5 * state.deadline.seconds_left()).end();
   TreeSearch tree(instance, own_matrix ? *own_matrix : *state.matrix);
   const TreeResult answer = tree.run(goal, limits, state.control);
-  if (answer.selected) state.incumbent.accept(*answer.selected);
+  if (answer.selected)
+    if (const double value = state.instance.value_of(*answer.selected); std::isfinite(value))
+      state.incumbent.replace(*answer.selected, value);
   return answer.is_complete;
 }
 

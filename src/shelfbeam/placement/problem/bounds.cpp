@@ -12,15 +12,19 @@ namespace shelfbeam {
 
 namespace {
 
-constexpr double solver_tolerance = 1e-6;
+constexpr double solver_gap = 1e-6;
 constexpr double rounding = 1e-7;  // of a bound, before it is rounded up to a step
+
+double step_of(std::span<const double> cost) {
+  const bool are_whole =
+      std::all_of(cost.begin(), cost.end(), [](double one) { return one == std::round(one); });
+  return std::max(price_step(cost), are_whole ? 1.0 : 0.0);
+}
 
 }  // namespace
 
-CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {
-  bool is_whole = true;
+CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) : ValueSteps(step_of(cost)) {
   for (std::size_t j = 0; j < cost.size(); ++j) {
-    is_whole = is_whole && cost[j] == std::round(cost[j]);
     if (table.transceivers[j].installed) {
       installed_cost_ += cost[j];
       ++installed_;
@@ -29,7 +33,6 @@ CostBounds::CostBounds(const SignalTable& table, std::span<const double> cost) {
     }
   }
   std::sort(ascending_.begin(), ascending_.end());
-  step_ = std::max(price_step(cost), is_whole ? 1.0 : 0.0);
 }
 
 double CostBounds::cheapest(std::size_t count) const {
@@ -39,7 +42,7 @@ double CostBounds::cheapest(std::size_t count) const {
 }
 
 std::size_t CostBounds::fewest(double cost) const {
-  const double enough = cost * (1 - solver_tolerance);
+  const double enough = cost * (1 - solver_gap);
   double spent = installed_cost_;
   std::size_t count = installed_;
   for (auto dearest = ascending_.rbegin(); dearest != ascending_.rend() && spent < enough; ++dearest) {
@@ -61,23 +64,29 @@ std::size_t CostBounds::affordable(double cost) const {
   return count;
 }
 
-double CostBounds::rounded(double bound) const {
+double ValueSteps::rounded(double bound) const {
   const double slack = rounding * std::max(step_, std::abs(bound));
   if (!std::isfinite(bound) || !(slack < 0.5 * step_)) return bound;
   return std::ceil((bound - slack) / step_) * step_;
 }
 
-bool CostBounds::sees_steps(double value) const {
+bool ValueSteps::sees_steps(double value) const {
   constexpr double exact = 1e13;  // sums of so many steps still differ by more than their rounding errors
   return step_ > 0 && value < exact * step_;
 }
 
-double CostBounds::tolerance(double value) const {
+double ValueSteps::tolerance(double value) const {
   constexpr double equal_values = 1e-9;
-  return sees_steps(value) ? std::min(equal_values * value, 0.5 * step_) : equal_values * value;
+  return std::max(error_,
+                  sees_steps(value) ? std::min(equal_values * value, 0.5 * step_) : equal_values * value);
 }
 
-double CostBounds::below(double known) const {
+double ValueSteps::solver_tolerance(double value) const {
+  constexpr double errors = 2000;  // of sums, because the value is a small part of them
+  return step_ > 0 ? 0 : std::max(solver_gap * value, errors * error_);
+}
+
+double ValueSteps::below(double known) const {
   constexpr double within = 0.99;  // the difference is rounded
   return sees_steps(known) ? next_better(known, step_) : known - within * tolerance(known);
 }

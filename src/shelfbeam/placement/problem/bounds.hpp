@@ -8,8 +8,39 @@
 
 namespace shelfbeam {
 
+/// How the values of a goal differ. Lower ones are better.
+class ValueSteps {
+ public:
+  /// Values are multiples of `step`; 0: of no number. If values are sums of many terms, those that differ by
+  /// `error` are equal, too.
+  explicit ValueSteps(double step, double error = 0) : step_(step), error_(error) {}
+
+  double step() const { return step_; }
+
+  /// A dual bound, rounded up to a multiple of the step (less 1e-7, for rounding) if there is one.
+  double rounded(double bound) const;
+
+  /// Values that differ by no more than this are equal: 1e-9 of the value, because sums in another order
+  /// round differently, and less than a step.
+  double tolerance(double value) const;
+
+  /// MIP solvers prove optima within this: 1e-6 of the value, or nothing if there is a step.
+  double solver_tolerance(double value) const;
+
+  /// Whether `below` is a step, and not a rounding error, below a value.
+  bool sees_steps(double value) const;
+
+  /// The max value that is better than a known one: a step less, or more than rounding errors less, with a
+  /// margin for rounding.
+  double below(double known) const;
+
+ private:
+  double step_, error_;
+};
+
 /// Bounds that follow from the costs of single units (not negative). Installed units are always paid for.
-class CostBounds {
+/// The step is the largest number of which all costs are multiples (price_step).
+class CostBounds : public ValueSteps {
  public:
   CostBounds(const SignalTable& table, std::span<const double> cost);
 
@@ -24,29 +55,10 @@ class CostBounds {
   /// others.
   std::size_t affordable(double cost) const;
 
-  /// A dual bound, rounded up to a multiple of `step` (less 1e-7, for rounding) if there is one.
-  double rounded(double bound) const;
-
-  /// The largest number of which all costs are multiples, so that different values differ by at least this;
-  /// 0 if there is none (price_step).
-  double step() const { return step_; }
-
-  /// Values that differ by no more than this are equal: 1e-9 of the value, because sums in another order
-  /// round differently, and less than a step.
-  double tolerance(double value) const;
-
-  /// Whether `below` is a step, and not a rounding error, below a value.
-  bool sees_steps(double value) const;
-
-  /// Max cost of selections that are better than one of cost `known`: a step less, or more than rounding
-  /// errors less, with a margin for rounding.
-  double below(double known) const;
-
  private:
   double installed_cost_ = 0;
   std::size_t installed_ = 0;
   std::vector<double> ascending_;  ///< costs of the units that are not installed
-  double step_ = 0;
 };
 
 }  // namespace shelfbeam

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string_view>
 
@@ -48,6 +49,17 @@ Instance::Instance(const SignalTable& t, const PlacementProblem& q)
   }
   has_covers_of_sums = is_cover_of_sums(t, q);
   has_one_price = have_one_price(t);
+}
+
+double Instance::value_of(std::span<const ColumnId> selected) const {
+  const Check checked = check(selected);
+  if (!checked.met()) return std::numeric_limits<double>::infinity();
+  return is_weighted() ? checked.objective + checked.transceiver_cost : static_cast<double>(selected.size());
+}
+
+double Instance::second_value_of(std::span<const ColumnId> selected) const {
+  const Check checked = check(selected);
+  return checked.objective + (is_weighted() ? checked.transceiver_cost : 0);
 }
 
 std::size_t Instance::trivial_count_bound() const {

@@ -52,6 +52,11 @@ struct Instance {
   }
   Check check(std::span<const ColumnId> selected) const { return check_selection(table, problem, selected); }
 
+  /// The first objective, the count (lexicographic) or the whole sum (weighted); infinite if the selection is
+  /// not feasible.
+  double value_of(std::span<const ColumnId> selected) const;
+  /// The second objective (lexicographic), or the whole sum (weighted).
+  double second_value_of(std::span<const ColumnId> selected) const;
   /// Lower bound on the count without a search: the installed units, one more if they miss a label, and at
   /// least two if a unit may fail.
   std::size_t trivial_count_bound() const;

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -14,10 +14,10 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/milp/solver.hpp"
+#include "shelfbeam/placement/answer/incumbent.hpp"
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
-#include "shelfbeam/placement/problem/incumbent_report.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/states/state_annealing.hpp"
 #include "shelfbeam/placement/states/state_cuts.hpp"
@@ -41,6 +41,14 @@ constexpr double share_of_spread = 0.2;  ///< of the whole time limit
 constexpr double max_rounds = 10, max_rounds_limited = 40;
 constexpr std::uint64_t first_moves = 50'000, max_moves = 20'000'000;  ///< of one annealing
 
+/// Counts units, or the new spend.
+std::vector<double> unit_costs(const SignalTable& table, const PlacementProblem& problem) {
+  std::vector<double> cost(table.columns(), 1);
+  if (problem.combination == Combination::spend)
+    for (std::size_t j = 0; j < cost.size(); ++j) cost[j] = price_to_spend(table.transceivers[j]);
+  return cost;
+}
+
 class Solver {
  public:
   Solver(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
@@ -54,6 +62,8 @@ class Solver {
         control_(control),
         effort_(detail::for_seconds((enough ? 1 : 1 - share_of_spread) * options.time_limit_s)),
         end_(detail::for_seconds(options.time_limit_s)),
+        cost_(unit_costs(states.table, problem)),
+        incumbent_(CostBounds(states.table, cost_), 0),
         cuts_(states, problem, allowance),
         search_(states, problem, allowance, effort_, control),
         annealing_(states, problem, allowance) {
@@ -84,8 +94,12 @@ class Solver {
     best_.cuts = cuts_.size();
     effort_ = end_;
     // The first selection that fits the sampled states overfits them.
-    if (best_.has_selection())
-      step("spread", [&] { take(annealing_.spread(best_.selected, effort_, control_)); });
+    if (incumbent_.has_selection())
+      step("spread", [&] { take(annealing_.spread(incumbent_.selected(), effort_, control_)); });
+    best_.selected = incumbent_.selected();
+    best_.value = incumbent_.value();
+    best_.lower_bound = incumbent_.bound();
+    if (incumbent_.has_selection()) best_.misses = misses_of(states_, problem_, best_.selected);
     return std::move(best_);
   }
 
@@ -96,7 +110,7 @@ class Solver {
   void step(std::string_view name, const Run& run) {
     if (is_over()) return;
     detail::record_step(
-        best_.steps, name, [&] { return best_.value; }, [&] { return best_.lower_bound; }, run);
+        best_.steps, name, [&] { return incumbent_.value(); }, [&] { return incumbent_.bound(); }, run);
   }
 
   void start() {
@@ -116,13 +130,13 @@ class Solver {
   // No selection has at most K units if the bound of the linear program for these exceeds K. Raises the bound
   // until that fails; `limited_` are the cuts for the present bound then.
   void refute_counts(const detail::Effort& effort) {
-    while (best_.lower_bound > 0 && !is_settled() && !effort.is_over(control_)) {
-      const double enough = best_.lower_bound + least_step;
-      limit_ = static_cast<std::size_t>(best_.lower_bound);
+    while (incumbent_.bound() > 0 && !is_settled() && !effort.is_over(control_)) {
+      const double enough = incumbent_.bound() + least_step;
+      limit_ = static_cast<std::size_t>(incumbent_.bound());
       limited_.emplace(cuts_);
       limited_bound_ = lp_bound(*limited_, limit_, enough, effort);
       if (limited_bound_ < enough) return;
-      raise_to(best_.lower_bound + 1);
+      raise_to(incumbent_.bound() + 1);
     }
   }
 
@@ -130,25 +144,24 @@ class Solver {
   bool may_have_windows() const {
     constexpr double gain = 1.1;
     return options_.uses(SolverChoice::mip) && limited_ && !is_settled() &&
-           best_.lower_bound < gain * limited_bound_;
+           incumbent_.bound() < gain * limited_bound_;
   }
 
   // The same as `refute_counts` by windows of the cuts.
   void raise_by_windows() {
     constexpr std::size_t units_per_window = 3;
     constexpr double above = 1e-3;  // more than rounding takes back
-    const std::vector<double> cost(states_.table.columns(), 1);
     const detail::Effort effort =
         detail::for_seconds((enough_ ? 1 : share_of_windows) * effort_.seconds_left());
     while (may_have_windows() && !effort.is_over(control_)) {
-      if (static_cast<double>(limit_) < best_.lower_bound) {
+      if (static_cast<double>(limit_) < incumbent_.bound()) {
         refute_counts(effort);
         continue;
       }
       const detail::WindowMipOptions options{.goal = static_cast<double>(limit_) + above,
                                              .effort = effort,
                                              .windows = std::max<std::size_t>(1, limit_ / units_per_window)};
-      if (detail::window_mip_bound({limited_->table(), master_}, cost, options, backend_, control_) <
+      if (detail::window_mip_bound({limited_->table(), master_}, cost_, options, backend_, control_) <
           options.goal)
         return;
       raise_to(static_cast<double>(limit_ + 1));
@@ -158,9 +171,6 @@ class Solver {
 
   // The bound of the linear program over the cuts, to which violated ones are added, until it is `enough`.
   double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const detail::Effort& effort) {
-    std::vector<double> cost(states_.table.columns(), 1);
-    if (problem_.combination == Combination::spend)
-      for (std::size_t j = 0; j < cost.size(); ++j) cost[j] = price_to_spend(states_.table.transceivers[j]);
     detail::LpBoundOptions options{.effort = effort, .enough = enough};
     options.selections.max_count = max_units;
     const bool counts = problem_.combination != Combination::spend;
@@ -170,12 +180,12 @@ class Solver {
       std::shift_left(before.begin(), before.end(), 1);
       before.back() = bound;
       const detail::LpBound found =
-          detail::lp_bound({cuts.table(), master_}, cost, backend_, options, control_);
+          detail::lp_bound({cuts.table(), master_}, cost_, backend_, options, control_);
       bound = std::max(bound, found.dual.bound);
       control_.report(Task::placing_over_states, -1, fmt::format("at least {:.3g}", bound));
       options.rows = detail::rows_of(found);
       const double next = std::min(enough, std::ceil(bound - least_step) + least_step);
-      const double rounds = max_units < cost.size() ? max_rounds_limited : max_rounds;
+      const double rounds = max_units < cost_.size() ? max_rounds_limited : max_rounds;
       const double progress = (bound - before.front()) / static_cast<double>(before.size());
       if (counts && !enough_ && next - bound > rounds * progress) break;
       if (!found.complete || bound >= enough || cuts.add_violated(found.x, max_units, effort, control_) == 0)
@@ -196,8 +206,7 @@ class Solver {
     const double bound = placement.status == Status::infeasible       ? unbounded
                          : problem_.combination == Combination::spend ? placement.lower_bound
                                                                       : placement.count_lower_bound;
-    // A solver that contradicts a checked selection is wrong.
-    if (best_.has_selection() && bound > best_.value + least_step) return false;
+    if (incumbent_.contradicts(bound)) return false;
     raise_to(bound);
     if (!placement.has_selection()) return false;
     const std::size_t added = cuts_.add(placement.selected, misses_of(states_, problem_, placement.selected));
@@ -206,12 +215,9 @@ class Solver {
     return added > 0 && (placement.status == Status::optimal || enough_);
   }
 
-  void raise_to(double bound) {
-    if (problem_.combination != Combination::spend) bound = std::ceil(bound - least_step);
-    best_.lower_bound = std::max(best_.lower_bound, bound);
-  }
+  void raise_to(double bound) { incumbent_.raise(bound, BoundProof::solver, "placement over states"); }
 
-  bool is_settled() const { return best_.is_proven() || (enough_ && best_.lower_bound >= *enough_); }
+  bool is_settled() const { return incumbent_.is_closed() || (enough_ && incumbent_.bound() >= *enough_); }
 
   void anneal(double share) {
     const detail::Effort effort = detail::for_seconds(share * effort_.seconds_left());
@@ -220,10 +226,10 @@ class Solver {
       search_for_fewer(effort);
   }
 
-  const Selection& known() const { return best_.has_selection() ? best_.selected : first_; }
+  const Selection& known() const { return incumbent_.has_selection() ? incumbent_.selected() : first_; }
 
   void improve(const Selection& selected) {
-    if (const auto repaired = search_.repaired(selected, best_.value)) take(*repaired);
+    if (const auto repaired = search_.repaired(selected, incumbent_.value())) take(*repaired);
     search_for_fewer(effort_);
   }
 
@@ -236,21 +242,20 @@ class Solver {
   }
 
   void take(const Selection& selected) {
-    StateMisses misses = misses_of(states_, problem_, selected);
     const double value = state_value(states_, problem_, selected);
-    if (allowance_.excess(misses) > 0 || value > best_.value) return;
-    best_.selected = selected;
-    best_.value = value;
-    best_.misses = std::move(misses);
+    if (value > incumbent_.value() || allowance_.excess(misses_of(states_, problem_, selected)) > 0) return;
+    incumbent_.replace(selected, value);
     report();
   }
 
   void report() const {
-    if (best_.has_selection())
-      detail::report_incumbent(control_, states_.table, best_.selected, best_.value, best_.lower_bound);
-    control_.report(Task::placing_over_states, -1,
-                    best_.has_selection() ? fmt::format("{:g}, at least {:g}", best_.value, best_.lower_bound)
-                                          : fmt::format("at least {:g}", best_.lower_bound));
+    const std::string at_least = fmt::format("at least {:g}", incumbent_.bound());
+    if (incumbent_.has_selection())
+      detail::report_incumbent(control_, states_.table, incumbent_.selected(), incumbent_.value(),
+                               incumbent_.bound());
+    control_.report(
+        Task::placing_over_states, -1,
+        incumbent_.has_selection() ? fmt::format("{:g}, {}", incumbent_.value(), at_least) : at_least);
   }
 
   // Names the labels that are missed too often by all units together; if no label alone is, all that are
@@ -278,6 +283,8 @@ class Solver {
   std::optional<double> enough_;  ///< for a bound alone
   const RunControl& control_;
   detail::Effort effort_, end_;
+  std::vector<double> cost_;
+  detail::Incumbent incumbent_;
   StateCuts cuts_;
   StateSearch search_;
   StateAnnealing annealing_;
