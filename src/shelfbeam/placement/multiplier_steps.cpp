@@ -42,7 +42,7 @@ void raise_bound_by_multipliers(SearchState& state, const Effort& effort) {
   // Every exclusion shrinks the remainder of a cover, and the bound of the remainder is better.
   constexpr int max_rounds = 4;
   constexpr double enough = 0.8;
-  for (int round = 0; round < max_rounds && !state.is_closed(); ++round) {
+  for (int round = 0; round < max_rounds && !state.is_settled(); ++round) {
     const SelectionSet open = state.open_selections();
     if (state.instance.is_cover() && state.reduction().infeasible)
       return state.raise_open(std::numeric_limits<double>::infinity(), BoundProof::dual);

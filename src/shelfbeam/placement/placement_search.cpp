@@ -42,22 +42,6 @@ void improve(SearchState& state, const Effort& effort) {
   state.seed += walks_at_once;  // the same seed would repeat the same walk
 }
 
-/// A line of a schedule: method, condition and limits.
-struct Step {
-  std::string_view name;
-  bool (*applies)(State);
-  double share;         ///< of the time left when it begins,
-  double max_s;         ///< at most this many seconds,
-  std::uint64_t steps;  ///< at most this many moves of local search or tree nodes
-  void (*run)(SearchState&, const Effort&);
-
-  /// With a step limit, the share of the time does not apply.
-  Effort effort(State state) const {
-    if (state.limits.step_limit) return {std::min(steps, *state.limits.step_limit), state.deadline.end()};
-    return {steps, Deadline(std::min(share * state.deadline.seconds_left(), max_s)).end()};
-  }
-};
-
 // Conditions of the steps.
 constexpr auto always = [](State) { return true; };
 constexpr auto is_small = [](State state) { return state.is_small(); };
@@ -104,9 +88,21 @@ constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
 constexpr auto has_more_than_bounds = [](State state) { return !has_bounds_alone(state); };
 
+// The first local search: short if it gains little or moves are cheap.
+constexpr auto gains_little = [](State state) { return is_sparse(state) && state.instance.is_weighted(); };
+constexpr auto has_cheap_moves = [](State state) {
+  return !gains_little(state) && (is_sparse(state) || state.is_small());
+};
+constexpr auto gains_much = [](State state) { return !gains_little(state) && !has_cheap_moves(state); };
+constexpr Step<SearchState> opening[] = {
+    {"local search", gains_little, 1, no_limit_s, 100, improve},
+    {"local search", has_cheap_moves, 1, no_limit_s, 1'000, improve},
+    {"local search", gains_much, 1, no_limit_s, 20'000, improve},
+};
+
 // The schedule until the gap is closed (docs/methods/placement.md, "The search"). Small: a tree search may
 // end within seconds. Cover: the reductions apply; other problems are searched whole.
-constexpr Step schedule[] = {
+constexpr Step<SearchState> schedule[] = {
     // name, condition, share of the time left, maximum seconds, maximum steps, function
     {"short tree search", is_small, 0.2, no_limit_s, 15'000, raise_bound_by_tree},
     {"multipliers", always, 0.2, no_limit_s, any_steps, raise_bound_by_multipliers},
@@ -130,35 +126,12 @@ constexpr Step schedule[] = {
 };
 
 // The schedule of the second objective, once the minimum count is known.
-constexpr Step second_schedule[] = {
+constexpr Step<SearchState> second_schedule[] = {
     {"second objective, multipliers", is_large, 0.2, no_limit_s, any_steps, bound_second_by_multipliers},
     {"second objective, linear program", is_large, 0.3, no_limit_s, any_steps, bound_second_by_lp},
     {"second objective, tree", has_tree, 0.6, no_limit_s, any_steps, search_second_by_tree},
     {"second objective, MIP", fits_mip, 1, no_limit_s, any_steps, solve_mip_for_second},
 };
-
-template <class Run>
-void record(std::string_view name, SearchState& state, const Run& run) {
-  const auto of = [&]() -> const Incumbent& { return state.second ? *state.second : state.incumbent; };
-  state.step = name;
-  record_step(state.steps, name, [&] { return of().value(); }, [&] { return of().bound(); }, run);
-}
-
-/// Runs the steps that apply in order, until the gap is closed or the time limit is reached.
-void run(std::span<const Step> steps, SearchState& state) {
-  for (const Step& step : steps) {
-    if (state.is_closed() || state.out_of_time()) return;
-    if (step.applies(state)) record(step.name, state, [&] { step.run(state, step.effort(state)); });
-  }
-}
-
-// Limits of the first local search: short if it gains little or moves are cheap.
-Effort opening(State state) {
-  const std::uint64_t moves = is_sparse(state) && state.instance.is_weighted() ? 100
-                              : is_sparse(state) || state.is_small()           ? 1'000
-                                                                               : 20'000;
-  return {std::min(moves, state.limits.step_limit.value_or(any_steps)), state.deadline.end()};
-}
 
 Placement answer_of(State state, const PlacementProblem& problem) {
   const Instance& instance = state.instance;
@@ -169,8 +142,7 @@ Placement answer_of(State state, const PlacementProblem& problem) {
   placement.objective_value = instance.is_weighted() || problem.objective != Objective::count
                                   ? instance.second_value_of(placement.selected)
                                   : static_cast<double>(placement.selected.size());
-  placement.lower_bound =
-      std::min(state.second ? state.second->bound() : state.incumbent.bound(), placement.objective_value);
+  placement.lower_bound = std::min(state.bound(), placement.objective_value);
   placement.count_lower_bound =
       instance.is_weighted() ? static_cast<double>(std::max(instance.trivial_count_bound(),
                                                             instance.bounds.fewest(placement.lower_bound)))
@@ -181,19 +153,19 @@ Placement answer_of(State state, const PlacementProblem& problem) {
 }
 
 Placement search(SearchState& state, const PlacementProblem& problem) {
-  if (!state.out_of_time()) record("local search", state, [&] { improve(state, opening(state)); });
+  run_steps(opening, state);
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
-  if (state.limits.proves) run(schedule, state);
+  if (state.limits.proves) run_steps(schedule, state);
   if (state.limits.proves && !state.instance.is_weighted() &&
       state.instance.problem.objective != Objective::count) {
     const CostBounds& bounds = state.instance.second_bounds;
     const Selection& best = state.incumbent.selected();
     state.second.emplace(bounds, bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound())));
     state.second->replace(best, state.instance.second_value_of(best));
-    if (state.incumbent.is_closed()) run(second_schedule, state);
+    if (state.incumbent.is_closed()) run_steps(second_schedule, state);
   }
-  const bool is_optimal = state.is_closed();
+  const bool is_optimal = state.is_settled();
   const bool settled = is_optimal && state.limits.settles_ties && settle_ties(state, problem, of_opening);
   Placement placement = answer_of(state, problem);
   placement.status = is_optimal ? Status::optimal : Status::stopped;

@@ -12,6 +12,7 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/answer/incumbent.hpp"
+#include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/kernels/walks.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
@@ -22,8 +23,6 @@
 #include "shelfbeam/placement/tree/tree_search.hpp"
 
 namespace shelfbeam::detail {
-
-inline constexpr double no_limit_s = 1e8;
 
 /// State shared by the steps of one search: problem, incumbent, bounds and remaining time. Reports incumbent
 /// and bound as progress, whichever method runs.
@@ -55,7 +54,12 @@ struct SearchState final : ProgressSink {
   std::string_view step;  ///< name of the current step
   std::vector<SearchStep> steps;
 
-  bool is_closed() const { return incumbent.is_closed() && (!second || second->is_closed()); }
+  Effort whole() const { return {limits.step_limit.value_or(any_steps), deadline.end()}; }
+  bool is_settled() const { return incumbent.is_closed() && (!second || second->is_closed()); }
+  bool ends() const { return is_settled() || out_of_time(); }
+  double value() const { return second ? second->value() : incumbent.value(); }
+  double bound() const { return second ? second->bound() : incumbent.bound(); }
+  void after(const Effort&) const {}  ///< reports come with each change
   bool out_of_time() const { return control.cancelled() || deadline.has_passed(); }
 
   /// A tree search may end within seconds.

@@ -143,7 +143,7 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
 void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
   constexpr double min_part = 0.002, max_part = 0.02;
   double part = max_part;
-  for (std::uint64_t tries = 0; tries < effort.steps && !state.is_closed(); ++tries) {
+  for (std::uint64_t tries = 0; tries < effort.steps && !state.is_settled(); ++tries) {
     const double bound = state.incumbent.bound(), gap = state.incumbent.value() - bound;
     const double min_increment =
         state.instance.bounds.step() > 0 ? 0.5 * state.instance.bounds.step() : min_part * gap;
@@ -240,7 +240,7 @@ void branch_on_remainder(SearchState& state, const Effort& effort) {
       branch_reduced(state, state.reduction(), state.instance.bounds.below(state.incumbent.value()), effort);
   state.offer(answer.selected);
   state.raise_open(answer.bound, BoundProof::branches);
-  if (!state.is_closed())
+  if (!state.is_settled())
     raise_bound_by_cutoffs(state, {effort.steps, Deadline(0.4 * effort.seconds_left()).end()});
 }
 

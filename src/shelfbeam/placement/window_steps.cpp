@@ -34,7 +34,7 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
   constexpr std::uint64_t steps_per_node = 200;  // a node of a MIP takes much longer than a move of a walk
   const milp::Backend& backend = state.solvers.preferred.front();
   state.last_backend = backend.full_name();
-  while (!state.is_closed() && !effort.is_over(state.control)) {
+  while (!state.is_settled() && !effort.is_over(state.control)) {
     WindowMipOptions options;
     options.goal = state.incumbent.bound() + above * state.instance.bounds.step();
     options.effort.until = effort.until;

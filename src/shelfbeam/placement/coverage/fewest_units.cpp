@@ -47,7 +47,7 @@ class Minimisation final : detail::PartialSearch {
       answer.status = Status::infeasible;
       upper_bound_ = std::min(upper_bound_, std::max(0.0, target_ - weights_.step()));
     } else {
-      answer.count_lower_bound = bound();
+      answer.count_lower_bound = count_bound();
     }
     const double reached = answer.has_selection ? weights_.without(answer.missed) : 0;
     answer.weight = {weights_.in_table(reached), weights_.in_table(weights_.total()),
@@ -56,7 +56,7 @@ class Minimisation final : detail::PartialSearch {
   }
 
  private:
-  std::size_t bound() const { return static_cast<std::size_t>(incumbent_.bound()); }
+  std::size_t count_bound() const { return static_cast<std::size_t>(incumbent_.bound()); }
   std::uint64_t long_walk() const override { return 20'000'000; }
 
   void offer(const Selection& selected) override {
@@ -70,7 +70,7 @@ class Minimisation final : detail::PartialSearch {
     return !incumbent_.has_selection() && count > static_cast<double>(max_units_) ? infinity : count;
   }
   void raise_to(std::size_t count, BoundProof proof) {
-    incumbent_.raise(existing(static_cast<double>(count)), proof, step_);
+    incumbent_.raise(existing(static_cast<double>(count)), proof, step);
   }
 
   // The fewest units with which the greedy selection begins and that reach the target.
@@ -104,9 +104,9 @@ class Minimisation final : detail::PartialSearch {
     Effort left{detail::bound_steps(bound_for.entries(), effort, instance_.table), effort.until};
     while (!incumbent_.is_closed()) {
       left.steps -=
-          bound_for.improve(bound(), target_ - weights_.step(), CoverageAim::reached, left, control_);
-      if (bound_for.weight(bound()) >= target_) return;
-      raise_to(bound() + 1, BoundProof::dual);
+          bound_for.improve(count_bound(), target_ - weights_.step(), CoverageAim::reached, left, control_);
+      if (bound_for.weight(count_bound()) >= target_) return;
+      raise_to(count_bound() + 1, BoundProof::dual);
     }
   }
 
@@ -114,12 +114,12 @@ class Minimisation final : detail::PartialSearch {
     detail::CoverageTable table(instance_, weights_);
     Effort left = detail::enumeration_effort(effort, instance_.table);
     while (!incumbent_.is_closed()) {
-      const auto found = enumerate_coverage(table, weights_, bound(), target_, detail::EnumerationAim::first,
-                                            left, control_);
+      const auto found = enumerate_coverage(table, weights_, count_bound(), target_,
+                                            detail::EnumerationAim::first, left, control_);
       if (!found.is_complete) return;
       solver_ = {Method::search};
       if (found.selected) return offer(*found.selected);
-      raise_to(bound() + 1, BoundProof::search);
+      raise_to(count_bound() + 1, BoundProof::search);
     }
   }
 

@@ -41,7 +41,7 @@ class Maximisation final : detail::PartialSearch {
     search(answer);
     if (incumbent_.bound() <= 0)  // no time for more
       incumbent_.raise(weights_.total() - detail::reachable_weight(instance_, weights_), BoundProof::trivial,
-                       step_);
+                       step);
     if (incumbent_.is_closed()) answer.status = Status::optimal;
     answer.bound_proof = incumbent_.proof();
     answer.at_most = at_most_;
@@ -88,10 +88,10 @@ class Maximisation final : detail::PartialSearch {
 
   void raise_by_multipliers(const Effort& effort) override {
     CoverageBound bound(instance_, weights_, units_);
-    incumbent_.raise(weights_.total() - bound.weight(units_), BoundProof::trivial, step_);
+    incumbent_.raise(weights_.total() - bound.weight(units_), BoundProof::trivial, step);
     bound.improve(units_, reached(), CoverageAim::lowest,
                   {detail::bound_steps(bound.entries(), effort, instance_.table), effort.until}, control_);
-    incumbent_.raise(weights_.total() - bound.weight(units_), BoundProof::dual, step_);
+    incumbent_.raise(weights_.total() - bound.weight(units_), BoundProof::dual, step);
   }
 
   void raise_by_enumeration(const Effort& effort) override { is_settled_ = enumerate(effort); }
@@ -142,7 +142,7 @@ class Maximisation final : detail::PartialSearch {
     };
     if (!incumbent_.is_closed()) {
       if (!examine(units_, reached() + weights_.step(), EnumerationAim::best).is_complete) return false;
-      incumbent_.raise(incumbent_.value(), BoundProof::search, step_);
+      incumbent_.raise(incumbent_.value(), BoundProof::search, step);
       solver_ = {Method::search};
       offer_compact(incumbent_.selected(), effort);
     }

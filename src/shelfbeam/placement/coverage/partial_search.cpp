@@ -16,31 +16,54 @@ PartialSearch::PartialSearch(const Instance& instance, const PlaceOptions& optio
       options_(options),
       control_(control),
       weights_(instance.table),
-      incumbent_(instance.bounds, 0) {}
+      incumbent_(instance.bounds, 0),
+      whole_(options.step_limit ? Effort{*options.step_limit} : for_seconds(options.time_limit_s)) {}
+
+void PartialSearch::run_schedule() {
+  using S = PartialSearch;
+  constexpr auto has_rest = [](const S& s) { return s.has_rest(); };
+  constexpr auto has_no_rest = [](const S& s) { return !s.has_rest(); };
+  constexpr auto anneals = [](const S& s) { return s.anneals_; };
+  constexpr auto searches_and_rests = [](const S& s) { return s.searches_ && s.has_rest(); };
+  constexpr auto only_searches = [](const S& s) { return s.searches_ && !s.has_rest(); };
+  constexpr auto improves_first = [](const S& s) { return s.may_improve() && s.solves_; };
+  constexpr auto improves_last = [](const S& s) { return s.may_improve() && !s.solves_; };
+  constexpr auto solves = [](const S& s) { return s.solves_; };
+  constexpr auto begin = [](S& s, const Effort& e) {
+    s.order_ = greedy_order(s.instance_, s.weights_.of_labels(), {.until = e.until}, s.control_);
+    s.begin(e);
+  };
+  constexpr auto anneal_briefly = [](S& s, const Effort& e) {
+    s.anneal_in_turn(brief_annealing(s.instance_.table), e, false);
+  };
+  constexpr auto bound = [](S& s, const Effort& e) { s.raise_by_multipliers(e); };
+  constexpr auto enumerate = [](S& s, const Effort& e) { s.raise_by_enumeration(e); };
+  constexpr auto anneal_long = [](S& s, const Effort& e) { s.anneal_in_turn(s.long_walk(), e, true); };
+  constexpr auto solve = [](S& s, const Effort& e) { s.solve(e); };
+  static constexpr Step<S> schedule[] = {
+      // name, condition, share of the time left, maximum seconds, maximum steps, function
+      {"greedy", has_rest, 0.3, no_limit_s, any_steps, begin},
+      {"greedy", has_no_rest, 0.5, no_limit_s, any_steps, begin},
+      // Bounds profit from a good selection.
+      {"short annealing", anneals, 0.3, no_limit_s, any_steps, anneal_briefly},
+      {"multipliers", has_rest, 0.4, no_limit_s, any_steps, bound},
+      {"multipliers", has_no_rest, 0.6, no_limit_s, any_steps, bound},
+      {"tree search", searches_and_rests, 0.2, no_limit_s, any_steps, enumerate},
+      {"tree search", only_searches, 1, no_limit_s, any_steps, enumerate},
+      {"annealing", improves_first, 0.4, no_limit_s, any_steps, anneal_long},
+      {"annealing", improves_last, 1, no_limit_s, any_steps, anneal_long},
+      {"MIP", solves, 1, no_limit_s, any_steps, solve},
+  };
+  run_steps(schedule, *this);
+}
 
 void PartialSearch::search(PartialAnswer& answer) {
   const bool fits = CoverModel::fits_with_misses(instance_), may_ask = options_.uses(SolverChoice::mip);
-  const bool solves = may_ask && fits, searches = options_.uses(SolverChoice::search);
-  const bool anneals = searches && CoverageAnnealing::fits(instance_);
-  const bool has_rest = solves || anneals;  // a step that can use the rest of the time
-  step("greedy", true, has_rest ? 0.3 : 0.5, [&](const Effort& effort) {
-    order_ = greedy_order(instance_, weights_.of_labels(), {.until = effort.until}, control_);
-    begin(effort);
-  });
-  // Bounds profit from a good selection.
-  step("short annealing", anneals, 0.3,
-       [&](const Effort& effort) { anneal_in_turn(brief_annealing(instance_.table), effort, false); });
-  step("multipliers", true, has_rest ? 0.5 : 0.8,
-       [&](const Effort& effort) { raise_by_multipliers(effort); });
-  step("tree search", searches, has_rest ? 0.6 : 1,
-       [&](const Effort& effort) { raise_by_enumeration(effort); });
-  step("annealing", anneals && !incumbent_.is_closed(), solves ? 0.75 : 1,
-       [&](const Effort& effort) { anneal_in_turn(long_walk(), effort, true); });
-  step("MIP", solves, 1, [&](const Effort& effort) {
-    solve(effort);
-    is_cut_short_ = true;
-  });
-  is_cut_short_ = is_cut_short_ || until(1).is_over(control_) || !incumbent_.has_selection();
+  solves_ = may_ask && fits;
+  searches_ = options_.uses(SolverChoice::search);
+  anneals_ = searches_ && CoverageAnnealing::fits(instance_);
+  run_schedule();
+  is_cut_short_ = is_cut_short_ || whole_.is_over(control_) || !incumbent_.has_selection();
   answer.selected = incumbent_.selected();
   if (incumbent_.has_selection()) {
     answer.missed = instance_.check(answer.selected).unmet;
@@ -52,25 +75,10 @@ void PartialSearch::search(PartialAnswer& answer) {
                                          : Status::feasible;
   answer.too_large = may_ask && !fits;
   answer.solver = std::move(solver_);
-  answer.steps = std::move(steps_);
+  answer.steps = std::move(steps);
 }
 
-Effort PartialSearch::until(double share) const {
-  if (options_.step_limit) return {*options_.step_limit};
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
-  return for_seconds(share * options_.time_limit_s - spent.count());
-}
-
-// `share`: of the time limit, at the end of the step.
-template <class Run>
-void PartialSearch::step(std::string_view name, bool applies, double share, const Run& run) {
-  if (!applies) return;
-  const Effort effort = until(share);
-  const auto value = [&] { return shown(incumbent_.value()); };
-  const auto bound = [&] { return shown(incumbent_.bound()); };
-  step_ = name;
-  if (!is_settled() && !effort.is_over(control_))
-    record_step(steps_, name, value, bound, [&] { run(effort); });
+void PartialSearch::after(const Effort& effort) {
   report_incumbent(control_, instance_.table, incumbent_.selected(), value(), bound());
   control_.report(Task::placing, -1);
   is_cut_short_ = is_cut_short_ || effort.seconds_left() <= 0;
@@ -89,6 +97,7 @@ void PartialSearch::anneal_in_turn(std::uint64_t moves, const Effort& effort, bo
 
 // The next back end if one fails or contradicts a checked selection.
 void PartialSearch::solve(const Effort& effort) {
+  is_cut_short_ = true;
   for (const milp::Backend& backend : milp::backends_of(options_.backend)) {
     const MipQuestion question = mip_question();
     CoverModel model(instance_, backend.solve, effort, control_, {.cutoff = question.cutoff},
@@ -98,7 +107,7 @@ void PartialSearch::solve(const Effort& effort) {
     if (outcome.selected) offer(*outcome.selected);
     const double bound = question.bound(outcome);
     const bool contradicts = incumbent_.contradicts(bound);
-    incumbent_.raise(bound, BoundProof::solver, step_);
+    incumbent_.raise(bound, BoundProof::solver, step);
     if (!outcome.failed && !contradicts) break;
   }
 }

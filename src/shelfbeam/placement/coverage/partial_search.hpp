@@ -29,6 +29,17 @@ class PartialSearch {
   PartialSearch(const PartialSearch&) = delete;
   virtual ~PartialSearch() = default;
 
+  // For run_steps.
+  Effort whole() const { return whole_; }
+  double value() const { return shown(incumbent_.value()); }
+  double bound() const { return shown(incumbent_.bound()); }
+  /// Nothing is left to do.
+  virtual bool is_settled() const { return incumbent_.is_closed(); }
+  bool ends() const { return is_settled() || whole_.is_over(control_); }
+  void after(const Effort& effort);
+  std::string_view step;
+  std::vector<SearchStep> steps;
+
  protected:
   /// Runs the steps, and fills what all answers have; the status is optimal, feasible or stopped.
   void search(PartialAnswer& answer);
@@ -37,8 +48,6 @@ class PartialSearch {
   virtual void offer(const Selection& selected) = 0;
   /// A value of the incumbent in the unit of the answer.
   virtual double shown(double value) const { return value; }
-  /// Nothing is left to do.
-  virtual bool is_settled() const { return incumbent_.is_closed(); }
   /// Moves of an annealing in the rest of the time.
   virtual std::uint64_t long_walk() const = 0;
   /// Offers a selection of the first units of a greedy selection of all labels (`order_`).
@@ -65,17 +74,16 @@ class PartialSearch {
   Incumbent incumbent_;  ///< by the count, unless the goal has another value
   SolvedBy solver_ = {Method::greedy};
   std::vector<ColumnId> order_;  ///< of the greedy method
-  std::string_view step_;        ///< name of the present one
 
  private:
-  Effort until(double share) const;
-  template <class Run>
-  void step(std::string_view name, bool applies, double share, const Run& run);
+  void run_schedule();
   void anneal_in_turn(std::uint64_t moves, const Effort& effort, bool repeats);
   void solve(const Effort& effort);
+  bool may_improve() const { return anneals_ && !incumbent_.is_closed(); }
+  bool has_rest() const { return solves_ || anneals_; }  ///< a step can use the rest of the time
 
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::vector<SearchStep> steps_;
+  Effort whole_;
+  bool searches_ = false, anneals_ = false, solves_ = false;
   bool is_cut_short_ = false;  ///< by a limit or an interruption, or by a MIP solver that settled nothing
 };
 

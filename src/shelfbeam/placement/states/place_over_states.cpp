@@ -32,9 +32,6 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double least_step = 1e-6;  ///< of a bound on the count
 // Parts of the time that is left.
 constexpr double share_of_master = 0.1;  ///< one placement on cuts
-constexpr double share_of_lps = 0.4;
-constexpr double share_of_annealing = 0.4;  ///< before windows
-constexpr double share_of_windows = 0.8;
 constexpr double share_of_spread = 0.2;  ///< of the whole time limit
 // Linear programs end if, at the progress of the last three, the next count would take more than this number
 // of them; without and with a limit K.
@@ -76,26 +73,15 @@ class Solver {
       best_.lower_bound = unbounded;
       return std::move(best_);
     }
-    if (!enough_) {
-      step("greedy", [&] { start(); });
-      step("annealing", [&] { search_for_fewer(effort_); });
-    }
-    step("linear programs", [&] { relax(); });
-    step("placements on cuts", [&] {
-      while (!is_over() && !is_settled() && raise()) {
-      }
-    });
-    const bool has_windows = may_have_windows();
-    if (!enough_) step("annealing", [&] { anneal(has_windows ? share_of_annealing : 1); });
-    if (has_windows) {
-      step("windows by MIPs", [&] { raise_by_windows(); });
-      if (!enough_) step("annealing", [&] { anneal(1); });
-    }
+    run_schedule();
     best_.cuts = cuts_.size();
     effort_ = end_;
     // The first selection that fits the sampled states overfits them.
-    if (incumbent_.has_selection())
-      step("spread", [&] { take(annealing_.spread(incumbent_.selected(), effort_, control_)); });
+    if (incumbent_.has_selection() && !is_over())
+      detail::record_step(
+          steps, "spread", [&] { return value(); }, [&] { return bound(); },
+          [&] { take(annealing_.spread(incumbent_.selected(), effort_, control_)); });
+    best_.steps = std::move(steps);
     best_.selected = incumbent_.selected();
     best_.value = incumbent_.value();
     best_.lower_bound = incumbent_.bound();
@@ -103,15 +89,51 @@ class Solver {
     return std::move(best_);
   }
 
- private:
-  bool is_over() const { return effort_.is_over(control_); }
+  // For run_steps.
+  detail::Effort whole() const { return effort_; }
+  bool is_settled() const { return incumbent_.is_closed() || (enough_ && incumbent_.bound() >= *enough_); }
+  bool ends() const { return is_settled() || is_over(); }
+  double value() const { return incumbent_.value(); }
+  double bound() const { return incumbent_.bound(); }
+  void after(const detail::Effort&) const { report(); }
+  std::string_view step;
+  std::vector<SearchStep> steps;
 
-  template <class Run>
-  void step(std::string_view name, const Run& run) {
-    if (is_over()) return;
-    detail::record_step(
-        best_.steps, name, [&] { return incumbent_.value(); }, [&] { return incumbent_.bound(); }, run);
+ private:
+  using Effort = detail::Effort;
+
+  void run_schedule() {
+    using detail::any_steps, detail::no_limit_s;
+    using S = Solver;
+    constexpr auto always = [](const S&) { return true; };
+    constexpr auto bounds_alone = [](const S& s) { return s.enough_.has_value(); };
+    constexpr auto selects = [](const S& s) { return !s.enough_; };
+    constexpr auto selects_before_windows = [](const S& s) { return !s.enough_ && s.may_have_windows(); };
+    constexpr auto windows_alone = [](const S& s) { return s.enough_ && s.may_have_windows(); };
+    static constexpr detail::Step<S> schedule[] = {
+        // name, condition, share of the time left, maximum seconds, maximum steps, function
+        {"greedy", selects, 1, no_limit_s, any_steps, [](S& s, const Effort&) { s.start(); }},
+        {"annealing", selects, 1, no_limit_s, any_steps,
+         [](S& s, const Effort& e) { s.search_for_fewer(e); }},
+        {"linear programs", selects, 0.4, no_limit_s, any_steps, [](S& s, const Effort& e) { s.relax(e); }},
+        {"linear programs", bounds_alone, 1, no_limit_s, any_steps,
+         [](S& s, const Effort& e) { s.relax(e); }},
+        {"placements on cuts", always, 1, no_limit_s, any_steps,
+         [](S& s, const Effort&) {
+           while (!s.is_over() && !s.is_settled() && s.raise()) {
+           }
+         }},
+        {"annealing", selects_before_windows, 0.4, no_limit_s, any_steps,
+         [](S& s, const Effort& e) { s.anneal(e); }},
+        {"windows by MIPs", selects_before_windows, 0.8, no_limit_s, any_steps,
+         [](S& s, const Effort& e) { s.raise_by_windows(e); }},
+        {"windows by MIPs", windows_alone, 1, no_limit_s, any_steps,
+         [](S& s, const Effort& e) { s.raise_by_windows(e); }},
+        {"annealing", selects, 1, no_limit_s, any_steps, [](S& s, const Effort& e) { s.anneal(e); }},
+    };
+    detail::run_steps(schedule, *this);
   }
+  bool is_over() const { return effort_.is_over(control_); }
 
   void start() {
     first_ = options_.start;
@@ -120,16 +142,14 @@ class Solver {
     take(first_);
   }
 
-  void relax() {
-    if (is_settled()) return;
-    const detail::Effort effort = detail::for_seconds((enough_ ? 1 : share_of_lps) * effort_.seconds_left());
+  void relax(const Effort& effort) {
     raise_to(lp_bound(cuts_, states_.table.columns(), unbounded, effort));
     if (problem_.combination != Combination::spend) refute_counts(effort);
   }
 
   // No selection has at most K units if the bound of the linear program for these exceeds K. Raises the bound
   // until that fails; `limited_` are the cuts for the present bound then.
-  void refute_counts(const detail::Effort& effort) {
+  void refute_counts(const Effort& effort) {
     while (incumbent_.bound() > 0 && !is_settled() && !effort.is_over(control_)) {
       const double enough = incumbent_.bound() + least_step;
       limit_ = static_cast<std::size_t>(incumbent_.bound());
@@ -148,11 +168,9 @@ class Solver {
   }
 
   // The same as `refute_counts` by windows of the cuts.
-  void raise_by_windows() {
+  void raise_by_windows(const Effort& effort) {
     constexpr std::size_t units_per_window = 3;
     constexpr double above = 1e-3;  // more than rounding takes back
-    const detail::Effort effort =
-        detail::for_seconds((enough_ ? 1 : share_of_windows) * effort_.seconds_left());
     while (may_have_windows() && !effort.is_over(control_)) {
       if (static_cast<double>(limit_) < incumbent_.bound()) {
         refute_counts(effort);
@@ -170,7 +188,7 @@ class Solver {
   }
 
   // The bound of the linear program over the cuts, to which violated ones are added, until it is `enough`.
-  double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const detail::Effort& effort) {
+  double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const Effort& effort) {
     detail::LpBoundOptions options{.effort = effort, .enough = enough};
     options.selections.max_count = max_units;
     const bool counts = problem_.combination != Combination::spend;
@@ -217,10 +235,7 @@ class Solver {
 
   void raise_to(double bound) { incumbent_.raise(bound, BoundProof::solver, "placement over states"); }
 
-  bool is_settled() const { return incumbent_.is_closed() || (enough_ && incumbent_.bound() >= *enough_); }
-
-  void anneal(double share) {
-    const detail::Effort effort = detail::for_seconds(share * effort_.seconds_left());
+  void anneal(const Effort& effort) {
     for (; !effort.is_over(control_) && !is_settled() && annealing_.can_exchange(known());
          moves_ = std::min(max_moves, 2 * moves_))
       search_for_fewer(effort);
@@ -233,7 +248,7 @@ class Solver {
     search_for_fewer(effort_);
   }
 
-  void search_for_fewer(const detail::Effort& effort) {
+  void search_for_fewer(const Effort& effort) {
     while (!is_settled() && !effort.is_over(control_)) {
       const auto fewer = annealing_.next(known(), 1, {moves_, effort.until}, control_);
       if (!fewer) return;
