@@ -11,16 +11,7 @@ namespace {
 // The proof of an exhausted tree search, after verification of its log.
 std::optional<BoundProof> strength_of(const Proof& proof, const SearchState& state) {
   if (proof.steps.size() > state.limits.max_checked_steps) return BoundProof::search;
-  switch (judge_proof(state.instance, proof, {.until = state.deadline.end()}, state.control)) {
-    case ProofVerdict::holds:
-      return BoundProof::log;
-    case ProofVerdict::left_open:
-    case ProofVerdict::unfinished:
-      return BoundProof::search;
-    case ProofVerdict::refuted:
-      break;
-  }
-  return std::nullopt;  // the log refutes the search's claim
+  return strength_of(judge_proof(state.instance, proof, {.until = state.deadline.end()}, state.control));
 }
 
 void raise_count_bound(SearchState& state, const Effort& effort) {

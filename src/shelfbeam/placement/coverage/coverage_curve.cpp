@@ -159,7 +159,9 @@ class Curve {
       if (found.selected) offer(*found.selected);
       if (!found.is_complete) return;
       rise();
-      if (point.at_most >= weights_.total()) point.miss_proof = BoundProof::search;
+      const auto strength = judged(instance_, weights_, found.proof, effort_, control_);
+      if (!strength) return;
+      if (point.at_most >= weights_.total()) point.miss_proof = *strength;
       point.at_most = std::min(point.at_most, point.at_least + (weights_.are_whole() ? 0 : weights_.step()));
     }
   }

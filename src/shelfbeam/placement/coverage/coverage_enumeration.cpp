@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <span>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/kernels/coverage_kernels.hpp"
 
 namespace shelfbeam::detail {
@@ -23,13 +25,14 @@ using Floats = std::vector<float>;
 
 /// The labels as the units chosen so far leave them, and their multipliers.
 struct LabelState {
-  Floats value, best;       ///< signal by the rule, and the strongest signal if the rule omits it
-  Floats lack;              ///< further signals that reach the label add up to at least this
-  Floats last_lack;         ///< a single further signal that reaches the label is at least this
-  Floats weight;            ///< of the labels that are neither reached nor out of reach
-  Floats multiplier;        ///< y_i
-  double reached = 0;       ///< weight
-  double within_reach = 0;  ///< weight, with what further units may reach
+  Floats value, best;        ///< signal by the rule, and the strongest signal if the rule omits it
+  Floats lack;               ///< further signals that reach the label add up to at least this
+  Floats last_lack;          ///< a single further signal that reaches the label is at least this
+  Floats weight;             ///< of the labels that are neither reached nor out of reach
+  Floats multiplier;         ///< y_i
+  std::uint32_t number = 0;  ///< of these in the proof
+  double reached = 0;        ///< weight
+  double within_reach = 0;   ///< weight, with what further units may reach
 };
 
 struct Valued {
@@ -44,6 +47,7 @@ struct Bound {
   std::vector<Valued> order = {};  ///< largest value first
   double total = std::numeric_limits<double>::infinity();
   Floats multiplier = {};
+  std::uint32_t number = 0;  ///< of the multipliers in the proof
 };
 
 /// The part of the search tree before a node and in the node, if all selections were examined.
@@ -90,15 +94,17 @@ class Search {
     root.value.assign(padded_, 0.0F);
     root.best.assign(padded_, 0.0F);
     root.multiplier.assign(padded_, 1.0F);
+    log_.add(multipliers(root.multiplier));
     for (std::size_t u = 0; u < table_.installed().size(); ++u) receive(root, table_.installed_signals(u));
-    std::vector<std::uint32_t> all(table_.candidates().size());
-    for (std::uint32_t c = 0; c < all.size(); ++c) all[c] = c;
-    explore(all, free, 0);
+    explore(all_numbers(table_.candidates().size()), free, 0);
     result_.is_complete = !is_cut_short_;
+    result_.proof = log_.proof(units_, needed_, table_.rows());
     return std::move(result_);
   }
 
  private:
+  std::span<const float> multipliers(const Floats& of) const { return std::span(of).first(table_.labels()); }
+
   void find_strongest(std::size_t free) {
     strongest_.assign(free + 1, Floats(padded_, 0.0F));
     std::vector<float> signals(table_.candidates().size());
@@ -177,10 +183,13 @@ class Search {
     measure(state, free);
     work_ += padded_;
     if (may_suffice(state.reached)) offer({});
-    if (free == 0 || list.empty() || !may_suffice(state.within_reach) || is_over()) return;
+    if (free == 0 || list.empty()) return log_.add(CoverageProof::nothing_left);
+    if (!may_suffice(state.within_reach)) return log_.add(CoverageProof::out_of_reach);
+    if (is_over()) return;
     if (free == 1) return examine_last(list, state);
     const Bound bound = best_bound(list, free, state, depth);
-    if (!may_suffice(bound.total)) return;
+    if (!may_suffice(bound.total)) return log_.add(CoverageProof::bound_fails, bound.omitted, bound.number);
+    log_.add(CoverageProof::branch, bound.omitted, bound.number);
     LabelState& next = states_[depth + 1];
     std::size_t children = 0;
     while (children < bound.order.size() && may_suffice(bound.fixed + sum_of_best(bound, children, free)))
@@ -188,7 +197,7 @@ class Search {
     const Progress before = progress_;
     for (std::size_t p = 0; p < children && !is_over(); ++p) {
       // A better selection may have been found.
-      if (!may_suffice(bound.fixed + sum_of_best(bound, p, free))) return;
+      if (!may_suffice(bound.fixed + sum_of_best(bound, p, free))) break;
       if (depth < 2) progress_ = before.in_child(p, children, free);
       const Valued& one = bound.order[p];
       std::vector<std::uint32_t> others;
@@ -201,15 +210,19 @@ class Search {
       next.value = state.value;
       next.best = state.best;
       next.multiplier = bound.multiplier;
+      next.number = bound.number;
       receive(next, table_.signals(one.candidate));
       work_ += padded_;
       chosen_.push_back(one.candidate);
+      log_.add(table_.candidates()[one.candidate]);
       explore(others, free - 1, depth + 1);
       chosen_.pop_back();
     }
+    log_.add(CoverageProof::end);
   }
 
   void examine_last(const std::vector<std::uint32_t>& list, const LabelState& state) {
+    log_.add(CoverageProof::single_fails);
     for (const std::uint32_t c : list) {
       const double weight =
           table_.settled_weight() + static_cast<double>(CoverageKernels::reached(
@@ -277,11 +290,16 @@ class Search {
         if (inherits && depth == 0) continue;
         Bound bound =
             evaluate(list, free, state, omitted, inherits ? state.multiplier : Floats(padded_, 1.0F));
+        bound.number = inherits ? state.number : 0;
         if (bound.total < best.total) best = std::move(bound);
         if (!may_suffice(best.total)) return best;
       }
     constexpr std::size_t at_root = 60, below = 10;
-    if (depth == 0 || free > 2) improve(best, list, free, state, depth == 0 ? at_root : below);
+    if (depth == 0 || free > 2) {
+      const double before = best.total;
+      improve(best, list, free, state, depth == 0 ? at_root : below);
+      if (best.total < before) best.number = log_.add(multipliers(best.multiplier));
+    }
     return best;
   }
 
@@ -332,14 +350,14 @@ class Search {
   std::vector<std::uint32_t> chosen_;  ///< candidates
   std::size_t work_ = 0;
   Progress progress_;
+  CoverageLog log_;
   bool is_cut_short_ = false, is_done_ = false;
   CoverageEnumeration result_;
 };
 
-// Exact even for tables that are too large for a dense matrix.
-CoverageEnumeration examine_one(const CoverageTable& table, double needed) {
+// At most one unit. Exact even for tables that are too large for a dense matrix.
+CoverageEnumeration examine_few(const CoverageTable& table, std::size_t free, double needed, double step) {
   CoverageEnumeration result{.is_complete = true};
-  const std::vector<double> weights = table.weights_with_one();
   const auto offer = [&](double weight, std::optional<std::uint32_t> column) {
     if (weight < needed || (result.selected && weight <= result.weight)) return;
     Selection selected(table.installed().begin(), table.installed().end());
@@ -349,7 +367,10 @@ CoverageEnumeration examine_one(const CoverageTable& table, double needed) {
     result.weight = weight;
   };
   offer(table.settled_weight(), {});
+  const std::vector<double> weights = free > 0 ? table.weights_with_one() : std::vector<double>();
   for (std::size_t c = 0; c < weights.size(); ++c) offer(weights[c], table.candidates()[c]);
+  result.proof = {table.installed().size() + free, result.selected ? result.weight + step : needed,
+                  table.rows(), free > 0 ? CoverageProof::single_fails : CoverageProof::nothing_left};
   return result;
 }
 
@@ -360,15 +381,7 @@ CoverageEnumeration enumerate_coverage(CoverageTable& table, const LabelWeights&
                                        const RunControl& control) {
   const std::size_t installed = table.installed().size();
   const std::size_t free = std::min(units - std::min(units, installed), table.candidates().size());
-  if (free <= 1) {
-    CoverageEnumeration result;
-    if (free == 1) return examine_one(table, needed);
-    result.is_complete = true;
-    if (table.settled_weight() < needed) return result;
-    result.selected.emplace(table.installed().begin(), table.installed().end());
-    result.weight = table.settled_weight();
-    return result;
-  }
+  if (free <= 1) return examine_few(table, free, needed, weights.step());
   if (free > max_free || table.cells() > max_cells) return {};
   table.fill();
   Search search(table, weights, installed + free, needed, aim, left, control);

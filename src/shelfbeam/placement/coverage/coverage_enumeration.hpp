@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/coverage/coverage_proof.hpp"
 #include "shelfbeam/placement/coverage/coverage_table.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 
@@ -18,6 +19,7 @@ struct CoverageEnumeration {
   double weight = 0;  ///< of `selected`
   /// Every selection was examined or excluded, or Aim::first was achieved.
   bool is_complete = false;
+  CoverageProof proof = {};  ///< if complete, that no selection weighs more; without steps if it is too long
 };
 
 enum class EnumerationAim {

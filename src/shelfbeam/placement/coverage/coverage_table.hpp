@@ -29,6 +29,7 @@ class CoverageTable {
   std::uint32_t point(std::uint32_t candidate) const { return point_[candidate]; }
 
   std::size_t labels() const { return rows_.size(); }
+  std::span<const std::uint32_t> rows() const { return rows_; }  ///< the labels of the table
   /// Weight that the installed units reach without the labels of this table.
   double settled_weight() const { return settled_; }
   double label_weight(std::size_t label) const { return weights_[rows_[label]]; }

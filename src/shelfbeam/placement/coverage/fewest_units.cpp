@@ -119,7 +119,9 @@ class Minimisation final : detail::PartialSearch {
       if (!found.is_complete) return;
       solver_ = {Method::search};
       if (found.selected) return offer(*found.selected);
-      raise_to(count_bound() + 1, BoundProof::search);
+      const auto strength = judged(instance_, weights_, found.proof, {.until = effort.until}, control_);
+      if (!strength) return;
+      raise_to(count_bound() + 1, *strength);
     }
   }
 

@@ -140,16 +140,20 @@ class Maximisation final : detail::PartialSearch {
       if (found.selected) offer(*found.selected);
       return found;
     };
-    if (!incumbent_.is_closed()) {
-      if (!examine(units_, reached() + weights_.step(), EnumerationAim::best).is_complete) return false;
-      incumbent_.raise(incumbent_.value(), BoundProof::search, step);
+    const bool was_open = !incumbent_.is_closed();
+    if (was_open) {
+      const auto best = examine(units_, reached() + weights_.step(), EnumerationAim::best);
+      if (!best.is_complete) return false;
+      const auto strength = judged(instance_, weights_, best.proof, {.until = effort.until}, control_);
+      if (!strength) return false;
+      incumbent_.raise(incumbent_.value(), *strength, step);
       solver_ = {Method::search};
       offer_compact(incumbent_.selected(), effort);
     }
     while (incumbent_.selected().size() > table.installed().size()) {
       const std::size_t size = incumbent_.selected().size();
       const auto fewer = examine(size - 1, reached(), EnumerationAim::first);
-      if (!fewer.is_complete) return incumbent_.proof() == BoundProof::search;
+      if (!fewer.is_complete) return was_open;
       if (incumbent_.selected().size() == size) break;
     }
     solver_ = {Method::search};

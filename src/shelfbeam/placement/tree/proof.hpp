@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/answer/verdict.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
@@ -54,13 +55,6 @@ struct Proof {
   /// Indexed by the upper and lower half of the weights' number.
   std::vector<std::vector<std::vector<float>>> weights;
   std::vector<std::uint32_t> steps;  ///< prices as the bits of a float
-};
-
-enum class ProofVerdict {
-  holds,
-  left_open,   ///< the log has open nodes or is incomplete
-  unfinished,  ///< a limit came first
-  refuted
 };
 
 /// Verifies a proof in double precision from the table and the problem of `instance` alone, using nothing of

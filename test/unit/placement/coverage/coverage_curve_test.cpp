@@ -133,7 +133,7 @@ TEST(PlacementCurve, EnclosesTheOptimumForEveryCount) {
       // The enumeration decides small tables.
       ASSERT_EQ(curve[p].at_least, curve[p].at_most) << k;
       ++points;
-      by_enumeration += curve[p].miss_proof == BoundProof::search;
+      by_enumeration += curve[p].miss_proof == BoundProof::log;
     }
     if (!curve.empty()) {
       ASSERT_EQ(curve.back().at_least, table.rows());
