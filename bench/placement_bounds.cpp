@@ -34,8 +34,7 @@ void print_bound(const SignalTable& table, const milp::Backend& backend, double 
   const std::vector<double> ones(table.columns(), 1.0);
   detail::LpBound lp;
   const double seconds = wall_seconds([&] {
-    lp = detail::lp_bound({table, problem}, ones, backend,
-                          {.effort = detail::for_seconds(limit), .cuts = false}, {});
+    lp = detail::lp_bound({table, problem}, ones, backend, {.effort = detail::for_seconds(limit)}, {});
   });
   fmt::print("  cooperative, {:<6} relaxation {:.4f} from {} of {} labels, {:.2f} s{}\n",
              fmt::format("{}:", backend.name), lp.dual.bound, lp.labels.size(), table.rows(), seconds,

@@ -13,15 +13,10 @@
 namespace shelfbeam::detail {
 
 /// A valid inequality from one label's row sum_j a_ij T_j >= b (cover_rows.hpp): the row itself or one of
-/// three cuts, which exclude one another. The first two are empty unless d > 0.
+/// two cuts, which exclude one another.
 ///
-/// Knapsack cover, with a set A (Carr, Fleischer, Leung and Phillips, SODA 2000): even with all of A chosen,
-/// the label lacks d = b - sum_{j in A} a_ij, so
-///
-///   sum_{j not in A} min(1, a_ij / d) T_j >= 1.
-///
-/// Share cut, with s > 0, for selections of at most K units (SelectionSet::max_count): parts below s
-/// contribute at most s K, so the label requires d = b - s K from the parts above s:
+/// Share cut, empty unless d > 0, with s > 0, for selections of at most K units (SelectionSet::max_count):
+/// parts below s contribute at most s K, so the label requires d = b - s K from the parts above s:
 ///
 ///   sum_j min(1, max(0, a_ij - s) / d) T_j >= 1.
 ///
@@ -32,12 +27,11 @@ namespace shelfbeam::detail {
 ///   sum_{j: a_ij >= t} T_j >= 1.
 struct BoundRow {
   std::uint32_t label = 0;
-  std::vector<ColumnId> taken = {};  ///< A, ascending
-  double share = 0;                  ///< s
-  double strongest = 0;              ///< t
+  double share = 0;      ///< s
+  double strongest = 0;  ///< t
 
   /// The label's own row.
-  bool is_plain() const { return taken.empty() && share == 0 && strongest == 0; }
+  bool is_plain() const { return share == 0 && strongest == 0; }
 
   bool operator==(const BoundRow&) const = default;
 };
@@ -104,17 +98,14 @@ std::vector<ColumnId> useless_columns(const DualBound& dual, double worth);
 class BoundRowReader {
  public:
   BoundRowReader(const Instance& instance, std::size_t max_units)
-      : cover_(instance, max_units),
-        max_units_(static_cast<double>(max_units)),
-        taken_(instance.columns(), false) {}
+      : cover_(instance, max_units), max_units_(static_cast<double>(max_units)) {}
 
   /// Calls visit(column, coefficient), ascending, and returns the right-hand side; 0 if the inequality is
   /// empty.
   template <class Visit>
-  double read(const BoundRow& row, Visit visit) {
+  double read(const BoundRow& row, Visit visit) const {
     if (row.strongest > 0) return read_strongest(row, visit);
     if (row.share > 0) return read_above_share(row, visit);
-    if (!row.taken.empty()) return read_without_taken(row, visit);
     cover_.for_entries(row.label, visit);
     return cover_.bound(row.label);
   }
@@ -142,23 +133,8 @@ class BoundRowReader {
     return 1;
   }
 
-  template <class Visit>
-  double read_without_taken(const BoundRow& row, Visit visit) {
-    for (const ColumnId j : row.taken) taken_[j] = true;
-    double lacking = cover_.bound(row.label) - rounding;
-    cover_.for_entries(row.label, [&](std::uint32_t j, double a) { lacking -= taken_[j] ? a : 0; });
-    const bool excludes_any = lacking >= min_lack;
-    if (excludes_any)
-      cover_.for_entries(row.label, [&](std::uint32_t j, double a) {
-        if (!taken_[j]) visit(j, std::min(1.0, a / lacking));
-      });
-    for (const ColumnId j : row.taken) taken_[j] = false;
-    return excludes_any ? 1 : 0;
-  }
-
   CoverRows cover_;
   double max_units_;
-  std::vector<bool> taken_;  ///< all false between calls
 };
 
 }  // namespace shelfbeam::detail

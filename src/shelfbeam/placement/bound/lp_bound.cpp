@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/bound/cover_cuts.hpp"
 #include "shelfbeam/placement/bound/row_pricing.hpp"
+#include "shelfbeam/placement/bound/share_cuts.hpp"
 
 namespace shelfbeam::detail {
 
@@ -129,13 +129,8 @@ class RowGeneration {
     for (const auto& row : pricing_.violated(result_.x, row_tolerance, max_cuts, is_row_))
       batch.push_back({row.label});
     result_.complete = batch.empty();
-    if (batch.empty() && options_.cuts && instance_.is_cooperative()) {
-      batch = cover_cuts(instance_, result_.labels, result_.x, max_cuts);
-      if (options_.selections.max_count < instance_.columns())
-        for (BoundRow& row :
-             share_cuts(instance_, options_.selections.max_count, result_.labels, result_.x, max_cuts))
-          batch.push_back(std::move(row));
-    }
+    if (batch.empty() && instance_.is_cooperative() && options_.selections.max_count < instance_.columns())
+      return share_cuts(instance_, options_.selections.max_count, result_.labels, result_.x, max_cuts);
     return batch;
   }
 

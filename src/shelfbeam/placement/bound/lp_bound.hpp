@@ -17,9 +17,7 @@ namespace shelfbeam::detail {
 struct LpBoundOptions {
   Effort effort = {};                                       ///< its time alone
   double enough = std::numeric_limits<double>::infinity();  ///< a bound of this size ends the search
-  /// Cuts for cooperative problems: knapsack covers, and share cuts if the count is limited.
-  bool cuts = true;
-  SelectionSet selections = {};     ///< the bound holds for these selections
+  SelectionSet selections = {};                             ///< the bound holds for these selections
   std::vector<BoundRow> rows = {};  ///< initial rows, without duplicate label rows; empty: as below
 };
 

@@ -47,12 +47,11 @@ class WindowMips final : ProgressSink {
         instance_(instance) {}
 
   double run() {
-    const LpBound lp = lp_bound(instance_, cost_, backend_,
-                                {.effort = {.until = options_.effort.until},
-                                 .cuts = false,
-                                 .selections = {.without = options_.without},
-                                 .rows = options_.rows},
-                                control_);
+    LpBoundOptions linear;
+    linear.effort.until = options_.effort.until;
+    linear.selections.without = options_.without;
+    linear.rows = options_.rows;
+    const LpBound lp = lp_bound(instance_, cost_, backend_, linear, control_);
     if (!lp.complete || lp.dual.bound >= options_.goal) return std::min(lp.dual.bound, options_.goal);
     divide(lp);
     with_threads(control_.threads, [&] {

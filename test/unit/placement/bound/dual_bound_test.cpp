@@ -73,20 +73,14 @@ struct Least {
   }
 };
 
-/// A row per label with random A and, for selections of limited size, random shares.
+/// A row per label and, for selections of limited size, cuts of random shares.
 std::vector<BoundRow> random_rows(const SignalTable& table, std::size_t max_units,
                                   test::RandomTables& random) {
   std::vector<BoundRow> rows;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
-    rows.push_back({i, {}});
-    for (int k = 0; k < 2; ++k) {
-      BoundRow cut{i, {}};
-      for (std::uint32_t j = 0; j < table.columns(); ++j)
-        if (random.chance(0.2)) cut.taken.push_back(j);
-      rows.push_back(cut);
-    }
+    rows.push_back({i});
     for (int k = 0; k < 2; ++k)
-      rows.push_back({i, {}, random.real(0, 1.1) / static_cast<double>(std::max<std::size_t>(max_units, 1))});
+      rows.push_back({i, random.real(0, 1.1) / static_cast<double>(std::max<std::size_t>(max_units, 1))});
   }
   return rows;
 }
@@ -164,20 +158,6 @@ TEST(DualBound, IsTheLpBoundAtItsMultipliers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double wrong : {-0.5, nan, infinite, 100.0, 1e300, 1e308})
     EXPECT_LT(dual_bound({table, problem}, rows, std::vector<double>{0.5, 0.5, wrong}, cost).bound, 1.5);
-}
-
-TEST(DualBound, UsesKnapsackCovers) {
-  // 0.9 x + 0.4 y + 0.4 z >= 1: the row allows x = 1 and y = 1/4, the inequality of A = {x} does not.
-  const SignalTable table = test::make_table({{0.9, 0.4, 0.4}}, 3);
-  const std::vector<double> cost = {0, 1, 1};
-  const DualBound row =
-      dual_bound({table, {}}, std::vector<BoundRow>{{0, {}}}, std::vector<double>{2.5}, cost);
-  EXPECT_NEAR(row.bound, 0.25, 1e-6);
-  const std::vector<BoundRow> cut = {{0, {0}}};
-  EXPECT_NEAR(dual_bound({table, {}}, cut, std::vector<double>{1.0}, cost).bound, 1, 1e-6);
-  // If A alone suffices, the inequality is void.
-  const std::vector<BoundRow> nothing = {{0, {0, 1}}};
-  EXPECT_NEAR(dual_bound({table, {}}, nothing, std::vector<double>{1.0}, cost).bound, 0, 1e-9);
 }
 
 TEST(DualBound, UsesTheNumberOfUnits) {
@@ -303,7 +283,7 @@ TEST(DualBound, UsesThePigeonholePrinciple) {
   const SignalTable table = test::make_table({{0.6, 0.45, 0.45, 0.45}}, 4);
   const std::vector<double> cost = {1, 0, 0, 0};
   const auto bound = [&](double share, std::size_t max_units) {
-    const std::vector<BoundRow> rows = {{0, {}, share}};
+    const std::vector<BoundRow> rows = {{0, share}};
     return dual_bound({table, {}}, rows, std::vector<double>{1.0}, cost, {.max_count = max_units}).bound;
   };
   EXPECT_NEAR(bound(0.46, 2), 1, 1e-9);
