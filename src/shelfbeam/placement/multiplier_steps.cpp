@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "shelfbeam/placement/bound/multiplier_bound.hpp"
-#include "shelfbeam/placement/heuristic/multiplier_greedy.hpp"
 #include "shelfbeam/placement/search_state.hpp"
 
 namespace shelfbeam::detail {
@@ -27,13 +26,7 @@ MultiplierBound bound_of_open(SearchState& state, const Effort& effort, const Se
   options.step = state.instance.bounds.step();
   options.effort = effort;
   options.rows = rows_of(state);
-  const auto heuristic = [&](const SparseRows& rows, const Multipliers& now,
-                             std::span<const std::uint32_t> core) {
-    const Selection selected = multiplier_greedy(rows, now.y, core);
-    if (!selected.empty()) state.offer(selected);
-    return state.incumbent.value();
-  };
-  return multiplier_bound(state.instance, state.instance.first_cost, options, heuristic, state.control);
+  return multiplier_bound(state.instance, state.instance.first_cost, options, state.control);
 }
 
 }  // namespace
@@ -63,7 +56,7 @@ void bound_second_by_multipliers(SearchState& state, const Effort& effort) {
   options.step = state.second->steps().step();
   options.effort = effort;
   state.raise_second(
-      multiplier_bound(state.instance, state.instance.second_cost, options, {}, state.control).dual.bound,
+      multiplier_bound(state.instance, state.instance.second_cost, options, state.control).dual.bound,
       BoundProof::dual);
 }
 

@@ -100,8 +100,7 @@ double quick_bound(const Instance& instance, std::span<const double> cost, doubl
   quick.step = bounds.step();
   quick.effort.steps = std::min(steps, options.step_limit.value_or(steps));
   if (!options.step_limit) quick.effort.until = deadline.end();
-  return std::min(known,
-                  bounds.rounded(detail::multiplier_bound(instance, cost, quick, {}, control).dual.bound));
+  return std::min(known, bounds.rounded(detail::multiplier_bound(instance, cost, quick, control).dual.bound));
 }
 
 /// Raises bounds that the search has left low: all of them if it was not ours or had no time, and otherwise

@@ -131,7 +131,7 @@ std::vector<milp::Backend> clp_first(const SearchState& state);
 void raise_bound_by_tree(SearchState& state, const Effort& effort);
 
 /// Lagrangian bound on the count or the whole sum by dual ascent and subgradient steps, without a solver.
-/// Offers selections chosen by the multipliers, and excludes columns by their reduced costs.
+/// Excludes columns by their reduced costs.
 void raise_bound_by_multipliers(SearchState& state, const Effort& effort);
 
 /// LP bound on the count or the whole sum, with the next back end if one fails. The LP's rows and dual

@@ -18,11 +18,10 @@ constexpr int max_rounds = 5;
 class Bounding {
  public:
   Bounding(const Instance& instance, std::span<const double> cost, const MultiplierBoundOptions& options,
-           const RowHeuristic& heuristic, const RunControl& control)
+           const RunControl& control)
       : instance_(instance),
         cost_(cost),
         options_(options),
-        heuristic_(heuristic),
         control_(control),
         rows_(options.rows),
         is_row_(instance.rows(), false) {}
@@ -65,12 +64,7 @@ class Bounding {
     steps.step = options_.step;
     steps.effort = options_.effort;
     steps.effort.steps = std::min(options_.effort.steps, rows.entries() < small ? few_steps : enough);
-    PrimalHeuristic heuristic;
-    if (heuristic_)
-      heuristic = [&](const Multipliers& now, std::span<const std::uint32_t> core) {
-        return heuristic_(rows, now, core);
-      };
-    Multipliers found = subgradient(rows, std::move(y_), steps, heuristic, control_);
+    Multipliers found = subgradient(rows, std::move(y_), steps, control_);
     y_ = std::move(found.y);
     DualBound dual = dual_bound(instance_, rows_, y_, cost_, options_.selections);
     if (best_.rows.empty() || dual.bound > best_.dual.bound) {
@@ -88,7 +82,6 @@ class Bounding {
   const Instance& instance_;
   std::span<const double> cost_;
   const MultiplierBoundOptions& options_;
-  const RowHeuristic& heuristic_;
   const RunControl& control_;
   std::vector<BoundRow> rows_;
   std::vector<bool> is_row_;  ///< per label
@@ -99,10 +92,8 @@ class Bounding {
 }  // namespace
 
 MultiplierBound multiplier_bound(const Instance& instance, std::span<const double> cost,
-                                 const MultiplierBoundOptions& options, const RowHeuristic& heuristic,
-                                 const RunControl& control) {
-  return with_threads(control.threads,
-                      [&] { return Bounding(instance, cost, options, heuristic, control).run(); });
+                                 const MultiplierBoundOptions& options, const RunControl& control) {
+  return with_threads(control.threads, [&] { return Bounding(instance, cost, options, control).run(); });
 }
 
 }  // namespace shelfbeam::detail

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,15 +26,10 @@ struct MultiplierBoundOptions {
   std::vector<BoundRow> rows = {};
 };
 
-/// A PrimalHeuristic that also sees the rows.
-using RowHeuristic =
-    std::function<double(const SparseRows&, const Multipliers&, std::span<const std::uint32_t> core)>;
-
 /// A lower bound on the cost of the selections by dual ascent and subgradient steps, without a solver; costs
 /// must not be negative. The work is counted, so the result is the same for any number of threads unless
 /// the time comes first.
 MultiplierBound multiplier_bound(const Instance& instance, std::span<const double> cost,
-                                 const MultiplierBoundOptions& options, const RowHeuristic& heuristic,
-                                 const RunControl& control);
+                                 const MultiplierBoundOptions& options, const RunControl& control);
 
 }  // namespace shelfbeam::detail

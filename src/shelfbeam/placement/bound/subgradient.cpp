@@ -18,12 +18,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 class Dual {
  public:
   Dual(const SparseRows& rows, std::vector<double> start, const SubgradientOptions& options,
-       const PrimalHeuristic& heuristic, const RunControl& control)
+       const RunControl& control)
       : rows_(rows),
         options_(options),
-        heuristic_(heuristic),
         control_(control),
-        known_(options.known),
         reduced_(rows.columns(), 0.0),
         average_(rows.columns(), 0.0),
         direction_(rows.rows(), 0.0),
@@ -53,7 +51,7 @@ class Dual {
   bool is_over(std::size_t step) const {
     return is_closed() || (step % 16 == 0 && options_.effort.is_over(control_));
   }
-  bool is_closed() const { return best_.bound > next_better(known_, options_.step); }
+  bool is_closed() const { return best_.bound > next_better(options_.known, options_.step); }
 
   double reduced_cost(std::uint32_t j) const {
     double r = rows_.cost(j);
@@ -75,7 +73,6 @@ class Dual {
       pricing_period_ = is_much ? 10 : std::min<std::size_t>(2 * pricing_period_, 80);
     }
     core_ = choose_core(std::move(all));
-    if (heuristic_) known_ = std::min(known_, heuristic_({y_, value_, reduced_, {}}, core_));
   }
 
   std::vector<std::uint32_t> choose_core(std::vector<std::uint32_t> all) const {
@@ -153,7 +150,7 @@ class Dual {
       norm += d[i] * d[i];
     }
     if (!(norm > 1e-12)) return false;
-    const double above = std::max(known_ - value_, 1e-3 * std::abs(known_));
+    const double above = std::max(options_.known - value_, 1e-3 * std::abs(options_.known));
     const double length = lambda_ * above / norm;
     for (std::size_t i = 0; i < d.size(); ++i) y_[i] = std::max(0.0, y_[i] + length * d[i]);
     return true;
@@ -175,9 +172,7 @@ class Dual {
 
   const SparseRows& rows_;
   const SubgradientOptions& options_;
-  const PrimalHeuristic& heuristic_;
   const RunControl& control_;
-  double known_;
   Multipliers best_;
   std::vector<double> y_, reduced_, average_, direction_;
   std::vector<std::uint32_t> core_, taken_, best_of_group_;
@@ -220,8 +215,8 @@ std::vector<double> ascended(const SparseRows& rows) {
 }
 
 Multipliers subgradient(const SparseRows& rows, std::vector<double> start, const SubgradientOptions& options,
-                        const PrimalHeuristic& heuristic, const RunControl& control) {
-  return Dual(rows, std::move(start), options, heuristic, control).run();
+                        const RunControl& control) {
+  return Dual(rows, std::move(start), options, control).run();
 }
 
 }  // namespace shelfbeam::detail

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -25,10 +24,6 @@ struct Multipliers {
 /// (dual ascent), after a first share min_j c_j / (sum_i a_ij).
 std::vector<double> ascended(const SparseRows& rows);
 
-/// A good y for the columns of the core, and the core: called now and then; returns the cost of the best
-/// selection known.
-using PrimalHeuristic = std::function<double(const Multipliers& now, std::span<const std::uint32_t> core)>;
-
 struct SubgradientOptions {
   std::size_t min_count = 0;  ///< units of every selection besides the chosen ones
   std::size_t max_count = std::numeric_limits<std::size_t>::max();
@@ -46,6 +41,6 @@ struct SubgradientOptions {
 /// core, the columns of small r_j, which is chosen anew now and then from all columns. T has at most one
 /// option per mounting point. After 600 steps L is within some 0.2 % of the LP bound on random covers.
 Multipliers subgradient(const SparseRows& rows, std::vector<double> start, const SubgradientOptions& options,
-                        const PrimalHeuristic& heuristic, const RunControl& control);
+                        const RunControl& control);
 
 }  // namespace shelfbeam::detail

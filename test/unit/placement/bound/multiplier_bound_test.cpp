@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/placement/bound/lp_bound.hpp"
-#include "shelfbeam/placement/heuristic/multiplier_greedy.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
@@ -26,7 +25,7 @@ detail::MultiplierBound bound(const SignalTable& table, const PlacementProblem& 
                               const std::vector<double>& cost, double known) {
   detail::MultiplierBoundOptions options;
   options.known = known;
-  return detail::multiplier_bound({table, problem}, cost, options, {}, {});
+  return detail::multiplier_bound({table, problem}, cost, options, {});
 }
 
 // All kinds of problems: the bound never exceeds the minimum, and the columns that it rules out are in no
@@ -80,7 +79,7 @@ TEST(MultiplierBound, ComesNearTheLinearProgram) {
     detail::MultiplierBoundOptions options;
     options.known = 1.2 * of_lp;
     for (std::uint32_t i = 0; i < table.rows(); ++i) options.rows.push_back({i});
-    const auto found = detail::multiplier_bound({table, sum_alone}, cost, options, {}, {});
+    const auto found = detail::multiplier_bound({table, sum_alone}, cost, options, {});
     EXPECT_LE(found.dual.bound, of_lp * (1 + 1e-6));
     EXPECT_GE(found.dual.bound, of_lp * (1 - 5e-3));
   }
@@ -93,44 +92,9 @@ TEST(MultiplierBound, IsTheSameForAnyNumberOfThreads) {
   detail::MultiplierBoundOptions options;
   options.known = 12;
   const auto with = [&](unsigned threads) {
-    return detail::multiplier_bound({table, {}}, ones, options, {}, {.threads = threads}).dual.if_chosen;
+    return detail::multiplier_bound({table, {}}, ones, options, {.threads = threads}).dual.if_chosen;
   };
   EXPECT_EQ(with(1), with(2));
-}
-
-// Selections by multipliers reach all labels, and are no worse than 10 % above the minimum on average.
-TEST(MultiplierGreedy, ChoosesCheapSelections) {
-  test::RandomTables random(53, {.labels = 10, .transceivers = 12, .borderline = false, .mounts = true});
-  double ratio = 0;
-  int found_some = 0;
-  for (int k = 0; k < 600; ++k) {
-    const SignalTable table = random.next();
-    const PlacementProblem problem{
-        .model = random.chance(0.5) ? CommunicationModel::cooperative : CommunicationModel::non_cooperative,
-        .combination = Combination::weighted};
-    const test::BruteForce truth(table, problem);
-    if (!truth.feasible || !(truth.best_sum > 0)) continue;
-    const std::vector<double> cost = detail::Instance(table, problem).first_cost;
-    detail::MultiplierBoundOptions options;
-    options.known = 2 * truth.best_sum;
-    for (std::uint32_t i = 0; i < table.rows(); ++i) options.rows.push_back({i});
-    double best = std::numeric_limits<double>::infinity();
-    const auto heuristic = [&](const detail::SparseRows& rows, const detail::Multipliers& now,
-                               std::span<const std::uint32_t> core) {
-      const auto selected = detail::multiplier_greedy(rows, now.y, core);
-      if (selected.empty()) return best;
-      const Check check = check_selection(table, problem, selected);
-      EXPECT_TRUE(check.unmet.empty() && check.crowded.empty()) << k;
-      best = std::min(best, check.transceiver_cost + check.objective);
-      return best;
-    };
-    detail::multiplier_bound({table, problem}, cost, options, heuristic, {});
-    if (std::isinf(best)) continue;
-    ++found_some;
-    ratio += best / truth.best_sum;
-  }
-  EXPECT_GT(found_some, 150);
-  EXPECT_LT(ratio / found_some, 1.1);
 }
 
 }  // namespace
