@@ -13,7 +13,7 @@ struct Index {
 };
 
 /// The number of an element of one particular list: converts from and to whole numbers, but not into the
-/// number in another list, and lists of them are of different types.
+/// number in another list, and lists of them are of different types. Single whole numbers are not checked.
 template <class Tag>
 class Number {
  public:
@@ -24,6 +24,7 @@ class Number {
     ++value_;
     return *this;
   }
+  friend constexpr std::uint32_t format_as(Number number) { return number.value_; }  ///< for fmt
 
  private:
   std::uint32_t value_ = 0;

@@ -45,7 +45,8 @@ void SearchState::offer_second(const std::optional<Selection>& found) {
 }
 
 void SearchState::raise_second(double bound, BoundProof proof) {
-  if (second->raise(bound, proof, step)) incumbent.rest_on(proof);
+  second->raise(bound, proof, step);
+  incumbent.rest_on(second->proof());
 }
 
 const Reduction& SearchState::reduction() {

@@ -14,8 +14,8 @@
 
 namespace shelfbeam::detail {
 
-/// The best selection known of a goal that minimises a value, and the best lower bound on this value. Every
-/// selection has passed the checker, and no bound exceeds the value.
+/// The best selection known of a goal that minimises a value, and the best lower bound on this value.
+/// Selections must have passed the checker. No bound exceeds the value, unless a solver's was wrong.
 class Incumbent {
  public:
   Incumbent(const ValueSteps& steps, double trivial_bound) : steps_(steps), bound_(trivial_bound) {}
@@ -23,7 +23,7 @@ class Incumbent {
   bool has_selection() const { return value_ < std::numeric_limits<double>::infinity(); }
   const Selection& selected() const { return selected_; }
   double value() const { return value_; }  ///< infinite without a selection
-  double bound() const { return bound_; }  ///< infinite if there is none
+  double bound() const { return bound_; }  ///< infinite: no selection exists
   BoundProof proof() const { return proof_; }
   const ValueSteps& steps() const { return steps_; }
   /// The value is proven, or that no selection exists.
@@ -38,8 +38,10 @@ class Incumbent {
   bool offer(const Selection& selected, double value);
   /// The bound is above the value, so it is wrong.
   bool contradicts(double bound) const {
-    constexpr double rounding = 1e-6;
-    return steps_.rounded(bound) > value_ + std::max(rounding * value_, steps_.solver_tolerance(value_));
+    constexpr double rounding = 1e-6, half = 0.5;
+    const double error =
+        steps_.sees_steps(value_) ? std::min(rounding * value_, half * steps_.step()) : rounding * value_;
+    return steps_.rounded(bound) > value_ + std::max(error, steps_.solver_tolerance(value_));
   }
   /// Raises the bound; true if it rises. One that contradicts the selection is ignored if it is a solver's;
   /// our own methods throw std::logic_error with the name of the step then. A solver's bound within its

@@ -28,9 +28,9 @@ enum class Status {
 enum class BoundProof {
   trivial,   ///< no search: installed units, one more if they miss a label, costs of the cheapest units
   dual,      ///< multipliers, summed again from the table, independent of the solver that found them
-  log,       ///< log of a tree search, verified step by step from the table
+  log,       ///< log of a tree search or an enumeration, verified step by step from the table
   branches,  ///< branch and bound; the bound of every node was summed again from multipliers
-  search,    ///< exhaustive search without a log, or whose log was too long to verify
+  search,    ///< exhaustive search whose log was not verified, because it was too long or for another reason
   solver     ///< MIP solver, not verified independently
 };
 

@@ -9,8 +9,9 @@ namespace shelfbeam::detail {
 /// Of a judge on the log of a search.
 enum class ProofVerdict {
   holds,
-  left_open,   ///< the log has open nodes or is incomplete
-  unfinished,  ///< a limit came first
+  left_open,    ///< the log has open nodes or is incomplete
+  unfinished,   ///< a limit came first
+  unconfirmed,  ///< the log does not hold, which rounding may explain
   refuted
 };
 

@@ -159,7 +159,9 @@ class Curve {
       if (found.selected) offer(*found.selected);
       if (!found.is_complete) return;
       rise();
-      const auto strength = judged(instance_, weights_, found.proof, effort_, control_);
+      const auto strength = judged(instance_, weights_, found.proof, point.units,
+                                   point.at_least + weights_.step(), part_of_rest(effort_, 4), control_);
+      was_cut_short_ = was_cut_short_ || !strength;
       if (!strength) return;
       if (point.at_most >= weights_.total()) point.miss_proof = *strength;
       point.at_most = std::min(point.at_most, point.at_least + (weights_.are_whole() ? 0 : weights_.step()));

@@ -43,16 +43,29 @@ class Judge {
   ProofVerdict judge() {
     const std::size_t installed = instance_.installed.size();
     if (installed > proof_.units) return ProofVerdict::holds;
-    free_ = std::min(proof_.units - installed, instance_.columns());
+    std::vector<bool> helps(instance_.columns(), false);
+    for (const std::uint32_t label : proof_.rows)
+      for (const SignalEntry& entry : instance_.row(known(label)))
+        helps[entry.transceiver] = instance_.available[entry.transceiver];
+    const auto candidates = static_cast<std::size_t>(std::count(helps.begin(), helps.end(), true));
+    free_ = std::min(proof_.units - installed, candidates);
     fill();
     std::vector<ColumnId> all;
     for (std::uint32_t j = 0; j < instance_.columns(); ++j)
       if (instance_.available[j]) all.push_back(j);
     const bool holds = node(states_.front(), all, free_) && at_ == proof_.steps.size();
-    return is_refuted_ ? ProofVerdict::refuted : holds ? ProofVerdict::holds : ProofVerdict::unfinished;
+    return is_refuted_ ? ProofVerdict::refuted
+           : holds     ? ProofVerdict::holds
+           : ran_out_  ? ProofVerdict::unfinished
+                       : ProofVerdict::unconfirmed;
   }
 
  private:
+  std::uint32_t known(std::uint32_t label) const {
+    if (label >= instance_.rows()) throw std::out_of_range("the table has no such label");
+    return label;
+  }
+
   struct Entry {
     std::uint32_t row = 0;
     double share = 0;
@@ -163,7 +176,7 @@ class Judge {
 
   // Reads the steps of one node; true if they prove it.
   bool node(State& state, const std::vector<ColumnId>& list, std::size_t free) {
-    ran_out_ = ran_out_ || effort_.is_over(control_);
+    ran_out_ = ran_out_ || work_ >= effort_.steps || effort_.is_over(control_);
     measure(state, free);
     is_refuted_ = is_refuted_ || state.reached >= proof_.needed;
     if (ran_out_ || is_refuted_) return false;
@@ -187,6 +200,7 @@ class Judge {
 
   bool every_single_fails(const State& state, const std::vector<ColumnId>& list) {
     for (const ColumnId j : list) {
+      work_ += column_[j].size() + 1;
       double reached = state.reached;
       for (const Entry& entry : column_[j])
         if (!is_reached(entry.row, state.value[entry.row])) {
@@ -207,7 +221,8 @@ class Judge {
     Values values{state.nearly_reached, std::vector<double>(instance_.columns(), 0)};
     for (std::uint32_t r = 0; r < y.size(); ++r)
       values.fixed += state.weight[r] * (1 - static_cast<double>(y[r]));
-    for (const ColumnId j : list)
+    for (const ColumnId j : list) {
+      work_ += column_[j].size() + 1;
       for (const Entry& entry : column_[j]) {
         const std::uint32_t r = entry.row;
         if (state.weight[r] == 0) continue;
@@ -215,6 +230,7 @@ class Judge {
         const double share = std::max(0.0, entry.share - shift) / ((1 - omitted) * state.lack[r]);
         values.of_column[j] += state.weight[r] * static_cast<double>(y[r]) * std::min(1.0, share);
       }
+    }
     return values;
   }
 
@@ -274,6 +290,7 @@ class Judge {
   bool omits_best_, is_sum_, ran_out_ = false, is_refuted_ = false;
   double target_, relaxed_target_, settled_ = 0;
   std::size_t free_ = 0, at_ = 0;
+  std::uint64_t work_ = 0;                      ///< entries examined
   std::vector<std::vector<Entry>> column_;      ///< by column of the table
   std::vector<bool> chosen_;                    ///< by column of the table
   std::vector<std::uint32_t> place_;            ///< of a label among the rows
@@ -293,11 +310,14 @@ ProofVerdict judge_coverage(const Instance& instance, const LabelWeights& weight
   }
 }
 
-std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights,
-                                 const CoverageProof& proof, const Effort& effort,
+std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights, CoverageProof proof,
+                                 std::size_t units, double needed, const Effort& effort,
                                  const RunControl& control) {
+  constexpr std::uint64_t max_work = 5'000'000'000;  // some seconds
   if (proof.steps.empty()) return BoundProof::search;
-  return strength_of(judge_coverage(instance, weights, proof, effort, control));
+  proof.units = units;
+  proof.needed = needed;
+  return strength_of(judge_coverage(instance, weights, proof, {max_work, effort.until}, control));
 }
 
 }  // namespace shelfbeam::detail

@@ -90,14 +90,16 @@ class CoverageLog {
   bool is_full_ = false;
 };
 
-/// Verifies a proof in double precision from the table and the problem of `instance` alone. Refuted if a
-/// selection that it meets reaches the weight; unfinished if it does not hold for another reason, as rounding
-/// or the end of the effort.
+/// Verifies a proof in double precision from the table and the problem of `instance` alone. Refuted if it is
+/// malformed, or meets a selection that reaches the weight; unconfirmed if it does not hold for another
+/// reason, such as rounding. A step of the effort is a matrix entry.
 ProofVerdict judge_coverage(const Instance& instance, const LabelWeights& weights, const CoverageProof& proof,
                             const Effort& effort, const RunControl& control);
 
-/// The strength of the bound of such a proof, without steps as well; nothing if it is refuted.
-std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights,
-                                 const CoverageProof& proof, const Effort& effort, const RunControl& control);
+/// The strength of the claim that no selection of at most `units` units reaches the weight `needed`, by the
+/// log of an enumeration; `search` if the log has no steps. Nothing if it is refuted.
+std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights, CoverageProof proof,
+                                 std::size_t units, double needed, const Effort& effort,
+                                 const RunControl& control);
 
 }  // namespace shelfbeam::detail

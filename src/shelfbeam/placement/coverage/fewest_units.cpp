@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
@@ -117,10 +118,12 @@ class Minimisation final : detail::PartialSearch {
       const auto found = enumerate_coverage(table, weights_, count_bound(), target_,
                                             detail::EnumerationAim::first, left, control_);
       if (!found.is_complete) return;
+      const auto strength = found.selected ? std::nullopt
+                                           : judged(instance_, weights_, found.proof, count_bound(), target_,
+                                                    {.until = effort.until}, control_);
+      if (!found.selected && !strength) return;
       solver_ = {Method::search};
       if (found.selected) return offer(*found.selected);
-      const auto strength = judged(instance_, weights_, found.proof, {.until = effort.until}, control_);
-      if (!strength) return;
       raise_to(count_bound() + 1, *strength);
     }
   }

@@ -14,7 +14,7 @@ struct FewestUnits : PartialAnswer {
   bool has_selection = false;  ///< `selected` reaches the target
   /// Without weights, a label weighs 1. The upper bound holds for selections of any number of units.
   CoverageWeight weight;
-  /// Proven: fewer units do not reach the target. If none do, it is 0 and bound_proof that of the fact.
+  /// Proven: fewer units do not reach the target. If no units do, it is 0, and `bound_proof` is the proof.
   std::size_t count_lower_bound = 0;
 };
 

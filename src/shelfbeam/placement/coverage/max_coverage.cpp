@@ -144,8 +144,10 @@ class Maximisation final : detail::PartialSearch {
     if (was_open) {
       const auto best = examine(units_, reached() + weights_.step(), EnumerationAim::best);
       if (!best.is_complete) return false;
-      const auto strength = judged(instance_, weights_, best.proof, {.until = effort.until}, control_);
+      const auto strength = judged(instance_, weights_, best.proof, units_, reached() + weights_.step(),
+                                   {.until = effort.until}, control_);
       if (!strength) return false;
+      // Weights that are not whole may be larger by less than a step, as CoverageWeight says.
       incumbent_.raise(incumbent_.value(), *strength, step);
       solver_ = {Method::search};
       offer_compact(incumbent_.selected(), effort);

@@ -8,7 +8,7 @@
 
 namespace shelfbeam {
 
-/// The result of `maximise_coverage`; feasible at worst, since the installed units are a selection.
+/// The result of `maximise_coverage`: never infeasible, since the installed units are a selection.
 struct MaxCoverage : PartialAnswer {
   std::size_t at_most = 0;  ///< units, installed ones included
   /// Proven: at most this many labels can be reached; with weights, the labels reachable one by one. Its

@@ -54,8 +54,9 @@ class PartialSearch {
   virtual void begin(const Effort& effort) = 0;
   /// One annealing; false if no unit can be exchanged.
   virtual bool anneal(const CoverageAnnealing& annealing, const Effort& effort, std::uint32_t seed) = 0;
-  /// Raises the bound by CoverageBound and by enumerate_coverage.
+  /// Raises the bound by CoverageBound.
   virtual void raise_by_multipliers(const Effort& effort) = 0;
+  /// Raises the bound by enumerate_coverage, and offers its selections.
   virtual void raise_by_enumeration(const Effort& effort) = 0;
   /// The question for a MIP solver; `cutoff` as in MipKnowledge. Its bound becomes one on the value.
   struct MipQuestion {

@@ -233,7 +233,10 @@ class Solver {
     return added > 0 && (placement.status == Status::optimal || enough_);
   }
 
-  void raise_to(double bound) { incumbent_.raise(bound, BoundProof::solver, "placement over states"); }
+  // A solver that contradicts a checked selection is wrong.
+  void raise_to(double bound) {
+    if (!incumbent_.contradicts(bound)) incumbent_.raise(bound, BoundProof::search, step);
+  }
 
   void anneal(const Effort& effort) {
     for (; !effort.is_over(control_) && !is_settled() && annealing_.can_exchange(known());

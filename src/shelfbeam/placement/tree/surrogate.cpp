@@ -112,7 +112,7 @@ TreeWindow::TreeWindow(const SearchMatrix& whole)
     : rows(whole.rows()), slot(whole.columns()), padded(whole.padded_rows()) {
   std::iota(rows.begin(), rows.end(), 0U);
   std::iota(slot.begin(), slot.end(), 0U);
-  for (const ColumnId j : slot) values.insert(values.end(), whole.column(j), whole.column(j) + padded);
+  for (const std::uint32_t j : slot) values.insert(values.end(), whole.column(j), whole.column(j) + padded);
 }
 
 void TreeNode::look_through(std::shared_ptr<const TreeWindow> through) {
