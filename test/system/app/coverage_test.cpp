@@ -94,7 +94,7 @@ TEST_F(Coverage, OfTwoUnitsIsProvenInTheThesisStore) {
   };
   const Json two = ask("search"), greedy = ask("greedy");
   EXPECT_EQ(two["status"], "optimal");
-  EXPECT_EQ(two["bound_proof"], "search");
+  EXPECT_EQ(two["bound_proof"], "log");
   EXPECT_EQ(two["solver"], "search");
   EXPECT_EQ(two["reached"], two["reached_upper_bound"]);
   EXPECT_GE(two["reached"], greedy["reached"]);
