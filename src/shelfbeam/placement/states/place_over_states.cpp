@@ -123,9 +123,9 @@ class Solver {
            while (!s.is_over() && !s.is_settled() && s.raise()) {
            }
          }},
-        {"annealing", selects_before_windows, 0.4, no_limit_s, any_steps,
+        {"annealing", selects_before_windows, 0.3, no_limit_s, any_steps,
          [](S& s, const Effort& e) { s.anneal(e); }},
-        {"windows by MIPs", selects_before_windows, 0.8, no_limit_s, any_steps,
+        {"windows by MIPs", selects_before_windows, 0.9, no_limit_s, any_steps,
          [](S& s, const Effort& e) { s.raise_by_windows(e); }},
         {"windows by MIPs", windows_alone, 1, no_limit_s, any_steps,
          [](S& s, const Effort& e) { s.raise_by_windows(e); }},
