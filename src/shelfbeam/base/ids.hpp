@@ -20,10 +20,6 @@ class Number {
   constexpr Number() = default;
   constexpr Number(std::uint32_t value) : value_(value) {}
   constexpr operator std::uint32_t() const { return value_; }
-  constexpr Number& operator++() {
-    ++value_;
-    return *this;
-  }
   friend constexpr std::uint32_t format_as(Number number) { return number.value_; }  ///< for fmt
 
  private:

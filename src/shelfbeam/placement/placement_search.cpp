@@ -95,42 +95,42 @@ constexpr auto has_cheap_moves = [](State state) {
 };
 constexpr auto gains_much = [](State state) { return !gains_little(state) && !has_cheap_moves(state); };
 constexpr Step<SearchState> opening[] = {
-    {"local search", gains_little, 1, no_limit_s, 100, improve},
-    {"local search", has_cheap_moves, 1, no_limit_s, 1'000, improve},
-    {"local search", gains_much, 1, no_limit_s, 20'000, improve},
+    {"local search", gains_little, 1, improve, 100},
+    {"local search", has_cheap_moves, 1, improve, 1'000},
+    {"local search", gains_much, 1, improve, 20'000},
 };
 
 // The schedule until the gap is closed (docs/methods/placement.md, "The search"). Small: a tree search may
 // end within seconds. Cover: the reductions apply; other problems are searched whole.
 constexpr Step<SearchState> schedule[] = {
-    // name, condition, share of the time left, maximum seconds, maximum steps, function
-    {"short tree search", is_small, 0.2, no_limit_s, 15'000, raise_bound_by_tree},
-    {"multipliers", always, 0.2, no_limit_s, any_steps, raise_bound_by_multipliers},
-    {"linear programs", has_more_than_bounds, 0.5, no_limit_s, any_steps, raise_bound_by_lp},
-    {"linear programs only", has_bounds_alone, 0.7, no_limit_s, any_steps, raise_bound_by_lp},
-    {"longer tree search", is_small_whole, 0.3, no_limit_s, 5'000'000, raise_bound_by_tree},
-    {"more local search", has_many_left, 0.2, 20, 200'000, improve},
+    // name, condition, share of the time left, function, maximum steps, maximum seconds
+    {"short tree search", is_small, 0.2, raise_bound_by_tree, 15'000},
+    {"multipliers", always, 0.2, raise_bound_by_multipliers},
+    {"linear programs", has_more_than_bounds, 0.5, raise_bound_by_lp},
+    {"linear programs only", has_bounds_alone, 0.7, raise_bound_by_lp},
+    {"longer tree search", is_small_whole, 0.3, raise_bound_by_tree, 5'000'000},
+    {"more local search", has_many_left, 0.2, improve, 200'000, 20},
     // Branch and bound gives up at once if it cannot end in time; windows do not know when they will end.
-    {"short branch and bound", may_have_windows, 0.15, no_limit_s, any_steps, branch_on_remainder},
-    {"windows", may_have_windows, 0.75, no_limit_s, any_steps, raise_bound_by_windows},
-    {"short branch and bound", asks_mip_first, 0.15, 2, any_steps, branch_on_remainder},
-    {"branch and bound", may_branch, 0.8, no_limit_s, any_steps, branch_on_remainder},
-    {"more local search", may_improve_again, 0.2, 20, 200'000, improve},
+    {"short branch and bound", may_have_windows, 0.15, branch_on_remainder},
+    {"windows", may_have_windows, 0.75, raise_bound_by_windows},
+    {"short branch and bound", asks_mip_first, 0.15, branch_on_remainder, any_steps, 2},
+    {"branch and bound", may_branch, 0.8, branch_on_remainder},
+    {"more local search", may_improve_again, 0.2, improve, 200'000, 20},
     // MIP solvers suit reduced covers of many units; tree searches do not.
-    {"tree search", is_small, 0.6, no_limit_s, any_steps, raise_bound_by_tree},
-    {"tree search", is_large_whole_of_few, 0.35, no_limit_s, any_steps, raise_bound_by_tree},
-    {"windows by MIPs", may_have_window_mips, 0.9, no_limit_s, any_steps, raise_bound_by_window_mips},
-    {"MIP", is_large_or_cover, 0.9, no_limit_s, any_steps, solve_mip},
-    {"final tree search", has_few_units, 1, no_limit_s, any_steps, raise_bound_by_tree},
-    {"final local search", always, 1, no_limit_s, any_steps, improve},
+    {"tree search", is_small, 0.6, raise_bound_by_tree},
+    {"tree search", is_large_whole_of_few, 0.35, raise_bound_by_tree},
+    {"windows by MIPs", may_have_window_mips, 0.9, raise_bound_by_window_mips},
+    {"MIP", is_large_or_cover, 0.9, solve_mip},
+    {"final tree search", has_few_units, 1, raise_bound_by_tree},
+    {"final local search", always, 1, improve},
 };
 
 // The schedule of the second objective, once the minimum count is known.
 constexpr Step<SearchState> second_schedule[] = {
-    {"second objective, multipliers", is_large, 0.2, no_limit_s, any_steps, bound_second_by_multipliers},
-    {"second objective, linear program", is_large, 0.3, no_limit_s, any_steps, bound_second_by_lp},
-    {"second objective, tree", has_tree, 0.6, no_limit_s, any_steps, search_second_by_tree},
-    {"second objective, MIP", fits_mip, 1, no_limit_s, any_steps, solve_mip_for_second},
+    {"second objective, multipliers", is_large, 0.2, bound_second_by_multipliers},
+    {"second objective, linear program", is_large, 0.3, bound_second_by_lp},
+    {"second objective, tree", has_tree, 0.6, search_second_by_tree},
+    {"second objective, MIP", fits_mip, 1, solve_mip_for_second},
 };
 
 Placement answer_of(State state, const PlacementProblem& problem) {

@@ -39,10 +39,10 @@ template <class Search>
 struct Step {
   std::string_view name;
   bool (*applies)(const Search&);
-  double share;         ///< of the time left when it begins,
-  double max_s;         ///< at most this many seconds,
-  std::uint64_t steps;  ///< at most this many moves of local search or tree nodes
+  double share;  ///< of the time left when it begins
   void (*run)(Search&, const Effort&);
+  std::uint64_t steps = any_steps;  ///< at most this many moves of local search or tree nodes
+  double max_s = no_limit_s;        ///< at most this many seconds
 
   /// With a step limit, the share of the time does not apply.
   Effort effort(const Search& search) const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/problem/label_shares.hpp"
 
 namespace shelfbeam::detail {
 
@@ -25,9 +26,9 @@ class Judge {
         proof_(proof),
         effort_(effort),
         control_(control),
-        omits_best_(instance.is_cooperative() && instance.problem.redundant),
         is_sum_(instance.is_cooperative()),
-        target_(instance.is_cooperative()    ? 1 - met_tolerance - judge_tie
+        omits_best_(is_sum_ && instance.problem.redundant),
+        target_(is_sum_                      ? 1 - met_tolerance - judge_tie
                 : instance.problem.redundant ? 2
                                              : 1),
         // The search's target, which is below the exact rule: near-ties count as in the search.
@@ -86,20 +87,18 @@ class Judge {
 
   // Labels that further units may reach become rows, in the order of the proof; others count at once.
   void fill() {
-    place_.assign(instance_.rows(), CoverageProof::end);
-    for (std::uint32_t r = 0; r < proof_.rows.size(); ++r) place_.at(proof_.rows[r]) = r;
+    std::vector<std::uint32_t> place(instance_.rows(), CoverageProof::end);  // of a label among the rows
+    for (std::uint32_t r = 0; r < proof_.rows.size(); ++r) place[proof_.rows[r]] = r;
     states_.resize(free_ + 1);
     State& root = states_.front();
     root.value.assign(proof_.rows.size(), 0);
     root.best.assign(proof_.rows.size(), 0);
     strongest_.assign(free_ + 1, std::vector<double>(proof_.rows.size(), 0));
     for (std::uint32_t i = 0; i < instance_.rows(); ++i) {
-      const std::uint32_t r = place_[i];
+      const std::uint32_t r = place[i];
       std::vector<double> shares;
       for (const SignalEntry& entry : instance_.row(i)) {
-        const double requirement = instance_.requirement(i);
-        const double share = instance_.is_cooperative() ? std::min(1.0, entry.signal / requirement)
-                                                        : (is_met(entry.signal, requirement) ? 1 : 0);
+        const double share = share_of(entry.signal, instance_.requirement(i), instance_.problem);
         if (r != CoverageProof::end && share > 0) column_[entry.transceiver].push_back({r, share});
         if (instance_.available[entry.transceiver]) shares.push_back(share);
       }
@@ -287,13 +286,12 @@ class Judge {
   const CoverageProof& proof_;
   const Effort& effort_;
   const RunControl& control_;
-  bool omits_best_, is_sum_, ran_out_ = false, is_refuted_ = false;
+  bool is_sum_, omits_best_, ran_out_ = false, is_refuted_ = false;
   double target_, relaxed_target_, settled_ = 0;
   std::size_t free_ = 0, at_ = 0;
   std::uint64_t work_ = 0;                      ///< entries examined
   std::vector<std::vector<Entry>> column_;      ///< by column of the table
   std::vector<bool> chosen_;                    ///< by column of the table
-  std::vector<std::uint32_t> place_;            ///< of a label among the rows
   std::vector<std::vector<double>> strongest_;  ///< per number of units: the sum of a row's strongest shares
   std::vector<State> states_;                   ///< per depth
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
@@ -39,8 +39,9 @@ class Minimisation final : detail::PartialSearch {
   }
 
   FewestUnits run() {
+    search();
     FewestUnits answer;
-    search(answer);
+    fill(answer);
     answer.has_selection = incumbent_.has_selection();
     answer.share = share_;
     answer.target = weights_.in_table(target_);
@@ -115,15 +116,17 @@ class Minimisation final : detail::PartialSearch {
     detail::CoverageTable table(instance_, weights_);
     Effort left = detail::enumeration_effort(effort, instance_.table);
     while (!incumbent_.is_closed()) {
-      const auto found = enumerate_coverage(table, weights_, count_bound(), target_,
-                                            detail::EnumerationAim::first, left, control_);
+      auto found = enumerate_coverage(table, weights_, count_bound(), target_, detail::EnumerationAim::first,
+                                      left, control_);
       if (!found.is_complete) return;
-      const auto strength = found.selected ? std::nullopt
-                                           : judged(instance_, weights_, found.proof, count_bound(), target_,
-                                                    {.until = effort.until}, control_);
-      if (!found.selected && !strength) return;
+      if (found.selected) {
+        solver_ = {Method::search};
+        return offer(*found.selected);
+      }
+      const auto strength = judged(instance_, weights_, std::move(found.proof), count_bound(), target_,
+                                   {.until = effort.until}, control_);
+      if (!strength) return;
       solver_ = {Method::search};
-      if (found.selected) return offer(*found.selected);
       raise_to(count_bound() + 1, *strength);
     }
   }

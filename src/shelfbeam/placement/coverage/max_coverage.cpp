@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,13 +38,12 @@ class Maximisation final : detail::PartialSearch {
   }
 
   MaxCoverage run() {
-    MaxCoverage answer;
-    search(answer);
+    search();
     if (incumbent_.bound() <= 0)  // no time for more
       incumbent_.raise(weights_.total() - detail::reachable_weight(instance_, weights_), BoundProof::trivial,
                        step);
-    if (incumbent_.is_closed()) answer.status = Status::optimal;
-    answer.bound_proof = incumbent_.proof();
+    MaxCoverage answer;
+    fill(answer);
     answer.at_most = at_most_;
     const double bound = weights_.total() - incumbent_.bound();
     if (!has_weights(instance_.table)) {
@@ -142,10 +142,10 @@ class Maximisation final : detail::PartialSearch {
     };
     const bool was_open = !incumbent_.is_closed();
     if (was_open) {
-      const auto best = examine(units_, reached() + weights_.step(), EnumerationAim::best);
+      auto best = examine(units_, reached() + weights_.step(), EnumerationAim::best);
       if (!best.is_complete) return false;
-      const auto strength = judged(instance_, weights_, best.proof, units_, reached() + weights_.step(),
-                                   {.until = effort.until}, control_);
+      const auto strength = judged(instance_, weights_, std::move(best.proof), units_,
+                                   reached() + weights_.step(), {.until = effort.until}, control_);
       if (!strength) return false;
       // Weights that are not whole may be larger by less than a step, as CoverageWeight says.
       incumbent_.raise(incumbent_.value(), *strength, step);

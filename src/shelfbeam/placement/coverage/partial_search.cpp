@@ -17,9 +17,13 @@ PartialSearch::PartialSearch(const Instance& instance, const PlaceOptions& optio
       control_(control),
       weights_(instance.table),
       incumbent_(instance.bounds, 0),
-      whole_(options.step_limit ? Effort{*options.step_limit} : for_seconds(options.time_limit_s)) {}
+      whole_(options.step_limit ? Effort{*options.step_limit} : for_seconds(options.time_limit_s)),
+      searches_(options.uses(SolverChoice::search)),
+      anneals_(searches_ && CoverageAnnealing::fits(instance)),
+      solves_(options.uses(SolverChoice::mip) && CoverModel::fits_with_misses(instance)),
+      too_large_(options.uses(SolverChoice::mip) && !solves_) {}
 
-void PartialSearch::run_schedule() {
+void PartialSearch::search() {
   using S = PartialSearch;
   constexpr auto has_rest = [](const S& s) { return s.has_rest(); };
   constexpr auto has_no_rest = [](const S& s) { return !s.has_rest(); };
@@ -41,28 +45,23 @@ void PartialSearch::run_schedule() {
   constexpr auto anneal_long = [](S& s, const Effort& e) { s.anneal_in_turn(s.long_walk(), e, true); };
   constexpr auto solve = [](S& s, const Effort& e) { s.solve(e); };
   static constexpr Step<S> schedule[] = {
-      // name, condition, share of the time left, maximum seconds, maximum steps, function
-      {"greedy", has_rest, 0.3, no_limit_s, any_steps, begin},
-      {"greedy", has_no_rest, 0.5, no_limit_s, any_steps, begin},
+      // name, condition, share of the time left, function, maximum steps, maximum seconds
+      {"greedy", has_rest, 0.3, begin},
+      {"greedy", has_no_rest, 0.5, begin},
       // Bounds profit from a good selection.
-      {"short annealing", anneals, 0.3, no_limit_s, any_steps, anneal_briefly},
-      {"multipliers", has_rest, 0.4, no_limit_s, any_steps, bound},
-      {"multipliers", has_no_rest, 0.6, no_limit_s, any_steps, bound},
-      {"tree search", searches_and_rests, 0.2, no_limit_s, any_steps, enumerate},
-      {"tree search", only_searches, 1, no_limit_s, any_steps, enumerate},
-      {"annealing", improves_first, 0.4, no_limit_s, any_steps, anneal_long},
-      {"annealing", improves_last, 1, no_limit_s, any_steps, anneal_long},
-      {"MIP", solves, 1, no_limit_s, any_steps, solve},
+      {"short annealing", anneals, 0.3, anneal_briefly},
+      {"multipliers", has_rest, 0.4, bound},
+      {"multipliers", has_no_rest, 0.6, bound},
+      {"tree search", searches_and_rests, 0.2, enumerate},
+      {"tree search", only_searches, 1, enumerate},
+      {"annealing", improves_first, 0.4, anneal_long},
+      {"annealing", improves_last, 1, anneal_long},
+      {"MIP", solves, 1, solve},
   };
   run_steps(schedule, *this);
 }
 
-void PartialSearch::search(PartialAnswer& answer) {
-  const bool fits = CoverModel::fits_with_misses(instance_), may_ask = options_.uses(SolverChoice::mip);
-  solves_ = may_ask && fits;
-  searches_ = options_.uses(SolverChoice::search);
-  anneals_ = searches_ && CoverageAnnealing::fits(instance_);
-  run_schedule();
+void PartialSearch::fill(PartialAnswer& answer) {
   is_cut_short_ = is_cut_short_ || whole_.is_over(control_) || !incumbent_.has_selection();
   answer.selected = incumbent_.selected();
   if (incumbent_.has_selection()) {
@@ -73,7 +72,7 @@ void PartialSearch::search(PartialAnswer& answer) {
   answer.status = incumbent_.is_closed() ? Status::optimal
                   : is_cut_short_        ? Status::stopped
                                          : Status::feasible;
-  answer.too_large = may_ask && !fits;
+  answer.too_large = too_large_;
   answer.solver = std::move(solver_);
   answer.steps = std::move(steps);
 }

@@ -41,8 +41,10 @@ class PartialSearch {
   std::vector<SearchStep> steps;
 
  protected:
-  /// Runs the steps, and fills what all answers have; the status is optimal, feasible or stopped.
-  void search(PartialAnswer& answer);
+  /// Runs the steps.
+  void search();
+  /// The parts of every answer; the status is optimal, feasible or stopped.
+  void fill(PartialAnswer& answer);
 
   /// Replaces the incumbent if the selection is allowed and better.
   virtual void offer(const Selection& selected) = 0;
@@ -77,14 +79,13 @@ class PartialSearch {
   std::vector<ColumnId> order_;  ///< of the greedy method
 
  private:
-  void run_schedule();
   void anneal_in_turn(std::uint64_t moves, const Effort& effort, bool repeats);
   void solve(const Effort& effort);
   bool may_improve() const { return anneals_ && !incumbent_.is_closed(); }
   bool has_rest() const { return solves_ || anneals_; }  ///< a step can use the rest of the time
 
   Effort whole_;
-  bool searches_ = false, anneals_ = false, solves_ = false;
+  bool searches_, anneals_, solves_, too_large_;
   bool is_cut_short_ = false;  ///< by a limit or an interruption, or by a MIP solver that settled nothing
 };
 

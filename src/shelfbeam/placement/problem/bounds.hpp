@@ -11,8 +11,8 @@ namespace shelfbeam {
 /// How the values of a goal differ. Lower ones are better.
 class ValueSteps {
  public:
-  /// Values are multiples of `step`; 0 if there is no common step. If values are sums of many terms, those
-  /// that differ by `error` are equal, too.
+  /// Values are multiples of `step`; 0 if there is no common step. Values that differ by at most `error`, as
+  /// sums of many terms do, are equal.
   explicit ValueSteps(double step, double error = 0) : step_(step), error_(error) {}
 
   double step() const { return step_; }

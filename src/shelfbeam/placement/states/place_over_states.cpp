@@ -103,7 +103,6 @@ class Solver {
   using Effort = detail::Effort;
 
   void run_schedule() {
-    using detail::any_steps, detail::no_limit_s;
     using S = Solver;
     constexpr auto always = [](const S&) { return true; };
     constexpr auto bounds_alone = [](const S& s) { return s.enough_.has_value(); };
@@ -111,25 +110,21 @@ class Solver {
     constexpr auto selects_before_windows = [](const S& s) { return !s.enough_ && s.may_have_windows(); };
     constexpr auto windows_alone = [](const S& s) { return s.enough_ && s.may_have_windows(); };
     static constexpr detail::Step<S> schedule[] = {
-        // name, condition, share of the time left, maximum seconds, maximum steps, function
-        {"greedy", selects, 1, no_limit_s, any_steps, [](S& s, const Effort&) { s.start(); }},
-        {"annealing", selects, 1, no_limit_s, any_steps,
-         [](S& s, const Effort& e) { s.search_for_fewer(e); }},
-        {"linear programs", selects, 0.4, no_limit_s, any_steps, [](S& s, const Effort& e) { s.relax(e); }},
-        {"linear programs", bounds_alone, 1, no_limit_s, any_steps,
-         [](S& s, const Effort& e) { s.relax(e); }},
-        {"placements on cuts", always, 1, no_limit_s, any_steps,
+        // name, condition, share of the time left, function, maximum steps, maximum seconds
+        {"greedy", selects, 1, [](S& s, const Effort&) { s.start(); }},
+        {"annealing", selects, 1, [](S& s, const Effort& e) { s.search_for_fewer(e); }},
+        {"linear programs", selects, 0.4, [](S& s, const Effort& e) { s.relax(e); }},
+        {"linear programs", bounds_alone, 1, [](S& s, const Effort& e) { s.relax(e); }},
+        {"placements on cuts", always, 1,
          [](S& s, const Effort&) {
            while (!s.is_over() && !s.is_settled() && s.raise()) {
            }
          }},
-        {"annealing", selects_before_windows, 0.3, no_limit_s, any_steps,
-         [](S& s, const Effort& e) { s.anneal(e); }},
-        {"windows by MIPs", selects_before_windows, 0.9, no_limit_s, any_steps,
+        {"annealing", selects_before_windows, 0.3, [](S& s, const Effort& e) { s.anneal(e); }},
+        {"windows by MIPs", selects_before_windows, 0.9,
          [](S& s, const Effort& e) { s.raise_by_windows(e); }},
-        {"windows by MIPs", windows_alone, 1, no_limit_s, any_steps,
-         [](S& s, const Effort& e) { s.raise_by_windows(e); }},
-        {"annealing", selects, 1, no_limit_s, any_steps, [](S& s, const Effort& e) { s.anneal(e); }},
+        {"windows by MIPs", windows_alone, 1, [](S& s, const Effort& e) { s.raise_by_windows(e); }},
+        {"annealing", selects, 1, [](S& s, const Effort& e) { s.anneal(e); }},
     };
     detail::run_steps(schedule, *this);
   }
