@@ -36,7 +36,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
-#include "shelfbeam/placement/states/place_over_states.hpp"
+#include "shelfbeam/placement/scenarios/place_over_scenarios.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/parts/sampled_states.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
@@ -164,22 +164,22 @@ void place_file(const Settings& settings, const std::string& file) {
   const std::vector<std::uint32_t> labels = sampled ? all_numbers(matrix.rows()) : matrix.states->hard;
   const std::uint32_t states = std::min(sampled ? sampled->count() : matrix.states->states, settings.states);
   const std::size_t size = labels.size() * matrix.columns();
-  StateTable table = make_state_table(make_signal_table(matrix), labels, states);
+  ScenarioTable table = make_scenario_table(make_signal_table(matrix), labels, states);
   for (std::uint32_t s = 0; s < states; ++s) {
     if (sampled) {
-      set_state(table, s, 0, sampled->state(s));
+      set_scenario(table, s, 0, sampled->state(s));
       continue;
     }
     const auto begin = matrix.states->signal.begin() + static_cast<std::ptrdiff_t>(s * size);
-    set_state(table, s, 0,
-              {{begin, begin + static_cast<std::ptrdiff_t>(size)}, std::vector<float>(size, 0.0F)});
+    set_scenario(table, s, 0,
+                 {{begin, begin + static_cast<std::ptrdiff_t>(size)}, std::vector<float>(size, 0.0F)});
   }
   MissAllowance allowance;
   allowance.of_label.assign(labels.size(), allowed_misses(0.95, states));
   PlaceOptions options;
   options.time_limit_s = settings.time_limit_s;
-  StatePlacement found;
-  const double seconds = wall_seconds([&] { found = place_over_states(table, {}, allowance, options); });
+  ScenarioPlacement found;
+  const double seconds = wall_seconds([&] { found = place_over_scenarios(table, {}, allowance, options); });
   fmt::print("{}: {} units, at least {}, after {:.0f} s, {} placements on cuts, {} cuts\n", file, found.value,
              found.lower_bound, seconds, found.calls, found.cuts);
   fmt::print("  steps: {}\n", steps_json(found.steps));

@@ -11,11 +11,11 @@
 #include "shelfbeam/placement/coverage/coverage_curve.hpp"
 #include "shelfbeam/placement/coverage/fewest_units.hpp"
 #include "shelfbeam/placement/coverage/max_coverage.hpp"
-#include "shelfbeam/placement/states/place_over_states.hpp"
+#include "shelfbeam/placement/scenarios/place_over_scenarios.hpp"
 
 #include "unit/placement/brute_force.hpp"
 #include "unit/placement/random_table.hpp"
-#include "unit/placement/states/random_states.hpp"
+#include "unit/placement/scenarios/random_scenarios.hpp"
 
 namespace shelfbeam {
 namespace {
@@ -123,12 +123,12 @@ class Questions {
       PlacementProblem problem{.model = tables_.chance(0.5) ? test::coop : test::alone,
                                .redundant = tables_.chance(0.2)};
       if (tables_.chance(0.3)) problem.combination = Combination::spend;
-      const StateTable states = states_.next(tables_.chance(0.5), problem.redundant ? 2.5 : 1.5);
+      const ScenarioTable states = states_.next(tables_.chance(0.5), problem.redundant ? 2.5 : 1.5);
       const MissAllowance allowance = states_.allowance(static_cast<test::Rule>(tables_.whole(0, 2)));
       PlacementProblem asked = problem;
       if (omission_ == Omission::failure) asked.redundant = false;
-      const StatePlacement answer =
-          place_over_states(states, problem, allowance, {.time_limit_s = 1}, {.threads = 1});
+      const ScenarioPlacement answer =
+          place_over_scenarios(states, problem, allowance, {.time_limit_s = 1}, {.threads = 1});
       tally.add(
           {answer.has_selection() ? answer.value : test::infinite, answer.lower_bound, answer.is_proven()},
           test::best_by_enumeration(states, asked, allowance));
@@ -165,7 +165,7 @@ class Questions {
   }
 
   test::RandomTables tables_;
-  test::RandomStates states_;
+  test::RandomScenarios states_;
   Omission omission_;
   PlaceOptions options_{.step_limit = 1 << 20};
 };

@@ -68,7 +68,7 @@ MissAllowance CausesAlone::allowance(std::span<const std::uint32_t> labels, std:
 void CausesAlone::examine(std::span<const ColumnId> selected, const std::optional<PlaceOptions>& place,
                           Availability& found) const {
   const StateSample fixed = sample(as_given);
-  const StateMisses given = DecidingLabels(fixed, table_, problem_).misses(selected);
+  const ScenarioMisses given = DecidingLabels(fixed, table_, problem_).misses(selected);
   std::vector<CauseAlone> rows;
   const std::vector<Part> parts = causes();
   Deadline deadline(place ? place->time_limit_s : 0);

@@ -24,7 +24,7 @@ DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all
       all_(all),
       problem_(problem),
       row_of_(all.rows(), no_row),
-      table_(make_state_table(all_, {}, sample_.count())) {}
+      table_(make_scenario_table(all_, {}, sample_.count())) {}
 
 DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all,
                                const PlacementProblem& problem, std::span<const ColumnId> start)
@@ -53,14 +53,14 @@ void DecidingLabels::add(std::span<const std::uint32_t> labels) {
     row_of_[i] = static_cast<std::uint32_t>(labels_.size());
     labels_.push_back(i);
   }
-  StateTable grown = make_state_table(all_, labels_, sample_.count(), table_);
+  ScenarioTable grown = make_scenario_table(all_, labels_, sample_.count(), table_);
   sample_.fill(grown, labels, first);
   table_ = std::move(grown);
 }
 
-StateMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
-                                        std::span<const double> received,
-                                        std::span<const ColumnId> selected) const {
+ScenarioMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
+                                           std::span<const double> received,
+                                           std::span<const ColumnId> selected) const {
   const std::size_t states = sample_.count();
   MissCounter misses(row_of_.size(), states);
   for (std::size_t k = 0; k < others.size(); ++k) {
@@ -74,7 +74,7 @@ StateMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
   return misses.misses();
 }
 
-StateMisses DecidingLabels::misses(std::span<const ColumnId> selected) const {
+ScenarioMisses DecidingLabels::misses(std::span<const ColumnId> selected) const {
   std::vector<std::uint32_t> others;
   for (std::uint32_t i = 0; i < row_of_.size(); ++i)
     if (!has(i)) others.push_back(i);

@@ -20,7 +20,7 @@ class DecidingLabels {
   /// Begins without labels.
   DecidingLabels(const StateSample& sample, const SignalTable& all, const PlacementProblem& problem);
 
-  const StateTable& table() const { return table_; }
+  const ScenarioTable& table() const { return table_; }
   /// Rows of the table, as labels of the shop.
   std::span<const std::uint32_t> labels() const { return labels_; }
   std::size_t of_shop() const { return row_of_.size(); }
@@ -28,10 +28,10 @@ class DecidingLabels {
   std::uint32_t row_of(std::uint32_t label) const { return row_of_[label]; }
   bool has(std::uint32_t label) const { return row_of_[label] != no_row; }
   /// The misses of all labels in the sampled states if `start` is mounted.
-  const StateMisses& misses_of_start() const { return misses_of_start_; }
+  const ScenarioMisses& misses_of_start() const { return misses_of_start_; }
 
   /// The misses of all labels in the sampled states.
-  StateMisses misses(std::span<const ColumnId> selected) const;
+  ScenarioMisses misses(std::span<const ColumnId> selected) const;
   /// Adds the labels that are not in the table and satisfy a test. Returns their number.
   template <class Test>
   std::size_t add_if(const Test& test) {
@@ -47,15 +47,15 @@ class DecidingLabels {
 
   void add(std::span<const std::uint32_t> labels);
   // Labels of the table, and others by the signals that they receive.
-  StateMisses misses_with(std::span<const std::uint32_t> others, std::span<const double> received,
-                          std::span<const ColumnId> selected) const;
+  ScenarioMisses misses_with(std::span<const std::uint32_t> others, std::span<const double> received,
+                             std::span<const ColumnId> selected) const;
 
   const StateSample& sample_;
   const SignalTable& all_;
   const PlacementProblem& problem_;
   std::vector<std::uint32_t> labels_, row_of_;
-  StateTable table_;
-  StateMisses misses_of_start_;
+  ScenarioTable table_;
+  ScenarioMisses misses_of_start_;
 };
 
 }  // namespace shelfbeam

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "shelfbeam/placement/states/misses.hpp"
+#include "shelfbeam/placement/scenarios/misses.hpp"
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/state_examination.hpp"
 #include "shelfbeam/plan/validation_estimates.hpp"

@@ -66,7 +66,7 @@ std::uint32_t states_factor(const AvailabilityGoal& goal, const std::vector<doub
   return static_cast<std::uint32_t>(std::max(1.0, std::ceil(usual / (1 - availability) - 1e-9)));
 }
 
-StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t states) {
+StateOutcome outcome_of(ScenarioMisses misses, std::size_t units, std::uint32_t states) {
   return {units, states, std::move(misses.of_label), misses.of_shop};
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/placement/states/misses.hpp"
+#include "shelfbeam/placement/scenarios/misses.hpp"
 #include "shelfbeam/plan/answer/availability.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/variation.hpp"
@@ -33,7 +33,7 @@ MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<doubl
 /// fifth as large requires five times as many.
 std::uint32_t states_factor(const AvailabilityGoal& goal, const std::vector<double>& required);
 
-StateOutcome outcome_of(StateMisses misses, std::size_t units, std::uint32_t states);
+StateOutcome outcome_of(ScenarioMisses misses, std::size_t units, std::uint32_t states);
 
 /// The labels that are missed in any state, most misses first.
 std::vector<std::uint32_t> most_missed(const StateOutcome& outcome);

@@ -9,9 +9,9 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/order.hpp"
-#include "shelfbeam/placement/states/place_over_states.hpp"
-#include "shelfbeam/placement/states/state_annealing.hpp"
-#include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/placement/scenarios/place_over_scenarios.hpp"
+#include "shelfbeam/placement/scenarios/scenario_annealing.hpp"
+#include "shelfbeam/placement/scenarios/scenario_search.hpp"
 #include "shelfbeam/plan/answer/value_bounds.hpp"
 #include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/rounds.hpp"
@@ -132,7 +132,7 @@ class Planner {
     const double enough = result_.availability.sample_lower_bound;
     const double errors = student_quantile(1 - raise_error, sample_.batches() - 1);
     result_.availability.lower_bound = std::min(
-        bound_over_states(raised(deciding_->table(), errors), problem(), wide, enough, place, control_),
+        bound_over_scenarios(raised(deciding_->table(), errors), problem(), wide, enough, place, control_),
         enough);
   }
 
@@ -181,13 +181,13 @@ class Planner {
     deciding_->add_if(
         [&](std::uint32_t i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
     allowance_ = allowance(deciding_->labels());
-    const StateSearch search(deciding_->table(), problem(), allowance_, detail::for_seconds(rounds.left()),
-                             control_);
+    const ScenarioSearch search(deciding_->table(), problem(), allowance_, detail::for_seconds(rounds.left()),
+                                control_);
     // The sampled states may not show the risk of the fresh ones.
     std::vector<std::uint32_t> rows;
     for (const std::uint32_t i : undecided) rows.push_back(deciding_->row_of(i));
     Selection more = search.with_another(selected_, rows);
-    StateAnnealing annealing(deciding_->table(), problem(), allowance_);
+    ScenarioAnnealing annealing(deciding_->table(), problem(), allowance_);
     const double seconds = std::min(rounds.left(), share_of_spread * options_.place.time_limit_s);
     return annealing.spread(std::move(more), detail::for_seconds(seconds), control_);
   }
@@ -228,7 +228,7 @@ class Planner {
     Placement& placement = result_.placement;
     const Availability& answer = result_.availability;
     placement.selected = selected_;
-    placement.objective_value = state_value(deciding_->table(), placement.problem, selected_);
+    placement.objective_value = scenario_value(deciding_->table(), placement.problem, selected_);
     placement.lower_bound = answer.lower_bound;
     placement.count_lower_bound =
         placement.problem.combination == Combination::spend ? 0 : answer.lower_bound;

@@ -29,9 +29,9 @@ struct StatesOptions {
 /// Places transceivers for a shop that changes, and certifies the placement (docs/methods/changing_shop.md):
 ///
 /// 1. Simulates `sample` states and finds the smallest selection that keeps to the goal on these
-///    (place_over_states.hpp), and a bound. With allowances widened so that any selection which keeps to the
-///    goal in the long run fits them, and signals raised to their upper limits, the bound holds beyond the
-///    sample.
+///    (place_over_scenarios.hpp), and a bound. With allowances widened so that any selection which keeps to
+///    the goal in the long run fits them, and signals raised to their upper limits, the bound holds beyond
+///    the sample.
 /// 2. Names a plan, then draws fresh states and examines it in them (state_examination.hpp). If it cannot be
 ///    certified, the plan of the next round has one unit more, and new states. The levels of all rounds and
 ///    looks sum to (1 - confidence) / 2; the other half belongs to the bound.

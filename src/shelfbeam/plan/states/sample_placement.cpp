@@ -24,13 +24,13 @@ SamplePlacement place_on_sample(DecidingLabels& deciding, const PlacementProblem
   for (;;) {
     const double share = deciding.labels().size() < deciding.of_shop() ? share_of_pass : 1;
     part.time_limit_s = std::max(min_part_s, share * deadline.seconds_left());
-    const StatePlacement found =
-        place_over_states(deciding.table(), problem, allowance(deciding.labels()), part, control);
+    const ScenarioPlacement found =
+        place_over_scenarios(deciding.table(), problem, allowance(deciding.labels()), part, control);
     result.lower_bound = std::max(result.lower_bound, found.lower_bound);
     for (const std::uint32_t row : found.unreachable) result.unreachable.push_back(deciding.labels()[row]);
     if (control.cancelled()) throw Interrupted("the plan was stopped");
     if (!found.has_selection()) return result;
-    StateMisses misses = deciding.misses(found.selected);
+    ScenarioMisses misses = deciding.misses(found.selected);
     if (of_all.excess(misses) == 0 ||
         deciding.add_if([&](std::uint32_t i) { return misses.of_label[i] > 0; }) == 0) {
       result.selected = found.selected;

@@ -7,7 +7,7 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/base/deadline.hpp"
-#include "shelfbeam/placement/states/place_over_states.hpp"
+#include "shelfbeam/placement/scenarios/place_over_scenarios.hpp"
 #include "shelfbeam/plan/states/deciding_labels.hpp"
 
 namespace shelfbeam {
@@ -15,8 +15,8 @@ namespace shelfbeam {
 /// Units for the sampled states.
 struct SamplePlacement {
   std::vector<ColumnId> selected;          ///< empty: none was found
-  StateMisses misses;                      ///< of all labels
-  double value = 0, lower_bound = 0;       ///< as of StatePlacement, proven for all labels
+  ScenarioMisses misses;                   ///< of all labels
+  double value = 0, lower_bound = 0;       ///< as of ScenarioPlacement, proven for all labels
   std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often
 };
 

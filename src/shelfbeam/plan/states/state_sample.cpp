@@ -43,10 +43,10 @@ void StateSample::signals(std::span<const std::uint32_t> labels,
   }
 }
 
-void StateSample::fill(StateTable& table, std::span<const std::uint32_t> labels, std::size_t first) const {
+void StateSample::fill(ScenarioTable& table, std::span<const std::uint32_t> labels, std::size_t first) const {
   if (labels.empty()) return;
   signals(labels, std::nullopt,
-          [&](const StateSignals& state) { set_state(table, state.state, first, state.signals); });
+          [&](const StateSignals& state) { set_scenario(table, state.state, first, state.signals); });
 }
 
 std::vector<double> StateSample::received(std::span<const std::uint32_t> labels,

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
-#include "shelfbeam/placement/states/state_table.hpp"
+#include "shelfbeam/placement/scenarios/scenario_table.hpp"
 #include "shelfbeam/scene/scene.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
 #include "shelfbeam/signal/checkpoint/result_log.hpp"
@@ -42,7 +42,7 @@ class StateSample {
   std::uint32_t batches() const { return which_.batches; }
 
   /// Sets the rows of a table from `first` on, which are those of `labels`. Throws as `simulate_states`.
-  void fill(StateTable& table, std::span<const std::uint32_t> labels, std::size_t first) const;
+  void fill(ScenarioTable& table, std::span<const std::uint32_t> labels, std::size_t first) const;
 
   /// The signals that some labels receive from units, by label and state. Throws as `simulate_states`.
   std::vector<double> received(std::span<const std::uint32_t> labels, std::span<const ColumnId> units,

@@ -11,7 +11,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/math/distinct_positions.hpp"
 #include "shelfbeam/math/order.hpp"
-#include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/placement/scenarios/scenario_search.hpp"
 #include "shelfbeam/plan/io/scene_table.hpp"
 #include "shelfbeam/plan/question/question_key.hpp"
 #include "shelfbeam/plan/states/assumed_variation.hpp"
@@ -59,7 +59,7 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
   DecidingLabels deciding(sample, table, problem, selected);
   deciding.add_if([&](std::uint32_t i) { return found.answer().missed[i] > 0; });
   const MissAllowance allowance = allowance_of(found.goal, found.required, deciding.labels(), count);
-  const StateSearch search(deciding.table(), problem, allowance, {}, control);
+  const ScenarioSearch search(deciding.table(), problem, allowance, {}, control);
   const Selection more = search.with_another(selected);
   if (more.size() == selected.size()) return {};
   const Transceiver& unit = all.transceivers[more.back()];

@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/states/place_over_states.hpp"
+#include "shelfbeam/placement/scenarios/place_over_scenarios.hpp"
 
 #include <cstdint>
 #include <string>
@@ -6,46 +6,46 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/placement/states/random_states.hpp"
+#include "unit/placement/scenarios/random_scenarios.hpp"
 
 namespace shelfbeam {
 namespace {
 
 using test::best_by_enumeration;
-using test::RandomStates;
+using test::RandomScenarios;
 using test::Rule;
 
-struct StatesCase {
+struct ScenariosCase {
   PlacementProblem problem;
   Rule rule = Rule::label;
 };
 
-class PlaceOverStates : public testing::TestWithParam<StatesCase> {};
+class PlaceOverScenarios : public testing::TestWithParam<ScenariosCase> {};
 
-TEST_P(PlaceOverStates, EqualsEnumeration) {
+TEST_P(PlaceOverScenarios, EqualsEnumeration) {
   const auto& [problem, rule] = GetParam();
-  RandomStates random(1);
+  RandomScenarios random(1);
   int proven = 0, found = 0, differs = 0;
   const int cases = rule == Rule::label ? 40 : 14;  // searches take longer for the shop and in total
   const bool is_hard = problem.redundant || problem.model == CommunicationModel::non_cooperative;
   const double strength = is_hard ? 2.5 : 1;
   for (int k = 0; k < cases; ++k) {
     SCOPED_TRACE(k);
-    const StateTable states = random.next(k % 2 == 1, strength);
+    const ScenarioTable scenarios = random.next(k % 2 == 1, strength);
     const MissAllowance allowance = random.allowance(rule);
-    const StatePlacement placement = place_over_states(states, problem, allowance, {});
-    const double best = best_by_enumeration(states, problem, allowance);
+    const ScenarioPlacement placement = place_over_scenarios(scenarios, problem, allowance, {});
+    const double best = best_by_enumeration(scenarios, problem, allowance);
     EXPECT_LE(placement.lower_bound, best);
     if (placement.has_selection()) {
       EXPECT_GE(placement.value, best);
-      EXPECT_EQ(misses_of(states, problem, placement.selected), placement.misses);
+      EXPECT_EQ(misses_of(scenarios, problem, placement.selected), placement.misses);
       EXPECT_EQ(allowance.excess(placement.misses), 0U);
     }
     found += best < test::infinite ? 1 : 0;
     proven += best < test::infinite && placement.is_proven() ? 1 : 0;
     EXPECT_EQ(placement.value, best);
     const MissAllowance none{.of_label = std::vector<std::uint32_t>(5, 0)};
-    differs += best_by_enumeration(states, problem, none) != best ? 1 : 0;
+    differs += best_by_enumeration(scenarios, problem, none) != best ? 1 : 0;
   }
   EXPECT_GE(found, 5);
   EXPECT_EQ(proven, found);
@@ -53,14 +53,14 @@ TEST_P(PlaceOverStates, EqualsEnumeration) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Every, PlaceOverStates,
-    testing::Values(StatesCase{}, StatesCase{{.model = CommunicationModel::non_cooperative}},
-                    StatesCase{{.combination = Combination::spend}}, StatesCase{{.redundant = true}},
-                    StatesCase{{.model = CommunicationModel::non_cooperative, .redundant = true}},
-                    StatesCase{{}, Rule::shop},
-                    StatesCase{{.model = CommunicationModel::non_cooperative}, Rule::shop},
-                    StatesCase{{}, Rule::total},
-                    StatesCase{{.combination = Combination::spend}, Rule::total}),
+    Every, PlaceOverScenarios,
+    testing::Values(ScenariosCase{}, ScenariosCase{{.model = CommunicationModel::non_cooperative}},
+                    ScenariosCase{{.combination = Combination::spend}}, ScenariosCase{{.redundant = true}},
+                    ScenariosCase{{.model = CommunicationModel::non_cooperative, .redundant = true}},
+                    ScenariosCase{{}, Rule::shop},
+                    ScenariosCase{{.model = CommunicationModel::non_cooperative}, Rule::shop},
+                    ScenariosCase{{}, Rule::total},
+                    ScenariosCase{{.combination = Combination::spend}, Rule::total}),
     [](const auto& test) {
       const PlacementProblem& problem = test.param.problem;
       const Rule rule = test.param.rule;
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
                                     : "");
     });
 
-TEST(StateMisses, AllowancesAreBinomial) {
+TEST(ScenarioMisses, AllowancesAreBinomial) {
   EXPECT_EQ(allowed_misses(0.95, 100), 5U);
   EXPECT_EQ(allowed_misses(0.95, 50), 2U);
   EXPECT_EQ(allowed_misses(0.9, 30), 3U);
@@ -82,17 +82,17 @@ TEST(StateMisses, AllowancesAreBinomial) {
   EXPECT_EQ(widened_misses(0.5, 2, 0.2), 2U);
   EXPECT_EQ(widened_misses(0.5, 2, 0.75), 0U);
   EXPECT_GT(widened_misses(0.95, 100, 1e-4), allowed_misses(0.95, 100));
-  // Without a miss in 59 states, an availability below 95 % has a probability below 0.95^59 = 4.8 %.
+  // Without a miss in 59 scenarios, an availability below 95 % has a probability below 0.95^59 = 4.8 %.
   EXPECT_EQ(proving_misses(0.95, 58, 0.05), std::nullopt);
   EXPECT_EQ(proving_misses(0.95, 59, 0.05), 0U);
 }
 
-TEST(PlaceOverStatesRules, NamesLabelsOutOfReach) {
-  RandomStates random(2);
-  StateTable states = random.next(false);
-  for (std::ptrdiff_t j = 0; j < 8; ++j) std::fill_n(states.signal.begin() + (j * 5 + 2) * 8, 8, 0.0F);
+TEST(PlaceOverScenariosRules, NamesLabelsOutOfReach) {
+  RandomScenarios random(2);
+  ScenarioTable scenarios = random.next(false);
+  for (std::ptrdiff_t j = 0; j < 8; ++j) std::fill_n(scenarios.signal.begin() + (j * 5 + 2) * 8, 8, 0.0F);
   const MissAllowance allowance{.of_label = std::vector<std::uint32_t>(5, 3)};
-  const StatePlacement placement = place_over_states(states, {}, allowance, {});
+  const ScenarioPlacement placement = place_over_scenarios(scenarios, {}, allowance, {});
   EXPECT_EQ(placement.unreachable, std::vector<std::uint32_t>{2});
   EXPECT_FALSE(placement.has_selection());
 }

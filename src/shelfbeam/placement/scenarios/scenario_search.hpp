@@ -9,26 +9,26 @@
 
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
-#include "shelfbeam/placement/states/state_table.hpp"
+#include "shelfbeam/placement/scenarios/scenario_table.hpp"
 
 namespace shelfbeam {
 
 /// Count or new spend of a selection, by the problem's combination.
-double state_value(const StateTable& states, const PlacementProblem& problem,
-                   std::span<const ColumnId> selected);
+double scenario_value(const ScenarioTable& scenarios, const PlacementProblem& problem,
+                      std::span<const ColumnId> selected);
 
 /// Adds units to selections, one at a time.
-class StateSearch {
+class ScenarioSearch {
  public:
-  /// `states`, `problem` and `allowance` must outlive the object. The time of `effort` limits each search.
-  StateSearch(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
-              const detail::Effort& effort, const RunControl& control)
-      : states_(states),
+  /// `scenarios`, `problem` and `allowance` must outlive the object. The time of `effort` limits each search.
+  ScenarioSearch(const ScenarioTable& scenarios, const PlacementProblem& problem,
+                 const MissAllowance& allowance, const detail::Effort& effort, const RunControl& control)
+      : scenarios_(scenarios),
         problem_(problem),
         allowance_(allowance),
         effort_(effort),
         control_(control),
-        mounts_(states.table) {}
+        mounts_(scenarios.table) {}
 
   /// Adds units until the allowance holds or no unit helps, then drops units that are not required. nullopt
   /// if that takes a value of `below` or more.
@@ -38,14 +38,14 @@ class StateSearch {
   Selection with_another(Selection selected, std::span<const std::uint32_t> labels = {}) const;
 
  private:
-  // A label in a state that receives little.
+  // A label in a scenario that receives little.
   struct Weak {
-    std::uint32_t label = 0, state = 0;
+    std::uint32_t label = 0, scenario = 0;
     ReceivedSignal received;
   };
   // The first that differs counts: misses beyond the allowed ones; squares of the depths of all labels, in
-  // how many states they fall short of their requirement, and of some more; minus the sum of the new unit's
-  // signals at some labels.
+  // how many scenarios they fall short of their requirement, and of some more; minus the sum of the new
+  // unit's signals at some labels.
   using Rank = std::array<double, 3>;
 
   std::vector<Weak> weak_cases(std::span<const ColumnId> selected) const;
@@ -53,12 +53,12 @@ class StateSearch {
             std::span<const std::uint32_t> labels) const;
   bool can_join(ColumnId column, const Selection& selected) const;
   bool fits(const Selection& selected) const {
-    return allowance_.excess(misses_of(states_, problem_, selected)) == 0;
+    return allowance_.excess(misses_of(scenarios_, problem_, selected)) == 0;
   }
-  double value(const Selection& selected) const { return state_value(states_, problem_, selected); }
+  double value(const Selection& selected) const { return scenario_value(scenarios_, problem_, selected); }
   double price(ColumnId column) const;
 
-  const StateTable& states_;
+  const ScenarioTable& scenarios_;
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   detail::Effort effort_;

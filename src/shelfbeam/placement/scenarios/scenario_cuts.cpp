@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/states/state_cuts.hpp"
+#include "shelfbeam/placement/scenarios/scenario_cuts.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -22,39 +22,39 @@ constexpr std::size_t max_sizes = 64;             ///< that are tried for one cu
 
 }  // namespace
 
-StateCuts::StateCuts(const StateTable& states, const PlacementProblem& problem,
-                     const MissAllowance& allowance)
-    : states_(states), problem_(problem), allowance_(allowance) {
-  table_ = states.table;
+ScenarioCuts::ScenarioCuts(const ScenarioTable& scenarios, const PlacementProblem& problem,
+                           const MissAllowance& allowance)
+    : scenarios_(scenarios), problem_(problem), allowance_(allowance) {
+  table_ = scenarios.table;
   table_.labels.clear();
   table_.scenarios.clear();
   table_.entries.clear();
   table_.row_begin = {0};
-  for (std::uint32_t i = 0; i < states.table.rows(); ++i)
-    if (const std::uint64_t limit = allowance.limit(i); limit < states.states)
-      append(mean_of_largest(cases_of(i, {}, {}), states.states - limit, {}));
+  for (std::uint32_t i = 0; i < scenarios.table.rows(); ++i)
+    if (const std::uint64_t limit = allowance.limit(i); limit < scenarios.count)
+      append(mean_of_largest(cases_of(i, {}, {}), scenarios.count - limit, {}));
 }
 
-void StateCuts::Case::add(ColumnId column, double share, bool fails) {
+void ScenarioCuts::Case::add(ColumnId column, double share, bool fails) {
   received += fails ? std::min(largest, share) : share;
   if (!fails || share <= largest) return;
   largest = share;
   failed = column;
 }
 
-double StateCuts::share(const Case& at, ColumnId column) const {
+double ScenarioCuts::share(const Case& at, ColumnId column) const {
   if (column == at.failed) return 0;
-  return detail::share_of(static_cast<double>(states_.of(column, at.label)[at.state]),
-                          requirement_of(states_.table.labels[at.label], problem_.model), problem_);
+  return detail::share_of(static_cast<double>(scenarios_.of(column, at.label)[at.scenario]),
+                          requirement_of(scenarios_.table.labels[at.label], problem_.model), problem_);
 }
 
-double StateCuts::Counted::of(double share) const {
+double ScenarioCuts::Counted::of(double share) const {
   return std::min(1.0, std::max(0.0, share - above) / lack);
 }
 
 // The mean of the largest shares of a column in the cases. `shares` is a buffer.
-double StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept, ColumnId column,
-                                  const Counted& counted, std::vector<double>& shares) const {
+double ScenarioCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept, ColumnId column,
+                                     const Counted& counted, std::vector<double>& shares) const {
   shares.resize(cases.size());
   std::transform(cases.begin(), cases.end(), shares.begin(),
                  [&](const Case& at) { return counted.of(share(at, column)); });
@@ -63,25 +63,25 @@ double StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept,
   return std::accumulate(shares.begin(), middle, 0.0) / static_cast<double>(kept);
 }
 
-std::vector<double> StateCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept,
-                                               const Counted& counted) const {
-  std::vector<double> result(states_.table.columns()), shares;
+std::vector<double> ScenarioCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept,
+                                                  const Counted& counted) const {
+  std::vector<double> result(scenarios_.table.columns()), shares;
   for (std::uint32_t j = 0; j < result.size(); ++j)
     result[j] = mean_of_largest(cases, kept, j, counted, shares);
   return result;
 }
 
-// The states of a label, those that receive least first.
-std::vector<StateCuts::Case> StateCuts::cases_of(std::uint32_t label, std::span<const Part> parts,
-                                                 const Counted& counted) const {
-  std::vector<Case> cases(states_.states);
+// The scenarios of a label, those that receive least first.
+std::vector<ScenarioCuts::Case> ScenarioCuts::cases_of(std::uint32_t label, std::span<const Part> parts,
+                                                       const Counted& counted) const {
+  std::vector<Case> cases(scenarios_.count);
   for (std::uint32_t s = 0; s < cases.size(); ++s) {
     cases[s].label = label;
-    cases[s].state = s;
+    cases[s].scenario = s;
   }
-  const double requirement = requirement_of(states_.table.labels[label], problem_.model);
+  const double requirement = requirement_of(scenarios_.table.labels[label], problem_.model);
   for (const Part& part : parts) {
-    const std::span<const float> signal = states_.of(part.column, label);
+    const std::span<const float> signal = scenarios_.of(part.column, label);
     for (std::size_t s = 0; s < cases.size(); ++s) {
       const double share = detail::share_of(static_cast<double>(signal[s]), requirement, problem_);
       cases[s].add(part.column, part.x * counted.of(share), problem_.redundant);
@@ -92,8 +92,8 @@ std::vector<StateCuts::Case> StateCuts::cases_of(std::uint32_t label, std::span<
 }
 
 // Takes the cut over those cases that receive least, as many as make the left side smallest.
-void StateCuts::lower(Cut& best, std::span<const Case> cases, std::size_t allowed,
-                      std::span<const Part> parts, const Counted& counted) const {
+void ScenarioCuts::lower(Cut& best, std::span<const Case> cases, std::size_t allowed,
+                         std::span<const Part> parts, const Counted& counted) const {
   // The left side for t cases is at least the mean of the t - k largest signals of these.
   if (cases.size() <= allowed || cases[allowed].received >= best.left_side) return;
   std::size_t size = 0;
@@ -113,12 +113,12 @@ void StateCuts::lower(Cut& best, std::span<const Case> cases, std::size_t allowe
 }
 
 // The most violated cut of a label; without shares if none is violated.
-StateCuts::Cut StateCuts::most_violated(std::uint32_t label, std::span<const Part> parts,
-                                        std::size_t max_units) const {
+ScenarioCuts::Cut ScenarioCuts::most_violated(std::uint32_t label, std::span<const Part> parts,
+                                              std::size_t max_units) const {
   const std::uint64_t allowed = allowance_.limit(label);
   Cut best{violated_by_lp, {}};
-  if (allowed >= states_.states) return best;
-  const bool is_limited = max_units < states_.table.columns();
+  if (allowed >= scenarios_.count) return best;
+  const bool is_limited = max_units < scenarios_.table.columns();
   for (std::size_t k = 0; k < (is_limited ? share_steps : 1); ++k) {
     // s K grows evenly up to nearly the whole requirement.
     const double below = static_cast<double>(k) / share_steps;
@@ -128,12 +128,12 @@ StateCuts::Cut StateCuts::most_violated(std::uint32_t label, std::span<const Par
   return best;
 }
 
-std::size_t StateCuts::add_violated(std::span<const double> x, std::size_t max_units,
-                                    const detail::Effort& effort, const RunControl& control) {
+std::size_t ScenarioCuts::add_violated(std::span<const double> x, std::size_t max_units,
+                                       const detail::Effort& effort, const RunControl& control) {
   std::vector<Part> parts;
   for (std::uint32_t j = 0; j < x.size(); ++j)
     if (x[j] > 0) parts.push_back({j, x[j]});
-  std::vector<Cut> cuts(states_.table.rows());
+  std::vector<Cut> cuts(scenarios_.table.rows());
   with_threads(control.threads, [&] {
     parallel_for_ranges(cuts.size(), [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last && !effort.is_over(control); ++i)
@@ -147,18 +147,18 @@ std::size_t StateCuts::add_violated(std::span<const double> x, std::size_t max_u
   return cuts.size();
 }
 
-// Extends the selection to a large set of units with which more cases, or states, than allowed are missed.
-std::vector<double> StateCuts::cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_state,
-                                         std::span<const Part> parts) const {
+// Extends the selection to a large set of units with which more cases, or scenarios, than allowed are missed.
+std::vector<double> ScenarioCuts::cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
+                                            std::span<const Part> parts) const {
   const auto is_met = [](const Case& at) { return at.received >= missed; };
   const auto misses = [&](const std::vector<Case>& some) {
-    std::set<std::uint32_t> states;
-    for (const Case& at : some) states.insert(at.state);
-    return by_state ? states.size() : some.size();
+    std::set<std::uint32_t> scenarios;
+    for (const Case& at : some) scenarios.insert(at.scenario);
+    return by_scenario ? scenarios.size() : some.size();
   };
   std::erase_if(cases, is_met);
   if (misses(cases) <= allowed) return {};
-  const std::size_t n = states_.table.columns();
+  const std::size_t n = scenarios_.table.columns();
   std::vector<double> total(n, 0), outside(n, 1);
   for (std::uint32_t j = 0; j < n; ++j)
     for (const Case& at : cases) total[j] += share(at, j);
@@ -178,16 +178,16 @@ std::vector<double> StateCuts::cover_cut(std::vector<Case> cases, std::size_t al
   return outside;
 }
 
-void StateCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_state,
-                         std::span<const Part> parts) {
-  if (const auto cut = cover_cut(cases, allowed, by_state, parts); !cut.empty()) append(cut);
+void ScenarioCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
+                            std::span<const Part> parts) {
+  if (const auto cut = cover_cut(cases, allowed, by_scenario, parts); !cut.empty()) append(cut);
   std::ranges::stable_sort(cases, {}, &Case::received);
-  // Each state keeps the case that receives least.
-  std::vector<bool> has(states_.states, false);
-  if (by_state)
+  // Each scenario keeps the case that receives least.
+  std::vector<bool> has(scenarios_.count, false);
+  if (by_scenario)
     std::erase_if(cases, [&](const Case& at) {
-      const bool had = has[at.state];
-      has[at.state] = true;
+      const bool had = has[at.scenario];
+      has[at.scenario] = true;
       return had;
     });
   Cut best{violated, {}};
@@ -195,7 +195,7 @@ void StateCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_s
   if (!best.shares.empty()) append(best.shares);
 }
 
-std::size_t StateCuts::add(std::span<const ColumnId> selected, const StateMisses& misses) {
+std::size_t ScenarioCuts::add(std::span<const ColumnId> selected, const ScenarioMisses& misses) {
   const std::size_t before = size();
   std::vector<Part> parts;
   for (const ColumnId j : selected) parts.push_back({j});
@@ -207,20 +207,20 @@ std::size_t StateCuts::add(std::span<const ColumnId> selected, const StateMisses
   });
   if (worst.size() > max_labels) worst.resize(max_labels);
   for (const std::uint32_t i : worst) add_cuts(cases_of(i, parts, {}), allowance_.limit(i), false, parts);
-  const bool too_many_states = allowance_.of_shop && misses.of_shop > *allowance_.of_shop;
+  const bool too_many_scenarios = allowance_.of_shop && misses.of_shop > *allowance_.of_shop;
   const bool too_many_cases = allowance_.total && misses.total() > *allowance_.total;
-  if (!too_many_states && !too_many_cases) return size() - before;
+  if (!too_many_scenarios && !too_many_cases) return size() - before;
   std::vector<Case> all;
   constexpr double near = 1.5;
-  for (std::uint32_t i = 0; i < states_.table.rows(); ++i)
+  for (std::uint32_t i = 0; i < scenarios_.table.rows(); ++i)
     for (const Case& at : cases_of(i, parts, {}))
       if (at.received < near) all.push_back(at);
-  if (too_many_states) add_cuts(all, *allowance_.of_shop, true, parts);
+  if (too_many_scenarios) add_cuts(all, *allowance_.of_shop, true, parts);
   if (too_many_cases) add_cuts(std::move(all), *allowance_.total, false, parts);
   return size() - before;
 }
 
-void StateCuts::append(const std::vector<double>& shares) {
+void ScenarioCuts::append(const std::vector<double>& shares) {
   // Sums of a selection that reaches the label may fall below 1 by the tolerance of is_met and by rounding.
   constexpr double reserve = 1 + 1e-8;
   table_.labels.push_back({.id = std::to_string(size()), .requirement = 1, .single_requirement = 1});

@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/states/place_over_states.hpp"
+#include "shelfbeam/placement/scenarios/place_over_scenarios.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,9 +19,9 @@
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
-#include "shelfbeam/placement/states/state_annealing.hpp"
-#include "shelfbeam/placement/states/state_cuts.hpp"
-#include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/placement/scenarios/scenario_annealing.hpp"
+#include "shelfbeam/placement/scenarios/scenario_cuts.hpp"
+#include "shelfbeam/placement/scenarios/scenario_search.hpp"
 #include "shelfbeam/placement/windows/window_mips.hpp"
 
 namespace shelfbeam {
@@ -48,9 +48,9 @@ std::vector<double> unit_costs(const SignalTable& table, const PlacementProblem&
 
 class Solver {
  public:
-  Solver(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
+  Solver(const ScenarioTable& scenarios, const PlacementProblem& problem, const MissAllowance& allowance,
          const PlaceOptions& options, std::optional<double> enough, const RunControl& control)
-      : states_(states),
+      : scenarios_(scenarios),
         problem_(problem),
         allowance_(allowance),
         options_(options),
@@ -59,16 +59,16 @@ class Solver {
         control_(control),
         effort_(detail::for_seconds((enough ? 1 : 1 - share_of_spread) * options.time_limit_s)),
         end_(detail::for_seconds(options.time_limit_s)),
-        cost_(unit_costs(states.table, problem)),
-        incumbent_(CostBounds(states.table, cost_), 0),
-        cuts_(states, problem, allowance),
-        search_(states, problem, allowance, effort_, control),
-        annealing_(states, problem, allowance) {
+        cost_(unit_costs(scenarios.table, problem)),
+        incumbent_(CostBounds(scenarios.table, cost_), 0),
+        cuts_(scenarios, problem, allowance),
+        search_(scenarios, problem, allowance, effort_, control),
+        annealing_(scenarios, problem, allowance) {
     master_.model = CommunicationModel::cooperative;
     master_.redundant = false;
   }
 
-  StatePlacement run() {
+  ScenarioPlacement run() {
     if (!is_possible()) {
       best_.lower_bound = unbounded;
       return std::move(best_);
@@ -76,7 +76,7 @@ class Solver {
     run_schedule();
     best_.cuts = cuts_.size();
     effort_ = end_;
-    // The first selection that fits the sampled states overfits them.
+    // The first selection that fits the sampled scenarios overfits them.
     if (incumbent_.has_selection() && !is_over())
       detail::record_step(
           steps, "spread", [&] { return value(); }, [&] { return bound(); },
@@ -85,7 +85,7 @@ class Solver {
     best_.selected = incumbent_.selected();
     best_.value = incumbent_.value();
     best_.lower_bound = incumbent_.bound();
-    if (incumbent_.has_selection()) best_.misses = misses_of(states_, problem_, best_.selected);
+    if (incumbent_.has_selection()) best_.misses = misses_of(scenarios_, problem_, best_.selected);
     return std::move(best_);
   }
 
@@ -138,7 +138,7 @@ class Solver {
   }
 
   void relax(const Effort& effort) {
-    raise_to(lp_bound(cuts_, states_.table.columns(), unbounded, effort));
+    raise_to(lp_bound(cuts_, scenarios_.table.columns(), unbounded, effort));
     if (problem_.combination != Combination::spend) refute_counts(effort);
   }
 
@@ -183,7 +183,7 @@ class Solver {
   }
 
   // The bound of the linear program over the cuts, to which violated ones are added, until it is `enough`.
-  double lp_bound(StateCuts& cuts, std::size_t max_units, double enough, const Effort& effort) {
+  double lp_bound(ScenarioCuts& cuts, std::size_t max_units, double enough, const Effort& effort) {
     detail::LpBoundOptions options{.effort = effort, .enough = enough};
     options.selections.max_count = max_units;
     const bool counts = problem_.combination != Combination::spend;
@@ -222,7 +222,8 @@ class Solver {
     if (incumbent_.contradicts(bound)) return false;
     raise_to(bound);
     if (!placement.has_selection()) return false;
-    const std::size_t added = cuts_.add(placement.selected, misses_of(states_, problem_, placement.selected));
+    const std::size_t added =
+        cuts_.add(placement.selected, misses_of(scenarios_, problem_, placement.selected));
     if (!enough_) improve(placement.selected);
     report();
     return added > 0 && (placement.status == Status::optimal || enough_);
@@ -255,8 +256,9 @@ class Solver {
   }
 
   void take(const Selection& selected) {
-    const double value = state_value(states_, problem_, selected);
-    if (value > incumbent_.value() || allowance_.excess(misses_of(states_, problem_, selected)) > 0) return;
+    const double value = scenario_value(scenarios_, problem_, selected);
+    if (value > incumbent_.value() || allowance_.excess(misses_of(scenarios_, problem_, selected)) > 0)
+      return;
     incumbent_.replace(selected, value);
     report();
   }
@@ -264,7 +266,7 @@ class Solver {
   void report() const {
     const std::string at_least = fmt::format("at least {:g}", incumbent_.bound());
     if (incumbent_.has_selection())
-      detail::report_incumbent(control_, states_.table, incumbent_.selected(), incumbent_.value(),
+      detail::report_incumbent(control_, scenarios_.table, incumbent_.selected(), incumbent_.value(),
                                incumbent_.bound());
     control_.report(
         Task::placing_over_states, -1,
@@ -275,10 +277,10 @@ class Solver {
   // missed.
   bool is_possible() {
     // Options of a mounting point exclude one another, but all of them give at least as much as any one.
-    const Mounts mounts(states_.table);
-    Selection all = all_numbers<ColumnId>(states_.table.columns());
+    const Mounts mounts(scenarios_.table);
+    Selection all = all_numbers<ColumnId>(scenarios_.table.columns());
     std::erase_if(all, [&](std::uint32_t j) { return !mounts.available(j); });
-    const StateMisses misses = misses_of(states_, problem_, all);
+    const ScenarioMisses misses = misses_of(scenarios_, problem_, all);
     for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
       if (misses.of_label[i] > allowance_.limit(i)) best_.unreachable.push_back(i);
     const bool fits = allowance_.excess(misses) == 0;
@@ -288,7 +290,7 @@ class Solver {
     return fits;
   }
 
-  const StateTable& states_;
+  const ScenarioTable& scenarios_;
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   const PlaceOptions& options_;
@@ -298,40 +300,40 @@ class Solver {
   detail::Effort effort_, end_;
   std::vector<double> cost_;
   detail::Incumbent incumbent_;
-  StateCuts cuts_;
-  StateSearch search_;
-  StateAnnealing annealing_;
+  ScenarioCuts cuts_;
+  ScenarioSearch search_;
+  ScenarioAnnealing annealing_;
   // Shares add up in both models, and cuts contain unit failure.
   PlacementProblem master_ = problem_;
-  std::optional<StateCuts> limited_;  ///< for selections of at most `limit_` units
+  std::optional<ScenarioCuts> limited_;  ///< for selections of at most `limit_` units
   std::size_t limit_ = 0;
   double limited_bound_ = 0;  ///< of the linear program over these
-  StatePlacement best_;
+  ScenarioPlacement best_;
   Selection first_;  ///< annealing begins with it as long as no selection is known
   std::uint64_t moves_ = first_moves;
 };
 
-void check(const StateTable& states, const PlacementProblem& problem) {
+void check(const ScenarioTable& scenarios, const PlacementProblem& problem) {
   if (problem.objective != Objective::count || problem.combination == Combination::weighted)
     throw InputError("objective", "is not the number or the price of units",
-                     "placements over states minimise these");
-  check_problem(states.table, problem);
+                     "placements over scenarios minimise these");
+  check_problem(scenarios.table, problem);
 }
 
 }  // namespace
 
-StatePlacement place_over_states(const StateTable& states, const PlacementProblem& problem,
-                                 const MissAllowance& allowance, const PlaceOptions& options,
-                                 const RunControl& control) {
-  check(states, problem);
-  return Solver(states, problem, allowance, options, {}, control).run();
+ScenarioPlacement place_over_scenarios(const ScenarioTable& scenarios, const PlacementProblem& problem,
+                                       const MissAllowance& allowance, const PlaceOptions& options,
+                                       const RunControl& control) {
+  check(scenarios, problem);
+  return Solver(scenarios, problem, allowance, options, {}, control).run();
 }
 
-double bound_over_states(const StateTable& states, const PlacementProblem& problem,
-                         const MissAllowance& allowance, double enough, const PlaceOptions& options,
-                         const RunControl& control) {
-  check(states, problem);
-  return Solver(states, problem, allowance, options, enough, control).run().lower_bound;
+double bound_over_scenarios(const ScenarioTable& scenarios, const PlacementProblem& problem,
+                            const MissAllowance& allowance, double enough, const PlaceOptions& options,
+                            const RunControl& control) {
+  check(scenarios, problem);
+  return Solver(scenarios, problem, allowance, options, enough, control).run().lower_bound;
 }
 
 }  // namespace shelfbeam

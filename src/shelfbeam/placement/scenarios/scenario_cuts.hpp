@@ -8,27 +8,28 @@
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
-#include "shelfbeam/placement/states/state_table.hpp"
+#include "shelfbeam/placement/scenarios/scenario_table.hpp"
 
 namespace shelfbeam {
 
-/// The cuts of place_over_states.hpp, as rows of a table with requirement 1, which hold for sums of all units
-/// of a selection, with unit failure as well.
+/// The cuts of place_over_scenarios.hpp, as rows of a table with requirement 1, which hold for sums of all
+/// units of a selection, with unit failure as well.
 ///
 /// For selections of at most K units a cut may use smaller shares: parts below s give a case at most s K in
 /// all, so a case that is met has
 ///
 ///   sum_j min(1, max(0, a_j - s) / (1 - s K)) x_j >= 1,   a_j the share of unit j.
-class StateCuts {
+class ScenarioCuts {
  public:
-  /// Begins with one cut per label, over all states. The arguments must outlive the object.
-  StateCuts(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance);
+  /// Begins with one cut per label, over all scenarios. The arguments must outlive the object.
+  ScenarioCuts(const ScenarioTable& scenarios, const PlacementProblem& problem,
+               const MissAllowance& allowance);
 
   const SignalTable& table() const { return table_; }
   std::size_t size() const { return table_.rows(); }
 
   /// Adds cuts that a selection violates, if it misses labels too often. Returns their number.
-  std::size_t add(std::span<const ColumnId> selected, const StateMisses& misses);
+  std::size_t add(std::span<const ColumnId> selected, const ScenarioMisses& misses);
   /// Adds the cuts of labels that a solution of a linear program violates most, for selections of at most
   /// `max_units` units. Labels that are not examined in time give none. Returns the number of
   /// cuts; apart from the time, it does not depend on the threads.
@@ -38,9 +39,9 @@ class StateCuts {
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  /// A label in a state, with unit failure without its strongest unit.
+  /// A label in a scenario, with unit failure without its strongest unit.
   struct Case {
-    std::uint32_t label = 0, state = 0;
+    std::uint32_t label = 0, scenario = 0;
     std::uint32_t failed = none;  ///< column
     double largest = 0;           ///< received from the failed unit
     double received = 0;          ///< from the others, as a share of the requirement
@@ -71,12 +72,12 @@ class StateCuts {
   void lower(Cut& best, std::span<const Case> cases, std::size_t allowed, std::span<const Part> parts,
              const Counted& counted) const;
   Cut most_violated(std::uint32_t label, std::span<const Part> parts, std::size_t max_units) const;
-  std::vector<double> cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_state,
+  std::vector<double> cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
                                 std::span<const Part> parts) const;
-  void add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_state, std::span<const Part> parts);
+  void add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_scenario, std::span<const Part> parts);
   void append(const std::vector<double>& shares);
 
-  const StateTable& states_;
+  const ScenarioTable& scenarios_;
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   SignalTable table_;

@@ -10,43 +10,43 @@
 #include <string>
 #include <vector>
 
-#include "shelfbeam/placement/states/state_table.hpp"
+#include "shelfbeam/placement/scenarios/scenario_table.hpp"
 
 namespace shelfbeam::test {
 
 enum class Rule { label, shop, total };
 
-// Few labels, candidates and states, so that all selections can be listed.
-struct RandomStates {
-  explicit RandomStates(unsigned seed) : random(seed) {}
+// Few labels, candidates and scenarios, so that all selections can be listed.
+struct RandomScenarios {
+  explicit RandomScenarios(unsigned seed) : random(seed) {}
 
   double uniform() { return std::uniform_real_distribution()(random); }
 
-  StateTable next(bool with_rules, double strength = 1) {
-    StateTable states;
-    states.states = 8;
+  ScenarioTable next(bool with_rules, double strength = 1) {
+    ScenarioTable scenarios;
+    scenarios.count = 8;
     for (int i = 0; i < 5; ++i)
-      states.table.labels.push_back({.id = std::to_string(i), .requirement = 1, .single_requirement = 1});
+      scenarios.table.labels.push_back({.id = std::to_string(i), .requirement = 1, .single_requirement = 1});
     for (int j = 0; j < 8; ++j)
-      states.table.transceivers.push_back(
+      scenarios.table.transceivers.push_back(
           {.id = "T" + std::to_string(j), .cost = 1 + std::floor(3 * uniform()), .installed = false});
-    states.table.row_begin.assign(6, 0);
+    scenarios.table.row_begin.assign(6, 0);
     if (with_rules) {
-      states.table.mounts = {{0, 1, 2}};
-      states.table.conflicts = {{3, 5}};
-      states.table.transceivers[6].installed = uniform() < 0.5;
+      scenarios.table.mounts = {{0, 1, 2}};
+      scenarios.table.conflicts = {{3, 5}};
+      scenarios.table.transceivers[6].installed = uniform() < 0.5;
     }
     const double density = 0.4 + 0.4 * uniform();
-    states.signal.resize(std::size_t{5} * 8 * 8);
+    scenarios.signal.resize(std::size_t{5} * 8 * 8);
     for (std::size_t i = 0; i < 5; ++i) {
       std::vector<double> usual(8);
       for (double& signal : usual) signal = uniform() < density ? 1.3 * strength * uniform() : 0;
       for (std::size_t s = 0; s < 8; ++s)
         for (std::size_t j = 0; j < 8; ++j)
-          states.signal[(j * 5 + i) * 8 + s] =
+          scenarios.signal[(j * 5 + i) * 8 + s] =
               static_cast<float>(usual[j] * (uniform() < 0.15 ? 0.2 : 0.7 + 0.6 * uniform()));
     }
-    return states;
+    return scenarios;
   }
 
   MissAllowance allowance(Rule rule) {
@@ -65,21 +65,21 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// The value of a set of candidates, bit j for candidate j, that keeps to the rules. Written from the
 /// definition, without code of the library.
-inline std::optional<double> value_of_set(const StateTable& states, const PlacementProblem& problem,
+inline std::optional<double> value_of_set(const ScenarioTable& scenarios, const PlacementProblem& problem,
                                           const MissAllowance& allowance, std::uint32_t set) {
   const auto has = [&](std::uint32_t j) { return (set >> j & 1U) != 0; };
   double value = 0;
   for (std::uint32_t j = 0; j < 8; ++j) {
-    if (states.table.transceivers[j].installed && !has(j)) return {};
+    if (scenarios.table.transceivers[j].installed && !has(j)) return {};
     if (!has(j)) continue;
     if (problem.combination != Combination::spend)
       value += 1;
-    else if (!states.table.transceivers[j].installed)
-      value += states.table.transceivers[j].cost;
+    else if (!scenarios.table.transceivers[j].installed)
+      value += scenarios.table.transceivers[j].cost;
   }
-  for (const auto& mount : states.table.mounts)
+  for (const auto& mount : scenarios.table.mounts)
     if (std::count_if(mount.begin(), mount.end(), has) > 1) return {};
-  for (const auto& [a, b] : states.table.conflicts)
+  for (const auto& [a, b] : scenarios.table.conflicts)
     if (has(a) && has(b)) return {};
   std::uint32_t total = 0;
   std::vector<bool> any(8, false);
@@ -89,7 +89,7 @@ inline std::optional<double> value_of_set(const StateTable& states, const Placem
       double sum = 0, first = 0, second = 0;  // the two largest signals
       for (std::uint32_t j = 0; j < 8; ++j) {
         if (!has(j)) continue;
-        const auto signal = static_cast<double>(states.signal[(std::size_t{j} * 5 + i) * 8 + s]);
+        const auto signal = static_cast<double>(scenarios.signal[(std::size_t{j} * 5 + i) * 8 + s]);
         sum += signal;
         second = std::max(second, std::min(first, signal));
         first = std::max(first, signal);
@@ -110,11 +110,11 @@ inline std::optional<double> value_of_set(const StateTable& states, const Placem
 }
 
 /// The smallest value; infinite if no set keeps to the rules.
-inline double best_by_enumeration(const StateTable& states, const PlacementProblem& problem,
+inline double best_by_enumeration(const ScenarioTable& scenarios, const PlacementProblem& problem,
                                   const MissAllowance& allowance) {
   double best = infinite;
   for (std::uint32_t set = 0; set < 256; ++set)
-    best = std::min(best, value_of_set(states, problem, allowance, set).value_or(infinite));
+    best = std::min(best, value_of_set(scenarios, problem, allowance, set).value_or(infinite));
   return best;
 }
 

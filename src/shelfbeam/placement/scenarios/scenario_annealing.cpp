@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/states/state_annealing.hpp"
+#include "shelfbeam/placement/scenarios/scenario_annealing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,34 +16,34 @@ namespace {
 constexpr std::uint64_t spread_moves = 1'000'000;                                  ///< of one reserve
 constexpr std::array reserves{1.0, 1.01, 1.02, 1.03, 1.05, 1.07, 1.1, 1.15, 1.2};  ///< in requirements
 
-SignalTable table_of(const StateTable& states, std::size_t state) {
-  SignalTable table = states.table;
+SignalTable table_of(const ScenarioTable& scenarios, std::size_t scenario) {
+  SignalTable table = scenarios.table;
   table.row_begin = {0};
   for (std::size_t i = 0; i < table.rows(); ++i) {
     for (std::uint32_t j = 0; j < table.columns(); ++j)
-      if (const float signal = states.of(j, i)[state]; signal > 0)
+      if (const float signal = scenarios.of(j, i)[scenario]; signal > 0)
         table.entries.push_back({j, static_cast<double>(signal)});
     table.row_begin.push_back(table.entries.size());
   }
   return table;
 }
 
-// The cases that walks work on, in the groups to which an allowance applies: of one label, of one state, or
-// all.
+// The cases that walks work on, in the groups to which an allowance applies: of one label, of one scenario,
+// or all.
 class CaseRows : public detail::TotalLack<CaseRows> {
  public:
   static constexpr std::uint64_t max_moves = 128;
 
-  CaseRows(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance,
+  CaseRows(const ScenarioTable& scenarios, const PlacementProblem& problem, const MissAllowance& allowance,
            double reserve, const Selection& start)
-      : states_(states),
+      : scenarios_(scenarios),
         problem_(problem),
         allowance_(allowance),
         reserve_(reserve),
-        is_known_(states.table.rows() * states.states, false),
-        values_(states.table.columns()),
-        groups_(!allowance.of_label.empty() ? states.table.rows()
-                : allowance.of_shop         ? states.states
+        is_known_(scenarios.table.rows() * scenarios.count, false),
+        values_(scenarios.table.columns()),
+        groups_(!allowance.of_label.empty() ? scenarios.table.rows()
+                : allowance.of_shop         ? scenarios.count
                                             : 1) {
     constexpr double near = 1.1;
     find_missed(start, near);
@@ -84,15 +84,15 @@ class CaseRows : public detail::TotalLack<CaseRows> {
 
  private:
   struct Case {
-    std::uint32_t label = 0, state = 0;
+    std::uint32_t label = 0, scenario = 0;
     double received = 0;
   };
   static constexpr float excused = 64;           ///< is added to the signals of excused rows
   static constexpr std::size_t max_labels = 64;  ///< whose cases are added at once
 
-  std::size_t at(const Case& one) const { return one.label * states_.states + one.state; }
+  std::size_t at(const Case& one) const { return one.label * scenarios_.count + one.scenario; }
   double requirement(std::uint32_t label) const {
-    return reserve_ * requirement_of(states_.table.labels[label], problem_.model);
+    return reserve_ * requirement_of(scenarios_.table.labels[label], problem_.model);
   }
 
   static float counted(const std::vector<float>& held, const std::vector<float>& best, std::uint32_t row) {
@@ -127,13 +127,13 @@ class CaseRows : public detail::TotalLack<CaseRows> {
   // are divided by `near`. Returns whether there are none.
   bool find_missed(const Selection& selected, double near) {
     missed_.clear();
-    MissCounter counter(states_.table.rows(), states_.states);
-    for_each_weak(states_, problem_, selected, near * reserve_,
+    MissCounter counter(scenarios_.table.rows(), scenarios_.count);
+    for_each_weak(scenarios_, problem_, selected, near * reserve_,
                   [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal& received) {
                     missed_.push_back({i, s, received.value()});
                     counter.add(i, s);
                   });
-    const StateMisses& misses = counter.misses();
+    const ScenarioMisses& misses = counter.misses();
     if (!allowance_.of_label.empty())
       std::erase_if(missed_, [&](const Case& one) {
         return misses.of_label[one.label] <= allowance_.of_label[one.label];
@@ -146,13 +146,13 @@ class CaseRows : public detail::TotalLack<CaseRows> {
     for (std::size_t k = 0; k < cases.size(); ++k) {
       is_known_[at(cases[k])] = true;
       const std::size_t group = !allowance_.of_label.empty() ? cases[k].label
-                                : allowance_.of_shop         ? cases[k].state
+                                : allowance_.of_shop         ? cases[k].scenario
                                                              : 0;
       groups_[group].push_back(static_cast<std::uint32_t>(values_.rows() + k));
     }
     values_.add_rows(cases.size(), [&](std::size_t k, std::size_t j) {
-      const double signal =
-          static_cast<double>(states_.of(static_cast<std::uint32_t>(j), cases[k].label)[cases[k].state]);
+      const double signal = static_cast<double>(
+          scenarios_.of(static_cast<std::uint32_t>(j), cases[k].label)[cases[k].scenario]);
       const double needed = requirement(cases[k].label);
       if (problem_.model == CommunicationModel::cooperative)
         return static_cast<float>(std::min(1.0, signal / needed));
@@ -160,11 +160,11 @@ class CaseRows : public detail::TotalLack<CaseRows> {
     });
   }
 
-  const StateTable& states_;
+  const ScenarioTable& scenarios_;
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
   double reserve_;
-  std::vector<bool> is_known_;  ///< by label and state
+  std::vector<bool> is_known_;  ///< by label and scenario
   detail::GrowingColumns values_;
   std::vector<std::vector<std::uint32_t>> groups_;  ///< rows
   std::vector<Case> missed_;
@@ -172,30 +172,30 @@ class CaseRows : public detail::TotalLack<CaseRows> {
 
 }  // namespace
 
-StateAnnealing::StateAnnealing(const StateTable& states, const PlacementProblem& problem,
-                               const MissAllowance& allowance)
-    : states_(states),
+ScenarioAnnealing::ScenarioAnnealing(const ScenarioTable& scenarios, const PlacementProblem& problem,
+                                     const MissAllowance& allowance)
+    : scenarios_(scenarios),
       problem_(problem),
       allowance_(allowance),
-      first_(table_of(states, 0)),
+      first_(table_of(scenarios, 0)),
       instance_(first_, problem_),
       matrix_(instance_) {}
 
-std::optional<Selection> StateAnnealing::next(const Selection& start, double reserve,
-                                              const detail::Effort& effort, const RunControl& control) {
+std::optional<Selection> ScenarioAnnealing::next(const Selection& start, double reserve,
+                                                 const detail::Effort& effort, const RunControl& control) {
   const std::uint32_t seed = seed_;
   seed_ += detail::walks_at_once;
   return detail::best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
-    return detail::AnnealingWalk(instance_, matrix_, CaseRows(states_, problem_, allowance_, reserve, start),
-                                 start, own_seed);
+    return detail::AnnealingWalk(instance_, matrix_,
+                                 CaseRows(scenarios_, problem_, allowance_, reserve, start), start, own_seed);
   });
 }
 
-Selection StateAnnealing::spread(Selection selected, const detail::Effort& effort,
-                                 const RunControl& control) {
+Selection ScenarioAnnealing::spread(Selection selected, const detail::Effort& effort,
+                                    const RunControl& control) {
   for (const double reserve : reserves) {
     if (effort.is_over(control)) break;
-    if (allowance_.excess(misses_of(states_, problem_, selected, reserve)) == 0) continue;
+    if (allowance_.excess(misses_of(scenarios_, problem_, selected, reserve)) == 0) continue;
     std::optional<Selection> found = next(selected, reserve, {spread_moves, effort.until}, control);
     if (!found) break;
     selected = std::move(*found);

@@ -7,17 +7,18 @@
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
-#include "shelfbeam/placement/states/state_table.hpp"
+#include "shelfbeam/placement/scenarios/scenario_table.hpp"
 
 namespace shelfbeam {
 
-/// Simulated annealing over cases, a label in a state each: the lack of a selection omits the cases that the
-/// allowance covers, those that lack most, and is counted on cases that some selection missed or nearly
+/// Simulated annealing over cases, a label in a scenario each: the lack of a selection omits the cases that
+/// the allowance covers, those that lack most, and is counted on cases that some selection missed or nearly
 /// missed.
-class StateAnnealing {
+class ScenarioAnnealing {
  public:
-  /// All references must outlive the object. Precondition: there is a state.
-  StateAnnealing(const StateTable& states, const PlacementProblem& problem, const MissAllowance& allowance);
+  /// All references must outlive the object. Precondition: there is a scenario.
+  ScenarioAnnealing(const ScenarioTable& scenarios, const PlacementProblem& problem,
+                    const MissAllowance& allowance);
 
   /// A selection of fewer units than `start` that keeps to the allowance with `reserve` times all
   /// requirements, or of at most as many if the start does not, at no higher price. nullopt if none was found
@@ -31,10 +32,10 @@ class StateAnnealing {
   Selection spread(Selection selected, const detail::Effort& effort, const RunControl& control);
 
  private:
-  const StateTable& states_;
+  const ScenarioTable& scenarios_;
   const PlacementProblem& problem_;
   const MissAllowance& allowance_;
-  SignalTable first_;  ///< the first state
+  SignalTable first_;  ///< the first scenario
   detail::Instance instance_;
   detail::SearchMatrix matrix_;
   std::uint32_t seed_ = 1;

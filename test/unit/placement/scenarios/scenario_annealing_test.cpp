@@ -1,4 +1,4 @@
-#include "shelfbeam/placement/states/state_annealing.hpp"
+#include "shelfbeam/placement/scenarios/scenario_annealing.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -6,37 +6,37 @@
 
 #include <gtest/gtest.h>
 
-#include "shelfbeam/placement/states/state_search.hpp"
+#include "shelfbeam/placement/scenarios/scenario_search.hpp"
 
-#include "unit/placement/states/random_states.hpp"
+#include "unit/placement/scenarios/random_scenarios.hpp"
 
 namespace shelfbeam {
 namespace {
 
-using test::RandomStates;
+using test::RandomScenarios;
 using test::Rule;
 
-class StateAnnealingOf : public testing::TestWithParam<Rule> {};
+class ScenarioAnnealingOf : public testing::TestWithParam<Rule> {};
 
 // Starts from all candidates that exclude no others.
-TEST_P(StateAnnealingOf, FindsTheFewestUnits) {
-  RandomStates random(5);
+TEST_P(ScenarioAnnealingOf, FindsTheFewestUnits) {
+  RandomScenarios random(5);
   int found = 0, fewest = 0;
   for (int k = 0; k < 60; ++k) {
     SCOPED_TRACE(k);
     const PlacementProblem problem{
         .model = k % 3 == 0 ? CommunicationModel::non_cooperative : CommunicationModel::cooperative,
         .redundant = k % 5 == 0};
-    const StateTable states = random.next(k % 2 == 1);
+    const ScenarioTable scenarios = random.next(k % 2 == 1);
     const MissAllowance allowance = random.allowance(GetParam());
     const Selection start = k % 2 == 1 ? Selection{0, 3, 4, 6, 7} : Selection{0, 1, 2, 3, 4, 5, 6, 7};
-    if (allowance.excess(misses_of(states, problem, start)) > 0) continue;
-    const double best = test::best_by_enumeration(states, problem, allowance);
-    StateAnnealing annealing(states, problem, allowance);
+    if (allowance.excess(misses_of(scenarios, problem, start)) > 0) continue;
+    const double best = test::best_by_enumeration(scenarios, problem, allowance);
+    ScenarioAnnealing annealing(scenarios, problem, allowance);
     const auto selected = annealing.next(start, 1, {.steps = 50000}, {}).value_or(start);
     std::uint32_t set = 0;
     for (const std::uint32_t j : selected) set |= 1U << j;
-    const std::optional<double> value = test::value_of_set(states, problem, allowance, set);
+    const std::optional<double> value = test::value_of_set(scenarios, problem, allowance, set);
     ASSERT_TRUE(value) << "breaks a rule";
     ++found;
     fewest += *value == best ? 1 : 0;
@@ -45,7 +45,7 @@ TEST_P(StateAnnealingOf, FindsTheFewestUnits) {
   EXPECT_GE(fewest, found - 1) << "the excused cases may hold a walk at a local optimum";
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, StateAnnealingOf, testing::Values(Rule::label, Rule::shop, Rule::total),
+INSTANTIATE_TEST_SUITE_P(Every, ScenarioAnnealingOf, testing::Values(Rule::label, Rule::shop, Rule::total),
                          [](const auto& test) {
                            return test.param == Rule::label  ? "Labels"
                                   : test.param == Rule::shop ? "Shop"
@@ -53,22 +53,22 @@ INSTANTIATE_TEST_SUITE_P(Every, StateAnnealingOf, testing::Values(Rule::label, R
                          });
 
 // Spreading keeps the count, the price and the allowance, and reaches a reserve in some cases.
-TEST(StateAnnealing, SpreadsAtNoHigherPrice) {
-  RandomStates random(6);
+TEST(ScenarioAnnealing, SpreadsAtNoHigherPrice) {
+  RandomScenarios random(6);
   int spread = 0;
   for (int k = 0; k < 20; ++k) {
     const PlacementProblem problem{.combination =
                                        k % 2 == 0 ? Combination::spend : Combination::lexicographic};
-    const StateTable states = random.next(false);
+    const ScenarioTable scenarios = random.next(false);
     const MissAllowance allowance = random.allowance(Rule::label);
     const Selection start{0, 1, 2, 3, 4, 5};
     const auto excess = [&](const auto& selected, double reserve) {
-      return allowance.excess(misses_of(states, problem, selected, reserve));
+      return allowance.excess(misses_of(scenarios, problem, selected, reserve));
     };
     if (excess(start, 1) > 0 || excess(start, 1.2) == 0) continue;
-    StateAnnealing annealing(states, problem, allowance);
+    ScenarioAnnealing annealing(scenarios, problem, allowance);
     const auto selected = annealing.spread(start, detail::for_seconds(1), {});
-    EXPECT_LE(state_value(states, problem, selected), state_value(states, problem, start));
+    EXPECT_LE(scenario_value(scenarios, problem, selected), scenario_value(scenarios, problem, start));
     EXPECT_EQ(excess(selected, 1), 0U);
     spread += excess(selected, 1.2) == 0 ? 1 : 0;
   }
