@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/math/steps.hpp"
+#include "shelfbeam/placement/bound/ascent.hpp"
 
 namespace shelfbeam::detail {
 
@@ -32,25 +33,56 @@ class Dual {
 
   Multipliers run() {
     price_all();
-    for (std::uint64_t step = 1; step <= options_.effort.steps && rows_.rows() > 0; ++step) {
-      if (is_over(step) || !move()) break;
-      if (step % pricing_period_ == 0)
-        price_all();
-      else
-        price_core();
-      adapt(step);
-    }
+    // Few steps must become short sooner.
+    const std::size_t patience = std::max<std::size_t>(10, options_.effort.steps / 30);
+    if (rows_.rows() > 0) ascend(*this, value_, {.first = 0.3, .patience = patience});
     price_all();
     best_.x = average_;
     return best_;
   }
 
+  bool ends(std::size_t step) const {
+    return step > options_.effort.steps || is_closed() ||
+           (step % 16 == 0 && options_.effort.is_over(control_));
+  }
+
+  double evaluate(std::size_t step) {
+    if (step % pricing_period_ == 0)
+      price_all();
+    else
+      price_core();
+    if (step % 50 == 0) control_.report(Task::multipliers, -1, fmt::format("{:.6g}", best_.bound));
+    return value_;
+  }
+
+  static double least_gain(double value) { return 1e-3 * std::abs(value); }
+
+  // y_i <- max(0, y_i + length (known - L) d_i / |d|^2), d a mean of this subgradient and the last direction.
+  // False at an optimum.
+  bool move(double length) {
+    constexpr double of_last = 0.7, of_average = 0.02;
+    std::vector<double>& d = direction_;
+    for (std::size_t i = 0; i < d.size(); ++i) d[i] = of_last * d[i] + (1 - of_last) * rows_.rhs(i);
+    for (const std::uint32_t j : taken_)
+      for (const SparseRows::Term& term : rows_.of_column(j))
+        d[term.index] -= (1 - of_last) * static_cast<double>(term.a);
+    for (const std::uint32_t j : core_) average_[j] *= 1 - of_average;
+    for (const std::uint32_t j : taken_) average_[j] += of_average;
+    double norm = 0;
+    for (std::size_t i = 0; i < d.size(); ++i) {
+      if (y_[i] <= 0 && d[i] < 0) d[i] = 0;
+      norm += d[i] * d[i];
+    }
+    if (!(norm > 1e-12)) return false;
+    const double above = std::max(options_.known - value_, 1e-3 * std::abs(options_.known));
+    const double factor = length * above / norm;
+    for (std::size_t i = 0; i < d.size(); ++i) y_[i] = std::max(0.0, y_[i] + factor * d[i]);
+    return true;
+  }
+
  private:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
-  bool is_over(std::size_t step) const {
-    return is_closed() || (step % 16 == 0 && options_.effort.is_over(control_));
-  }
   bool is_closed() const { return best_.bound > next_better(options_.known, options_.step); }
 
   double reduced_cost(std::uint32_t j) const {
@@ -133,51 +165,14 @@ class Dual {
     taken_.resize(count);
   }
 
-  // y_i <- max(0, y_i + lambda (known - L) d_i / |d|^2), d a mean of this subgradient and the last direction.
-  // False at an optimum.
-  bool move() {
-    constexpr double of_last = 0.7, of_average = 0.02;
-    std::vector<double>& d = direction_;
-    for (std::size_t i = 0; i < d.size(); ++i) d[i] = of_last * d[i] + (1 - of_last) * rows_.rhs(i);
-    for (const std::uint32_t j : taken_)
-      for (const SparseRows::Term& term : rows_.of_column(j))
-        d[term.index] -= (1 - of_last) * static_cast<double>(term.a);
-    for (const std::uint32_t j : core_) average_[j] *= 1 - of_average;
-    for (const std::uint32_t j : taken_) average_[j] += of_average;
-    double norm = 0;
-    for (std::size_t i = 0; i < d.size(); ++i) {
-      if (y_[i] <= 0 && d[i] < 0) d[i] = 0;
-      norm += d[i] * d[i];
-    }
-    if (!(norm > 1e-12)) return false;
-    const double above = std::max(options_.known - value_, 1e-3 * std::abs(options_.known));
-    const double length = lambda_ * above / norm;
-    for (std::size_t i = 0; i < d.size(); ++i) y_[i] = std::max(0.0, y_[i] + length * d[i]);
-    return true;
-  }
-
-  // Shorter steps when L no longer rises.
-  void adapt(std::size_t step) {
-    constexpr std::size_t patience = 20;
-    constexpr double shorter = 0.7;
-    if (value_ > best_of_core_ + 1e-5 * std::abs(best_of_core_)) {
-      best_of_core_ = value_;
-      last_gain_ = step;
-    } else if (step >= last_gain_ + patience) {
-      lambda_ *= shorter;
-      last_gain_ = step;
-    }
-    if (step % 50 == 0) control_.report(Task::multipliers, -1, fmt::format("{:.6g}", best_.bound));
-  }
-
   const SparseRows& rows_;
   const SubgradientOptions& options_;
   const RunControl& control_;
   Multipliers best_;
   std::vector<double> y_, reduced_, average_, direction_;
   std::vector<std::uint32_t> core_, taken_, best_of_group_;
-  double value_ = -infinity, best_of_core_ = -infinity, lambda_ = 0.5;
-  std::size_t last_gain_ = 0, pricing_period_ = 10;
+  double value_ = -infinity;
+  std::size_t pricing_period_ = 10;
 };
 
 }  // namespace

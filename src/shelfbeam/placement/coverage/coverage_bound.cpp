@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/bound/ascent.hpp"
 #include "shelfbeam/placement/bound/dual_bound.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
@@ -156,48 +157,78 @@ void CoverageBound::keep_to(std::size_t units) {
       chosen_[j] *= static_cast<float>(std::min(factor, 1 / sum));
 }
 
+// Mirror ascent, for `ascend`.
+struct CoverageBound::Steps {
+  CoverageBound& of;
+  std::size_t units;
+  double reached;
+  CoverageAim aim;
+  const detail::Effort& effort;
+  const RunControl& control;
+  std::vector<Multipliers> y;
+  std::vector<double> slope = {};
+  double steepest = 0, sum_of_shares = 0;
+  double lowest = 0;  ///< the relaxation has no bound below this
+  bool is_over = false, is_evaluated = false;
+  std::size_t taken = 0;
+
+  bool ends(std::size_t) const { return is_over; }
+
+  bool move(double length) {
+    constexpr float least = 1e-12F;
+    if (!(steepest > 0)) return false;
+    for (std::uint32_t j = 0; j < slope.size(); ++j)
+      if (float& chosen = of.chosen_[j]; moves(j))
+        chosen =
+            std::max(least, chosen * static_cast<float>(std::exp(length * (slope[j] - steepest) / steepest)));
+    of.keep_to(units);
+    return true;
+  }
+
+  double evaluate(std::size_t) {
+    constexpr std::size_t between_bounds = 25, max_steps = 2000;
+    // Later steps count more.
+    const auto weight = static_cast<double>(++taken);
+    sum_of_shares += weight;
+    const double value = of.relax(units, static_cast<float>(weight / sum_of_shares), y, slope);
+    lowest = std::max(lowest, value);
+    steepest = 0;
+    for (std::uint32_t j = 0; j < slope.size(); ++j)
+      if (moves(j)) steepest = std::max(steepest, slope[j]);
+    is_over = taken + 1 >= std::min<std::uint64_t>(effort.steps, max_steps) || effort.is_over(control);
+    is_evaluated = taken % between_bounds == 0;
+    if (is_evaluated) raise();
+    return value;
+  }
+
+  static double least_gain(double value) { return 1e-5 * value; }
+
+  // Ends the steps if none of them can serve the aim.
+  void raise() {
+    constexpr double precision = 1e-6, worthwhile = 0.005;
+    of.evaluate(units, y);
+    const double bound = of.weight(units), floor = lowest * (1 - precision);
+    const double best = of.weights_.rounded_down(floor);
+    is_over = is_over || bound <= reached || bound - floor <= worthwhile * (bound - reached) ||
+              best >= bound || (aim == CoverageAim::reached && best > reached);
+  }
+
+  bool moves(std::uint32_t j) const { return !of.instance_.is_installed(j) && of.chosen_[j] > 0; }
+};
+
 std::size_t CoverageBound::improve(std::size_t units, double reached, CoverageAim aim,
                                    const detail::Effort& effort, const RunControl& control) {
-  constexpr std::size_t between_bounds = 25, max_steps = 2000;
-  constexpr double first_length = 1, shorter_after = 50, precision = 1e-6, worthwhile = 0.005;
-  constexpr float least = 1e-12F;
   if (units == 0 || effort.steps == 0 || weight(units) <= reached || control.cancelled()) return 0;
   std::vector<Multipliers> y(rows(), Multipliers{1});
   if (!std::exchange(has_plain_bounds_, true)) evaluate(units, y);
-  if (units <= instance_.installed.size()) return 1;
+  if (units <= instance_.installed.size() || effort.steps == 1) return 1;
   keep_to(units);
   const detail::CoverRows cover(instance_, units);
   for (std::size_t i = 0; i < rows(); ++i) min_share_sum_[i] = cover.bound(label_[i]);
-  std::vector<double> slope;
-  double lowest = 0, sum_of_shares = 0;  // the relaxation has no bound below `lowest`
-  const std::size_t steps = std::min<std::uint64_t>(effort.steps, max_steps);
-  std::size_t step = 1;
-  for (bool goes_on = true; goes_on && step < steps; ++step) {
-    // Later steps count more.
-    sum_of_shares += static_cast<double>(step);
-    const auto share = static_cast<float>(static_cast<double>(step) / sum_of_shares);
-    lowest = std::max(lowest, relax(units, share, y, slope));
-    double steepest = 0;
-    for (std::uint32_t j = 0; j < slope.size(); ++j)
-      if (!instance_.is_installed(j) && chosen_[j] > 0) steepest = std::max(steepest, slope[j]);
-    goes_on = steepest > 0 && step + 1 < steps && !effort.is_over(control);
-    if (step % between_bounds == 0 || !goes_on) {
-      evaluate(units, y);
-      const double floor = lowest * (1 - precision), above = weight(units) - floor;
-      const bool is_lowest =
-          above <= worthwhile * (weight(units) - reached) || weights_.rounded_down(floor) >= weight(units);
-      const bool is_useless = aim == CoverageAim::reached && weights_.rounded_down(floor) > reached;
-      goes_on = goes_on && weight(units) > reached && !is_lowest && !is_useless;
-    }
-    if (!goes_on) continue;
-    const double length = first_length / std::sqrt(1 + static_cast<double>(step) / shorter_after) / steepest;
-    for (std::uint32_t j = 0; j < chosen_.size(); ++j)
-      if (!instance_.is_installed(j) && chosen_[j] > 0)
-        chosen_[j] =
-            std::max(least, chosen_[j] * static_cast<float>(std::exp(length * (slope[j] - steepest))));
-    keep_to(units);
-  }
-  return step;
+  Steps steps{*this, units, reached, aim, effort, control, std::move(y)};
+  detail::ascend(steps, steps.evaluate(0), {.first = 0.5, .patience = 40});
+  if (!steps.is_evaluated) steps.raise();
+  return 1 + steps.taken;
 }
 
 }  // namespace shelfbeam

@@ -47,6 +47,7 @@ class CoverageBound {
   std::size_t entries() const { return column_.size(); }
 
  private:
+  struct Steps;
   /// Of the lifted rows of a label.
   using Multipliers = std::array<float, detail::CoverageKernels::lifted_rows>;
 

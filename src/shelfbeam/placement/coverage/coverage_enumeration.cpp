@@ -8,6 +8,7 @@
 #include <span>
 
 #include "shelfbeam/math/order.hpp"
+#include "shelfbeam/placement/bound/ascent.hpp"
 #include "shelfbeam/placement/kernels/coverage_kernels.hpp"
 
 namespace shelfbeam::detail {
@@ -196,8 +197,7 @@ class Search {
       ++children;
     const Progress before = progress_;
     for (std::size_t p = 0; p < children && !is_over(); ++p) {
-      // A better selection may have been found.
-      if (!may_suffice(bound.fixed + sum_of_best(bound, p, free))) break;
+      if (!may_suffice(bound.fixed + sum_of_best(bound, p, free))) break;  // a better one was found
       if (depth < 2) progress_ = before.in_child(p, children, free);
       const Valued& one = bound.order[p];
       std::vector<std::uint32_t> others;
@@ -297,43 +297,50 @@ class Search {
     constexpr std::size_t at_root = 60, below = 10;
     if (depth == 0 || free > 2) {
       const double before = best.total;
-      improve(best, list, free, state, depth == 0 ? at_root : below);
+      Steps steps{*this, list, free, depth == 0 ? at_root : below, state, best};
+      ascend(steps, -before, {});
       if (best.total < before) best.number = log_.add(multipliers(best.multiplier));
     }
     return best;
   }
 
-  // Subgradient steps of Polyak's length, towards the weight that is needed.
-  void improve(Bound& best, const std::vector<std::uint32_t>& list, std::size_t free, const LabelState& state,
-               std::size_t steps) {
-    double length = 1;
-    Bound bound = best;
-    Floats load(padded_);
-    for (std::size_t step = 0; step < steps && may_suffice(best.total) && !is_over(); ++step) {
-      const CoverageKernels::Shares shares = shares_of(state, bound.omitted, free);
+  // Steps of Polyak's length, towards the weight that is needed, for `ascend`.
+  struct Steps {
+    Search& search;
+    const std::vector<std::uint32_t>& list;
+    std::size_t free, max_steps;
+    const LabelState& state;
+    Bound &best, bound = best;
+    Floats load = Floats(search.padded_);
+
+    bool ends(std::size_t step) {
+      return step > max_steps || !search.may_suffice(best.total) || search.is_over();
+    }
+    bool move(double length) {
+      const CoverageKernels::Shares shares = search.shares_of(state, bound.omitted, free);
       std::fill(load.begin(), load.end(), -1.0F);
-      for_best(bound, 0, free, [&](const Valued& one) {
-        CoverageKernels::add(table_.signals(one.candidate), shares, load.data());
+      search.for_best(bound, 0, free, [&](const Valued& one) {
+        CoverageKernels::add(search.table_.signals(one.candidate), shares, load.data());
       });
       double norm = 0;
-      for (std::size_t i = 0; i < table_.labels(); ++i) {
+      for (std::size_t i = 0; i < search.table_.labels(); ++i) {
         const float y = bound.multiplier[i];
         const bool stays = (y >= 1 && load[i] < 0) || (y <= 0 && load[i] > 0);
         if (!stays) norm += static_cast<double>(state.weight[i] * load[i] * load[i]);
       }
-      if (norm == 0) return;
-      const auto move =
-          static_cast<float>(length * std::max(0.0, bound.total - needed_ + weights_.step()) / norm);
-      for (std::size_t i = 0; i < table_.labels(); ++i)
-        bound.multiplier[i] = std::clamp(bound.multiplier[i] - move * load[i], 0.0F, 1.0F);
-      bound = evaluate(list, free, state, bound.omitted, std::move(bound.multiplier));
-      if (bound.total < best.total) {
-        best = bound;
-      } else {
-        length *= 0.7;
-      }
+      if (norm == 0) return false;
+      const double above = std::max(0.0, bound.total - search.needed_ + search.weights_.step());
+      const auto by = static_cast<float>(length * above / norm);
+      for (std::size_t i = 0; i < search.table_.labels(); ++i)
+        bound.multiplier[i] = std::clamp(bound.multiplier[i] - by * load[i], 0.0F, 1.0F);
+      return true;
     }
-  }
+    double evaluate(std::size_t) {
+      bound = search.evaluate(list, free, state, bound.omitted, std::move(bound.multiplier));
+      if (bound.total < best.total) best = bound;
+      return -bound.total;
+    }
+  };
 
   const CoverageTable& table_;
   const LabelWeights& weights_;

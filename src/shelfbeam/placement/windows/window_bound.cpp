@@ -9,6 +9,7 @@
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/steps.hpp"
+#include "shelfbeam/placement/bound/ascent.hpp"
 #include "shelfbeam/placement/windows/divided_rows.hpp"
 #include "shelfbeam/placement/windows/window.hpp"
 
@@ -48,6 +49,58 @@ class WindowSearch {
     });
     std::sort(useless_.begin(), useless_.end());
     return {.bound = best_value_, .useless = useless_};
+  }
+
+  // For ascend.
+  bool ends(std::size_t) const { return is_over(); }
+
+  double evaluate(std::size_t) {
+    search(now_);
+    const double value = value_of(now_);
+    if (is_over() && value <= best_value_) return value;
+    offer();
+    keep();
+    // Steps gain nothing while trees are cut short.
+    if (is_cut_short()) allow_larger_trees(2);
+    report();
+    return value;
+  }
+
+  double least_gain(double value) const {
+    constexpr double of_rest = 4e-3;
+    return of_rest * std::max(0.0, target_ - value);
+  }
+
+  void shorten() { now_ = best_; }
+
+  // Moves costs from windows that do without a column to those that use it, by length / |direction|^2; false
+  // if they agree on all columns, so that no weights are better.
+  bool move(double length) {
+    constexpr double memory = 0.5;
+    std::vector<double> uses(cover_.columns.size(), 0.0), count(cover_.columns.size(), 0.0);
+    for (const Window& window : now_) {
+      for (const std::uint32_t j : window.selected) ++uses[j];
+      for (const std::uint32_t j : window.columns) ++count[j];
+    }
+    directions_.resize(now_.size());
+    double square = 0;
+    for (std::size_t w = 0; w < now_.size(); ++w) {
+      std::vector<bool> is_used(cover_.columns.size(), false);
+      for (const std::uint32_t j : now_[w].selected) is_used[j] = true;
+      directions_[w].resize(now_[w].columns.size(), 0.0);
+      for (std::size_t k = 0; k < now_[w].columns.size(); ++k) {
+        const std::uint32_t j = now_[w].columns[k];
+        double& direction = directions_[w][k];
+        direction = memory * direction + (is_used[j] ? 1 : 0) - uses[j] / count[j];
+        square += direction * direction;
+      }
+    }
+    if (!(square > 0)) return false;
+    for (std::size_t w = 0; w < now_.size(); ++w)
+      for (std::size_t k = 0; k < directions_[w].size(); ++k)
+        now_[w].weight[k] += length / square * directions_[w][k];
+    project();
+    return true;
   }
 
  private:
@@ -153,58 +206,9 @@ class WindowSearch {
     target_ = heuristic_(selected);
   }
 
-  // Steps of length_ / |direction|^2, halved if they gain nothing, from the best weights.
   void step_until_stuck() {
-    constexpr int patience = 12, often = 4;
-    constexpr double gain = 4e-3;
     directions_.clear();
-    double reached = best_value_;
-    for (int idle = 0; idle < patience && !is_over();) {
-      if (!step()) return;
-      search(now_);
-      if (is_over() && value_of(now_) <= best_value_) return;
-      offer();
-      keep();
-      // Steps gain nothing while trees are cut short.
-      if (is_cut_short()) allow_larger_trees(2);
-      report();
-      const bool is_better = best_value_ > reached + gain * std::max(0.0, target_ - reached);
-      idle = is_better ? 0 : idle + 1;
-      if (is_better) reached = best_value_;
-      if (idle == 0 || idle % often != 0) continue;
-      length_ *= 0.5;
-      now_ = best_;
-    }
-  }
-
-  // Moves costs from windows that do without a column to those that use it; false if they agree on all
-  // columns, so that no weights are better.
-  bool step() {
-    constexpr double memory = 0.5;
-    std::vector<double> uses(cover_.columns.size(), 0.0), count(cover_.columns.size(), 0.0);
-    for (const Window& window : now_) {
-      for (const std::uint32_t j : window.selected) ++uses[j];
-      for (const std::uint32_t j : window.columns) ++count[j];
-    }
-    directions_.resize(now_.size());
-    double square = 0;
-    for (std::size_t w = 0; w < now_.size(); ++w) {
-      std::vector<bool> is_used(cover_.columns.size(), false);
-      for (const std::uint32_t j : now_[w].selected) is_used[j] = true;
-      directions_[w].resize(now_[w].columns.size(), 0.0);
-      for (std::size_t k = 0; k < now_[w].columns.size(); ++k) {
-        const std::uint32_t j = now_[w].columns[k];
-        double& direction = directions_[w][k];
-        direction = memory * direction + (is_used[j] ? 1 : 0) - uses[j] / count[j];
-        square += direction * direction;
-      }
-    }
-    if (!(square > 0)) return false;
-    for (std::size_t w = 0; w < now_.size(); ++w)
-      for (std::size_t k = 0; k < directions_[w].size(); ++k)
-        now_[w].weight[k] += length_ / square * directions_[w][k];
-    project();
-    return true;
+    length_ = ascend(*this, best_value_, {.first = length_, .shorter = 0.5, .patience = 4, .max_idle = 12});
   }
 
   // To the nearest weights that are not negative and add up to the costs.

@@ -69,7 +69,7 @@ SignalTable random_cover(std::size_t rows, std::size_t columns, std::uint64_t se
   return table;
 }
 
-// Wide covers, on which columns are priced: within half a percent of the linear program.
+// Wide covers, on which columns are priced: within a thousandth of the linear program.
 TEST(MultiplierBound, ComesNearTheLinearProgram) {
   for (const std::uint64_t seed : {1U, 2U}) {
     const SignalTable table = random_cover(120, 12000, seed);
@@ -81,7 +81,7 @@ TEST(MultiplierBound, ComesNearTheLinearProgram) {
     for (std::uint32_t i = 0; i < table.rows(); ++i) options.rows.push_back({i});
     const auto found = detail::multiplier_bound({table, sum_alone}, cost, options, {});
     EXPECT_LE(found.dual.bound, of_lp * (1 + 1e-6));
-    EXPECT_GE(found.dual.bound, of_lp * (1 - 5e-3));
+    EXPECT_GE(found.dual.bound, of_lp * (1 - 1e-3));
   }
 }
 
