@@ -27,6 +27,7 @@ class Number {
 };
 
 using ColumnId = Number<struct ColumnTag>;  ///< a transceiver of a SignalTable
+using LabelId = Number<struct LabelTag>;    ///< a label of a SignalTable
 using MaterialId = Index<struct MaterialTag>;
 using LabelTypeId = Index<struct LabelTypeTag>;
 using TransceiverTypeId = Index<struct TransceiverTypeTag>;

@@ -15,7 +15,7 @@ std::vector<BoundRow> rows_of(SearchState& state) {
   std::vector<BoundRow> rows;
   if (state.instance.is_cover())
     for (const CoverPart& part : state.reduction().parts)
-      for (const std::uint32_t i : part.labels) rows.push_back({i});
+      for (const LabelId i : part.labels) rows.push_back({i});
   return rows;
 }
 

@@ -39,7 +39,7 @@ Answer solve_mips_in_turn(SearchState& state, const Ask& ask) {
 }
 
 void begin_tree_with(const LpBound& lp, SearchState& state) {
-  std::vector<std::uint32_t> rows;
+  std::vector<LabelId> rows;
   std::vector<double> weights;
   for (std::size_t k = 0; k < lp.rows.size(); ++k) {
     if (!lp.rows[k].is_plain()) continue;
@@ -71,7 +71,7 @@ SignalTable table_of(const Instance& instance, std::span<const double> cost, con
   for (const auto& [a, b] : instance.table.conflicts)
     if (place[a] < own.columns() && place[b] < own.columns()) own.conflicts.emplace_back(place[a], place[b]);
   own.row_begin = {0};
-  for (const std::uint32_t i : part.labels) {
+  for (const LabelId i : part.labels) {
     own.labels.push_back(instance.table.labels[i]);
     for (const SignalEntry& entry : instance.row(i))
       if (place[entry.transceiver] < own.columns())

@@ -35,7 +35,7 @@ enum class BoundProof {
 };
 
 struct Unreachable {
-  std::uint32_t label = 0;
+  LabelId label;
   double requirement = 0;
   double max_signal = 0;  ///< Mounts::max_signal
 };

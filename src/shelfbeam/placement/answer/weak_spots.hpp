@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "shelfbeam/placement/answer/placement.hpp"
@@ -12,7 +11,7 @@ namespace shelfbeam {
 struct ScenarioMargin {
   std::size_t scenario = 0;    ///< index into SignalTable::scenarios
   double smallest_margin = 0;  ///< min_i S_i / (gamma_i tau_i); infinite without labels
-  std::uint32_t label = 0;     ///< row with that margin, the first of several
+  LabelId label;               ///< row with that margin, the first of several
 };
 
 /// One entry per scenario of the table; empty without a selection.
@@ -20,8 +19,8 @@ std::vector<ScenarioMargin> scenario_margins(const SignalTable& table, const Pla
 
 /// The labels that depend on one chosen unit.
 struct Critical {
-  std::uint32_t unit = 0;
-  std::vector<std::uint32_t> labels;  ///< reached, but missed without the unit; ascending
+  ColumnId unit;
+  std::vector<LabelId> labels;  ///< reached, but missed without the unit; ascending
 };
 
 /// For every unit of a selection, in its order: the labels that its failure alone would leave missed

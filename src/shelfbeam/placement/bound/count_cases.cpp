@@ -54,7 +54,7 @@ class Cases {
   bool is_empty(const LpBound& open, const std::vector<ColumnId>& without) const {
     constexpr double rounding = 1e-9;
     const std::vector<bool> is_out = chosen_columns(instance_, without);
-    return std::any_of(open.labels.begin(), open.labels.end(), [&](std::uint32_t label) {
+    return std::any_of(open.labels.begin(), open.labels.end(), [&](LabelId label) {
       double outside = 0;
       cover_.for_entries(label, [&](std::uint32_t j, double a) { outside += is_out[j] ? 0 : a; });
       return outside * (1 + rounding) < cover_.bound(label);
@@ -92,7 +92,7 @@ class Cases {
     return best;
   }
 
-  std::optional<Split> halved(std::uint32_t label, const std::vector<double>& x) const {
+  std::optional<Split> halved(LabelId label, const std::vector<double>& x) const {
     constexpr double min_part = 0.5, max_part = 0.8;
     struct Term {
       double a = 0;

@@ -26,7 +26,7 @@ namespace shelfbeam::detail {
 ///
 ///   sum_{j: a_ij >= t} T_j >= 1.
 struct BoundRow {
-  std::uint32_t label = 0;
+  LabelId label;
   double share = 0;      ///< s
   double strongest = 0;  ///< t
 

@@ -37,7 +37,7 @@ class RowGeneration {
   LpBound run() {
     std::vector<BoundRow> batch = options_.rows;
     if (batch.empty())
-      for (const std::uint32_t label : pricing_.hardest()) batch.push_back({label});
+      for (const LabelId label : pricing_.hardest()) batch.push_back({label});
     do {
       add(batch);
       if (!solve()) {
@@ -151,7 +151,7 @@ class RowGeneration {
 
 std::vector<BoundRow> rows_of(const LpBound& bound) {
   std::vector<BoundRow> rows;
-  for (const std::uint32_t label : bound.labels) rows.push_back({label});
+  for (const LabelId label : bound.labels) rows.push_back({label});
   for (const BoundRow& row : bound.rows)
     if (!row.is_plain()) rows.push_back(row);
   return rows;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -23,11 +22,11 @@ struct LpBoundOptions {
 
 /// The LP bound with its rows and multipliers.
 struct LpBound {
-  DualBound dual;                     ///< of `rows` and `y`; the only proven result
-  std::vector<BoundRow> rows;         ///< rows with a positive multiplier
-  std::vector<double> y;              ///< multipliers, one per row
-  std::vector<double> x;              ///< solution of the last LP, one per column; empty if none was solved
-  std::vector<std::uint32_t> labels;  ///< labels whose rows are in the LP, in order of addition
+  DualBound dual;               ///< of `rows` and `y`; the only proven result
+  std::vector<BoundRow> rows;   ///< rows with a positive multiplier
+  std::vector<double> y;        ///< multipliers, one per row
+  std::vector<double> x;        ///< solution of the last LP, one per column; empty if none was solved
+  std::vector<LabelId> labels;  ///< labels whose rows are in the LP, in order of addition
   /// `x` violates no label row by more than 1e-6, and the time limit omitted no cut.
   bool complete = false;
   std::size_t rounds = 0;  ///< LPs solved

@@ -32,7 +32,7 @@ class Bounding {
       return std::move(best_);
     }
     const RowPricing pricing(instance_, options_.selections.max_count);
-    for (const std::uint32_t label : pricing.hardest()) add(label);
+    for (const LabelId label : pricing.hardest()) add(label);
     for (int round = 0; round < max_rounds; ++round) {
       const std::vector<double> x = improve(few_steps);
       constexpr double missed = 0.02;  // averages of few steps are no better
@@ -44,7 +44,7 @@ class Bounding {
   }
 
  private:
-  void add(std::uint32_t label) {
+  void add(LabelId label) {
     is_row_[label] = true;
     rows_.push_back({label});
   }

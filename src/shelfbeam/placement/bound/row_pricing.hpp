@@ -38,11 +38,11 @@ class RowPricing {
   }
 
   /// For every strongest unit, the label with the smallest sum_j a_ij, ascending.
-  std::vector<std::uint32_t> hardest() const {
+  std::vector<LabelId> hardest() const {
     constexpr std::uint32_t none = ~std::uint32_t{0};
-    std::vector<std::uint32_t> best(columns_ + 1, none);
+    std::vector<LabelId> best(columns_ + 1, none);
     for (std::uint32_t i = 0; i < rows_; ++i) {
-      std::uint32_t& label = best[strongest_[i]];
+      LabelId& label = best[strongest_[i]];
       if (label == none || total_[i] < total_[label]) label = i;
     }
     std::erase(best, none);
@@ -52,7 +52,7 @@ class RowPricing {
 
   struct Violated {
     double by = 0;
-    std::uint32_t label = 0;
+    LabelId label;
   };
   /// The labels that `x` violates by more than `tolerance`: the most violated per strongest unit, in
   /// descending order, at most `max_cuts`, without `known` labels. Scans the table once on the threads of the

@@ -23,7 +23,7 @@ struct Term {
   double x = 0;
 };
 
-std::vector<Term> terms_of(std::uint32_t label, const CoverRows& cover, std::span<const double> x) {
+std::vector<Term> terms_of(LabelId label, const CoverRows& cover, std::span<const double> x) {
   std::vector<Term> terms;
   cover.for_entries(label, [&](std::uint32_t j, double a) {
     if (x[j] > min_x) terms.push_back({a, x[j]});
@@ -31,8 +31,7 @@ std::vector<Term> terms_of(std::uint32_t label, const CoverRows& cover, std::spa
   return terms;
 }
 
-Cut best_share(std::uint32_t label, const CoverRows& cover, std::span<const double> x,
-               std::size_t max_units) {
+Cut best_share(LabelId label, const CoverRows& cover, std::span<const double> x, std::size_t max_units) {
   constexpr int shares = 24;
   const std::vector<Term> terms = terms_of(label, cover, x);
   const double bound = cover.bound(label);
@@ -56,7 +55,7 @@ Cut best_share(std::uint32_t label, const CoverRows& cover, std::span<const doub
 }  // namespace
 
 std::vector<BoundRow> share_cuts(const Instance& instance, std::size_t max_units,
-                                 std::span<const std::uint32_t> labels, std::span<const double> x,
+                                 std::span<const LabelId> labels, std::span<const double> x,
                                  std::size_t max_cuts) {
   if (max_units == 0) return {};
   const CoverRows cover(instance, max_units);

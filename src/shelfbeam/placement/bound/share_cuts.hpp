@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace shelfbeam::detail {
 /// Share cuts (BoundRow) of the given labels that `x` violates, for selections of at most `max_units` units:
 /// the most violated first, at most one per label, of 24 shares, and `max_cuts` in all.
 std::vector<BoundRow> share_cuts(const Instance& instance, std::size_t max_units,
-                                 std::span<const std::uint32_t> labels, std::span<const double> x,
+                                 std::span<const LabelId> labels, std::span<const double> x,
                                  std::size_t max_cuts);
 
 }  // namespace shelfbeam::detail

@@ -72,8 +72,8 @@ class CoverageBound {
 
   const detail::Instance& instance_;
   const detail::LabelWeights& weights_;
-  double reachable_ = 0;              ///< weight of the labels that some selection reaches
-  std::vector<std::uint32_t> label_;  ///< of a row
+  double reachable_ = 0;        ///< weight of the labels that some selection reaches
+  std::vector<LabelId> label_;  ///< of a row
   std::size_t lifted_rows_ = detail::CoverageKernels::lifted_rows;  ///< only the first without sums
   std::vector<std::size_t> row_begin_ = {0};  ///< of the labels that can be reached and weigh anything
   std::size_t max_row_ = 0;

@@ -45,7 +45,7 @@ class Judge {
     const std::size_t installed = instance_.installed.size();
     if (installed > proof_.units) return ProofVerdict::holds;
     std::vector<bool> helps(instance_.columns(), false);
-    for (const std::uint32_t label : proof_.rows)
+    for (const LabelId label : proof_.rows)
       for (const SignalEntry& entry : instance_.row(known(label)))
         helps[entry.transceiver] = instance_.available[entry.transceiver];
     const auto candidates = static_cast<std::size_t>(std::count(helps.begin(), helps.end(), true));
@@ -62,7 +62,7 @@ class Judge {
   }
 
  private:
-  std::uint32_t known(std::uint32_t label) const {
+  LabelId known(LabelId label) const {
     if (label >= instance_.rows()) throw std::out_of_range("the table has no such label");
     return label;
   }
@@ -114,7 +114,7 @@ class Judge {
   }
 
   // A label without a row is reached by the installed units, or by no selection.
-  void settle(std::uint32_t label) {
+  void settle(LabelId label) {
     if (instance_.is_reached(label, chosen_))
       settled_ += weights_[label];
     else if (weights_[label] > 0 &&

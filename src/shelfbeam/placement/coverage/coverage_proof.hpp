@@ -44,14 +44,14 @@ struct CoverageProof {
   };
 
   std::size_t units = 0;
-  double needed = 0;                ///< in the unit of LabelWeights
-  std::vector<std::uint32_t> rows;  ///< labels, to which multipliers belong
+  double needed = 0;          ///< in the unit of LabelWeights
+  std::vector<LabelId> rows;  ///< labels, to which multipliers belong
   std::vector<std::vector<float>> multipliers;
   std::vector<std::uint32_t> steps;
 
   CoverageProof() = default;
   /// Of a single node.
-  CoverageProof(std::size_t max_units, double weight, std::span<const std::uint32_t> labels, Tag node)
+  CoverageProof(std::size_t max_units, double weight, std::span<const LabelId> labels, Tag node)
       : units(max_units), needed(weight), rows(labels.begin(), labels.end()), steps{node} {}
 };
 
@@ -71,7 +71,7 @@ class CoverageLog {
     if (!is_full(y.size() * proof_.multipliers.size())) proof_.multipliers.emplace_back(y.begin(), y.end());
     return static_cast<std::uint32_t>(proof_.multipliers.size() - 1);
   }
-  CoverageProof proof(std::size_t units, double needed, std::span<const std::uint32_t> rows) {
+  CoverageProof proof(std::size_t units, double needed, std::span<const LabelId> rows) {
     proof_.units = units;
     proof_.needed = needed;
     proof_.rows.assign(rows.begin(), rows.end());

@@ -55,7 +55,7 @@ bool CoverageTable::exclude_each_other(std::uint32_t candidate, std::uint32_t ot
 
 double CoverageTable::weight(std::span<const ColumnId> selected) const {
   double result = settled_;
-  for (const std::uint32_t i : rows_) {
+  for (const LabelId i : rows_) {
     const auto row = instance_.row(i);
     ReceivedSignal received(instance_.problem);
     auto from = row.begin();
@@ -74,7 +74,7 @@ std::vector<double> CoverageTable::weights_with_one() const {
   std::vector<double> by_column(instance_.columns(), settled_);
   const std::vector<bool> chosen = chosen_columns(instance_, instance_.installed);
   std::vector<SignalEntry> present;
-  for (const std::uint32_t i : rows_) {
+  for (const LabelId i : rows_) {
     const auto row = instance_.row(i);
     present.clear();
     std::copy_if(row.begin(), row.end(), std::back_inserter(present),

@@ -29,7 +29,7 @@ class CoverageTable {
   std::uint32_t point(std::uint32_t candidate) const { return point_[candidate]; }
 
   std::size_t labels() const { return rows_.size(); }
-  std::span<const std::uint32_t> rows() const { return rows_; }  ///< the labels of the table
+  std::span<const LabelId> rows() const { return rows_; }  ///< the labels of the table
   /// Weight that the installed units reach without the labels of this table.
   double settled_weight() const { return settled_; }
   double label_weight(std::size_t label) const { return weights_[rows_[label]]; }
@@ -57,7 +57,7 @@ class CoverageTable {
   const LabelWeights& weights_;
   Selection candidates_;
   std::vector<std::uint32_t> point_;  ///< per candidate
-  std::vector<std::uint32_t> rows_;
+  std::vector<LabelId> rows_;
   double settled_ = 0;
   bool omits_best_ = false;
   float target_ = 1;

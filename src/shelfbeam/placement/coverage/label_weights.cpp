@@ -43,9 +43,9 @@ double LabelWeights::sum(const std::vector<bool>& reached) const {
   return result;
 }
 
-double LabelWeights::without(const std::vector<std::uint32_t>& missed) const {
+double LabelWeights::without(const std::vector<LabelId>& missed) const {
   std::vector<bool> reached(weight_.size(), true);
-  for (const std::uint32_t i : missed) reached[i] = false;
+  for (const LabelId i : missed) reached[i] = false;
   return sum(reached);
 }
 

@@ -29,7 +29,7 @@ class LabelWeights {
   /// The weight of the labels whose element is true.
   double sum(const std::vector<bool>& reached) const;
   /// The weight of all labels but these (ascending).
-  double without(const std::vector<std::uint32_t>& missed) const;
+  double without(const std::vector<LabelId>& missed) const;
   /// An upper bound on a sum of weights, rounded down if they are whole. Relative errors up to 1e-9 of the
   /// bound itself are allowed for.
   double rounded_down(double bound) const;

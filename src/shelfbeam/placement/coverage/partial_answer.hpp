@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "shelfbeam/placement/answer/placement.hpp"
@@ -20,9 +19,9 @@ struct CoverageWeight {
 /// The result of a question that may leave labels missed.
 struct PartialAnswer {
   PlacementProblem problem;
-  Selection selected;                 ///< ascending; contains every installed unit
-  std::vector<std::uint32_t> missed;  ///< labels that the selection misses, ascending
-  std::size_t reached = 0;            ///< labels that the selection reaches
+  Selection selected;           ///< ascending; contains every installed unit
+  std::vector<LabelId> missed;  ///< labels that the selection misses, ascending
+  std::size_t reached = 0;      ///< labels that the selection reaches
   BoundProof bound_proof = BoundProof::trivial;
   /// optimal: the value is proven. infeasible: proven, no selection answers the question. feasible: not
   /// proven, but all methods have finished. stopped: the time limit, an interruption or a solver failure came

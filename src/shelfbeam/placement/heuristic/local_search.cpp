@@ -72,7 +72,7 @@ class Walk {
   void follow_rows() {
     weight_.resize(rows_.padded(), 0.0F);
     for (std::size_t r = supporters_.size(); r < rows_.size(); ++r) {
-      const std::uint32_t row = rows_.row(r);
+      const LabelId row = rows_.row(r);
       std::vector<ColumnId> columns;
       for (std::uint32_t j = 0; j < in_.size(); ++j)
         if (is_free_[j] && rows_.used_of(row, j) > 0) columns.push_back(j);

@@ -26,7 +26,7 @@ void describe(Record& record, CoverageCurve& curve);
 void describe(Record& record, Price& price);
 
 /// The ids of at most `max_listed_labels` labels.
-inline Json first_ids(std::span<const std::uint32_t> labels, const Ids& ids) {
+inline Json first_ids(std::span<const LabelId> labels, const Ids& ids) {
   return ids.list(labels.first(std::min(labels.size(), max_listed_labels)));
 }
 /// The name of a back end; null without.

@@ -36,7 +36,7 @@ void Record::number(std::string_view key, double& value, Json (*to_json)(double)
       [&](const JsonCursor& json) { value = json.is_null() ? infinity : json.non_negative(); });
 }
 
-void Record::id(std::string_view key, std::uint32_t& position, const Ids& ids) {
+void Record::id(std::string_view key, LabelId& position, const Ids& ids) {
   custom(
       key, [&] { return Json(ids[position]); },
       [&](const JsonCursor& json) { position = ids.position(json); });

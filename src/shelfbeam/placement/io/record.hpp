@@ -163,7 +163,7 @@ class Record {
         key, [&] { return Json(to_text(value)); },
         [&](const JsonCursor& json) { value = json.choice<Enum>(); });
   }
-  void id(std::string_view key, std::uint32_t& position, const Ids& ids);
+  void id(std::string_view key, LabelId& position, const Ids& ids);
   template <class Position>
   void id_list(std::string_view key, std::vector<Position>& positions, const Ids& ids) {
     custom(

@@ -1,22 +1,23 @@
 #include "shelfbeam/placement/kernels/active_rows.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
+
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam::detail {
 
 ActiveRows::ActiveRows(const SearchMatrix& all, Receiving rule)
     : all_(all), rule_(rule), is_known_(all.rows(), false), values_(all.columns()) {}
 
-float ActiveRows::used_of(std::uint32_t row, ColumnId column) const {
+float ActiveRows::used_of(LabelId row, ColumnId column) const {
   const float ratio = all_.column(column)[row];
   if (is_sum(rule_)) return std::min(ratio, 1.0F);
   return ratio >= 1.0F ? 1.0F : 0.0F;
 }
 
-void ActiveRows::take(std::span<const std::uint32_t> rows) {
-  for (const std::uint32_t row : rows) {
+void ActiveRows::take(std::span<const LabelId> rows) {
+  for (const LabelId row : rows) {
     rows_.push_back(row);
     is_known_[row] = true;
   }
@@ -26,7 +27,7 @@ void ActiveRows::take(std::span<const std::uint32_t> rows) {
 }
 
 void ActiveRows::add_hardest(std::span<const ColumnId> selected, std::size_t count) {
-  std::vector<std::pair<float, std::uint32_t>> by_sum;
+  std::vector<std::pair<float, LabelId>> by_sum;
   for (std::uint32_t i = 0; i < all_.rows(); ++i) {
     if (is_known_[i]) continue;
     float sum = 0;
@@ -36,17 +37,17 @@ void ActiveRows::add_hardest(std::span<const ColumnId> selected, std::size_t cou
   take_weakest(by_sum, count);
 }
 
-void ActiveRows::take_weakest(std::vector<std::pair<float, std::uint32_t>>& by_received, std::size_t count) {
+void ActiveRows::take_weakest(std::vector<std::pair<float, LabelId>>& by_received, std::size_t count) {
   const auto end = by_received.begin() + static_cast<std::ptrdiff_t>(std::min(count, by_received.size()));
   std::partial_sort(by_received.begin(), end, by_received.end());
-  std::vector<std::uint32_t> rows;
+  std::vector<LabelId> rows;
   for (auto one = by_received.begin(); one != end; ++one) rows.push_back(one->second);
   take(rows);
 }
 
-bool ActiveRows::add_missed(std::span<const float> received, std::uint32_t label) {
+bool ActiveRows::add_missed(std::span<const float> received, LabelId label) {
   constexpr std::size_t at_once = 32;
-  std::vector<std::pair<float, std::uint32_t>> short_of;
+  std::vector<std::pair<float, LabelId>> short_of;
   for (std::uint32_t i = 0; i < all_.rows(); ++i)
     if (received[i] < 1 && !is_known_[i]) short_of.emplace_back(received[i], i);
   // Single precision accepts every row.
@@ -56,12 +57,10 @@ bool ActiveRows::add_missed(std::span<const float> received, std::uint32_t label
 }
 
 void ActiveRows::add_all() {
-  std::vector<std::uint32_t> every(all_.rows());
-  std::iota(every.begin(), every.end(), 0U);
-  take(every);
+  take(all_numbers<LabelId>(all_.rows()));
 }
 
-void ActiveRows::tighten(std::uint32_t label) {
+void ActiveRows::tighten(LabelId label) {
   constexpr float less = 1 - 1e-4F;
   const auto r = static_cast<std::size_t>(std::find(rows_.begin(), rows_.end(), label) - rows_.begin());
   for (std::size_t j = 0; j < all_.columns(); ++j) values_.at(r, j) *= less;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,11 +18,11 @@ class ActiveRows {
   ActiveRows(const SearchMatrix& all, Receiving rule);
 
   std::size_t size() const { return rows_.size(); }
-  std::size_t padded() const { return values_.padded(); }      ///< GrowingColumns
-  std::uint32_t row(std::size_t r) const { return rows_[r]; }  ///< of the table
+  std::size_t padded() const { return values_.padded(); }  ///< GrowingColumns
+  LabelId row(std::size_t r) const { return rows_[r]; }    ///< of the table
   const float* column(std::size_t j) const { return values_.column(j); }
 
-  float used_of(std::uint32_t row, ColumnId column) const;
+  float used_of(LabelId row, ColumnId column) const;
 
   /// A search starts with this many rows.
   static constexpr std::size_t at_first = 256;
@@ -32,20 +31,20 @@ class ActiveRows {
   /// For a selection that meets all active rows but misses labels: adds up to 32 rows with the largest lack
   /// by `received` (the signal of every row of `all`), or else `label`, which is missed in double precision.
   /// Returns false if that row is active already, so only single precision accepts it.
-  bool add_missed(std::span<const float> received, std::uint32_t label);
+  bool add_missed(std::span<const float> received, LabelId label);
   /// Adds all rows. Precondition: none is active.
   void add_all();
   /// Lowers the entries of a row that single precision wrongly accepts.
-  void tighten(std::uint32_t label);
+  void tighten(LabelId label);
 
  private:
   /// Adds the rows that are not active yet.
-  void take(std::span<const std::uint32_t> rows);
-  void take_weakest(std::vector<std::pair<float, std::uint32_t>>& by_received, std::size_t count);
+  void take(std::span<const LabelId> rows);
+  void take_weakest(std::vector<std::pair<float, LabelId>>& by_received, std::size_t count);
 
   const SearchMatrix& all_;
   Receiving rule_;
-  std::vector<std::uint32_t> rows_;
+  std::vector<LabelId> rows_;
   std::vector<bool> is_known_;
   GrowingColumns values_;
 };

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/kernels/search_kernels.hpp"
 
 namespace shelfbeam::detail {
@@ -16,15 +16,9 @@ constexpr float largest = 1e6F;
 // The largest float below 1, for links that fail the rule by less than rounding.
 constexpr float just_short = 1 - std::numeric_limits<float>::epsilon() / 2;
 
-std::vector<std::uint32_t> all_rows(const Instance& instance) {
-  std::vector<std::uint32_t> rows(instance.rows());
-  std::iota(rows.begin(), rows.end(), 0U);
-  return rows;
-}
-
 }  // namespace
 
-SearchMatrix::SearchMatrix(const Instance& instance, std::vector<std::uint32_t> rows)
+SearchMatrix::SearchMatrix(const Instance& instance, std::vector<LabelId> rows)
     : rows_(std::move(rows)),
       padded_((rows_.size() + block - 1) / block * block),
       columns_(instance.columns()),
@@ -40,7 +34,8 @@ SearchMatrix::SearchMatrix(const Instance& instance, std::vector<std::uint32_t> 
   }
 }
 
-SearchMatrix::SearchMatrix(const Instance& instance) : SearchMatrix(instance, all_rows(instance)) {}
+SearchMatrix::SearchMatrix(const Instance& instance)
+    : SearchMatrix(instance, all_numbers<LabelId>(instance.rows())) {}
 
 Receiving receiving(const PlacementProblem& problem) {
   if (problem.model == CommunicationModel::cooperative)

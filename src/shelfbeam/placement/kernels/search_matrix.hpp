@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,18 +16,18 @@ class SearchMatrix {
  public:
   static constexpr std::size_t block = 16;  ///< row counts are padded with zeros to a multiple
 
-  SearchMatrix(const Instance& instance, std::vector<std::uint32_t> rows);
+  SearchMatrix(const Instance& instance, std::vector<LabelId> rows);
   /// All rows of the table.
   explicit SearchMatrix(const Instance& instance);
 
   std::size_t rows() const { return rows_.size(); }
   std::size_t padded_rows() const { return padded_; }
   std::size_t columns() const { return columns_; }
-  std::uint32_t row(std::size_t i) const { return rows_[i]; }  ///< of the table
+  LabelId row(std::size_t i) const { return rows_[i]; }  ///< of the table
   const float* column(std::size_t j) const { return values_.data() + j * padded_; }
 
  private:
-  std::vector<std::uint32_t> rows_;
+  std::vector<LabelId> rows_;
   std::size_t padded_ = 0, columns_ = 0;
   std::vector<float> values_;
 };
@@ -40,9 +39,9 @@ Receiving receiving(const PlacementProblem& problem);
 
 /// The minimum margin of a selection, in double precision and by the rule of received_signal.
 struct Margin {
-  double smallest = 0;      ///< min_i S_i / (gamma_i tau_i); infinite without labels
-  std::uint32_t label = 0;  ///< label with that margin, among the missed labels if there are any
-  bool is_met = true;       ///< every label is reached
+  double smallest = 0;  ///< min_i S_i / (gamma_i tau_i); infinite without labels
+  LabelId label;        ///< label with that margin, among the missed labels if there are any
+  bool is_met = true;   ///< every label is reached
 };
 
 /// `all` contains all rows of the table. `received` is a buffer.

@@ -99,11 +99,11 @@ bool CoverModel::add_failure(std::size_t label, std::uint32_t failed) {
 }
 
 // Adds the failure rows that the selection violates; false if the model contains them all.
-bool CoverModel::add_failure_rows(const Selection& selected, const std::vector<std::uint32_t>& unmet) {
+bool CoverModel::add_failure_rows(const Selection& selected, const std::vector<LabelId>& unmet) {
   if (!fails_by_rows()) return false;
   const std::vector<bool> chosen = chosen_columns(instance_, selected);
   bool added = false;
-  for (const std::uint32_t i : unmet) {
+  for (const LabelId i : unmet) {
     double sum = 0, largest = 0;
     for (const SignalEntry& entry : instance_.row(i)) {
       if (!chosen[entry.transceiver]) continue;
@@ -200,12 +200,12 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
     for (std::uint32_t j = 0; j < instance_.columns(); ++j)
       if (result.solution[j] > 0.5) selected.push_back(j);
     const Check check = instance_.check(selected);
-    std::vector<std::uint32_t> mistaken = check.unmet;  // labels that the solver counts as reached
+    std::vector<LabelId> mistaken = check.unmet;  // labels that the solver counts as reached
     double missed_weight = 0;
     if (may_miss()) {
       std::erase_if(mistaken,
-                    [&](std::uint32_t i) { return result.solution[missed(i)] > 0.5 || !(weights_[i] > 0); });
-      for (const std::uint32_t i : check.unmet) missed_weight += weights_[i];
+                    [&](LabelId i) { return result.solution[missed(i)] > 0.5 || !(weights_[i] > 0); });
+      for (const LabelId i : check.unmet) missed_weight += weights_[i];
     }
     double value = goal.price_of_misses * missed_weight;
     for (const ColumnId j : selected) value += goal.cost[j];
@@ -224,7 +224,7 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
     if (mistaken.empty()) {
       forbid_misses(check.unmet);
     } else if (!add_failure_rows(selected, mistaken)) {
-      for (const std::uint32_t i : mistaken) {
+      for (const LabelId i : mistaken) {
         cut_off(selected, i);
         if (!may_miss() || effort_.is_over(control_)) break;
       }
@@ -234,11 +234,11 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
 }
 
 // These labels weigh more than may be missed, though by less than the solver's tolerance.
-void CoverModel::forbid_misses(std::span<const std::uint32_t> labels) {
+void CoverModel::forbid_misses(std::span<const LabelId> labels) {
   milp::Row& row = model_.rows.emplace_back();
   row.lower = -milp::infinity;
   row.upper = static_cast<double>(labels.size()) - 1;
-  for (const std::uint32_t i : labels) row.entries.push_back({missed(i), 1.0});
+  for (const LabelId i : labels) row.entries.push_back({missed(i), 1.0});
 }
 
 // The selection misses the label, and so does every part of it (signals are not negative). It is extended by

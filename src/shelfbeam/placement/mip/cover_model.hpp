@@ -70,9 +70,9 @@ class CoverModel {
   void build();
   std::vector<milp::Row> set_goal(const MipGoal& goal, const CostBounds& bounds);
   void bound_label_rows(std::size_t max_units);
-  bool add_failure_rows(const Selection& selected, const std::vector<std::uint32_t>& unmet);
+  bool add_failure_rows(const Selection& selected, const std::vector<LabelId>& unmet);
   bool add_failure(std::size_t label, std::uint32_t failed);
-  void forbid_misses(std::span<const std::uint32_t> labels);
+  void forbid_misses(std::span<const LabelId> labels);
   void cut_off(const Selection& selected, std::size_t unmet_label);
 
   const Instance& instance_;

@@ -13,7 +13,7 @@ namespace shelfbeam {
 struct Check {
   std::vector<double> signal;            ///< per label: received_signal, after the worst failure if redundant
   std::vector<std::uint32_t> serving;    ///< per label: chosen units with l_ij = 1
-  std::vector<std::uint32_t> unmet;      ///< missed labels, ascending
+  std::vector<LabelId> unmet;            ///< missed labels, ascending
   std::vector<std::uint32_t> crowded;    ///< SignalTable::mounts with two or more chosen units, ascending
   std::vector<std::uint32_t> too_close;  ///< SignalTable::conflicts with both units chosen, ascending
   double transceiver_cost = 0;           ///< sum c_j^T T_j

@@ -21,7 +21,7 @@ CoverMatrix::CoverMatrix(const Instance& instance, std::span<const double> costs
   columns.resize(column_of.size());
   const CoverRows cover(instance);
   for (const CoverPart& part : reduction.parts)
-    for (const std::uint32_t label : part.labels) {
+    for (const LabelId label : part.labels) {
       const auto i = static_cast<std::uint32_t>(rows.size());
       std::vector<std::uint32_t>& row = rows.emplace_back();
       cover.for_entries(label, [&](std::uint32_t j, double) {

@@ -100,7 +100,7 @@ class CoverReducer {
     forced_[column] = true;
   }
 
-  std::vector<ColumnId> open_columns(std::uint32_t label) const {
+  std::vector<ColumnId> open_columns(LabelId label) const {
     std::vector<ColumnId> columns;
     rows_.for_each(label, [&](std::uint32_t j) {
       if (open_[j]) columns.push_back(j);
@@ -136,7 +136,7 @@ class CoverReducer {
   // Rows in order of size: only a smaller row can be contained in another. Each row is filed under its rarest
   // column, so a row is compared only with rows filed under its own columns.
   void drop_dominated_labels() {
-    const std::vector<std::uint32_t> labels = indices<std::uint32_t>(unmet_);
+    const std::vector<LabelId> labels = indices<LabelId>(unmet_);
     BitRows rows(labels.size(), table_.columns());
     std::vector<std::uint32_t> size(labels.size(), 0), reached(table_.columns(), 0);
     for (std::size_t k = 0; k < labels.size(); ++k)
@@ -174,7 +174,7 @@ class CoverReducer {
   }
 
   bool drop_dominated_columns() {
-    const std::vector<std::uint32_t> labels = indices<std::uint32_t>(unmet_);
+    const std::vector<LabelId> labels = indices<LabelId>(unmet_);
     std::vector<std::vector<ColumnId>> columns(labels.size());
     BitRows reach(table_.columns(), labels.size());
     std::vector<std::uint32_t> size(table_.columns(), 0);
@@ -213,8 +213,8 @@ class CoverReducer {
     const auto join = [&](const std::vector<ColumnId>& columns) {
       for (const ColumnId j : columns) parent[root(j)] = root(columns.front());
     };
-    const std::vector<std::uint32_t> labels = indices<std::uint32_t>(unmet_);
-    for (const std::uint32_t i : labels) join(open_columns(i));
+    const std::vector<LabelId> labels = indices<LabelId>(unmet_);
+    for (const LabelId i : labels) join(open_columns(i));
     std::vector<ColumnId> pinned;
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
       if (open_[j] && pinned_[j]) pinned.push_back(j);
@@ -234,7 +234,7 @@ class CoverReducer {
       }
       return result[k];
     };
-    for (const std::uint32_t i : labels) part_of(open_columns(i).front()).labels.push_back(i);
+    for (const LabelId i : labels) part_of(open_columns(i).front()).labels.push_back(i);
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
       if (open_[j]) part_of(j).columns.push_back(j);
     return result;

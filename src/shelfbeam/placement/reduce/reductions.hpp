@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -11,8 +10,8 @@ namespace shelfbeam::detail {
 
 /// An independent part: no label and no mounting point extends over two parts.
 struct CoverPart {
-  std::vector<std::uint32_t> labels;  ///< ascending
-  std::vector<ColumnId> columns;      ///< ascending
+  std::vector<LabelId> labels;    ///< ascending
+  std::vector<ColumnId> columns;  ///< ascending
 };
 
 /// The remainder of a non-cooperative problem. If a feasible selection exists, one of minimum cost consists

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -20,7 +19,7 @@ struct ScenarioPlacement {
   double lower_bound = 0;  ///< proven for these scenarios; infinite if no selection exists
   /// Labels that are missed too often even with all candidates, and all options of all mounting points; if
   /// none alone is, the labels that are then missed.
-  std::vector<std::uint32_t> unreachable;
+  std::vector<LabelId> unreachable;
   std::size_t calls = 0, cuts = 0;  ///< placements on cuts, and cuts
   std::vector<SearchStep> steps;
 

@@ -84,14 +84,15 @@ class CaseRows : public detail::TotalLack<CaseRows> {
 
  private:
   struct Case {
-    std::uint32_t label = 0, scenario = 0;
+    LabelId label;
+    std::uint32_t scenario = 0;
     double received = 0;
   };
   static constexpr float excused = 64;           ///< is added to the signals of excused rows
   static constexpr std::size_t max_labels = 64;  ///< whose cases are added at once
 
   std::size_t at(const Case& one) const { return one.label * scenarios_.count + one.scenario; }
-  double requirement(std::uint32_t label) const {
+  double requirement(LabelId label) const {
     return reserve_ * requirement_of(scenarios_.table.labels[label], problem_.model);
   }
 
@@ -129,7 +130,7 @@ class CaseRows : public detail::TotalLack<CaseRows> {
     missed_.clear();
     MissCounter counter(scenarios_.table.rows(), scenarios_.count);
     for_each_weak(scenarios_, problem_, selected, near * reserve_,
-                  [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal& received) {
+                  [&](LabelId i, std::uint32_t s, const ReceivedSignal& received) {
                     missed_.push_back({i, s, received.value()});
                     counter.add(i, s);
                   });
@@ -145,7 +146,7 @@ class CaseRows : public detail::TotalLack<CaseRows> {
   void take(const std::vector<Case>& cases) {
     for (std::size_t k = 0; k < cases.size(); ++k) {
       is_known_[at(cases[k])] = true;
-      const std::size_t group = !allowance_.of_label.empty() ? cases[k].label
+      const std::size_t group = !allowance_.of_label.empty() ? std::uint32_t{cases[k].label}
                                 : allowance_.of_shop         ? cases[k].scenario
                                                              : 0;
       groups_[group].push_back(static_cast<std::uint32_t>(values_.rows() + k));

@@ -72,7 +72,7 @@ std::vector<double> ScenarioCuts::mean_of_largest(std::span<const Case> cases, s
 }
 
 // The scenarios of a label, those that receive least first.
-std::vector<ScenarioCuts::Case> ScenarioCuts::cases_of(std::uint32_t label, std::span<const Part> parts,
+std::vector<ScenarioCuts::Case> ScenarioCuts::cases_of(LabelId label, std::span<const Part> parts,
                                                        const Counted& counted) const {
   std::vector<Case> cases(scenarios_.count);
   for (std::uint32_t s = 0; s < cases.size(); ++s) {
@@ -113,7 +113,7 @@ void ScenarioCuts::lower(Cut& best, std::span<const Case> cases, std::size_t all
 }
 
 // The most violated cut of a label; without shares if none is violated.
-ScenarioCuts::Cut ScenarioCuts::most_violated(std::uint32_t label, std::span<const Part> parts,
+ScenarioCuts::Cut ScenarioCuts::most_violated(LabelId label, std::span<const Part> parts,
                                               std::size_t max_units) const {
   const std::uint64_t allowed = allowance_.limit(label);
   Cut best{violated_by_lp, {}};
@@ -199,14 +199,14 @@ std::size_t ScenarioCuts::add(std::span<const ColumnId> selected, const Scenario
   const std::size_t before = size();
   std::vector<Part> parts;
   for (const ColumnId j : selected) parts.push_back({j});
-  std::vector<std::uint32_t> worst;
+  std::vector<LabelId> worst;
   for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
     if (misses.of_label[i] > allowance_.limit(i)) worst.push_back(i);
-  std::stable_sort(worst.begin(), worst.end(), [&](std::uint32_t a, std::uint32_t b) {
+  std::stable_sort(worst.begin(), worst.end(), [&](LabelId a, LabelId b) {
     return misses.of_label[a] - allowance_.limit(a) > misses.of_label[b] - allowance_.limit(b);
   });
   if (worst.size() > max_labels) worst.resize(max_labels);
-  for (const std::uint32_t i : worst) add_cuts(cases_of(i, parts, {}), allowance_.limit(i), false, parts);
+  for (const LabelId i : worst) add_cuts(cases_of(i, parts, {}), allowance_.limit(i), false, parts);
   const bool too_many_scenarios = allowance_.of_shop && misses.of_shop > *allowance_.of_shop;
   const bool too_many_cases = allowance_.total && misses.total() > *allowance_.total;
   if (!too_many_scenarios && !too_many_cases) return size() - before;

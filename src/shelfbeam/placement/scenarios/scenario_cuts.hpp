@@ -41,7 +41,8 @@ class ScenarioCuts {
 
   /// A label in a scenario, with unit failure without its strongest unit.
   struct Case {
-    std::uint32_t label = 0, scenario = 0;
+    LabelId label;
+    std::uint32_t scenario = 0;
     std::uint32_t failed = none;  ///< column
     double largest = 0;           ///< received from the failed unit
     double received = 0;          ///< from the others, as a share of the requirement
@@ -68,10 +69,10 @@ class ScenarioCuts {
                          const Counted& counted, std::vector<double>& shares) const;
   std::vector<double> mean_of_largest(std::span<const Case> cases, std::size_t kept,
                                       const Counted& counted) const;
-  std::vector<Case> cases_of(std::uint32_t label, std::span<const Part> parts, const Counted& counted) const;
+  std::vector<Case> cases_of(LabelId label, std::span<const Part> parts, const Counted& counted) const;
   void lower(Cut& best, std::span<const Case> cases, std::size_t allowed, std::span<const Part> parts,
              const Counted& counted) const;
-  Cut most_violated(std::uint32_t label, std::span<const Part> parts, std::size_t max_units) const;
+  Cut most_violated(LabelId label, std::span<const Part> parts, std::size_t max_units) const;
   std::vector<double> cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
                                 std::span<const Part> parts) const;
   void add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_scenario, std::span<const Part> parts);

@@ -36,15 +36,14 @@ bool ScenarioSearch::can_join(ColumnId column, const Selection& selected) const 
 
 std::vector<ScenarioSearch::Weak> ScenarioSearch::weak_cases(std::span<const ColumnId> selected) const {
   std::vector<Weak> weak;
-  for_each_weak(scenarios_, problem_, selected, depths.back(),
-                [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal& received) {
-                  weak.push_back({i, s, received});
-                });
+  for_each_weak(
+      scenarios_, problem_, selected, depths.back(),
+      [&](LabelId i, std::uint32_t s, const ReceivedSignal& received) { weak.push_back({i, s, received}); });
   return weak;
 }
 
 ScenarioSearch::Rank ScenarioSearch::rank(const std::vector<Weak>& weak, std::optional<ColumnId> added,
-                                          std::span<const std::uint32_t> labels) const {
+                                          std::span<const LabelId> labels) const {
   MissCounter misses(scenarios_.table.rows(), scenarios_.count);
   Rank rank{};
   double depth = 0;  // of the present label
@@ -61,14 +60,14 @@ ScenarioSearch::Rank ScenarioSearch::rank(const std::vector<Weak>& weak, std::op
   }
   rank[0] = static_cast<double>(allowance_.excess(misses.misses()));
   if (added)
-    for (const std::uint32_t i : labels)
+    for (const LabelId i : labels)
       for (const float signal : scenarios_.of(*added, i))
         rank[2] -= std::min(
             1.0, static_cast<double>(signal) / requirement_of(scenarios_.table.labels[i], problem_.model));
   return rank;
 }
 
-Selection ScenarioSearch::with_another(Selection selected, std::span<const std::uint32_t> labels) const {
+Selection ScenarioSearch::with_another(Selection selected, std::span<const LabelId> labels) const {
   const std::vector<Weak> weak = weak_cases(selected);
   const Rank now = rank(weak, {}, labels);
   std::vector<Rank> gain(scenarios_.table.columns());

@@ -35,12 +35,13 @@ class ScenarioSearch {
   std::optional<Selection> repaired(Selection selected, double below) const;
   /// The selection and the unit that helps most; unchanged if no unit helps. If misses do not decide, that is
   /// the unit with the largest signals at `labels`, as shares of at most 1 of their requirements.
-  Selection with_another(Selection selected, std::span<const std::uint32_t> labels = {}) const;
+  Selection with_another(Selection selected, std::span<const LabelId> labels = {}) const;
 
  private:
   // A label in a scenario that receives little.
   struct Weak {
-    std::uint32_t label = 0, scenario = 0;
+    LabelId label;
+    std::uint32_t scenario = 0;
     ReceivedSignal received;
   };
   // The first that differs counts: misses beyond the allowed ones; squares of the depths of all labels, in
@@ -50,7 +51,7 @@ class ScenarioSearch {
 
   std::vector<Weak> weak_cases(std::span<const ColumnId> selected) const;
   Rank rank(const std::vector<Weak>& weak, std::optional<ColumnId> added,
-            std::span<const std::uint32_t> labels) const;
+            std::span<const LabelId> labels) const;
   bool can_join(ColumnId column, const Selection& selected) const;
   bool fits(const Selection& selected) const {
     return allowance_.excess(misses_of(scenarios_, problem_, selected)) == 0;

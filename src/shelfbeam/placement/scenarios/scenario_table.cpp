@@ -5,13 +5,13 @@
 
 namespace shelfbeam {
 
-ScenarioTable make_scenario_table(const SignalTable& all, std::span<const std::uint32_t> labels,
+ScenarioTable make_scenario_table(const SignalTable& all, std::span<const LabelId> labels,
                                   std::size_t scenarios, const ScenarioTable& before) {
   ScenarioTable result;
   result.table = all;
   result.count = scenarios;
   result.table.labels.clear();
-  for (const std::uint32_t i : labels) result.table.labels.push_back(all.labels[i]);
+  for (const LabelId i : labels) result.table.labels.push_back(all.labels[i]);
   result.table.scenarios.clear();
   result.table.entries.clear();
   result.table.row_begin.assign(labels.size() + 1, 0);
@@ -57,7 +57,7 @@ ScenarioMisses misses_of(const ScenarioTable& scenarios, const PlacementProblem&
                          std::span<const ColumnId> selected, double reserve) {
   MissCounter misses(scenarios.table.rows(), scenarios.count);
   for_each_weak(scenarios, problem, selected, reserve,
-                [&](std::uint32_t i, std::uint32_t s, const ReceivedSignal&) { misses.add(i, s); });
+                [&](LabelId i, std::uint32_t s, const ReceivedSignal&) { misses.add(i, s); });
   return misses.misses();
 }
 

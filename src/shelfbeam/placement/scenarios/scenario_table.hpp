@@ -31,7 +31,7 @@ struct ScenarioTable {
 
 /// A table of some of the labels of `all`, in the given order, with signals of 0. Rows whose labels `before`
 /// has at the same position keep their signals.
-ScenarioTable make_scenario_table(const SignalTable& all, std::span<const std::uint32_t> labels,
+ScenarioTable make_scenario_table(const SignalTable& all, std::span<const LabelId> labels,
                                   std::size_t scenarios, const ScenarioTable& before = {});
 
 /// Sets the signals of the rows from `first` on in one scenario.

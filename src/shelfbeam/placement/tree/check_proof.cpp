@@ -23,7 +23,7 @@ class ProofChecker {
   ProofChecker(const Instance& instance, const Proof& proof, const Effort& effort, const RunControl& control)
       : instance_(instance), proof_(proof), effort_(effort), control_(control) {
     is_sum_ = instance.is_cooperative();
-    for (const std::uint32_t i : proof.rows) {
+    for (const LabelId i : proof.rows) {
       rows_.push_back(dense(known(i), 1 - met_tolerance));
       if (!is_sum_) relaxed_rows_.push_back(dense(i, relaxed_target));
     }
@@ -49,14 +49,14 @@ class ProofChecker {
     return node(allowed, units) && at_ == proof_.steps.size();
   }
 
-  std::uint32_t known(std::uint32_t label) const {
+  LabelId known(LabelId label) const {
     if (label >= instance_.rows()) throw std::out_of_range("the table has no such label");
     return label;
   }
 
   // Contributions of the columns to a label: shares of its requirement, or whether a column alone supplies
   // `min_share` of it.
-  std::vector<double> dense(std::uint32_t i, double min_share) const {
+  std::vector<double> dense(LabelId i, double min_share) const {
     std::vector<double> row(instance_.columns(), 0.0);
     const double requirement = instance_.requirement(i);
     for (const SignalEntry& entry : instance_.row(i))
@@ -120,7 +120,7 @@ class ProofChecker {
         case Proof::cost_fails:
           return spent_ > proof_.max_cost || taken_.size() > proof_.max_units;
         case Proof::row_fails:
-          if (const std::uint32_t row = known(next()); instance_.is_reached(row, chosen_)) return false;
+          if (const LabelId row = known(next()); instance_.is_reached(row, chosen_)) return false;
           return units == 0;
         case Proof::sum_fails: {
           const Weighing w = weighing(units, allowed);
@@ -211,7 +211,7 @@ class ProofChecker {
   }
 
   bool branch(std::vector<bool> allowed, std::size_t units) {
-    const std::uint32_t label = known(next());
+    const LabelId label = known(next());
     const bool by_cost = next() != 0;
     const std::uint32_t count = next();
     if (units == 0 || instance_.is_reached(label, chosen_)) return false;

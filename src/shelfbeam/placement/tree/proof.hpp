@@ -51,7 +51,7 @@ struct Proof {
   std::size_t max_units = 0;
   std::int64_t max_cost = 0;
   bool is_complete = false;
-  std::vector<std::uint32_t> rows;  ///< of the table; weights refer to these rows
+  std::vector<LabelId> rows;  ///< of the table; weights refer to these rows
   /// Indexed by the upper and lower half of the weights' number.
   std::vector<std::vector<std::vector<float>>> weights;
   std::vector<std::uint32_t> steps;  ///< prices as the bits of a float

@@ -116,18 +116,18 @@ Margin TreeRun::offer(std::span<const ColumnId> selected, std::vector<float>& me
   return margin;
 }
 
-void TreeRun::miss(std::uint32_t row) {
+void TreeRun::miss(LabelId row) {
   if (is_searched_[row]) return;
   misses_.fetch_add(1, std::memory_order_relaxed);
   const std::lock_guard lock(mutex_);
   ++missed_[row];
 }
 
-std::vector<std::uint32_t> TreeRun::missed_rows() const {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> by_number;
+std::vector<LabelId> TreeRun::missed_rows() const {
+  std::vector<std::pair<std::uint64_t, LabelId>> by_number;
   for (const auto& [row, number] : missed_) by_number.emplace_back(number, row);
   std::sort(by_number.rbegin(), by_number.rend());
-  std::vector<std::uint32_t> rows;
+  std::vector<LabelId> rows;
   rows.reserve(by_number.size());
   for (const auto& [number, row] : by_number) rows.push_back(row);
   return rows;

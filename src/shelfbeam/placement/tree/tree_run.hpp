@@ -38,10 +38,10 @@ class TreeRun {
   /// margin.
   Margin offer(std::span<const ColumnId> selected, std::vector<float>& memory);
   /// Counts a miss of a row that the search does not contain.
-  void miss(std::uint32_t row);
+  void miss(LabelId row);
   /// Enough misses for a restart with the missed rows.
   bool misses_rows() const { return misses_.load(std::memory_order_relaxed) > max_misses; }
-  std::vector<std::uint32_t> missed_rows() const;
+  std::vector<LabelId> missed_rows() const;
   /// Whether the log may grow by `words`; the limit for all walks is some hundred megabytes.
   bool may_log(std::size_t words) {
     return logged_.fetch_add(words, std::memory_order_relaxed) + words <= max_logged;
@@ -68,7 +68,7 @@ class TreeRun {
   const RunControl& control_;
   std::mutex mutex_, reporting_;
   std::vector<bool> is_searched_;
-  std::map<std::uint32_t, std::uint64_t> missed_;
+  std::map<LabelId, std::uint64_t> missed_;
   std::uint64_t max_work_, nodes_before_ = 0, misses_before_ = 0;
   bool is_part_cut_ = false;
   std::atomic<std::uint64_t> nodes_{0}, misses_{0}, logged_{0}, work_{0};

@@ -1,9 +1,9 @@
 #include "shelfbeam/placement/tree/tree_search.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/tree/row_weights.hpp"
 #include "shelfbeam/placement/tree/tree_walk.hpp"
 
@@ -20,8 +20,7 @@ TreeSearch::TreeSearch(const Instance& instance, const SearchMatrix& all)
 
 // The rows that multiplicative weights find hardest for `units` units.
 void TreeSearch::choose_rows(std::size_t units) {
-  rows_.resize(all_.rows());
-  std::iota(rows_.begin(), rows_.end(), 0U);
+  rows_ = all_numbers<LabelId>(all_.rows());
   weights_.assign(all_.rows(), 1.0F);
   if (all_.rows() <= rows_at_first) return;
   const std::size_t padded = all_.padded_rows();
@@ -42,16 +41,15 @@ void TreeSearch::choose_rows(std::size_t units) {
         rule_, rows, gain, units, [&](std::uint32_t k) { return all_.column(columns[k]); }, min_weight,
         weight);
   }
-  std::partial_sort(rows_.begin(), rows_.begin() + rows_at_first, rows_.end(),
-                    [&](std::uint32_t a, std::uint32_t b) {
-                      return weight[a] > weight[b] || (weight[a] == weight[b] && a < b);
-                    });
+  std::partial_sort(rows_.begin(), rows_.begin() + rows_at_first, rows_.end(), [&](LabelId a, LabelId b) {
+    return weight[a] > weight[b] || (weight[a] == weight[b] && a < b);
+  });
   rows_.resize(rows_at_first);
   weights_.clear();
-  for (const std::uint32_t i : rows_) weights_.push_back(std::max(weight[i], 1e-4F));
+  for (const LabelId i : rows_) weights_.push_back(std::max(weight[i], 1e-4F));
 }
 
-void TreeSearch::begin_with(std::span<const std::uint32_t> rows, std::span<const double> weights) {
+void TreeSearch::begin_with(std::span<const LabelId> rows, std::span<const double> weights) {
   rows_.assign(rows.begin(), rows.end());
   matrix_.reset();
   const double largest = weights.empty() ? 0 : *std::max_element(weights.begin(), weights.end());
@@ -92,7 +90,7 @@ TreeResult TreeSearch::run(const TreeGoal& given, const Limits& limits, const Ru
       }
       return answer;
     }
-    const std::vector<std::uint32_t> missed = run.missed_rows();
+    const std::vector<LabelId> missed = run.missed_rows();
     for (std::size_t k = 0; k < std::min(rows_at_once, missed.size()); ++k) {
       rows_.push_back(missed[k]);
       weights_.push_back(weight_of_new);

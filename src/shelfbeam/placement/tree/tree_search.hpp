@@ -47,7 +47,7 @@ class TreeSearch {
   TreeSearch(const Instance& instance, const SearchMatrix& all);
 
   /// Starts with these rows and weights, such as those of an LP and its dual solution.
-  void begin_with(std::span<const std::uint32_t> rows, std::span<const double> weights);
+  void begin_with(std::span<const LabelId> rows, std::span<const double> weights);
 
   struct Limits {
     Effort effort = {};
@@ -64,7 +64,7 @@ class TreeSearch {
   const Instance& instance_;
   const SearchMatrix& all_;
   Receiving rule_;
-  std::vector<std::uint32_t> rows_;
+  std::vector<LabelId> rows_;
   std::vector<float> weights_;  ///< of rows_, at the root of the last search
   std::optional<SearchMatrix> matrix_;
 };

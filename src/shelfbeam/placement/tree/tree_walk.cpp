@@ -23,7 +23,7 @@ void ProofLog::add_weighing(TreeNode& node, Proof::Tag tag, float price) {
   add(std::bit_cast<std::uint32_t>(price));
 }
 
-void ProofLog::add_branch(std::uint32_t row, bool by_cost, std::span<const ColumnId> columns) {
+void ProofLog::add_branch(LabelId row, bool by_cost, std::span<const ColumnId> columns) {
   add(Proof::branch);
   add(row);
   add(by_cost ? 1 : 0);
@@ -92,7 +92,7 @@ bool TreeWalk::may_complete(std::size_t depth) {
 }
 
 // Children: the allowed columns that contribute the pigeonhole share to the row, the largest gain first.
-void TreeWalk::branch_on(std::size_t depth, std::uint32_t row, double needed) {
+void TreeWalk::branch_on(std::size_t depth, LabelId row, double needed) {
   TreeNode& node = nodes_[depth];
   std::vector<std::uint32_t> order;  // places in A
   for (std::uint32_t c = 0; c < node.allowed.size(); ++c) {
@@ -121,7 +121,7 @@ void TreeWalk::choose_branch(std::size_t depth) {
          (node.supporters[i] == node.supporters[best] && node.lacking[i] > node.lacking[best])))
       best = i;
   const double share = static_cast<double>(node.share[best]);
-  const std::uint32_t row = run_.matrix.row(node.window->rows[best]);
+  const LabelId row = run_.matrix.row(node.window->rows[best]);
   if (is_sum(run_.rule)) {
     branch_on(depth, row, share);
     return;

@@ -24,7 +24,7 @@ class ProofLog {
   /// A step with the node's weights, which are stored if they are new.
   void add_weighing(TreeNode& node, Proof::Tag tag, float price);
   /// The head of a branch; the children follow, each after its column.
-  void add_branch(std::uint32_t row, bool by_cost, std::span<const ColumnId> columns);
+  void add_branch(LabelId row, bool by_cost, std::span<const ColumnId> columns);
   void move_to(Proof& proof);
 
  private:
@@ -61,7 +61,7 @@ class TreeWalk {
   void take_last(std::size_t depth);
   bool may_complete(std::size_t depth);
   void choose_branch(std::size_t depth);
-  void branch_on(std::size_t depth, std::uint32_t row, double least);
+  void branch_on(std::size_t depth, LabelId row, double least);
   void make_child(const TreeNode& parent, ColumnId column, TreeNode& child) const {
     child.take(parent, column, run_.rule, run_.instance.excludes[column]);
   }

@@ -88,7 +88,7 @@ class WindowMips final : ProgressSink {
     return sum;
   }
 
-  milp::Row row_of(std::uint32_t label) const {
+  milp::Row row_of(LabelId label) const {
     milp::Row row;
     row.lower = cover_.bound(label);
     cover_.for_entries(label, [&](std::uint32_t j, double a) { row.entries.push_back({j, a}); });
