@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/report/chart/charts.hpp"
+#include "shelfbeam/report/data/report_data.hpp"
 #include "shelfbeam/report/text/words.hpp"
 
 #include "unit/report/supermarket_report.hpp"
