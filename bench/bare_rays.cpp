@@ -38,8 +38,7 @@ BareRays::BareRays(const World& world) : world_(world) {
   }
 }
 
-BareRays::BareRays(const World& world, std::size_t shadow_rays,
-                   std::span<const std::vector<std::uint32_t>> clusters)
+BareRays::BareRays(const World& world, std::size_t shadow_rays, std::span<const LabelCluster> clusters)
     : BareRays(world) {
   // Packets of shadow rays to the units that contribute most.
   for (const Ray& ray : rays_) {

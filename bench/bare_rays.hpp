@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shelfbeam/transport/tally/estimator.hpp"
+#include "shelfbeam/transport/world/label_clusters.hpp"
 #include "shelfbeam/transport/world/world.hpp"
 
 namespace shelfbeam::bench {
@@ -24,7 +25,7 @@ class BareRays {
 
   /// Also the rays of path reuse: packets of `shadow_rays` shadow rays, and of visibility rays to the labels
   /// of clusters.
-  BareRays(const World& world, std::size_t shadow_rays, std::span<const std::vector<std::uint32_t>> clusters);
+  BareRays(const World& world, std::size_t shadow_rays, std::span<const LabelCluster> clusters);
 
   /// Traces all rays once more.
   void measure();

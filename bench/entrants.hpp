@@ -20,7 +20,7 @@ struct Selection {
   Selection(const ReuseEstimator& reuse, std::size_t max_labels);
 
   std::vector<std::size_t> items;
-  std::vector<std::uint32_t> labels;
+  std::vector<LabelId> labels;
 };
 
 /// An estimator under comparison: its batches, and their CPU time.

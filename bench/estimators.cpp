@@ -103,7 +103,7 @@ void compare(const Settings& settings, const Scene& scene, const World& world) {
   UniformEntrant sampled(world, selection, true, walks), exact(world, selection, false, walks);
   ReuseEntrant reuse(world, selection, *estimator, cache_seconds);
   const RayKinds kinds = ray_kinds(world, selection);
-  std::vector<std::vector<std::uint32_t>> clusters;
+  std::vector<LabelCluster> clusters;
   for (const std::size_t item : selection.items) clusters.push_back(estimator->block(item).rows);
   BareRays bare(world, static_cast<std::size_t>(std::lround(kinds.shadow_packet)), clusters);
   for (std::uint64_t round = 0; round < settings.batches; ++round) {

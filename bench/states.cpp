@@ -161,7 +161,7 @@ void place_file(const Settings& settings, const std::string& file) {
   const std::optional<SampledStates> sampled =
       parts.empty() ? std::nullopt : std::optional(SampledStates(parts));
   if (!sampled && !matrix.states) throw std::invalid_argument(file + " has no states");
-  const std::vector<std::uint32_t> labels = sampled ? all_numbers(matrix.rows()) : matrix.states->hard;
+  const std::vector<LabelId> labels = sampled ? all_numbers<LabelId>(matrix.rows()) : matrix.states->hard;
   const std::uint32_t states = std::min(sampled ? sampled->count() : matrix.states->states, settings.states);
   const std::size_t size = labels.size() * matrix.columns();
   ScenarioTable table = make_scenario_table(make_signal_table(matrix), labels, states);

@@ -6,7 +6,7 @@
 
 #include "shelfbeam/base/ids.hpp"
 
-/// Numbers of columns are whole numbers in Python.
+/// Numbers of labels and columns are whole numbers in Python.
 template <class Tag>
 struct pybind11::detail::type_caster<shelfbeam::Number<Tag>> {
   PYBIND11_TYPE_CASTER(shelfbeam::Number<Tag>, const_name("int"));

@@ -39,8 +39,8 @@ struct Extras {
   std::optional<double> by_length;
   std::optional<std::uint32_t> lengths;
   jobs::WantedStates states;
-  std::optional<std::vector<std::uint32_t>> labels;  // none: all
-  std::optional<std::vector<ColumnId>> units;        // none: all
+  std::optional<std::vector<LabelId>> labels;  // none: all
+  std::optional<std::vector<ColumnId>> units;  // none: all
 
   explicit Extras(const py::dict& more) {
     read(more, "by_bounce", by_bounce);

@@ -70,7 +70,7 @@ DeviceArrays labels_of(const Draft& draft) {
   devices.mark.resize(labels.size());
   const std::vector<ShelfLevel> levels = shelf_levels(heights);
   for (std::size_t k = 0; k < levels.size(); ++k)
-    for (const std::uint32_t label : levels[k].labels)
+    for (const LabelId label : levels[k].labels)
       devices.mark[label] = static_cast<std::uint8_t>(std::min<std::size_t>(k, UINT8_MAX));
   return devices;
 }

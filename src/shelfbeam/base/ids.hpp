@@ -21,6 +21,10 @@ class Number {
   constexpr Number(std::uint32_t value) : value_(value) {}
   constexpr operator std::uint32_t() const { return value_; }
   friend constexpr std::uint32_t format_as(Number number) { return number.value_; }  ///< for fmt
+  template <class Json>
+  friend void to_json(Json& json, Number number) {  ///< for nlohmann::json
+    json = number.value_;
+  }
 
  private:
   std::uint32_t value_ = 0;

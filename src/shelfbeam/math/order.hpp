@@ -17,11 +17,10 @@ std::vector<Number> all_numbers(std::size_t count) {
 }
 
 /// These numbers by ascending key(number), and by number where keys are equal.
-template <class Key>
-std::vector<std::uint32_t> ordered_by(std::size_t count, const Key& key) {
-  std::vector<std::uint32_t> order = all_numbers(count);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+template <class Number = std::uint32_t, class Key>
+std::vector<Number> ordered_by(std::size_t count, const Key& key) {
+  std::vector<Number> order = all_numbers<Number>(count);
+  std::stable_sort(order.begin(), order.end(), [&](Number a, Number b) { return key(a) < key(b); });
   return order;
 }
 

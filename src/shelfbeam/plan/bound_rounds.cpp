@@ -16,7 +16,7 @@ constexpr double errors_of_fixed = 2;
 // Share of the budget that is left, for the search for core rows.
 constexpr double share_of_search = 0.1;
 
-bool is_strong(const SignalTable& table, std::uint32_t label, double signal, CommunicationModel model) {
+bool is_strong(const SignalTable& table, LabelId label, double signal, CommunicationModel model) {
   return is_met(signal, requirement_of(table.labels[label], model));
 }
 
@@ -131,7 +131,7 @@ double BoundRounds::cost_of(std::size_t labels) const {
 
 // Upper limits from independent batches, if the budget allows these.
 std::optional<SignalTable> BoundRounds::upper_limits(const SignalTable& table,
-                                                     const std::vector<std::uint32_t>& labels,
+                                                     const std::vector<LabelId>& labels,
                                                      const LimitCounts& counts) {
   const std::uint32_t batches = rounds_.affordable(batches_, batches_, cost_of(labels.size()));
   if (batches == 0) return std::nullopt;
@@ -180,7 +180,7 @@ bool BoundRounds::prove_by_entries(const PlannedSignals& signals) {
 }
 
 bool BoundRounds::prove_unreachable(const SignalTable& table, const Placement& placement) {
-  std::vector<std::uint32_t> labels;
+  std::vector<LabelId> labels;
   for (const Unreachable& label : placement.unreachable) labels.push_back(label.label);
   labels.resize(std::min(labels.size(), max_undecided));
   std::sort(labels.begin(), labels.end());

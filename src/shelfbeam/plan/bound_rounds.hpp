@@ -71,7 +71,7 @@ class BoundRounds {
   CoreRows promising_rows(const PlannedSignals& signals);
   SignalTable expected_table(const PlannedSignals& signals, std::size_t rows, std::uint32_t batches) const;
   double cost_of(std::size_t labels) const;
-  std::optional<SignalTable> upper_limits(const SignalTable& table, const std::vector<std::uint32_t>& labels,
+  std::optional<SignalTable> upper_limits(const SignalTable& table, const std::vector<LabelId>& labels,
                                           const LimitCounts& counts);
   LimitCounts counts(std::size_t rows, std::size_t columns) const;
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t rows_at_once = 16;
 
-std::uint32_t strongest_of(const SignalTable& table, std::uint32_t row) {
+std::uint32_t strongest_of(const SignalTable& table, LabelId row) {
   const auto entries = table.row(row);
   const auto best = std::max_element(entries.begin(), entries.end(),
                                      [](const auto& a, const auto& b) { return a.signal < b.signal; });
@@ -26,10 +26,9 @@ std::uint32_t strongest_of(const SignalTable& table, std::uint32_t row) {
 }
 
 // The first labels in `order`, spread over the shop: one per strongest unit.
-std::vector<std::uint32_t> spread(const SignalTable& table,
-                                  std::vector<std::pair<double, std::uint32_t>> order) {
+std::vector<LabelId> spread(const SignalTable& table, std::vector<std::pair<double, LabelId>> order) {
   std::sort(order.begin(), order.end());
-  std::vector<std::uint32_t> rows;
+  std::vector<LabelId> rows;
   std::set<std::uint32_t> seen;
   for (const auto& [worth, row] : order) {
     if (rows.size() == rows_at_once) break;
@@ -39,8 +38,7 @@ std::vector<std::uint32_t> spread(const SignalTable& table,
 }
 
 // The largest signal that `units` units can contribute together, as a share of the requirement.
-double max_of(const SignalTable& table, const PlacementProblem& problem, std::uint32_t row,
-              std::size_t units) {
+double max_of(const SignalTable& table, const PlacementProblem& problem, LabelId row, std::size_t units) {
   std::vector<double> signals;
   for (const SignalEntry& entry : table.row(row)) signals.push_back(entry.signal);
   const std::size_t count = std::min(units, signals.size());
@@ -53,13 +51,13 @@ double max_of(const SignalTable& table, const PlacementProblem& problem, std::ui
 
 }  // namespace
 
-SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint32_t>& rows) {
+SignalTable table_of_rows(const SignalTable& table, const std::vector<LabelId>& rows) {
   SignalTable part;
   part.transceivers = table.transceivers;
   part.mounts = table.mounts;
   part.conflicts = table.conflicts;
   part.row_begin = {0};
-  for (const std::uint32_t i : rows) {
+  for (const LabelId i : rows) {
     part.labels.push_back(table.labels[i]);
     const auto row = table.row(i);
     part.entries.insert(part.entries.end(), row.begin(), row.end());
@@ -71,7 +69,7 @@ SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint3
 constexpr double share_of_entries = 0.8, share_of_sums = 0.1, share_of_rare = 0.1;
 
 // The columns of a row in descending order of signal.
-std::vector<std::uint32_t> by_strength(const SignalTable& planned, std::uint32_t row) {
+std::vector<std::uint32_t> by_strength(const SignalTable& planned, LabelId row) {
   std::vector<double> signal(planned.columns(), 0.0);
   for (const SignalEntry& entry : planned.row(row)) signal[entry.transceiver] = entry.signal;
   return ordered_by(planned.columns(), [&](std::uint32_t j) { return -signal[j]; });
@@ -106,10 +104,10 @@ UpperConfidenceRows upper_confidence_rows(const PreparedScene& prepared, const S
                                           const BatchRequest& request, double level, LimitCounts counts,
                                           const RunControl& control) {
   const std::size_t n = planned.columns();
-  const std::vector<std::uint32_t> rows(request.labels.begin(), request.labels.end());
+  const std::vector<LabelId> rows(request.labels.begin(), request.labels.end());
   std::vector<std::vector<std::uint32_t>> orders;
   orders.reserve(rows.size());
-  for (const std::uint32_t i : rows) orders.push_back(by_strength(planned, i));
+  for (const LabelId i : rows) orders.push_back(by_strength(planned, i));
   const SumRule rule = [&](std::size_t label, std::span<const double> values, std::span<double> sums) {
     double sum = 0;
     for (std::size_t k = n; k-- > 0;) {
@@ -165,7 +163,7 @@ CoreRows core_rows(const SignalTable& table, const BoundGoal& goal, double cost,
                    const RunControl& control) {
   const PlacementProblem& problem = goal.problem;
   const Deadline deadline(given.time_limit_s);
-  std::vector<std::pair<double, std::uint32_t>> order;
+  std::vector<std::pair<double, LabelId>> order;
   for (std::uint32_t i = 0; i < table.rows(); ++i)
     order.emplace_back(max_of(table, problem, i, std::max<std::size_t>(1, goal.max_units_below(cost))), i);
   CoreRows decisive;
@@ -181,13 +179,13 @@ CoreRows core_rows(const SignalTable& table, const BoundGoal& goal, double cost,
     if (decisive.suffice || !answer.has_selection() || answer.objective_value >= cost) break;
     const Check check = check_selection(table, problem, answer.selected);
     order.clear();
-    for (const std::uint32_t i : check.unmet)
+    for (const LabelId i : check.unmet)
       order.emplace_back(check.signal[i] / requirement_of(table.labels[i], problem.model), i);
     if (order.empty()) {
       decisive.counterexample = answer.selected;
       break;
     }
-    for (const std::uint32_t row : spread(table, std::move(order))) decisive.rows.push_back(row);
+    for (const LabelId row : spread(table, std::move(order))) decisive.rows.push_back(row);
     std::sort(decisive.rows.begin(), decisive.rows.end());
   }
   return decisive;

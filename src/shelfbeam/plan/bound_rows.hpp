@@ -46,11 +46,11 @@ SignalTable raised_table(const SignalTable& planned, const SignalMatrix& matrix,
                          double samples, double planned_errors = 0);
 
 /// The rows of some labels (ascending) of a table.
-SignalTable table_of_rows(const SignalTable& table, const std::vector<std::uint32_t>& rows);
+SignalTable table_of_rows(const SignalTable& table, const std::vector<LabelId>& rows);
 
 struct CoreRows {
-  std::vector<std::uint32_t> rows;  ///< ascending
-  bool suffice = false;             ///< these labels alone require the cost
+  std::vector<LabelId> rows;  ///< ascending
+  bool suffice = false;       ///< these labels alone require the cost
   /// Otherwise, a cheaper selection that reaches all labels, if the search met one.
   Selection counterexample;
 };

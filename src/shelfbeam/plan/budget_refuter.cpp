@@ -123,7 +123,7 @@ std::optional<BudgetRefuter::Promising> BudgetRefuter::promising(const BoundGoal
     const std::size_t middle = is_first ? 0 : (low + high) / 2;
     const SignalTable raised = raised_by(reserves[middle]);
     const CoreRows core = is_relaxed ? CoreRows() : core_labels(raised, goal, bound, deadline);
-    const std::vector<std::uint32_t> labels =
+    const std::vector<LabelId> labels =
         is_relaxed ? relaxed_cover(raised, limit, deadline, control).labels : core.rows;
     RefutationSearch search;
     search.counterexample = core.counterexample;

@@ -99,7 +99,7 @@ class Certifier {
     bool has_sampled = false;
     for (int k = 0; k < max_sharpenings && may_continue(); ++k) {
       best = promising_selection(best);
-      const std::vector<std::uint32_t> rows = worst_off(shifted(-errors_at_risk), best);
+      const std::vector<LabelId> rows = worst_off(shifted(-errors_at_risk), best);
       if (rows.empty()) break;
       const auto batches = static_cast<std::uint32_t>(sharpening_batches / rows.size());
       if (!refine(rows, std::max(min_verifying_batches, batches))) break;
@@ -199,15 +199,14 @@ class Certifier {
   }
 
   // Labels that a selection misses, the smallest margin first.
-  std::vector<std::uint32_t> worst_off(const SignalTable& table, const Selection& selected) const {
+  std::vector<LabelId> worst_off(const SignalTable& table, const Selection& selected) const {
     const Check check = check_selection(table, problem(), selected);
-    std::vector<std::uint32_t> rows = check.unmet;
-    const auto share = [&](std::uint32_t i) {
+    std::vector<LabelId> rows = check.unmet;
+    const auto share = [&](LabelId i) {
       return check.signal[i] / requirement_of(table.labels[i], problem().model);
     };
-    std::sort(rows.begin(), rows.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(share(a), a) < std::pair(share(b), b);
-    });
+    std::sort(rows.begin(), rows.end(),
+              [&](LabelId a, LabelId b) { return std::pair(share(a), a) < std::pair(share(b), b); });
     rows.resize(std::min(rows.size(), BoundRounds::max_undecided));
     return rows;
   }
@@ -220,14 +219,14 @@ class Certifier {
   // decide on a cheaper selection, and updates the signals. Solves the placement problem again if the
   // selection, or one that is cheaper, has changed its status. False if nothing changes.
   bool improve() {
-    std::vector<std::uint32_t> rows;
+    std::vector<LabelId> rows;
     if (now_.placement.has_selection()) rows = verdicts_.undecided_labels();
     const bool has_doubts = !rows.empty();
     Selection cheaper = bound_.take_counterexample();
     // A selection that misses labels clearly decides nothing.
     if (!cheaper.empty() && !reaches_all(shifted(errors_undecided), cheaper)) cheaper.clear();
     if (!cheaper.empty())
-      for (const std::uint32_t i : worst_off(signals_.table, cheaper)) rows.push_back(i);
+      for (const LabelId i : worst_off(signals_.table, cheaper)) rows.push_back(i);
     fresh_ = bound_.take_fresh();
     if (now_.placement.has_selection() && bound_.holds()) fresh_.clear();
     if (!rows.empty()) refine(rows, refine_batches_);
@@ -243,7 +242,7 @@ class Certifier {
   }
 
   // Samples labels for all candidates. Returns whether the budget allows it: at most a third of the rest.
-  bool refine(std::vector<std::uint32_t> rows, std::uint32_t wanted) {
+  bool refine(std::vector<LabelId> rows, std::uint32_t wanted) {
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     rounds_.report(Task::refining, fmt::format("{} labels", rows.size()));

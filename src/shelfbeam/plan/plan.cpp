@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/coverage/coverage_curve.hpp"
 #include "shelfbeam/plan/alternatives/alternatives.hpp"
@@ -32,10 +32,9 @@ std::optional<Sensitivity> sensitivity_of(const Scene& scene, const Plan& plan,
                                           const SensitivityOptions& options, const SimulationOptions& fresh,
                                           const RunControl& control) {
   const SignalMatrix& matrix = plan.simulation.matrix;
-  std::vector<std::uint32_t> labels(matrix.rows());
-  std::iota(labels.begin(), labels.end(), 0U);
+  const std::vector<LabelId> labels = all_numbers<LabelId>(matrix.rows());
   std::vector<float> planned;
-  for (const std::uint32_t i : labels)
+  for (const LabelId i : labels)
     for (const std::uint32_t j : plan.placement.selected) planned.push_back(matrix.mean[matrix.at(i, j)]);
   VerificationEffort effort{fresh, min_verifying_batches};
   effort.simulation.samples = std::max(fresh.samples, Rounds::min_samples * batch_count);

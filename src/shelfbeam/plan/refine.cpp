@@ -34,7 +34,7 @@ void join(const ValidationRow& fresh, SignalMatrix& matrix) {
   matrix.by_length.clear();
 }
 
-ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, std::uint32_t label,
+ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, LabelId label,
                              std::span<const std::uint32_t> order) {
   const std::size_t n = order.size();
   ValidationRow row{label,

@@ -21,7 +21,7 @@ struct PlannedSignals {
 
 /// Independent batches of one label: means, standard errors and flags (SignalMatrix::flags) by column.
 struct ValidationRow {
-  std::uint32_t label = 0;
+  LabelId label;
   std::vector<double> mean, standard_error;
   std::vector<std::uint8_t> flags;
   std::uint32_t batches = 0;
@@ -29,7 +29,7 @@ struct ValidationRow {
 };
 
 /// The batches of a label whose sums k, k + 1, ... start with the signals of the columns in `order`.
-ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, std::uint32_t label,
+ValidationRow validation_row(const ValidationEstimates& fresh, std::size_t k, LabelId label,
                              std::span<const std::uint32_t> order);
 
 /// Simulates some labels with independent samples, for all sources. Throws as `sample_batches`.

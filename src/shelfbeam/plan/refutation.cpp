@@ -19,13 +19,13 @@ constexpr double integral_tolerance = 1e-6;
 
 class Search {
  public:
-  Search(const SignalTable& table, const std::vector<std::uint32_t>& labels, const SelectionBudget& limit,
+  Search(const SignalTable& table, const std::vector<LabelId>& labels, const SelectionBudget& limit,
          std::size_t max_leaves, const Deadline& deadline, const RunControl& control)
       : table_(table), max_leaves_(max_leaves), deadline_(deadline), control_(control) {
     tree_.limit = limit;
     tree_.mounts = table.mounts;
     tree_.labels = labels;
-    for (const std::uint32_t i : labels) {
+    for (const LabelId i : labels) {
       std::vector<double> row(table.columns(), 0.0);
       std::vector<bool> clipped(table.columns(), false);
       for (const SignalEntry& entry : table.row(i)) {
@@ -366,7 +366,7 @@ double LeafTotal::largest_items(double left) {
   return sum;
 }
 
-RefutationSearch find_refutation(const SignalTable& table, const std::vector<std::uint32_t>& labels,
+RefutationSearch find_refutation(const SignalTable& table, const std::vector<LabelId>& labels,
                                  const SelectionBudget& limit, std::span<const Refutation::Leaf> roots,
                                  std::size_t max_leaves, const Deadline& deadline,
                                  const RunControl& control) {

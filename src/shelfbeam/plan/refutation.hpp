@@ -41,7 +41,7 @@ struct Refutation {
 
   SelectionBudget limit;
   std::vector<std::vector<ColumnId>> mounts;  ///< at most one column each, as in SignalTable
-  std::vector<std::uint32_t> labels;          ///< ascending
+  std::vector<LabelId> labels;                ///< ascending
   std::vector<std::vector<bool>> is_clipped;  ///< by row and column
   std::vector<Weights> weights;
   std::vector<std::vector<double>> planned;  ///< x_j of the table that was searched, by weights and column
@@ -85,7 +85,7 @@ struct RefutationSearch {
 /// labels of a table, whose signals should be raised by some standard errors. Branches on the columns that
 /// can make up for a label's lack; linear programs give weights. Ends without a refutation at `max_leaves`,
 /// at the deadline, or when cancelled.
-RefutationSearch find_refutation(const SignalTable& table, const std::vector<std::uint32_t>& labels,
+RefutationSearch find_refutation(const SignalTable& table, const std::vector<LabelId>& labels,
                                  const SelectionBudget& limit, std::span<const Refutation::Leaf> roots,
                                  std::size_t max_leaves, const Deadline& deadline, const RunControl& control);
 

@@ -30,16 +30,16 @@ RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limi
     fixed.push_back(std::move(row));
   }
   lp->add_rows(fixed);
-  const auto share = [&](std::uint32_t i, const SignalEntry& entry) {
+  const auto share = [&](LabelId i, const SignalEntry& entry) {
     return std::min(1.0, entry.signal / table.labels[i].requirement);
   };
   std::vector<double> units(n, 1.0);
-  std::vector<std::uint32_t> loaded;
+  std::vector<LabelId> loaded;
   std::vector<bool> is_loaded(table.rows(), false);
   RelaxedCover result;
   double coverage = std::numeric_limits<double>::infinity();
   while (!control.cancelled() && !deadline.has_passed()) {
-    std::vector<std::pair<double, std::uint32_t>> short_of;
+    std::vector<std::pair<double, LabelId>> short_of;
     for (std::uint32_t i = 0; i < table.rows(); ++i) {
       if (is_loaded[i]) continue;
       double sum = 0;

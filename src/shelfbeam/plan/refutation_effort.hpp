@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
@@ -13,8 +12,8 @@ namespace shelfbeam {
 
 /// The linear relaxation of the question whether a selection of the budget reaches all labels.
 struct RelaxedCover {
-  bool is_refuted = false;            ///< no fractional selection does
-  std::vector<std::uint32_t> labels;  ///< ascending; labels that prove it
+  bool is_refuted = false;      ///< no fractional selection does
+  std::vector<LabelId> labels;  ///< ascending; labels that prove it
 };
 
 RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limit, const Deadline& deadline,

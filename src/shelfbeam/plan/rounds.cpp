@@ -12,7 +12,7 @@
 
 namespace shelfbeam {
 
-BatchRequest Rounds::request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
+BatchRequest Rounds::request(Purpose purpose, std::span<const LabelId> labels, std::uint32_t batches,
                              std::uint32_t part) const {
   const std::uint64_t stream = static_cast<std::uint64_t>(purpose) << 32 | round_;
   BatchRequest request{labels, mix_key(mix_key(seed_ ^ 0x766572696679, stream), part), batches};
@@ -56,7 +56,7 @@ std::uint32_t Rounds::affordable(double wanted, double needed, double cost) cons
 
 double Rounds::samples_per_batch(const PreparedScene& prepared) {
   if (prepared.world().receivers.size() == 0) return 1;
-  constexpr std::uint32_t any_label[] = {0};
+  constexpr LabelId any_label[] = {0};
   return static_cast<double>(prepared.estimator().part(any_label, 0, min_samples)->samples_per_batch());
 }
 
@@ -125,8 +125,8 @@ std::size_t LabelRounds::shrink_to_budget(const Rounds& rounds, std::vector<Need
   return count;
 }
 
-void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part,
-                         Rounds& rounds, const VerdictLevels& levels) {
+void LabelRounds::sample(std::vector<LabelId> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
+                         const VerdictLevels& levels) {
   rounds.report(Task::verifying, fmt::format("{} labels, {} batches", rows.size(), batches));
   std::sort(rows.begin(), rows.end());
   if (!prepared_) {
@@ -137,7 +137,7 @@ void LabelRounds::sample(std::vector<std::uint32_t> rows, std::uint32_t batches,
   }
   std::vector<float> planned;
   if (!planned_.empty())
-    for (const std::uint32_t i : rows) {
+    for (const LabelId i : rows) {
       const auto first = planned_.begin() + static_cast<std::ptrdiff_t>(i * selected_.size());
       planned.insert(planned.end(), first, first + static_cast<std::ptrdiff_t>(selected_.size()));
     }
@@ -175,7 +175,7 @@ std::vector<double> LabelRounds::planned_margins() const {
 void LabelRounds::sample_classes(std::span<const Need> needs, std::uint32_t& part, Rounds& rounds,
                                  const VerdictLevels& levels) {
   for (std::size_t k = 0; k < needs.size();) {
-    std::vector<std::uint32_t> rows;
+    std::vector<LabelId> rows;
     const double batches = needs[k].batches;
     for (; k < needs.size() && needs[k].batches == batches; ++k) rows.push_back(needs[k].label);
     sample(std::move(rows), static_cast<std::uint32_t>(batches), part++, rounds, levels);
@@ -227,9 +227,9 @@ std::size_t LabelRounds::verify(Rounds& rounds) {
   return verified;
 }
 
-std::vector<std::uint32_t> LabelRounds::undecided_labels() const {
+std::vector<LabelId> LabelRounds::undecided_labels() const {
   constexpr std::uint32_t many_batches = 4096;  // those of a margin of about one percent
-  std::vector<std::uint32_t> rows;
+  std::vector<LabelId> rows;
   for (std::uint32_t i = 0; i < labels_.size(); ++i) {
     const bool is_short = batches_[i] > 0 && !is_met(labels_[i].signal, labels_[i].requirement);
     const bool is_near =

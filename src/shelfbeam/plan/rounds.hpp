@@ -83,7 +83,7 @@ class Rounds {
   const RunControl& control() const { return control_; }
   void report(Task task, std::string_view detail) const;
   /// Batches of some labels in this round; `part` distinguishes requests of one purpose.
-  BatchRequest request(Purpose purpose, std::span<const std::uint32_t> labels, std::uint32_t batches,
+  BatchRequest request(Purpose purpose, std::span<const LabelId> labels, std::uint32_t batches,
                        std::uint32_t part = 0) const;
 
   /// The batches of a test that fit into the budget that is left, at `cost` per batch: the `wanted` ones,
@@ -139,14 +139,14 @@ class LabelRounds {
 
   /// Labels whose estimated signal is below the requirement, or so little above that many batches have not
   /// decided them.
-  std::vector<std::uint32_t> undecided_labels() const;
+  std::vector<LabelId> undecided_labels() const;
   /// The reason why labels stay open.
   EndReason obstacle(const Rounds& rounds) const;
 
  private:
   struct Need {
     double batches = 0;
-    std::uint32_t label = 0;
+    LabelId label;
   };
   std::vector<Need> needs(double level) const;
   static std::size_t shrink_to_budget(const Rounds& rounds, std::vector<Need>& needs);
@@ -154,7 +154,7 @@ class LabelRounds {
   std::vector<double> planned_margins() const;
   void sample_classes(std::span<const Need> needs, std::uint32_t& part, Rounds& rounds,
                       const VerdictLevels& levels);
-  void sample(std::vector<std::uint32_t> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
+  void sample(std::vector<LabelId> rows, std::uint32_t batches, std::uint32_t part, Rounds& rounds,
               const VerdictLevels& levels);
 
   const Scene& scene_;

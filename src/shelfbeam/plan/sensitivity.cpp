@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/moments.hpp"
 #include "shelfbeam/transport/run/sample_batches.hpp"
@@ -56,7 +57,7 @@ using Batches = std::vector<std::vector<float>>;
 class Steps {
  public:
   /// `labels`: numbers of the scene's labels in the whole scene; `planned`: their signals.
-  Steps(Scene scene, std::vector<std::uint32_t> labels, const PlacementProblem& problem,
+  Steps(Scene scene, std::vector<LabelId> labels, const PlacementProblem& problem,
         std::span<const float> planned, const VerificationEffort& effort, const RunControl& control)
       : scene_(std::move(scene)),
         labels_(std::move(labels)),
@@ -130,7 +131,7 @@ class Steps {
   }
 
   const Scene scene_;
-  const std::vector<std::uint32_t> labels_;
+  const std::vector<LabelId> labels_;
   CountedSignals counted_;
   SimulationOptions simulation_;
   std::uint32_t batches_;
@@ -153,16 +154,13 @@ ReflectanceEnd judged(const std::vector<LabelVerdict>& labels) {
 
 // The labels with the smallest margins at the low end, in scene order, which may fall short or may have the
 // smallest margin of all within the ranges.
-std::vector<std::uint32_t> nearest_to_missing(const std::vector<LabelVerdict>& labels, double min_at_high,
-                                              std::size_t materials) {
-  std::vector<std::uint32_t> order(labels.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto margin = [&](std::uint32_t i) { return labels[i].signal / labels[i].requirement; };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return margin(a) < margin(b); });
+std::vector<LabelId> nearest_to_missing(const std::vector<LabelVerdict>& labels, double min_at_high,
+                                        std::size_t materials) {
+  const auto margin = [&](LabelId i) { return labels[i].signal / labels[i].requirement; };
+  std::vector<LabelId> order = ordered_by<LabelId>(labels.size(), margin);
   const double up_to = std::max(1.0, min_at_high);
   const auto near = static_cast<std::size_t>(
-      std::count_if(order.begin(), order.end(), [&](std::uint32_t i) { return margin(i) <= up_to; }));
+      std::count_if(order.begin(), order.end(), [&](LabelId i) { return margin(i) <= up_to; }));
   const std::size_t affordable = labels.size() / std::max<std::size_t>(materials, 1);
   order.resize(std::min(order.size(), std::max(std::min(near, affordable), min_watched_labels)));
   std::sort(order.begin(), order.end());
@@ -214,12 +212,12 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& 
   result.low = judged(at_low);
   control.report(Task::sensitivity, -1, "all reflectances high");
   result.high = judged(verify(high, problem, planned, level, effort, control));
-  const std::vector<std::uint32_t> watched =
+  const std::vector<LabelId> watched =
       nearest_to_missing(at_low, result.high.min_margin.ratio, varied.size());
   result.watched = watched.size();
   const std::size_t columns = scene.transceivers.size();
   std::vector<float> planned_of_watched;
-  for (const std::uint32_t i : watched) {
+  for (const LabelId i : watched) {
     const auto row = planned.subspan(i * columns, columns);
     planned_of_watched.insert(planned_of_watched.end(), row.begin(), row.end());
   }

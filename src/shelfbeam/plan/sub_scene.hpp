@@ -11,16 +11,16 @@ namespace shelfbeam {
 
 /// The scene with some of its labels, in the given order. Their signals have the same distribution as in the
 /// whole scene, because devices do not block light.
-inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels) {
+inline Scene sub_scene(const Scene& scene, std::span<const LabelId> labels) {
   Scene part = scene;
   part.store_hash.clear();
   part.labels.clear();
-  for (const std::uint32_t i : labels) part.labels.push_back(scene.labels[i]);
+  for (const LabelId i : labels) part.labels.push_back(scene.labels[i]);
   return part;
 }
 
 /// The scene with some of its labels and transceivers.
-inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels,
+inline Scene sub_scene(const Scene& scene, std::span<const LabelId> labels,
                        std::span<const ColumnId> transceivers) {
   Scene part = sub_scene(scene, labels);
   part.transceivers.clear();
@@ -30,7 +30,7 @@ inline Scene sub_scene(const Scene& scene, std::span<const std::uint32_t> labels
 
 /// The scene with all of its labels and some of its transceivers.
 inline Scene with_units(const Scene& scene, std::span<const ColumnId> transceivers) {
-  return sub_scene(scene, all_numbers(scene.labels.size()), transceivers);
+  return sub_scene(scene, all_numbers<LabelId>(scene.labels.size()), transceivers);
 }
 
 }  // namespace shelfbeam

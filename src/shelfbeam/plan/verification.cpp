@@ -123,7 +123,7 @@ std::vector<LabelVerdict> verify(const Scene& scene, const PlacementProblem& pro
                                  std::span<const float> planned, double level,
                                  const VerificationEffort& effort, const RunControl& control) {
   const auto prepared = prepare(scene, effort.simulation, false, control);
-  const std::vector<std::uint32_t> labels = all_numbers(scene.labels.size());
+  const std::vector<LabelId> labels = all_numbers<LabelId>(scene.labels.size());
   return verify(*prepared, {labels, effort.simulation.seed, effort.batches}, problem, planned,
                 {level, labels.size(), level}, control);
 }

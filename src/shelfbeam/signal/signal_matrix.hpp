@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/base/provenance.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
@@ -55,9 +56,9 @@ struct StateTensor {
   std::uint32_t states = 0;
   /// m n entries: standard deviation between states, with their sampling noise.
   std::vector<float> deviation;
-  std::vector<std::uint32_t> hard;  ///< labels whose signals follow, ascending
-  std::vector<float> signal;        ///< by state, hard label and transceiver
-  std::vector<float> error;         ///< standard errors of `signal`; empty unless the states serve a plan
+  std::vector<LabelId> hard;  ///< labels whose signals follow, ascending
+  std::vector<float> signal;  ///< by state, hard label and transceiver
+  std::vector<float> error;   ///< standard errors of `signal`; empty unless the states serve a plan
 
   bool operator==(const StateTensor&) const = default;
 };

@@ -70,15 +70,15 @@ TEST_F(StatesSlow, ArePlannedAndVerified) {
 
 // The labels of a shop with known states that are missed in the states of a page: their chosen units stand
 // behind pallets.
-std::vector<std::vector<std::uint32_t>> missed_on_page(const CertifiedPlan& answer,
-                                                       const std::vector<ShopState>& page) {
-  std::vector<std::vector<std::uint32_t>> missed;
+std::vector<std::vector<LabelId>> missed_on_page(const CertifiedPlan& answer,
+                                                 const std::vector<ShopState>& page) {
+  std::vector<std::vector<LabelId>> missed;
   for (const ShopState& state : page) {
     std::set<std::uint32_t> blocked;  // units: U00, U01, U10, ...
     for (const ShopState::Block& block : state.blocks)
       blocked.insert(2 * static_cast<std::uint32_t>(block.footprint[0][1] / 4) +
                      (block.footprint[0][0] > 6 ? 1 : 0));
-    std::set<std::uint32_t> labels{0, 1, 2};
+    std::set<LabelId> labels{0, 1, 2};
     for (const std::uint32_t j : answer.placement.selected)
       if (!blocked.contains(j)) labels.erase(j / 2);
     missed.emplace_back(labels.begin(), labels.end());
@@ -100,7 +100,7 @@ TEST_F(StatesSlow, OnThePageAreThoseThatWereExamined) {
   const Scene scene = make_scene(store);
   const SignalMatrix matrix = read_signal_file(folder / "plan/signal.h5");
   CertifiedPlan answer = read_plan(folder / "plan/placement.json", make_signal_table(matrix));
-  std::vector<std::vector<std::uint32_t>> examined;
+  std::vector<std::vector<LabelId>> examined;
   ASSERT_TRUE(answer.availability);
   for (const ShownState& state : answer.availability->shown) examined.push_back(state.missed);
   ASSERT_GE(examined.size(), 4U);

@@ -25,7 +25,7 @@ double value_of(const Answer& answer, const PlacementProblem& problem) {
 // edge may be missing from it.
 void expect_unreachable(const SignalTable& table, const PlacementProblem& problem, const Placement& answer) {
   const std::vector<double> most = BruteForce::most(table, problem);
-  Selection expected, named;
+  std::vector<LabelId> expected, named;
   for (std::uint32_t i = 0; i < table.rows(); ++i) {
     const double slack = table.mounts.empty() && !problem.redundant ? 0 : 1e-12 * most[i];
     if (!is_met(most[i] + slack, requirement_of(table.labels[i], problem.model))) expected.push_back(i);

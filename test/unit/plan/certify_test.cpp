@@ -81,7 +81,7 @@ double min_received(const SignalMatrix& truth) {
 }
 
 Scene sub_scene_of(const Scene& scene, const Selection& chosen) {
-  return sub_scene(scene, all_numbers(scene.labels.size()), chosen);
+  return sub_scene(scene, all_numbers<LabelId>(scene.labels.size()), chosen);
 }
 
 TEST(Certify, ProvesASmallStore) {

@@ -56,7 +56,7 @@ TEST(PlanFile, IsReadBack) {
   EXPECT_EQ(read.certificate->labels[0].verdict, Verdict::reached);
   EXPECT_EQ(read.certificate->labels[1].verdict, Verdict::undecided);
   EXPECT_EQ(read.sensitivity->holds(), Verdict::missed);
-  EXPECT_EQ(read.sensitivity->low.undecided, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(read.sensitivity->low.undecided, std::vector<LabelId>{1});
   EXPECT_EQ(read.sensitivity->materials.at(0).at_upper.min_margin.label, 1U);
   ASSERT_EQ(read.curve.points.size(), 2U);
   EXPECT_EQ(read.curve.points[1].at_least, 2U);
@@ -123,8 +123,8 @@ TEST(PlanFile, KeepsStatesOfTheShop) {
   ASSERT_TRUE(read.availability);
   ASSERT_EQ(read.availability->shown.size(), 2U);
   EXPECT_EQ(read.availability->shown[1].number, 1'000'217U);
-  EXPECT_EQ(read.availability->shown[0].missed, std::vector<std::uint32_t>());
-  EXPECT_EQ(read.availability->shown[1].missed, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(read.availability->shown[0].missed, std::vector<LabelId>());
+  EXPECT_EQ(read.availability->shown[1].missed, (std::vector<LabelId>{0, 1}));
 }
 
 TEST(PlanFile, ReadsWarningsOfEarlierVersions) {

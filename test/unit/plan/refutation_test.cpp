@@ -64,7 +64,7 @@ TEST(Refutation, HasEverySelectionInARefutedLeaf) {
       for (double& one : limit.price) one = price(random);
     const SignalTable table = test::make_table(matrix, n);
     const RefutationSearch search =
-        find_refutation(table, all_numbers(m), limit, {}, 100000, Deadline(60), {});
+        find_refutation(table, all_numbers<LabelId>(m), limit, {}, 100000, Deadline(60), {});
     bool is_possible = false;
     for_each_selection(n, [&](const Columns& selected) {
       double cost = 0;
@@ -115,7 +115,7 @@ TEST(Refutation, OpenLeavesAreTestedAgain) {
   const SignalTable table = make_signal_table(matrix);
   const SelectionBudget limit{std::vector<double>(table.columns(), 1.0), 2};
   const RefutationSearch search =
-      find_refutation(table, all_numbers(table.rows()), limit, {}, 100000, Deadline(60), {});
+      find_refutation(table, all_numbers<LabelId>(table.rows()), limit, {}, 100000, Deadline(60), {});
   ASSERT_TRUE(search.found);
   Refutation tree = *search.found;
   ASSERT_EQ(tree.leaves.size(), 1U);
@@ -170,8 +170,8 @@ TEST(RefutationSlow, SeldomRefutesASelectionThatSuffices) {
     const SignalMatrix matrix = simulate(scene, options).matrix;
     const SignalTable table = make_signal_table(matrix);
     const RefutationSearch search =
-        find_refutation(raised_table(table, matrix, 0.1, 64 * 131), all_numbers(truth.rows()), limit, {},
-                        100000, Deadline(60), {});
+        find_refutation(raised_table(table, matrix, 0.1, 64 * 131), all_numbers<LabelId>(truth.rows()), limit,
+                        {}, 100000, Deadline(60), {});
     if (!search.found) continue;
     ++trees;
     const auto is_refuted = [&](double level) {

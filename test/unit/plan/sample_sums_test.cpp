@@ -162,7 +162,7 @@ TEST(ValidationEstimate, LimitsZeroHits) {
 
 TEST(SubScene, KeepsTheSignals) {
   const Scene scene = test::PlanStore().scene();
-  const Scene part = sub_scene(scene, std::vector<std::uint32_t>{4, 1}, std::vector<ColumnId>{7, 2, 9});
+  const Scene part = sub_scene(scene, std::vector<LabelId>{4, 1}, std::vector<ColumnId>{7, 2, 9});
   ASSERT_EQ(part.labels.size(), 2U);
   EXPECT_EQ(part.labels[0].id, scene.labels[4].id);
   EXPECT_EQ(part.transceivers[2].id, scene.transceivers[9].id);
@@ -193,7 +193,7 @@ TEST(Refine, JoinsBatches) {
   SimulationOptions afresh = options;
   afresh.seed = 77;
   for (const ValidationRow& row : test::fresh_rows(scene, {2, 5}, afresh, 64)) join(row, matrix);
-  const ValidationEstimates fresh = test::fresh_estimates(sub_scene(scene, std::vector<std::uint32_t>{2, 5}),
+  const ValidationEstimates fresh = test::fresh_estimates(sub_scene(scene, std::vector<LabelId>{2, 5}),
                                                           afresh, 64, matrix.columns(), each, {});
   EXPECT_EQ(matrix.labels[2].batches, before.labels[2].batches + 64);
   EXPECT_EQ(matrix.labels[2].samples, 3 * before.labels[2].samples);

@@ -14,7 +14,7 @@ std::vector<ShownState> shown(const std::vector<std::uint32_t>& missed) {
   const FreshStatesOptions options{
       .round = 2, .looks = {static_cast<std::uint32_t>(missed.size())}, .ends_early = false};
   const auto labels_of = [&](std::uint64_t k) {
-    std::vector<std::uint32_t> labels(missed.at(k - first_fresh_state(0, 2)));
+    std::vector<LabelId> labels(missed.at(k - first_fresh_state(0, 2)));
     for (std::uint32_t i = 0; i < labels.size(); ++i) labels[i] = i;
     return labels;
   };
@@ -31,7 +31,7 @@ std::vector<std::uint64_t> numbers(const std::vector<ShownState>& states) {
 TEST(ShownStates, AreTheFirstAndTheWorst) {
   const auto states = shown({0, 2, 0, 1, 2, 3, 0, 5, 4, 5});
   EXPECT_EQ(numbers(states), (std::vector<std::uint64_t>{0, 1, 2, 3, 7}));
-  EXPECT_EQ(states[1].missed, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(states[1].missed, (std::vector<LabelId>{0, 1}));
   EXPECT_EQ(states[4].missed.size(), 5U);
 }
 

@@ -85,7 +85,7 @@ struct CauseShare {
 
 /// A label that is missed most often, and why.
 struct LabelAtRisk {
-  std::uint32_t label = 0;
+  LabelId label;
   std::vector<CauseShare> causes;  ///< the largest first
 };
 
@@ -93,23 +93,23 @@ struct LabelAtRisk {
 struct CauseAlone {
   std::string cause;  ///< name of a Cause
   /// Labels that the units reach in the shop as the file gives it, and too rarely in these states.
-  std::vector<std::uint32_t> taken;
+  std::vector<LabelId> taken;
   std::uint32_t states = 0;
-  std::size_t units = 0;                   ///< found for these states; 0: not examined, or none was found
-  double lower_bound = 0;                  ///< of their number, proven for these states; 0: not examined
-  std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often
+  std::size_t units = 0;             ///< found for these states; 0: not examined, or none was found
+  double lower_bound = 0;            ///< of their number, proven for these states; 0: not examined
+  std::vector<LabelId> unreachable;  ///< labels that all candidates together miss too often
 };
 
 /// A label that is missed in every state.
 struct LostLabel {
-  std::uint32_t label = 0;
+  LabelId label;
   std::vector<std::string> causes;  ///< each of which is enough; empty: several together
 };
 
 /// A fresh state in which the answer was examined, for pictures.
 struct ShownState {
   std::uint64_t number = 0;
-  std::vector<std::uint32_t> missed;  ///< ascending
+  std::vector<LabelId> missed;  ///< ascending
 };
 
 /// One more unit for a mounted installation, the one that helps most in simulated states.
@@ -144,16 +144,16 @@ struct Availability {
   /// A bound on the value of every selection that keeps to the goal in the long run, with the confidence; 0:
   /// not examined.
   double lower_bound = 0;
-  std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often
+  std::vector<LabelId> unreachable;  ///< labels that all candidates together miss too often
 
   /// Plans that were named before their states were drawn; the last one is the answer. Missed: not certified
   /// to be reached.
   std::vector<StateOutcome> examined;
   /// Some states of the last one, ascending by number, among them one with the most missed labels.
   std::vector<ShownState> shown;
-  bool certified = false;                  ///< the last one
-  std::vector<std::uint32_t> responsible;  ///< labels that prevent it, those with most misses first
-  std::vector<LabelAtRisk> at_risk;        ///< most misses first
+  bool certified = false;            ///< the last one
+  std::vector<LabelId> responsible;  ///< labels that prevent it, those with most misses first
+  std::vector<LabelAtRisk> at_risk;  ///< most misses first
   /// The causes, each alone, with the plan for the shop as the file gives it, or with the mounted units.
   std::vector<CauseAlone> alone;
   std::size_t missed_as_given = 0;   ///< labels that these units miss in the shop as the file gives it

@@ -20,14 +20,14 @@ struct MinMargin {
   double ratio =
       std::numeric_limits<double>::infinity();  ///< min_i S_i / (gamma_i tau_i); infinite without labels
   double standard_error = 0;                    ///< of this margin
-  std::uint32_t label = 0;                      ///< label with this margin, the first of several
+  LabelId label;                                ///< label with this margin, the first of several
 };
 
 /// All reflectances at the same end of their ranges. Verdicts rest on independent samples, with a joint
 /// confidence (Sensitivity::confidence); labels in neither list are reached.
 struct ReflectanceEnd {
   MinMargin min_margin;
-  std::vector<std::uint32_t> missed, undecided;
+  std::vector<LabelId> missed, undecided;
 };
 
 /// One material at one end of its range, all others as given. Estimates at the watched labels, not certified.

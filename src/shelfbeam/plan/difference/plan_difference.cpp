@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "shelfbeam/math/distinct_positions.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/plan/difference/matches.hpp"
 
@@ -72,7 +72,7 @@ std::span<const double> required_of(const CertifiedPlan& plan) {
   return plan.availability->required;
 }
 
-LabelState state_of(const ComparedPlan& compared, std::uint32_t row) {
+LabelState state_of(const ComparedPlan& compared, LabelId row) {
   constexpr double rounding = 1e-9;
   const CertifiedPlan& plan = compared.plan;
   LabelState state{row, compared.signals[row], compared.labels[row].requirement};
@@ -138,12 +138,11 @@ PlanFigures figures_of(const ComparedPlan& compared) {
     if (availability->has_answer()) figures.worst_availability = availability->answer().worst();
   }
   if (figures.units == 0) return figures;
-  const auto ratio = [&, &rows = labels, &received = signals](std::uint32_t row) {
+  const auto ratio = [&, &rows = labels, &received = signals](LabelId row) {
     return rows[row].requirement > 0 ? received[row] / rows[row].requirement
                                      : std::numeric_limits<double>::infinity();
   };
-  figures.weakest.resize(labels.size());
-  std::iota(figures.weakest.begin(), figures.weakest.end(), 0U);
+  figures.weakest = all_numbers<LabelId>(labels.size());
   const std::size_t listed = std::min(max_weakest, labels.size());
   std::partial_sort(figures.weakest.begin(), figures.weakest.begin() + static_cast<std::ptrdiff_t>(listed),
                     figures.weakest.end(),

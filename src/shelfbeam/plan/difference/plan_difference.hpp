@@ -43,7 +43,7 @@ struct ComparedUnit {
 /// A label in one plan. It is reached according to its certificate or, if that does not decide it, to its
 /// signal; in a shop that changes, if its availability suffices, where labels have a required one.
 struct LabelState {
-  std::uint32_t row = 0;
+  LabelId row;
   double signal = 0, requirement = 0;       ///< received_signal and gamma tau
   std::optional<double> availability = {};  ///< share of the states
   bool reached = false;
@@ -101,7 +101,7 @@ struct PlanFigures {
   double confidence = 0;      ///< of the certificate
   std::size_t certified = 0;  ///< labels that it proves to be reached; 0 in a shop that changes
   std::optional<double> worst_availability = {};  ///< in a shop that changes
-  std::vector<std::uint32_t> weakest;  ///< rows of at most max_weakest labels, smallest margin first
+  std::vector<LabelId> weakest;  ///< rows of at most max_weakest labels, smallest margin first
 };
 
 /// A setting of the question that both plans answer. Prices, requirements and pins belong to the store.

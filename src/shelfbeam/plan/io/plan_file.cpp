@@ -28,13 +28,13 @@ void describe(Record& record, Certificate& certificate) {
   auto& labels = certificate.labels;
   const auto list = [&](std::string_view key, Verdict verdict) {
     const auto write = [&] {
-      std::vector<std::uint32_t> positions;
+      std::vector<LabelId> positions;
       for (std::uint32_t i = 0; i < labels.size(); ++i)
         if (labels[i].verdict == verdict) positions.push_back(i);
       return ids.list(positions);
     };
     record.custom(key, write, [&](const JsonCursor& json) {
-      for (const std::uint32_t i : ids.positions<std::uint32_t>(json)) labels[i].verdict = verdict;
+      for (const LabelId i : ids.positions<LabelId>(json)) labels[i].verdict = verdict;
     });
   };
   if (record.file() != nullptr) labels.assign(ids.size(), {.verdict = Verdict::reached});

@@ -80,8 +80,8 @@ std::size_t WhatIf::close() const {
 std::size_t WhatIf::doubtful() const {
   return count(labels, [](const LabelWhatIf& label) { return label.doubts != 0; });
 }
-std::vector<std::uint32_t> WhatIf::weakest() const {
-  return ordered_by(labels.size(), [&](std::uint32_t i) { return labels[i].margin(); });
+std::vector<LabelId> WhatIf::weakest() const {
+  return ordered_by<LabelId>(labels.size(), [&](LabelId i) { return labels[i].margin(); });
 }
 
 std::vector<std::uint32_t> kept_units(const std::optional<UnitsBefore>& before,

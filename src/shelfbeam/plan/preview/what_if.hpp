@@ -55,7 +55,7 @@ struct WhatIf {
   std::size_t close() const;
   std::size_t doubtful() const;
   /// Labels in the order of their margins, the weakest first.
-  std::vector<std::uint32_t> weakest() const;
+  std::vector<LabelId> weakest() const;
 };
 
 /// The numbers of the units without the removed ones. Throws InputError for a removed unit that is not among

@@ -61,7 +61,7 @@ StateSample CausesAlone::sample(const Part& part) const {
   return {is_low ? low_states_ : states_, is_low ? low_scene_ : scene_, options_, which, log_, control_};
 }
 
-MissAllowance CausesAlone::allowance(std::span<const std::uint32_t> labels, std::uint32_t states) const {
+MissAllowance CausesAlone::allowance(std::span<const LabelId> labels, std::uint32_t states) const {
   return allowance_of(found_.goal, found_.required, labels, states);
 }
 
@@ -86,7 +86,7 @@ void CausesAlone::examine(std::span<const ColumnId> selected, const std::optiona
     if (place && outcome.keeps_to(found_.goal, found_.required)) {
       row.units = selected.size();
     } else if (place) {
-      deciding.add_if([&](std::uint32_t i) { return outcome.missed[i] > 0; });
+      deciding.add_if([&](LabelId i) { return outcome.missed[i] > 0; });
       SamplePlacement placed = place_on_sample(
           deciding, problem_, [&](auto labels) { return allowance(labels, states.count()); }, *place,
           deadline, control);
@@ -101,10 +101,10 @@ void CausesAlone::examine(std::span<const ColumnId> selected, const std::optiona
   found.alone = std::move(rows);
 }
 
-std::vector<LostLabel> CausesAlone::lost(std::span<const std::uint32_t> labels,
+std::vector<LostLabel> CausesAlone::lost(std::span<const LabelId> labels,
                                          std::span<const ColumnId> selected) const {
   std::vector<LostLabel> lost;
-  for (const std::uint32_t i : labels) lost.push_back({i, {}});
+  for (const LabelId i : labels) lost.push_back({i, {}});
   if (labels.empty()) return lost;
   const auto add = [&](const Part& part, std::string_view name) {
     const StateSample states = sample(part);

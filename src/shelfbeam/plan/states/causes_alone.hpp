@@ -35,8 +35,7 @@ class CausesAlone {
 
   /// Which causes make some columns miss each of these labels in all of their states; "none" if the columns
   /// miss it in the shop as the file gives it.
-  std::vector<LostLabel> lost(std::span<const std::uint32_t> labels,
-                              std::span<const ColumnId> selected) const;
+  std::vector<LostLabel> lost(std::span<const LabelId> labels, std::span<const ColumnId> selected) const;
 
  private:
   struct Part {
@@ -46,7 +45,7 @@ class CausesAlone {
   static const Part as_given;
   std::vector<Part> causes() const;
   StateSample sample(const Part& part) const;
-  MissAllowance allowance(std::span<const std::uint32_t> labels, std::uint32_t states) const;
+  MissAllowance allowance(std::span<const LabelId> labels, std::uint32_t states) const;
 
   Scene scene_, low_scene_;
   Store low_store_;

@@ -29,7 +29,7 @@ DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all
 DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all,
                                const PlacementProblem& problem, std::span<const ColumnId> start)
     : DecidingLabels(sample, all, problem) {
-  const std::vector<std::uint32_t> every = all_numbers(all.rows());
+  const std::vector<LabelId> every = all_numbers<LabelId>(all.rows());
   const std::size_t entries = all.rows() * all.columns() * sample_.count();
   if (entries * 2 * sizeof(float) <= small_table) {
     add(every);
@@ -38,18 +38,18 @@ DecidingLabels::DecidingLabels(const StateSample& sample, const SignalTable& all
   }
   const std::vector<double> received = sample_.received(every, start, problem_);
   misses_of_start_ = misses_with(every, received, start);
-  add_if([&](std::uint32_t i) {
+  add_if([&](LabelId i) {
     const auto begin = received.begin() + static_cast<std::ptrdiff_t>(std::size_t{i} * sample_.count());
     return !is_met(*std::min_element(begin, begin + sample_.count()),
                    little_reserve * requirement_of(all_.labels[i], problem_.model));
   });
-  if (labels_.empty()) add_if([](std::uint32_t i) { return i == 0; });
+  if (labels_.empty()) add_if([](LabelId i) { return i == 0; });
 }
 
-void DecidingLabels::add(std::span<const std::uint32_t> labels) {
+void DecidingLabels::add(std::span<const LabelId> labels) {
   if (labels.empty()) return;
   const std::size_t first = labels_.size();
-  for (const std::uint32_t i : labels) {
+  for (const LabelId i : labels) {
     row_of_[i] = static_cast<std::uint32_t>(labels_.size());
     labels_.push_back(i);
   }
@@ -58,8 +58,7 @@ void DecidingLabels::add(std::span<const std::uint32_t> labels) {
   table_ = std::move(grown);
 }
 
-ScenarioMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others,
-                                           std::span<const double> received,
+ScenarioMisses DecidingLabels::misses_with(std::span<const LabelId> others, std::span<const double> received,
                                            std::span<const ColumnId> selected) const {
   const std::size_t states = sample_.count();
   MissCounter misses(row_of_.size(), states);
@@ -68,14 +67,13 @@ ScenarioMisses DecidingLabels::misses_with(std::span<const std::uint32_t> others
     for (std::size_t s = 0; s < states; ++s)
       if (!is_met(received[k * states + s], requirement)) misses.add(others[k], s);
   }
-  for_each_weak(
-      table_, problem_, selected, 1,
-      [&](std::uint32_t row, std::uint32_t s, const ReceivedSignal&) { misses.add(labels_[row], s); });
+  for_each_weak(table_, problem_, selected, 1,
+                [&](LabelId row, std::uint32_t s, const ReceivedSignal&) { misses.add(labels_[row], s); });
   return misses.misses();
 }
 
 ScenarioMisses DecidingLabels::misses(std::span<const ColumnId> selected) const {
-  std::vector<std::uint32_t> others;
+  std::vector<LabelId> others;
   for (std::uint32_t i = 0; i < row_of_.size(); ++i)
     if (!has(i)) others.push_back(i);
   return misses_with(others, sample_.received(others, selected, problem_), selected);

@@ -22,11 +22,11 @@ class DecidingLabels {
 
   const ScenarioTable& table() const { return table_; }
   /// Rows of the table, as labels of the shop.
-  std::span<const std::uint32_t> labels() const { return labels_; }
+  std::span<const LabelId> labels() const { return labels_; }
   std::size_t of_shop() const { return row_of_.size(); }
   /// The row of a label in the table. Precondition: it has one.
-  std::uint32_t row_of(std::uint32_t label) const { return row_of_[label]; }
-  bool has(std::uint32_t label) const { return row_of_[label] != no_row; }
+  LabelId row_of(LabelId label) const { return row_of_[label]; }
+  bool has(LabelId label) const { return row_of_[label] != no_row; }
   /// The misses of all labels in the sampled states if `start` is mounted.
   const ScenarioMisses& misses_of_start() const { return misses_of_start_; }
 
@@ -35,7 +35,7 @@ class DecidingLabels {
   /// Adds the labels that are not in the table and satisfy a test. Returns their number.
   template <class Test>
   std::size_t add_if(const Test& test) {
-    std::vector<std::uint32_t> added;
+    std::vector<LabelId> added;
     for (std::uint32_t i = 0; i < row_of_.size(); ++i)
       if (!has(i) && test(i)) added.push_back(i);
     add(added);
@@ -45,15 +45,15 @@ class DecidingLabels {
  private:
   static constexpr std::uint32_t no_row = ~0U;
 
-  void add(std::span<const std::uint32_t> labels);
+  void add(std::span<const LabelId> labels);
   // Labels of the table, and others by the signals that they receive.
-  ScenarioMisses misses_with(std::span<const std::uint32_t> others, std::span<const double> received,
+  ScenarioMisses misses_with(std::span<const LabelId> others, std::span<const double> received,
                              std::span<const ColumnId> selected) const;
 
   const StateSample& sample_;
   const SignalTable& all_;
   const PlacementProblem& problem_;
-  std::vector<std::uint32_t> labels_, row_of_;
+  std::vector<LabelId> labels_, row_of_;
   ScenarioTable table_;
   ScenarioMisses misses_of_start_;
 };

@@ -45,11 +45,11 @@ class Judge {
            (goal_.rule != AvailabilityRule::misses || upper_mean() <= counted(*goal_.value));
   }
 
-  std::vector<std::uint32_t> undecided(const StateOutcome& outcome) const {
-    std::vector<std::uint32_t> labels = most_missed(outcome);
+  std::vector<LabelId> undecided(const StateOutcome& outcome) const {
+    std::vector<LabelId> labels = most_missed(outcome);
     if (goal_.rule == AvailabilityRule::labels)
       std::erase_if(labels,
-                    [&](std::uint32_t i) { return proves(required_[i], outcome.missed[i], outcome.states); });
+                    [&](LabelId i) { return proves(required_[i], outcome.missed[i], outcome.states); });
     return labels;
   }
 
@@ -99,7 +99,7 @@ class Judge {
   double most_ = 0;
 };
 
-void show(std::vector<ShownState>& shown, std::uint64_t number, const std::vector<std::uint32_t>& missed) {
+void show(std::vector<ShownState>& shown, std::uint64_t number, const std::vector<LabelId>& missed) {
   constexpr std::size_t first = 4;
   const auto has_fewer = [&](const ShownState& other) { return other.missed.size() < missed.size(); };
   if (shown.size() >= first) {
@@ -129,7 +129,7 @@ FreshStates examine(const MissedLabels& missed_in, const AvailabilityGoal& goal,
     const std::uint64_t number = first_fresh_state(options.question, options.round) + outcome.states;
     const auto missed = missed_in(number);
     ++outcome.states;
-    for (const std::uint32_t i : missed) ++outcome.missed[i];
+    for (const LabelId i : missed) ++outcome.missed[i];
     if (!missed.empty()) ++outcome.states_with_miss;
     show(result.shown, number, missed);
     judge.add(missed.size());

@@ -28,11 +28,11 @@ struct FreshStates {
   bool out_of_time = false;
   /// Labels whose misses do not allow the statement, most misses first; with other goals than that for
   /// labels, all labels that are missed.
-  std::vector<std::uint32_t> undecided;
+  std::vector<LabelId> undecided;
 };
 
 /// The labels that do not count as reached in state k, ascending (StateExamination::missed).
-using MissedLabels = std::function<std::vector<std::uint32_t>(std::uint64_t k)>;
+using MissedLabels = std::function<std::vector<LabelId>(std::uint64_t k)>;
 
 struct FreshStatesOptions {
   std::uint64_t question = 0;

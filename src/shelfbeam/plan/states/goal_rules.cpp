@@ -34,7 +34,7 @@ std::vector<double> required_availabilities(const Scene& scene, const Availabili
 }
 
 MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
-                           std::span<const std::uint32_t> labels, std::size_t states,
+                           std::span<const LabelId> labels, std::size_t states,
                            const std::function<std::uint32_t(double)>& misses) {
   MissAllowance allowance;
   switch (goal.rule) {
@@ -46,13 +46,13 @@ MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<doubl
           static_cast<std::uint64_t>(std::floor(*goal.value * static_cast<double>(states) + 1e-9));
       break;
     case AvailabilityRule::labels:
-      for (const std::uint32_t i : labels) allowance.of_label.push_back(misses(required[i]));
+      for (const LabelId i : labels) allowance.of_label.push_back(misses(required[i]));
   }
   return allowance;
 }
 
 MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
-                           std::span<const std::uint32_t> labels, std::size_t states) {
+                           std::span<const LabelId> labels, std::size_t states) {
   return allowance_of(goal, required, labels, states,
                       [&](double availability) { return allowed_misses(availability, states); });
 }
@@ -70,17 +70,17 @@ StateOutcome outcome_of(ScenarioMisses misses, std::size_t units, std::uint32_t 
   return {units, states, std::move(misses.of_label), misses.of_shop};
 }
 
-std::vector<std::uint32_t> most_missed(const StateOutcome& outcome) {
-  std::vector<std::uint32_t> labels;
+std::vector<LabelId> most_missed(const StateOutcome& outcome) {
+  std::vector<LabelId> labels;
   for (std::uint32_t i = 0; i < outcome.missed.size(); ++i)
     if (outcome.missed[i] > 0) labels.push_back(i);
   std::stable_sort(labels.begin(), labels.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return outcome.missed[a] > outcome.missed[b]; });
+                   [&](LabelId a, LabelId b) { return outcome.missed[a] > outcome.missed[b]; });
   return labels;
 }
 
-std::vector<std::uint32_t> always_missed(const StateOutcome& outcome) {
-  std::vector<std::uint32_t> labels;
+std::vector<LabelId> always_missed(const StateOutcome& outcome) {
+  std::vector<LabelId> labels;
   for (std::uint32_t i = 0; i < outcome.missed.size(); ++i)
     if (outcome.states > 0 && outcome.missed[i] == outcome.states) labels.push_back(i);
   return labels;

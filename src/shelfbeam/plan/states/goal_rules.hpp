@@ -23,11 +23,11 @@ std::vector<double> required_availabilities(const Scene& scene, const Availabili
 
 /// The misses that the goal allows some labels in a number of states, by the misses of an availability.
 MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
-                           std::span<const std::uint32_t> labels, std::size_t states,
+                           std::span<const LabelId> labels, std::size_t states,
                            const std::function<std::uint32_t(double availability)>& misses);
 /// The same by allowed_misses.
 MissAllowance allowance_of(const AvailabilityGoal& goal, const std::vector<double>& required,
-                           std::span<const std::uint32_t> labels, std::size_t states);
+                           std::span<const LabelId> labels, std::size_t states);
 
 /// The factor of the numbers of states that an availability requires, relative to 95 %: a share of misses a
 /// fifth as large requires five times as many.
@@ -36,9 +36,9 @@ std::uint32_t states_factor(const AvailabilityGoal& goal, const std::vector<doub
 StateOutcome outcome_of(ScenarioMisses misses, std::size_t units, std::uint32_t states);
 
 /// The labels that are missed in any state, most misses first.
-std::vector<std::uint32_t> most_missed(const StateOutcome& outcome);
+std::vector<LabelId> most_missed(const StateOutcome& outcome);
 
 /// The labels that are missed in every state, ascending.
-std::vector<std::uint32_t> always_missed(const StateOutcome& outcome);
+std::vector<LabelId> always_missed(const StateOutcome& outcome);
 
 }  // namespace shelfbeam

@@ -86,7 +86,7 @@ class Planner {
  private:
   const PlacementProblem& problem() const { return result_.placement.problem; }
 
-  MissAllowance allowance(std::span<const std::uint32_t> labels) const {
+  MissAllowance allowance(std::span<const LabelId> labels) const {
     return allowance_of(options_.goal, result_.availability.required, labels, options_.sample);
   }
 
@@ -177,15 +177,15 @@ class Planner {
 
   // Adds the unit that helps most, also at labels that only fresh states have shown to be at risk.
   Selection with_another(const Rounds& rounds) {
-    const std::vector<std::uint32_t>& undecided = result_.availability.responsible;
+    const std::vector<LabelId>& undecided = result_.availability.responsible;
     deciding_->add_if(
-        [&](std::uint32_t i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
+        [&](LabelId i) { return std::find(undecided.begin(), undecided.end(), i) != undecided.end(); });
     allowance_ = allowance(deciding_->labels());
     const ScenarioSearch search(deciding_->table(), problem(), allowance_, detail::for_seconds(rounds.left()),
                                 control_);
     // The sampled states may not show the risk of the fresh ones.
-    std::vector<std::uint32_t> rows;
-    for (const std::uint32_t i : undecided) rows.push_back(deciding_->row_of(i));
+    std::vector<LabelId> rows;
+    for (const LabelId i : undecided) rows.push_back(deciding_->row_of(i));
     Selection more = search.with_another(selected_, rows);
     ScenarioAnnealing annealing(deciding_->table(), problem(), allowance_);
     const double seconds = std::min(rounds.left(), share_of_spread * options_.place.time_limit_s);
@@ -195,10 +195,10 @@ class Planner {
   void explain() {
     Availability& answer = result_.availability;
     if (!answer.unreachable.empty()) answer.responsible = answer.unreachable;
-    const std::vector<std::uint32_t> risky = !answer.unreachable.empty() ? answer.unreachable
-                                             : answer.has_answer()       ? most_missed(answer.answer())
-                                             : answer.sample.states > 0  ? most_missed(answer.sample)
-                                                                         : most_missed(answer.nominal);
+    const std::vector<LabelId> risky = !answer.unreachable.empty() ? answer.unreachable
+                                       : answer.has_answer()       ? most_missed(answer.answer())
+                                       : answer.sample.states > 0  ? most_missed(answer.sample)
+                                                                   : most_missed(answer.nominal);
     const Scene units = with_units(scene_, selected_.empty() ? result_.placement.selected : selected_);
     answer.at_risk = risk_causes(states_, units, risky, problem(), options_.simulation, log_, control_);
     explain_need();

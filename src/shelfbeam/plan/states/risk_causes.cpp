@@ -85,12 +85,12 @@ class Causes {
 }  // namespace
 
 std::vector<LabelAtRisk> risk_causes(const StoreStates& states, const Scene& units,
-                                     std::span<const std::uint32_t> labels, const PlacementProblem& problem,
+                                     std::span<const LabelId> labels, const PlacementProblem& problem,
                                      const SimulationOptions& options, ResultLog& log,
                                      const RunControl& control) {
   labels = labels.first(std::min(labels.size(), max_labels_at_risk));
   std::vector<LabelAtRisk> result;
-  for (const std::uint32_t i : labels) result.push_back({i, {}});
+  for (const LabelId i : labels) result.push_back({i, {}});
   if (labels.empty() || units.transceivers.empty()) return result;
   const Scene part = sub_scene(units, labels);
   const Causes causes(states, part, problem, options, log, control);

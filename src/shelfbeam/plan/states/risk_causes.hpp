@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,7 +23,7 @@ namespace shelfbeam {
 /// `units`: the scene of `states` with the mounted units only; `labels`: the first of these are examined.
 inline constexpr std::size_t max_labels_at_risk = 12;
 std::vector<LabelAtRisk> risk_causes(const StoreStates& states, const Scene& units,
-                                     std::span<const std::uint32_t> labels, const PlacementProblem& problem,
+                                     std::span<const LabelId> labels, const PlacementProblem& problem,
                                      const SimulationOptions& options, ResultLog& log,
                                      const RunControl& control);
 

@@ -19,7 +19,7 @@ SamplePlacement place_on_sample(DecidingLabels& deciding, const PlacementProblem
                                 const AllowanceOf& allowance, const PlaceOptions& options,
                                 const Deadline& deadline, const RunControl& control) {
   SamplePlacement result;
-  const MissAllowance of_all = allowance(all_numbers(deciding.of_shop()));
+  const MissAllowance of_all = allowance(all_numbers<LabelId>(deciding.of_shop()));
   PlaceOptions part = options;
   for (;;) {
     const double share = deciding.labels().size() < deciding.of_shop() ? share_of_pass : 1;
@@ -27,12 +27,12 @@ SamplePlacement place_on_sample(DecidingLabels& deciding, const PlacementProblem
     const ScenarioPlacement found =
         place_over_scenarios(deciding.table(), problem, allowance(deciding.labels()), part, control);
     result.lower_bound = std::max(result.lower_bound, found.lower_bound);
-    for (const std::uint32_t row : found.unreachable) result.unreachable.push_back(deciding.labels()[row]);
+    for (const LabelId row : found.unreachable) result.unreachable.push_back(deciding.labels()[row]);
     if (control.cancelled()) throw Interrupted("the plan was stopped");
     if (!found.has_selection()) return result;
     ScenarioMisses misses = deciding.misses(found.selected);
     if (of_all.excess(misses) == 0 ||
-        deciding.add_if([&](std::uint32_t i) { return misses.of_label[i] > 0; }) == 0) {
+        deciding.add_if([&](LabelId i) { return misses.of_label[i] > 0; }) == 0) {
       result.selected = found.selected;
       result.misses = std::move(misses);
       result.value = found.value;

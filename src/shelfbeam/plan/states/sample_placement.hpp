@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -14,14 +13,14 @@ namespace shelfbeam {
 
 /// Units for the sampled states.
 struct SamplePlacement {
-  std::vector<ColumnId> selected;          ///< empty: none was found
-  ScenarioMisses misses;                   ///< of all labels
-  double value = 0, lower_bound = 0;       ///< as of ScenarioPlacement, proven for all labels
-  std::vector<std::uint32_t> unreachable;  ///< labels that all candidates together miss too often
+  std::vector<ColumnId> selected;     ///< empty: none was found
+  ScenarioMisses misses;              ///< of all labels
+  double value = 0, lower_bound = 0;  ///< as of ScenarioPlacement, proven for all labels
+  std::vector<LabelId> unreachable;   ///< labels that all candidates together miss too often
 };
 
 /// The allowed misses of some labels.
-using AllowanceOf = std::function<MissAllowance(std::span<const std::uint32_t> labels)>;
+using AllowanceOf = std::function<MissAllowance(std::span<const LabelId> labels)>;
 
 /// Places units over the states of a sample, for the labels that decide, which grow by those that a placement
 /// misses until it keeps to the misses that all labels are allowed. Each placement has a part of the time.

@@ -71,22 +71,22 @@ StateExamination::StateExamination(const StoreStates& states, const Scene& units
       key_(key_of(units, problem)),
       control_(quiet(control)),
       first_(prepare(units, options, false, control_)),
-      labels_(all_numbers(units.labels.size())) {}
+      labels_(all_numbers<LabelId>(units.labels.size())) {}
 
-std::vector<std::uint32_t> StateExamination::missed(std::uint64_t k) const {
+std::vector<LabelId> StateExamination::missed(std::uint64_t k) const {
   const std::uint64_t key = mix_key(key_, k);
-  constexpr std::size_t size = sizeof(std::uint32_t);
+  constexpr std::size_t size = sizeof(LabelId);
   if (const auto kept = log_.find(key)) {
-    std::vector<std::uint32_t> missed(kept->size() / size);
+    std::vector<LabelId> missed(kept->size() / size);
     if (!missed.empty()) std::memcpy(missed.data(), kept->data(), missed.size() * size);
     return missed;
   }
-  std::vector<std::uint32_t> missed = simulated(k);
+  std::vector<LabelId> missed = simulated(k);
   log_.add(key, {reinterpret_cast<const char*>(missed.data()), missed.size() * size});
   return missed;
 }
 
-std::vector<std::uint32_t> StateExamination::simulated(std::uint64_t k) const {
+std::vector<LabelId> StateExamination::simulated(std::uint64_t k) const {
   const Scene scene = make_scene(states_.state(StateNumbers(k), units_));
   SimulationOptions own = options_;
   own.seed = mix_key(mix_key(options_.seed, hash64("examined state")), k);
@@ -94,14 +94,14 @@ std::vector<std::uint32_t> StateExamination::simulated(std::uint64_t k) const {
   const ThreadLimit allowed(control_.threads);
   with_threads(control_.threads,
                [&] { prepared = std::make_unique<const PreparedScene>(scene, *first_, own, control_); });
-  std::vector<std::uint32_t> open = labels_;
+  std::vector<LabelId> open = labels_;
   std::uint32_t batch = 0;
   const auto take = [&](std::uint32_t batches) {
     const BatchRequest request{open, own.seed, batches, batch};
     batch += batches;
     return request;
   };
-  std::vector<std::uint32_t> missed;
+  std::vector<LabelId> missed;
   for (const Stage& stage : stages) {
     std::vector<float> planned;
     if (problem_.model == CommunicationModel::non_cooperative)
@@ -110,7 +110,7 @@ std::vector<std::uint32_t> StateExamination::simulated(std::uint64_t k) const {
     const std::vector<LabelVerdict> verdicts =
         verify(*prepared, take(stage.batches), problem_, planned,
                {.list = level, .labels = open.size(), .joint = level}, control_);
-    std::vector<std::uint32_t> still;
+    std::vector<LabelId> still;
     for (std::size_t r = 0; r < open.size(); ++r) {
       const LabelVerdict& label = verdicts[r];
       if (is_met(label.joint_lower, label.requirement)) continue;

@@ -30,10 +30,10 @@ class StateExamination {
                    const SimulationOptions& options, ResultLog& log, const RunControl& control);
 
   /// The labels that do not count as reached in state k, ascending. Throws as `sample_batches`.
-  std::vector<std::uint32_t> missed(std::uint64_t k) const;
+  std::vector<LabelId> missed(std::uint64_t k) const;
 
  private:
-  std::vector<std::uint32_t> simulated(std::uint64_t k) const;
+  std::vector<LabelId> simulated(std::uint64_t k) const;
 
   const StoreStates& states_;
   const Scene& units_;
@@ -43,7 +43,7 @@ class StateExamination {
   std::uint64_t key_;  ///< of the units and the problem
   RunControl control_;
   std::unique_ptr<const PreparedScene> first_;
-  std::vector<std::uint32_t> labels_;
+  std::vector<LabelId> labels_;
 };
 
 }  // namespace shelfbeam

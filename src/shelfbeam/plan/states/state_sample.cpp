@@ -16,8 +16,7 @@ void StateSample::simulate(const Scene& part, const std::function<void(const Sta
                   control_);
 }
 
-void StateSample::signals(std::span<const std::uint32_t> labels,
-                          std::optional<std::span<const ColumnId>> units,
+void StateSample::signals(std::span<const LabelId> labels, std::optional<std::span<const ColumnId>> units,
                           const std::function<void(const StateSignals&)>& use) const {
   if (which_.sampled == nullptr) {
     simulate(units ? sub_scene(scene_, labels, *units) : sub_scene(scene_, labels), use);
@@ -33,7 +32,7 @@ void StateSample::signals(std::span<const std::uint32_t> labels,
       part.mean.push_back(all.mean[entry]);
       part.standard_error.push_back(all.standard_error[entry]);
     };
-    for (const std::uint32_t i : labels) {
+    for (const LabelId i : labels) {
       if (units)
         for (const std::uint32_t j : *units) add(i * n + j);
       else
@@ -43,14 +42,13 @@ void StateSample::signals(std::span<const std::uint32_t> labels,
   }
 }
 
-void StateSample::fill(ScenarioTable& table, std::span<const std::uint32_t> labels, std::size_t first) const {
+void StateSample::fill(ScenarioTable& table, std::span<const LabelId> labels, std::size_t first) const {
   if (labels.empty()) return;
   signals(labels, std::nullopt,
           [&](const StateSignals& state) { set_scenario(table, state.state, first, state.signals); });
 }
 
-std::vector<double> StateSample::received(std::span<const std::uint32_t> labels,
-                                          std::span<const ColumnId> units,
+std::vector<double> StateSample::received(std::span<const LabelId> labels, std::span<const ColumnId> units,
                                           const PlacementProblem& problem) const {
   std::vector<double> result(labels.size() * which_.count);
   if (labels.empty() || units.empty()) return result;

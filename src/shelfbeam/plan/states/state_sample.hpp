@@ -42,15 +42,15 @@ class StateSample {
   std::uint32_t batches() const { return which_.batches; }
 
   /// Sets the rows of a table from `first` on, which are those of `labels`. Throws as `simulate_states`.
-  void fill(ScenarioTable& table, std::span<const std::uint32_t> labels, std::size_t first) const;
+  void fill(ScenarioTable& table, std::span<const LabelId> labels, std::size_t first) const;
 
   /// The signals that some labels receive from units, by label and state. Throws as `simulate_states`.
-  std::vector<double> received(std::span<const std::uint32_t> labels, std::span<const ColumnId> units,
+  std::vector<double> received(std::span<const LabelId> labels, std::span<const ColumnId> units,
                                const PlacementProblem& problem) const;
 
  private:
   // All units, or some.
-  void signals(std::span<const std::uint32_t> labels, std::optional<std::span<const ColumnId>> units,
+  void signals(std::span<const LabelId> labels, std::optional<std::span<const ColumnId>> units,
                const std::function<void(const StateSignals&)>& use) const;
   void simulate(const Scene& part, const std::function<void(const StateSignals&)>& use) const;
 

@@ -57,7 +57,7 @@ std::optional<Addition> best_addition(const StoreStates& states, const Scene& al
   const StateSample sample(states, all, options.simulation, {.count = count}, log, control);
   const Selection selected = all_numbers<ColumnId>(mounted);
   DecidingLabels deciding(sample, table, problem, selected);
-  deciding.add_if([&](std::uint32_t i) { return found.answer().missed[i] > 0; });
+  deciding.add_if([&](LabelId i) { return found.answer().missed[i] > 0; });
   const MissAllowance allowance = allowance_of(found.goal, found.required, deciding.labels(), count);
   const ScenarioSearch search(deciding.table(), problem, allowance, {}, control);
   const Selection more = search.with_another(selected);

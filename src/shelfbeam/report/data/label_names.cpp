@@ -83,12 +83,12 @@ LabelNames::LabelNames(const Scene& scene, const SignalMatrix& matrix, const Wor
 }
 
 std::vector<std::pair<std::string, std::size_t>> LabelNames::per_fixture(
-    std::span<const std::uint32_t> rows) const {
-  std::vector<std::uint32_t> sorted(rows.begin(), rows.end());
+    std::span<const LabelId> rows) const {
+  std::vector<LabelId> sorted(rows.begin(), rows.end());
   std::sort(sorted.begin(), sorted.end());
   std::vector<std::pair<std::string, std::size_t>> counts;
   std::unordered_map<std::string_view, std::size_t> known;
-  for (const std::uint32_t row : sorted) {
+  for (const LabelId row : sorted) {
     const auto [found, is_new] = known.emplace(fixtures_[row], counts.size());
     if (is_new) counts.emplace_back(fixtures_[row], 0);
     ++counts[found->second].second;
@@ -96,7 +96,7 @@ std::vector<std::pair<std::string, std::size_t>> LabelNames::per_fixture(
   return counts;
 }
 
-std::vector<std::string> LabelNames::counts(std::span<const std::uint32_t> rows) const {
+std::vector<std::string> LabelNames::counts(std::span<const LabelId> rows) const {
   std::vector<std::string> texts;
   for (const auto& [fixture, count] : per_fixture(rows))
     texts.push_back(
@@ -104,11 +104,11 @@ std::vector<std::string> LabelNames::counts(std::span<const std::uint32_t> rows)
   return texts;
 }
 
-std::string LabelNames::list(std::span<const std::uint32_t> rows) const {
+std::string LabelNames::list(std::span<const LabelId> rows) const {
   constexpr std::size_t max_names = 4, max_fixtures = 4;
   std::vector<std::string> parts;
   if (rows.size() <= max_names) {
-    for (const std::uint32_t row : rows) parts.push_back(names_[row]);
+    for (const LabelId row : rows) parts.push_back(names_[row]);
     return fmt::format("{}", fmt::join(parts, "; "));
   }
   const auto counts = per_fixture(rows);

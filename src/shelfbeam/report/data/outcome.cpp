@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/signal/tables/signal_table.hpp"
 
@@ -84,9 +84,9 @@ std::vector<double> Outcome::direct_shares() const {
   return shares;
 }
 
-std::vector<std::uint32_t> Outcome::served_by(std::size_t k) const {
+std::vector<LabelId> Outcome::served_by(std::size_t k) const {
   const UnitOutcome& unit = units[k];
-  std::vector<std::uint32_t> served;
+  std::vector<LabelId> served;
   for (std::uint32_t i = 0; i < labels.size(); ++i) {
     const auto& alone = labels[i].reached_by;
     const bool serves = unit.reaches_alone > 0
@@ -131,10 +131,8 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
     if (label.met && !depends_on_one) ++outcome.secure;
     outcome.labels.push_back(std::move(label));
   }
-  outcome.by_margin.resize(matrix.rows());
-  std::iota(outcome.by_margin.begin(), outcome.by_margin.end(), 0U);
-  std::stable_sort(outcome.by_margin.begin(), outcome.by_margin.end(),
-                   [&](auto a, auto b) { return outcome.labels[a].margin() < outcome.labels[b].margin(); });
+  outcome.by_margin =
+      ordered_by<LabelId>(matrix.rows(), [&](LabelId i) { return outcome.labels[i].margin(); });
   return outcome;
 }
 

@@ -44,7 +44,7 @@ struct UnitOutcome {
 struct Outcome {
   std::vector<LabelOutcome> labels;
   std::vector<UnitOutcome> units;             ///< in the order of Placement::selected
-  std::vector<std::uint32_t> by_margin;       ///< labels, smallest margin first
+  std::vector<LabelId> by_margin;             ///< labels, smallest margin first
   std::size_t met = 0;                        ///< labels that are met
   std::size_t secure = 0;                     ///< labels that stay met if any one chosen unit fails
   std::size_t met_by_direct_light = 0;        ///< labels that direct light alone would meet
@@ -53,7 +53,7 @@ struct Outcome {
   std::vector<double> direct_shares() const;  ///< direct / signal of every label with signal, label order
 
   /// Labels that chosen unit k reaches alone; without any, the labels for which it is strongest.
-  std::vector<std::uint32_t> served_by(std::size_t k) const;
+  std::vector<LabelId> served_by(std::size_t k) const;
 };
 
 Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,

@@ -1,10 +1,10 @@
 #include "shelfbeam/report/data/report_data.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "shelfbeam/math/distinct_positions.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/report/data/text_format.hpp"
 #include "shelfbeam/report/data/walking_order.hpp"
 #include "shelfbeam/report/text/words.hpp"
@@ -64,13 +64,10 @@ std::string ShelfLevel::heights(const Words& words) const {
 }
 
 std::vector<ShelfLevel> shelf_levels(std::span<const double> heights) {
-  std::vector<std::uint32_t> order(heights.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return heights[a] < heights[b]; });
   // Heights with two decimals that differ by exactly the band belong to one level despite rounding.
   constexpr double slack = 1e-9;
   std::vector<ShelfLevel> levels;
-  for (const std::uint32_t label : order) {
+  for (const LabelId label : ordered_by<LabelId>(heights.size(), [&](LabelId i) { return heights[i]; })) {
     const double z = heights[label];
     if (levels.empty() || z - levels.back().low > level_band + slack) levels.push_back({z, z, {}});
     levels.back().high = z;

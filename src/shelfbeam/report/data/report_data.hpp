@@ -18,8 +18,8 @@ namespace shelfbeam {
 
 /// Labels of about the same height, drawn on one plan.
 struct ShelfLevel {
-  double low = 0, high = 0;           ///< m, heights of its lowest and highest label
-  std::vector<std::uint32_t> labels;  ///< ascending
+  double low = 0, high = 0;     ///< m, heights of its lowest and highest label
+  std::vector<LabelId> labels;  ///< ascending
 
   /// "labels at 0.85 to 1.00 m"
   std::string heights(const Words& words) const;
@@ -58,21 +58,21 @@ struct ReportData {
   /// Some mounting points have several candidates, of which at most one can be chosen.
   bool has_options() const { return mounting_points < input.matrix.columns(); }
   /// The label has an entry above 0.
-  bool is_heard(std::uint32_t row) const {
+  bool is_heard(LabelId row) const {
     const auto signals = input.matrix.mean_row(row);
     return std::any_of(signals.begin(), signals.end(), [](float signal) { return signal > 0; });
   }
   /// The signal that the floor plans show: received, or without a selection the maximum.
-  double shown_signal(std::uint32_t row) const {
+  double shown_signal(LabelId row) const {
     return has_selection() ? outcome.labels[row].signal : outcome.labels[row].best;
   }
   bool has_direct() const { return input.matrix.direct.size() == input.matrix.mean.size(); }
-  const LabelRow& label(std::uint32_t row) const { return input.matrix.labels[row]; }
+  const LabelRow& label(LabelId row) const { return input.matrix.labels[row]; }
   const TransceiverColumn& transceiver(std::uint32_t column) const {
     return input.matrix.transceivers[column];
   }
   /// Verified as reached, or without verdicts met.
-  bool is_reached(std::uint32_t row) const {
+  bool is_reached(LabelId row) const {
     return input.plan.has_verdicts() ? input.plan.certificate->labels[row].verdict == Verdict::reached
                                      : outcome.labels[row].met;
   }

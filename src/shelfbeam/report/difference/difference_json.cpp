@@ -86,7 +86,7 @@ Json labels_json(const DifferenceInput& input) {
 
 Json figures_json(const PlanFigures& figures, const ComparedPlan& plan) {
   Json weakest = Json::array();
-  for (const std::uint32_t row : figures.weakest)
+  for (const LabelId row : figures.weakest)
     weakest.push_back({{"id", plan.labels[row].id},
                        {"margin_db", number(margin_db(plan.signals[row], plan.labels[row].requirement))}});
   return {{"has_selection", figures.has_selection},

@@ -26,7 +26,7 @@ struct Seen {
   const Part* part;
 };
 
-std::vector<std::uint32_t> labels_of(const Scene& scene, const FixtureOutline& fixture) {
+std::vector<LabelId> labels_of(const Scene& scene, const FixtureOutline& fixture) {
   constexpr double reach = 0.1;  // m
   const Directions d(fixture.rotation_deg);
   const Outline outline(d, fixture);
@@ -35,7 +35,7 @@ std::vector<std::uint32_t> labels_of(const Scene& scene, const FixtureOutline& f
     return fixture.footprint.size() == 4 || contains(fixture.footprint, p) ||
            distance_to_border(fixture.footprint, p) < reach;
   };
-  std::vector<std::uint32_t> labels;
+  std::vector<LabelId> labels;
   for (std::uint32_t i = 0; i < scene.labels.size(); ++i) {
     const Vec3& p = scene.labels[i].position;
     const double u = d.u(p.x, p.y), v = d.v(p.x, p.y);
@@ -94,11 +94,9 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   const FixtureOutline& fixture = scene.fixtures[index];
   const Directions d(fixture.rotation_deg);
   const Outline outline(d, fixture);
-  const std::vector<std::uint32_t> labels = labels_of(scene, fixture);
+  const std::vector<LabelId> labels = labels_of(scene, fixture);
 
-  const auto facing = [&](std::uint32_t i) {
-    return d.v(scene.labels[i].normal.x, scene.labels[i].normal.y);
-  };
+  const auto facing = [&](LabelId i) { return d.v(scene.labels[i].normal.x, scene.labels[i].normal.y); };
   const auto front = std::count_if(labels.begin(), labels.end(), [&](auto i) { return facing(i) < -0.5; });
   const auto back = std::count_if(labels.begin(), labels.end(), [&](auto i) { return facing(i) > 0.5; });
   const double towards = back > front ? 1 : -1;  // the viewer is at large or at small v
@@ -137,7 +135,7 @@ double draw_elevation(SvgCanvas& canvas, const Scene& scene, std::uint32_t index
   draw(view_parts(scene, index, d, false, -1), end_x, [&](double x, double y) { return d.v(x, y); });
 
   std::vector<double> heights;
-  for (const std::uint32_t i : labels) {
+  for (const LabelId i : labels) {
     const Vec3& p = scene.labels[i].position;
     if (facing(i) * towards > 0.5)
       canvas.rect({side_x(d.u(p.x, p.y)) - 3.5, up(p.z) - 2.5}, 7, 5, "tag", title_of(scene.labels[i]));

@@ -30,7 +30,7 @@ std::size_t find_fullest(const std::vector<ShelfLevel>& levels) {
 std::vector<double> signals_of(const ReportData& data, std::size_t level) {
   std::vector<double> values;
   if (level < data.levels.size())
-    for (const std::uint32_t label : data.levels[level].labels) {
+    for (const LabelId label : data.levels[level].labels) {
       values.push_back(data.outcome.labels[label].direct);
       values.push_back(data.outcome.labels[label].signal);
     }
@@ -60,14 +60,14 @@ Maps::Maps(const ReportData& data)
       scale_(signals_of(data, fullest_)),
       radius_(label_mark_radius(view_, positions_of(data.input.matrix.labels))) {}
 
-std::size_t Maps::class_of(std::uint32_t label) const {
+std::size_t Maps::class_of(LabelId label) const {
   const double signal = data_.shown_signal(label), requirement = data_.label(label).requirement;
   return margin_class(margin_db(signal, requirement), is_met(signal, requirement));
 }
 
-std::vector<Point> Maps::positions(const std::vector<std::uint32_t>& labels) const {
+std::vector<Point> Maps::positions(const std::vector<LabelId>& labels) const {
   std::vector<Vec3> positions, normals;
-  for (const std::uint32_t label : labels) {
+  for (const LabelId label : labels) {
     positions.push_back(data_.label(label).position);
     normals.push_back(data_.label(label).normal);
   }
@@ -137,7 +137,7 @@ std::string Maps::picture(const std::string& marks, const std::string& css_class
 }
 
 std::string Maps::overview(const std::string& description) const {
-  std::vector<std::uint32_t> lost;
+  std::vector<LabelId> lost;
   for (const Unreachable& label : data_.input.plan.placement.unreachable) lost.push_back(label.label);
   const std::vector<Point> at = positions(lost);
   SvgCanvas canvas;
@@ -162,7 +162,7 @@ std::string Maps::margin_map(std::size_t level_index) const {
   });
   SvgCanvas canvas;
   for (const std::size_t k : order) {
-    const std::uint32_t label = level.labels[k];
+    const LabelId label = level.labels[k];
     const double signal = data_.shown_signal(label);
     canvas.use(fmt::format("m{}", class_of(label)), at[k],
                fmt::format("{}: {}, {}", data_.names.name(label), data_.unit.text(signal),
@@ -183,7 +183,7 @@ std::string Maps::signal_maps(std::size_t level_index) const {
   const auto marks = [&](double LabelOutcome::* signal) {
     SvgCanvas canvas;
     for (std::size_t k = 0; k < at.size(); ++k) {
-      const std::uint32_t label = level.labels[k];
+      const LabelId label = level.labels[k];
       const double value = data_.outcome.labels[label].*signal;
       canvas.use(value > 0 ? fmt::format("g{}", scale_.class_of(value)) : "gz", at[k],
                  fmt::format("{}: {}", data_.names.name(label), data_.unit.text(value)));
@@ -204,15 +204,16 @@ std::string Maps::signal_maps(std::size_t level_index) const {
 
 std::string Maps::margin_legend(const ShelfLevel& level) const {
   std::array<std::size_t, margin_classes.size()> counts{};
-  for (const std::uint32_t label : level.labels) ++counts[class_of(label)];
+  for (const LabelId label : level.labels) ++counts[class_of(label)];
   std::string html = "<ul class=\"legend\">";
   for (std::size_t k = 0; k < margin_classes.size(); ++k)
     if (k > 1 || counts[k] > 0)
       html += legend_item(fmt::format("m{}", k), fmt::format("{}: {}", margin_classes[k].name(data_.words),
                                                              data_.words.grouped(counts[k])));
-  const auto hollow = static_cast<std::size_t>(
-      std::count_if(level.labels.begin(), level.labels.end(),
-                    [&](std::uint32_t label) { return data_.outcome.labels[label].depends_on_flagged; }));
+  const auto hollow =
+      static_cast<std::size_t>(std::count_if(level.labels.begin(), level.labels.end(), [&](LabelId label) {
+        return data_.outcome.labels[label].depends_on_flagged;
+      }));
   if (hollow > 0)
     html +=
         legend_item("hollow-key", data_.words.say("drawing.legend.unreliable", data_.words.grouped(hollow)));

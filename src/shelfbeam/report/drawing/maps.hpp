@@ -32,8 +32,8 @@ class Maps {
   std::size_t fullest_level() const { return fullest_; }
 
  private:
-  std::size_t class_of(std::uint32_t label) const;
-  std::vector<Point> positions(const std::vector<std::uint32_t>& labels) const;
+  std::size_t class_of(LabelId label) const;
+  std::vector<Point> positions(const std::vector<LabelId>& labels) const;
   void draw_names(SvgCanvas& canvas) const;
   std::string picture(const std::string& marks, const std::string& css_class,
                       const std::string& description) const;

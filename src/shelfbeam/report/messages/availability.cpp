@@ -126,10 +126,10 @@ std::string goal_text(const Words& words, const Availability& availability) {
 }
 
 std::string labels_by_cause(const Words& words, const Availability& availability,
-                            const std::vector<std::uint32_t>& labels, const LabelName& name) {
+                            const std::vector<LabelId>& labels, const LabelName& name) {
   constexpr std::size_t shown = 5;
   std::vector<std::string> parts;
-  for (const std::uint32_t label : labels) {
+  for (const LabelId label : labels) {
     if (parts.size() == shown) break;
     const auto found = std::find_if(availability.at_risk.begin(), availability.at_risk.end(),
                                     [&](const LabelAtRisk& one) { return one.label == label; });

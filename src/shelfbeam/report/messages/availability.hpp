@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,7 +13,7 @@ namespace shelfbeam {
 // Sentences about a plan for a shop that changes.
 
 /// The id of a label by its number.
-using LabelName = std::function<std::string(std::uint32_t)>;
+using LabelName = std::function<std::string(LabelId)>;
 
 /// "98.3 %": rounded down, so that 100 % means always.
 std::string time_share(const Words& words, double share);
@@ -38,6 +37,6 @@ std::vector<std::string> availability_remarks(const Words& words, const Availabi
 
 /// "A1-front-1-1 (people), A3-back-1-2 (stock)": labels with their main causes, the first few of them.
 std::string labels_by_cause(const Words& words, const Availability& availability,
-                            const std::vector<std::uint32_t>& labels, const LabelName& name);
+                            const std::vector<LabelId>& labels, const LabelName& name);
 
 }  // namespace shelfbeam

@@ -352,7 +352,7 @@ const std::string& label_id(const DifferenceInput& input, const ComparedLabel& l
 
 const std::string& label_name(const DifferenceInput& input, const ComparedLabel& label) {
   const ComparedPlan& plan = label.after ? input.after : input.before;
-  const std::uint32_t row = label.after ? label.after->row : label.before->row;
+  const LabelId row = label.after ? label.after->row : label.before->row;
   return plan.label_names.empty() ? plan.labels[row].id : plan.label_names[row];
 }
 
@@ -366,7 +366,7 @@ TextTable changed_labels(const Words& words, const DifferenceInput& input, Label
 
 TextTable weakest_labels(const Words& words, const DifferenceInput& input) {
   const auto& [before, after] = input.difference.figures;
-  const auto has = [](const std::vector<std::uint32_t>& rows, const std::optional<LabelState>& label) {
+  const auto has = [](const std::vector<LabelId>& rows, const std::optional<LabelState>& label) {
     return label && std::find(rows.begin(), rows.end(), label->row) != rows.end();
   };
   std::vector<const ComparedLabel*> labels;

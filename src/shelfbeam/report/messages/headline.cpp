@@ -109,7 +109,7 @@ void lead_with_availability(const ReportData& data, Headline& headline) {
   for (std::string& remark : availability_remarks(data.words, availability, plan.placement))
     headline.remarks.push_back(with_joined_percent(std::move(remark)));
   headline.answer = with_joined_percent(availability_sentence(
-      data.words, availability, plan.placement, [&](std::uint32_t label) { return data.names.name(label); }));
+      data.words, availability, plan.placement, [&](LabelId label) { return data.names.name(label); }));
   headline.tone = availability.is_impossible() ? Headline::Tone::no
                   : availability.certified     ? Headline::Tone::yes
                                                : Headline::Tone::open;

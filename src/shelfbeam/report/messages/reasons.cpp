@@ -46,7 +46,7 @@ std::string shares(const Words& words, const Availability& availability) {
     parts.push_back(words.say(
         "reasons.share", change_name(words, one.cause),
         parts.empty() ? words.say_count("noun.label", one.taken.size()) : words.grouped(one.taken.size())));
-  std::set<std::uint32_t> taken;
+  std::set<LabelId> taken;
   for (const CauseAlone& one : causes) taken.insert(one.taken.begin(), one.taken.end());
   std::string text = " " + words.say("reasons.shares", fmt::format("{}", fmt::join(parts, ", ")));
   const std::size_t all = availability.nominal.below(availability.required);
@@ -115,7 +115,7 @@ std::string states_recommendation(const Words& words, const Availability& availa
          shares(words, availability);
 }
 
-std::string cause_of_loss(const Words& words, const Availability& availability, std::uint32_t label) {
+std::string cause_of_loss(const Words& words, const Availability& availability, LabelId label) {
   const auto found = std::find_if(availability.lost.begin(), availability.lost.end(),
                                   [&](const LostLabel& one) { return one.label == label; });
   if (found == availability.lost.end()) return {};
@@ -126,7 +126,7 @@ std::string cause_of_loss(const Words& words, const Availability& availability, 
 }
 
 std::string lost_sentence(const Words& words, const Availability& availability,
-                          const std::function<std::string(std::uint32_t)>& name) {
+                          const std::function<std::string(LabelId)>& name) {
   constexpr std::size_t shown = 5;
   if (availability.lost.empty()) return {};
   std::vector<std::string> parts;

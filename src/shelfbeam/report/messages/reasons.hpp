@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -35,10 +34,10 @@ std::string states_recommendation(const Words& words, const Availability& availa
                                   const Placement& placement);
 
 /// The cause that makes every state miss a label, "stock or people"; empty if none is known.
-std::string cause_of_loss(const Words& words, const Availability& availability, std::uint32_t label);
+std::string cause_of_loss(const Words& words, const Availability& availability, LabelId label);
 
 /// "Missed in every state: A1 (dark surfaces).", with the first labels; empty if there are none.
 std::string lost_sentence(const Words& words, const Availability& availability,
-                          const std::function<std::string(std::uint32_t)>& name);
+                          const std::function<std::string(LabelId)>& name);
 
 }  // namespace shelfbeam

@@ -62,7 +62,7 @@ class SummaryWriter {
     summary_.answer = is_infeasible ? obstacle() : words_.say("summary.none.not_found");
     if (const std::size_t bound = proven_count(placement_); !is_infeasible && bound > 0)
       summary_.remarks.push_back(words_.say_count("summary.none.bound", bound));
-    std::vector<std::uint32_t> rows, dark;
+    std::vector<LabelId> rows, dark;
     for (const Unreachable& label : placement_.unreachable) {
       rows.push_back(label.label);
       if (label.max_signal <= 0 && !data_.is_heard(label.label)) dark.push_back(label.label);
@@ -79,8 +79,8 @@ class SummaryWriter {
   std::size_t reached() const {
     return verified_ ? plan_.certificate->count(Verdict::reached) : data_.outcome.met;
   }
-  std::vector<std::uint32_t> with(Verdict verdict) const {
-    std::vector<std::uint32_t> rows;
+  std::vector<LabelId> with(Verdict verdict) const {
+    std::vector<LabelId> rows;
     for (std::uint32_t i = 0; i < labels(); ++i)
       if (verified_ ? plan_.certificate->labels[i].verdict == verdict
                     : verdict == Verdict::missed && !data_.outcome.labels[i].met)
@@ -140,7 +140,7 @@ class SummaryWriter {
   }
 
   LabelName label_name() const {
-    return [this](std::uint32_t label) { return data_.names.name(label); };
+    return [this](LabelId label) { return data_.names.name(label); };
   }
 
   void add_availability(const Availability& availability) {
@@ -155,7 +155,7 @@ class SummaryWriter {
     add_achievements();
     if (std::string lost = lost_sentence(words_, availability, label_name()); !lost.empty())
       summary_.risks.push_back(std::move(lost));
-    std::vector<std::uint32_t> rarest;
+    std::vector<LabelId> rarest;
     for (const LabelAtRisk& label : availability.at_risk) rarest.push_back(label.label);
     if (!rarest.empty())
       summary_.risks.push_back(
@@ -165,7 +165,7 @@ class SummaryWriter {
 
   void add_achievements() {
     if (labels() == 0) return;
-    const std::uint32_t weakest = data_.outcome.by_margin.front();
+    const LabelId weakest = data_.outcome.by_margin.front();
     const LabelOutcome& label = data_.outcome.labels[weakest];
     if (label.met)
       summary_.achieves.push_back(words_.say("summary.achieves.weakest", data_.names.name(weakest),
@@ -181,7 +181,7 @@ class SummaryWriter {
           words_.say_count("summary.achieves.secure", single, words_.grouped(secure)));
   }
 
-  void risk(std::string_view key, const std::vector<std::uint32_t>& rows) {
+  void risk(std::string_view key, const std::vector<LabelId>& rows) {
     if (!rows.empty()) summary_.risks.push_back(words_.say_count(key, rows.size(), data_.names.list(rows)));
   }
   void risk(std::string_view key, std::size_t count) {

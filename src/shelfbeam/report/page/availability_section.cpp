@@ -75,7 +75,7 @@ std::string availability_section(const ReportData& data) {
   const auto& availability = data.input.plan.availability;
   if (!availability) return {};
   const Placement& placement = data.input.plan.placement;
-  const auto name = [&](std::uint32_t label) { return data.names.name(label); };
+  const auto name = [&](LabelId label) { return data.names.name(label); };
   std::string html =
       paragraph(with_joined_percent(availability_sentence(data.words, *availability, placement, name)));
   if (std::string bound = availability_bound(data.words, *availability, placement); !bound.empty())

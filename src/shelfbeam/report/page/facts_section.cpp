@@ -107,7 +107,7 @@ std::string placement_facts(const ReportData& data) {
 // "none", or the number of labels with their names or places.
 std::string named_labels(const ReportData& data, Verdict verdict) {
   const auto& labels = data.input.plan.certificate->labels;
-  std::vector<std::uint32_t> rows;
+  std::vector<LabelId> rows;
   for (std::uint32_t i = 0; i < labels.size(); ++i)
     if (labels[i].verdict == verdict) rows.push_back(i);
   if (rows.empty()) return data.words.say("facts.certificate.none");

@@ -25,7 +25,7 @@ struct Reached {
 struct FixtureLabels {
   Reached labels;
   std::map<int, Reached> boards;
-  std::uint32_t weakest = 0;  ///< a row
+  LabelId weakest;  ///< a row
 };
 
 std::string part_of(const Words& words, const Reached& count) {

@@ -93,7 +93,7 @@ std::string material_table(const ReportData& data, const Sensitivity& sensitivit
   return table.html();
 }
 
-std::string labels(const ReportData& data, const std::vector<std::uint32_t>& rows, std::string_view title) {
+std::string labels(const ReportData& data, const std::vector<LabelId>& rows, std::string_view title) {
   if (rows.empty()) return {};
   std::string list;
   for (const std::string& count : data.names.counts(rows)) list += fmt::format("<li>{}</li> ", escape(count));

@@ -32,7 +32,7 @@ std::string served_labels(const ReportData& data) {
   std::string list;
   for (std::size_t k = 0; k < data.outcome.units.size(); ++k) {
     const UnitOutcome& unit = data.outcome.units[k];
-    const std::vector<std::uint32_t> labels = data.outcome.served_by(k);
+    const std::vector<LabelId> labels = data.outcome.served_by(k);
     const std::string how = unit.reaches_alone > 0 ? data.words.say_count("units.serves.alone", labels.size())
                             : labels.empty()       ? data.words.say("units.serves.none")
                                              : data.words.say_count("units.serves.strongest", labels.size());
@@ -104,7 +104,7 @@ std::string weakest_section(const ReportData& data) {
   if (certificate) columns.push_back({data.words.say("weakest.verdict"), false});
   HtmlTable table(columns);
   for (std::size_t k = 0; k < rows; ++k) {
-    const std::uint32_t row = data.outcome.by_margin[k];
+    const LabelId row = data.outcome.by_margin[k];
     const LabelOutcome& outcome = data.outcome.labels[row];
     const LabelRow& label = data.label(row);
     std::string strongest = "–", error = "–";

@@ -142,7 +142,7 @@ std::string chosen(const Selection& selected, const SignalTable& table) {
 std::string availability_answer(const Availability& availability, const Placement& placement,
                                 const SignalTable& table) {
   return availability_sentence(english(), availability, placement,
-                               [&](std::uint32_t label) { return table.labels[label].id; });
+                               [&](LabelId label) { return table.labels[label].id; });
 }
 
 std::string availability_details(const Availability& availability, const Placement& placement,
@@ -155,7 +155,7 @@ std::string availability_details(const Availability& availability, const Placeme
   for (const std::string& remark : availability_remarks(english(), availability, placement))
     text += fmt::format("  {}\n", remark);
   if (const std::string lost =
-          lost_sentence(english(), availability, [&](std::uint32_t label) { return table.labels[label].id; });
+          lost_sentence(english(), availability, [&](LabelId label) { return table.labels[label].id; });
       !lost.empty())
     text += fmt::format("  {}\n", lost);
   const std::vector<ReasonRow> rows = reason_rows(english(), availability, placement);

@@ -85,7 +85,7 @@ std::vector<std::vector<std::string>> preview_table(const WhatIf& what_if, const
   if (what_if.labels.empty()) return rows;
   rows.push_back({"weakest label", "share of the requirement", "error"});
   if (what_if.has_change()) rows.back().emplace_back("before");
-  const std::vector<std::uint32_t> weakest = what_if.weakest();
+  const std::vector<LabelId> weakest = what_if.weakest();
   for (std::size_t k = 0; k < std::min(most, weakest.size()); ++k) {
     const LabelWhatIf& label = what_if.labels[weakest[k]];
     rows.push_back({scene.labels[weakest[k]].id, fmt::format("{:.3f}", label.margin()),

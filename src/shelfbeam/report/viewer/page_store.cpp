@@ -42,7 +42,7 @@ Json add_labels(PageData& page, const ReportData& data) {
     kind.push_back(found->second);
   }
   for (std::size_t k = 0; k < data.levels.size(); ++k)
-    for (const std::uint32_t label : data.levels[k].labels) level[label] = static_cast<std::uint16_t>(k);
+    for (const LabelId label : data.levels[k].labels) level[label] = static_cast<std::uint16_t>(k);
   page.add("label_position", position);
   page.add("label_normal", normal);
   page.add("label_kind", kind);
@@ -75,11 +75,8 @@ Json add_units(PageData& page, const ReportData& data) {
     selected.push_back(unit.column);
     needed_by.push_back(unit.needed_by);
   }
-  Json mounts = Json::array();
-  for (const auto& mount : shared_mounts(data.input.matrix))
-    mounts.push_back(std::vector<std::uint32_t>(mount.begin(), mount.end()));
   return {{"ids", ids},           {"types", types},         {"places", places},
-          {"orders", orders},     {"installed", installed}, {"mounts", mounts},
+          {"orders", orders},     {"installed", installed}, {"mounts", shared_mounts(data.input.matrix)},
           {"selected", selected}, {"neededBy", needed_by}};
 }
 

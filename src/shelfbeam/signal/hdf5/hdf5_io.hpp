@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/ids.hpp"
+
 // The part of HDF5 that signal files require. Only hdf5_io.cpp includes the library.
 
 namespace shelfbeam::detail {
@@ -19,8 +21,9 @@ using Shape = std::vector<std::size_t>;
 
 /// The number types of data sets and attributes.
 template <class T>
-concept Hdf5Number = std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::uint8_t> ||
-                     std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t>;
+concept Hdf5Number =
+    std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::uint8_t> ||
+    std::same_as<T, std::uint32_t> || std::same_as<T, std::uint64_t> || std::same_as<T, LabelId>;
 
 /// The type of an attribute or of an entry of a data set.
 struct Hdf5Type {

@@ -157,7 +157,7 @@ class MatrixReader {
     tensor.states = file_.attribute<std::uint32_t>("states");
     tensor.deviation = entries("/states/deviation", matrix);
     const std::size_t h = file_.length("/states/hard");
-    tensor.hard = file_.numbers<std::uint32_t>("/states/hard", {h});
+    tensor.hard = file_.numbers<LabelId>("/states/hard", {h});
     for (std::size_t k = 0; k < h; ++k)
       if (tensor.hard[k] >= matrix.rows() || (k > 0 && tensor.hard[k] <= tensor.hard[k - 1]))
         fail(fmt::format("/states/hard, row {}", k + 1), "is not a label in ascending order");

@@ -107,7 +107,7 @@ class MatrixWriter {
     file_.attribute("states", states.states);
     file_.group("/states");
     matrix("/states/deviation", states.deviation, matrix_.rows());
-    file_.numbers("/states/hard", std::span<const std::uint32_t>(states.hard), {states.hard.size()});
+    file_.numbers("/states/hard", std::span<const LabelId>(states.hard), {states.hard.size()});
     matrix("/states/signal", states.signal, states.states * states.hard.size());
     if (!states.error.empty())
       matrix("/states/standard_error", states.error, states.states * states.hard.size());

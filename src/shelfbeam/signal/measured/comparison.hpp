@@ -17,7 +17,7 @@ namespace shelfbeam {
 
 /// A measured signal and the simulated signal.
 struct ComparedPair {
-  std::uint32_t label = 0;
+  LabelId label;
   std::optional<ColumnId> transceiver;  ///< nothing: several units at once
   double measured = 0;
   std::optional<double> error;  ///< standard deviation of `measured`

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -12,7 +11,7 @@ namespace shelfbeam {
 
 /// A measured signal with its label and transceiver.
 struct Measurement {
-  std::uint32_t label = 0;              ///< row of the matrix
+  LabelId label;                        ///< row of the matrix
   std::optional<ColumnId> transceiver;  ///< column; nothing: several units at once
   double signal = 0;                    ///< linear, in any unit of measure; may be 0 or negative
   std::optional<double> error;          ///< standard deviation of `signal`, above 0

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "shelfbeam/math/order.hpp"
 
@@ -10,14 +9,14 @@ namespace shelfbeam::detail {
 
 namespace {
 
-std::vector<std::uint32_t> hardest_labels(const SignalMatrix& matrix, std::span<const float> first,
-                                          std::size_t max_count) {
+std::vector<LabelId> hardest_labels(const SignalMatrix& matrix, std::span<const float> first,
+                                    std::size_t max_count) {
   std::vector<double> degree(matrix.rows());
   for (std::size_t e = 0; e < first.size(); ++e) {
     const std::size_t i = e / matrix.columns();
     degree[i] += std::min(1.0, static_cast<double>(first[e]) / matrix.labels[i].requirement);
   }
-  std::vector<std::uint32_t> order = ordered_by(degree.size(), [&](std::uint32_t i) { return degree[i]; });
+  std::vector<LabelId> order = ordered_by<LabelId>(degree.size(), [&](LabelId i) { return degree[i]; });
   order.resize(std::min(order.size(), std::max<std::size_t>(1, max_count)));
   std::sort(order.begin(), order.end());
   return order;
@@ -31,7 +30,7 @@ void StateSummary::add(std::span<const float> signals, std::span<const float> er
   if (states.states == 0) states.hard = hardest_labels(signals_, signals, max_hard_);
   ++states.states;
   const std::size_t n = signals_.columns();
-  for (const std::uint32_t i : states.hard) {
+  for (const LabelId i : states.hard) {
     const auto append = [&](std::vector<float>& all, std::span<const float> row) {
       all.insert(all.end(), row.begin(), row.end());
     };

@@ -233,7 +233,7 @@ namespace {
 /// An id of the file, and the rows that it stands for.
 struct NamedRows {
   std::string id;
-  std::vector<std::uint32_t> rows;
+  std::vector<LabelId> rows;
 };
 
 /// Every label by its id, and by its id in its scenario, which may stand for a row in each.
@@ -264,7 +264,7 @@ void apply_weights(SignalTable& table, const std::filesystem::path& path) {
   std::vector<bool> seen(table.rows(), false);
   detail::for_each_line(csv, named, "label", [&](const NamedRows& label, std::size_t field) {
     const double weight = csv.amount(field);
-    for (const std::uint32_t i : label.rows) {
+    for (const LabelId i : label.rows) {
       if (seen[i])
         csv.fail(0, fmt::format("is a second weight of label {}", in_quotes(table.labels[i].id)),
                  "remove one of the lines");

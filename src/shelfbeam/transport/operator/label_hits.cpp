@@ -49,14 +49,14 @@ std::array<float, 3> packed(const Vec3& v) {
 
 // The labels of a cluster by the side that they face and their place along it, so that neighbours, which see
 // the same points, share groups of LabelRows.
-std::vector<std::uint32_t> side_by_side(const World& world, const std::vector<std::uint32_t>& labels) {
+std::vector<LabelId> side_by_side(const World& world, const std::vector<LabelId>& labels) {
   const auto order = ordered_by(labels.size(), [&](std::uint32_t c) {
     const Vec3& normal = world.receivers.frame(labels[c]).z;
     const Vec3 at = world.receivers.point(labels[c], 0.5, 0.5).position;
     const auto side = std::lround(std::atan2(normal.y, normal.x) * 4 / pi);
     return std::tuple(side, at.y * normal.x - at.x * normal.y, at.z);
   });
-  std::vector<std::uint32_t> sorted;
+  std::vector<LabelId> sorted;
   sorted.reserve(order.size());
   for (const std::uint32_t c : order) sorted.push_back(labels[c]);
   return sorted;
@@ -98,15 +98,15 @@ void store(std::vector<SharedPoint> points, LabelHits& hits) {
 
 }  // namespace
 
-LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes,
-                          const std::vector<std::uint32_t>& labels, const RayTargets& targets,
-                          std::uint32_t rays_each, std::uint64_t seed, const RunControl& control) {
+LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const std::vector<LabelId>& labels,
+                          const RayTargets& targets, std::uint32_t rays_each, std::uint64_t seed,
+                          const RunControl& control) {
   LabelHits hits;
   hits.labels = side_by_side(world, labels);
   const std::size_t count = hits.labels.size();
   std::vector<SurfacePoint> at;
   std::vector<RayTargets::View> views;
-  for (const std::uint32_t i : hits.labels) {
+  for (const LabelId i : hits.labels) {
     at.push_back(world.receivers.point(i, 0.5, 0.5));
     views.push_back(targets.seen_from(at.back().position, world.receivers.frame(i).z, rays_each));
   }

@@ -34,7 +34,7 @@ struct LabelHits {
     float own_albedo;               ///< for indirect irradiance
   };
 
-  std::vector<std::uint32_t> labels;    ///< neighbours one after the other
+  std::vector<LabelId> labels;          ///< neighbours one after the other
   Bounds box;                           ///< around the labels
   std::vector<Block> blocks;            ///< and one more at the end
   LabelRows sums;                       ///< by block: the sums over its points
@@ -67,8 +67,8 @@ struct LabelHits {
 
 /// Traces `rays` from each label of a cluster (cluster_labels), and further ones to targets in view. Ends
 /// early when cancelled.
-LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes,
-                          const std::vector<std::uint32_t>& labels, const RayTargets& targets,
-                          std::uint32_t rays, std::uint64_t seed, const RunControl& control);
+LabelHits find_label_hits(const World& world, const SurfaceNodes& nodes, const std::vector<LabelId>& labels,
+                          const RayTargets& targets, std::uint32_t rays, std::uint64_t seed,
+                          const RunControl& control);
 
 }  // namespace shelfbeam

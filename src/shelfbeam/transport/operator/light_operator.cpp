@@ -102,7 +102,7 @@ LightOperator::LightOperator(const World& world, std::uint64_t seed, const Opera
                              const RunControl& control)
     : LightOperator(world, seed, effort, SurfaceNodes(world, stream_of(seed), effort.gather_rays, control)) {
   std::vector<LabelCluster> clusters =
-      cluster_labels(world, all_numbers(world.receivers.size()), LabelRows::max_labels);
+      cluster_labels(world, all_numbers<LabelId>(world.receivers.size()), LabelRows::max_labels);
   clusters_.resize(clusters.size());
   const RayTargets targets(world.scene);
   constexpr std::size_t at_once = 16;

@@ -125,7 +125,7 @@ std::optional<LightOperator> LightOperator::load(const std::filesystem::path& pa
     LabelHits::each_part(hits, read);
     if (!hits.fit(world.scene, cells->size())) file.fail();
     hits.enclose(world);
-    for (const std::uint32_t i : hits.labels) times[i] += 1;
+    for (const LabelId i : hits.labels) times[i] += 1;
   }
   if (std::any_of(times.begin(), times.end(), [](std::uint32_t k) { return k != 1; })) file.fail();
   result.mark_seen();

@@ -33,7 +33,7 @@ UnitRefinement::UnitRefinement(const LightOperator& light, const std::vector<Tra
     : probe_(light.world(), units, true),
       estimator_(probe_, mix_key(seed, hash64("refinement")), effort_of(light, units),
                  SurfaceLinks::between_cells(light.nodes().halves()), control),
-      direct_(probe_, SimulationOptions().rules(), all_numbers(probe_.receivers.size()), control),
+      direct_(probe_, SimulationOptions().rules(), all_numbers<LabelId>(probe_.receivers.size()), control),
       item_of_(probe_.receivers.size()),
       signal_(probe_.receivers.size() * units.size()),
       error_(signal_.size()),

@@ -24,7 +24,7 @@ inline double label_density(const World& world, std::uint32_t label, const Surfa
 /// their number, so `rays` is 1. The radiance is that of the base without its exit factor.
 struct LabelSharers {
   const World& world;
-  const std::vector<std::uint32_t>& labels;
+  const std::vector<LabelId>& labels;
   const std::vector<SurfacePoint>& at;  ///< points of the labels
   const SurfacePoint& point;
   const SurfaceGuide& guide;  ///< of the point

@@ -264,8 +264,8 @@ ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const Reu
 ReuseEstimator::ReuseEstimator(const World& world, std::uint64_t seed, const ReuseEffort& effort,
                                const SurfaceLinks& links, const RunControl& control)
     : ReuseEstimator(std::make_shared<const Tables>(world, seed, effort, links, control),
-                     all_numbers(world.receivers.size()), seed) {}
-ReuseEstimator::ReuseEstimator(std::shared_ptr<const Tables> tables, std::span<const std::uint32_t> labels,
+                     all_numbers<LabelId>(world.receivers.size()), seed) {}
+ReuseEstimator::ReuseEstimator(std::shared_ptr<const Tables> tables, std::span<const LabelId> labels,
                                std::uint64_t seed)
     : tables_(std::move(tables)) {
   const World& world = tables_->world;
@@ -290,7 +290,7 @@ std::uint64_t ReuseEstimator::samples_per_batch() const {
 std::string ReuseEstimator::name() const {
   return fmt::format("reuse, {} + {} first rays per batch", tables_->effort.lookups, tables_->effort.points);
 }
-std::unique_ptr<Estimator> ReuseEstimator::part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+std::unique_ptr<Estimator> ReuseEstimator::part(std::span<const LabelId> labels, std::uint64_t seed,
                                                 std::uint64_t) const {
   return std::unique_ptr<Estimator>(new ReuseEstimator(tables_, labels, seed));
 }
@@ -298,7 +298,7 @@ std::unique_ptr<Estimator> ReuseEstimator::for_state(const World& changed, std::
   // The spread between the states of a shop is many times the noise of a single state.
   auto tables = std::make_shared<const Tables>(changed, seed, small_batches, *tables_);
   return std::unique_ptr<Estimator>(
-      new ReuseEstimator(std::move(tables), all_numbers(changed.receivers.size()), seed));
+      new ReuseEstimator(std::move(tables), all_numbers<LabelId>(changed.receivers.size()), seed));
 }
 std::size_t ReuseEstimator::bytes() const {
   return tables_->cache.bytes();

@@ -31,7 +31,7 @@ class ReuseEstimator : public Estimator {
   bool samples_direct() const override { return false; }
   std::string name() const override;
   std::size_t bytes() const override;
-  std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+  std::unique_ptr<Estimator> part(std::span<const LabelId> labels, std::uint64_t seed,
                                   std::uint64_t min_samples) const override;
   /// Shares the radiance cache, which is most of the preparation.
   std::unique_ptr<Estimator> for_state(const World& changed, std::uint64_t seed) const override;
@@ -40,8 +40,7 @@ class ReuseEstimator : public Estimator {
 
  private:
   struct Tables;
-  ReuseEstimator(std::shared_ptr<const Tables> tables, std::span<const std::uint32_t> labels,
-                 std::uint64_t seed);
+  ReuseEstimator(std::shared_ptr<const Tables> tables, std::span<const LabelId> labels, std::uint64_t seed);
 
   std::shared_ptr<const Tables> tables_;
   std::vector<Block> blocks_;  ///< clusters of labels

@@ -25,7 +25,7 @@ MatrixRows::MatrixRows(const Estimator& estimator, const std::vector<ItemSums>& 
     (is_tall ? tall_ : others).push_back(item);
   }
   for (const std::uint32_t item : others)
-    for (const std::uint32_t row : estimator.block(item).rows) ++starts_[row + 1];
+    for (const LabelId row : estimator.block(item).rows) ++starts_[row + 1];
   for (std::size_t row = 0; row < rows; ++row) starts_[row + 1] += starts_[row];
   parts_.resize(starts_.back());
   std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
@@ -82,7 +82,7 @@ void MatrixRows::fill_layer(std::size_t layer, Quantity quantity, std::size_t ro
   });
 }
 
-SignalRows MatrixRows::of(std::span<const std::uint32_t> labels) const {
+SignalRows MatrixRows::of(std::span<const LabelId> labels) const {
   const auto fill_row = [this, labels](const SignalRows::Source& source, std::size_t k,
                                        std::span<float> values) {
     if (source.layer)

@@ -22,7 +22,7 @@ class MatrixRows {
              std::size_t length_layers);
 
   /// The rows of some labels. The object and the labels must outlive them.
-  SignalRows of(std::span<const std::uint32_t> labels) const;
+  SignalRows of(std::span<const LabelId> labels) const;
   /// Number of batches of a row: the minimum over the items with entries in the row.
   std::uint32_t batches(std::size_t row) const;
 

@@ -28,7 +28,7 @@ PreparedScene::PreparedScene(const Scene& scene, const SimulationOptions& option
                              const RunControl& control)
     : world_(that_fits(scene, options, keeps_matrix)),
       estimator_(estimator_that_fits(world_, options, keeps_matrix, control)),
-      labels_(options.part.is_whole() ? all_numbers(scene.labels.size()) : rows_of(*estimator_)),
+      labels_(options.part.is_whole() ? all_numbers<LabelId>(scene.labels.size()) : rows_of(*estimator_)),
       direct_(world_, options.rules(), labels_, control) {
   if (!direct_.is_complete()) throw Interrupted("the simulation was stopped");
 }
@@ -37,7 +37,7 @@ PreparedScene::PreparedScene(const Scene& state, const PreparedScene& first, con
                              const RunControl& control)
     : world_(state),
       estimator_(first.estimator_->for_state(world_, options.seed)),
-      labels_(all_numbers(state.labels.size())),
+      labels_(all_numbers<LabelId>(state.labels.size())),
       direct_(world_, options.rules(), labels_, control) {
   if (!direct_.is_complete()) throw Interrupted("the simulation was stopped");
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -30,12 +29,12 @@ class PreparedScene {
   const Estimator& estimator() const { return *estimator_; }
   const detail::AnalyticDirect& direct() const { return direct_; }
   /// The labels that are simulated: all, or those of a part.
-  const std::vector<std::uint32_t>& labels() const { return labels_; }
+  const std::vector<LabelId>& labels() const { return labels_; }
 
  private:
   World world_;
   std::unique_ptr<Estimator> estimator_;
-  std::vector<std::uint32_t> labels_;
+  std::vector<LabelId> labels_;
   detail::AnalyticDirect direct_;
 };
 

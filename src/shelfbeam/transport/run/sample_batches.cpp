@@ -34,7 +34,7 @@ void sample(const PreparedScene& prepared, const BatchRequest& request, BatchRun
   const std::size_t columns = prepared.world().emitters.size();
   std::vector<std::uint32_t> position(prepared.world().receivers.size());
   run.known.reserve(request.labels.size() * columns);
-  for (const std::uint32_t i : request.labels) {
+  for (const LabelId i : request.labels) {
     position[i] = static_cast<std::uint32_t>(run.known.size() / std::max<std::size_t>(1, columns));
     for (std::size_t j = 0; j < columns; ++j)
       run.known.push_back(
@@ -71,7 +71,7 @@ BatchRun sample_batches(const PreparedScene& prepared, const BatchRequest& reque
 BatchRun sample_batches(const Scene& scene, const SimulationOptions& options, std::uint32_t batches,
                         const std::function<void(const BatchRow&)>& take, const RunControl& control) {
   const auto prepared = prepare(scene, options, false, control);
-  const std::vector<std::uint32_t> labels = all_numbers(scene.labels.size());
+  const std::vector<LabelId> labels = all_numbers<LabelId>(scene.labels.size());
   BatchRun run = sample_batches(*prepared, {labels, options.seed, batches}, take, control);
   run.rays += prepared->direct().rays();
   return run;

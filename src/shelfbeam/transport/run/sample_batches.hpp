@@ -29,8 +29,8 @@ struct BatchRun {
 
 /// Independent batches of some labels.
 struct BatchRequest {
-  std::span<const std::uint32_t> labels;  ///< ascending
-  std::uint64_t seed = 0;                 ///< differs from those of all other batches of the scene
+  std::span<const LabelId> labels;  ///< ascending
+  std::uint64_t seed = 0;           ///< differs from those of all other batches of the scene
   std::uint32_t batches = 0;
   std::uint32_t first = 0;        ///< number of the first batch
   std::uint64_t min_samples = 1;  ///< per batch and label, where the estimator's number is free

@@ -82,7 +82,7 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       return detail::MatrixRows(estimator, scheduler.sums(), prepared.direct(), scene.labels.size(),
                                 options.bounce_layers(), options.length_layers());
     };
-    const std::vector<std::uint32_t>& simulated = prepared.labels();
+    const std::vector<LabelId>& simulated = prepared.labels();
     bool complete = false;
     const auto head_of = [&](const detail::MatrixRows& rows) {
       StoredSignals head{detail::matrix_head(scene, hash, options.seed, estimator.name())};
@@ -95,9 +95,9 @@ SimulationSummary run(const PreparedScene& prepared, const SimulationOptions& op
       if (options.part.is_whole()) return head;
       std::vector<LabelRow> labels;
       labels.reserve(simulated.size());
-      for (const std::uint32_t i : simulated) labels.push_back(std::move(head.labels[i]));
+      for (const LabelId i : simulated) labels.push_back(std::move(head.labels[i]));
       head.labels = std::move(labels);
-      head.part = {options.part.number, options.part.count, simulated, {}};
+      head.part = {options.part.number, options.part.count, {simulated.begin(), simulated.end()}, {}};
       return head;
     };
     try {

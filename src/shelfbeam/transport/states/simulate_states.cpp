@@ -33,7 +33,7 @@ SignalLayer simulate_state(const Scene& scene, const PreparedScene& first, const
                            std::uint32_t batches, const RunControl& control) {
   const PreparedScene prepared(scene, first, options, control);
   const std::size_t m = scene.labels.size(), n = scene.transceivers.size();
-  const std::vector<std::uint32_t> labels = all_numbers(m);
+  const std::vector<LabelId> labels = all_numbers<LabelId>(m);
   std::vector<PowerSums> sums(m * n);
   const BatchRun run = sample_batches(
       prepared, {labels, options.seed, batches},

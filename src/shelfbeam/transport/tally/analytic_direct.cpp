@@ -22,8 +22,8 @@ std::size_t AnalyticDirect::bytes(const World& world, const PathRules& rules) {
          (has_mirrored(world, rules) ? 2 : 1);
 }
 
-AnalyticDirect::AnalyticDirect(const World& world, const PathRules& rules,
-                               std::span<const std::uint32_t> labels, const RunControl& control)
+AnalyticDirect::AnalyticDirect(const World& world, const PathRules& rules, std::span<const LabelId> labels,
+                               const RunControl& control)
     : columns_(world.emitters.size()) {
   if (rules.samples_direct) return;
   const std::size_t entries = world.receivers.size() * columns_;
@@ -32,7 +32,7 @@ AnalyticDirect::AnalyticDirect(const World& world, const PathRules& rules,
   std::atomic<std::uint64_t> rays{0};
   std::atomic<bool> cancelled{false};
   parallel_for_ranges(labels.size(), [&](std::size_t first, std::size_t last) {
-    for (const std::uint32_t i : labels.subspan(first, last - first)) {
+    for (const LabelId i : labels.subspan(first, last - first)) {
       if (control.cancelled()) {
         cancelled = true;
         return;

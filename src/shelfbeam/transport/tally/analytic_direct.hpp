@@ -20,11 +20,11 @@ class AnalyticDirect {
 
   /// Computes all entries of some labels on the threads of the current arena, or none if `rules` sample
   /// direct light. May end early when cancelled.
-  AnalyticDirect(const World& world, const PathRules& rules, std::span<const std::uint32_t> labels,
+  AnalyticDirect(const World& world, const PathRules& rules, std::span<const LabelId> labels,
                  const RunControl& control);
   /// Those of all labels.
   AnalyticDirect(const World& world, const PathRules& rules, const RunControl& control)
-      : AnalyticDirect(world, rules, all_numbers(world.receivers.size()), control) {}
+      : AnalyticDirect(world, rules, all_numbers<LabelId>(world.receivers.size()), control) {}
 
   double straight(std::size_t i, std::size_t j) const { return at(straight_, i, j); }
   double mirrored(std::size_t i, std::size_t j) const { return at(mirrored_, i, j); }

@@ -57,7 +57,8 @@ class Estimator {
   /// The rows and columns of the matrix that an item fills, ascending; entry r * columns.size() + c of its
   /// block is the signal of label rows[r] from source columns[c].
   struct Block {
-    std::vector<std::uint32_t> rows, columns;
+    std::vector<LabelId> rows;
+    std::vector<std::uint32_t> columns;
   };
 
   virtual ~Estimator() = default;
@@ -79,7 +80,7 @@ class Estimator {
   /// least `min_samples` samples per batch where their number is free. It shares the tables of this estimator
   /// and outlives it. Its batches are independent of this one's, and unbiased for any tables. Throws
   /// InputError for particles, whose batches have no rows.
-  virtual std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+  virtual std::unique_ptr<Estimator> part(std::span<const LabelId> labels, std::uint64_t seed,
                                           std::uint64_t min_samples) const = 0;
 
   /// The same estimator for a changed scene with the same labels, candidates and materials, with few samples
@@ -97,8 +98,8 @@ class Estimator {
 };
 
 /// The labels whose signals an estimator estimates, ascending.
-inline std::vector<std::uint32_t> rows_of(const Estimator& estimator) {
-  std::vector<std::uint32_t> rows;
+inline std::vector<LabelId> rows_of(const Estimator& estimator) {
+  std::vector<LabelId> rows;
   for (std::size_t item = 0; item < estimator.items(); ++item) {
     const auto& of_item = estimator.block(item).rows;
     rows.insert(rows.end(), of_item.begin(), of_item.end());

@@ -22,7 +22,7 @@ class EstimatorShare : public Estimator {
   std::uint64_t samples_per_batch() const override { return whole_->samples_per_batch(); }
   bool samples_direct() const override { return whole_->samples_direct(); }
   std::string name() const override { return whole_->name(); }
-  std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+  std::unique_ptr<Estimator> part(std::span<const LabelId> labels, std::uint64_t seed,
                                   std::uint64_t min_samples) const override {
     return whole_->part(labels, seed, min_samples);
   }

@@ -32,11 +32,11 @@ UniformEstimator::UniformEstimator(const World& world, const PathRules& rules, s
   for (const EmittingSurface& surface : world.scene.emitting_surfaces)
     source_keys_.push_back(hash64(surface.id));
 
-  const std::vector<std::uint32_t> all = all_numbers(width_);
   const std::size_t count = by_source_ ? world.emitters.size() : world.receivers.size();
   blocks_.reserve(count);
   for (std::uint32_t item = 0; item < count; ++item)
-    blocks_.push_back(by_source_ ? Block{all, {item}} : Block{{item}, all});
+    blocks_.push_back(by_source_ ? Block{all_numbers<LabelId>(width_), {item}}
+                                 : Block{{item}, all_numbers(width_)});
 }
 
 std::string UniformEstimator::name() const {
@@ -52,7 +52,7 @@ std::unique_ptr<Estimator> UniformEstimator::for_state(const World& changed, std
   return std::make_unique<UniformEstimator>(changed, rules_, seed, per_batch_);
 }
 
-std::unique_ptr<Estimator> UniformEstimator::part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+std::unique_ptr<Estimator> UniformEstimator::part(std::span<const LabelId> labels, std::uint64_t seed,
                                                   std::uint64_t min_samples) const {
   if (by_source_)
     throw InputError("strategy particle", "does not sample whole rows", "use another strategy",
@@ -60,7 +60,7 @@ std::unique_ptr<Estimator> UniformEstimator::part(std::span<const std::uint32_t>
   auto part = std::make_unique<UniformEstimator>(world_, rules_, seed,
                                                  std::max<std::uint64_t>(per_batch_, min_samples));
   std::vector<Block> blocks;
-  for (const std::uint32_t i : labels) blocks.push_back(std::move(part->blocks_[i]));
+  for (const LabelId i : labels) blocks.push_back(std::move(part->blocks_[i]));
   part->blocks_ = std::move(blocks);
   return part;
 }
@@ -115,7 +115,7 @@ std::uint32_t direct_strata(std::uint32_t samples, std::size_t width) {
 void UniformEstimator::sample_direct_light(std::size_t item, std::uint32_t batch, Tally& tally) const {
   const std::uint32_t side = direct_strata(per_batch_, width_);
   for (std::size_t k = 0; k < width_; ++k) {
-    const std::size_t i = by_source_ ? k : blocks_[item].rows.front(), j = by_source_ ? item : k;
+    const std::size_t i = by_source_ ? k : std::size_t{blocks_[item].rows.front()}, j = by_source_ ? item : k;
     if (is_point_to_point(world_, i, j)) continue;
     const PathKey key{mix_key(mix_key(seed_, label_keys_[i]), source_keys_[j]), batch, 0};
     const DirectSignal signal = sample_direct(world_, i, j, key, side, rules_);

@@ -30,7 +30,7 @@ class UniformEstimator : public Estimator {
   bool samples_direct() const override { return rules_.samples_direct; }
   std::string name() const override;
   std::size_t bytes() const override;
-  std::unique_ptr<Estimator> part(std::span<const std::uint32_t> labels, std::uint64_t seed,
+  std::unique_ptr<Estimator> part(std::span<const LabelId> labels, std::uint64_t seed,
                                   std::uint64_t min_samples) const override;
   std::unique_ptr<Estimator> for_state(const World& changed, std::uint64_t seed) const override;
   bool sample(std::size_t item, std::uint32_t batch, const CancelToken* cancel,

@@ -27,11 +27,11 @@ double opposite_distance(const World& world, const SurfacePoint& at) {
 
 }  // namespace
 
-std::vector<LabelCluster> cluster_labels(const World& world, std::span<const std::uint32_t> labels,
+std::vector<LabelCluster> cluster_labels(const World& world, std::span<const LabelId> labels,
                                          std::size_t most) {
   const std::size_t m = world.receivers.size();
   std::vector<Vec3> eyes(m);
-  for (const std::uint32_t i : labels) {
+  for (const LabelId i : labels) {
     const SurfacePoint at = world.receivers.point(i, 0.5, 0.5);
     // At most half way to the opposite surface.
     eyes[i] = at.position + at.normal * std::min(step_out, opposite_distance(world, at) / 2);
@@ -39,19 +39,18 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::span<const std
 
   // From one end of the store to the other, the first remaining label forms a cluster with the nearest labels
   // that it sees, from eye to eye.
-  std::vector<std::uint32_t> left(labels.begin(), labels.end());
-  std::stable_sort(left.begin(), left.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return eyes[a].x + eyes[a].y < eyes[b].x + eyes[b].y;
-  });
+  std::vector<LabelId> left(labels.begin(), labels.end());
+  std::stable_sort(left.begin(), left.end(),
+                   [&](LabelId a, LabelId b) { return eyes[a].x + eyes[a].y < eyes[b].x + eyes[b].y; });
   std::vector<LabelCluster> clusters;
-  std::vector<std::pair<double, std::uint32_t>> near;
+  std::vector<std::pair<double, LabelId>> near;
   std::vector<RayEnd> targets;
   std::vector<float> seen;
   std::vector<bool> is_taken(m);
   while (!left.empty()) {
-    const std::uint32_t first = left.front();
+    const LabelId first = left.front();
     near.clear();
-    for (const std::uint32_t i : left)
+    for (const LabelId i : left)
       if (i != first) near.emplace_back(length_squared(eyes[i] - eyes[first]), i);
     const std::size_t asked = std::min(near.size(), candidates * most);
     std::nth_element(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(asked), near.end());
@@ -65,9 +64,8 @@ std::vector<LabelCluster> cluster_labels(const World& world, std::span<const std
     LabelCluster cluster{first};
     for (std::size_t k = 0; k < asked && cluster.size() < most; ++k)
       if (seen[k] > 0) cluster.push_back(near[k].second);
-    for (const std::uint32_t i : cluster) is_taken[i] = true;
-    left.erase(std::remove_if(left.begin(), left.end(), [&](std::uint32_t i) { return is_taken[i]; }),
-               left.end());
+    for (const LabelId i : cluster) is_taken[i] = true;
+    left.erase(std::remove_if(left.begin(), left.end(), [&](LabelId i) { return is_taken[i]; }), left.end());
     std::sort(cluster.begin(), cluster.end());
     clusters.push_back(std::move(cluster));
   }

@@ -187,7 +187,7 @@ TEST(Critical, AreTheLabelsThatOnlyOneUnitReaches) {
     std::size_t labels = 0;
     for (std::size_t s = 0; s < selected.size(); ++s) {
       Selection others = selected;
-      std::vector<std::uint32_t> expected;
+      std::vector<LabelId> expected;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
       const Check without = check_selection(table, nothing_fails, others);
       std::set_difference(without.unmet.begin(), without.unmet.end(), with_all.unmet.begin(),

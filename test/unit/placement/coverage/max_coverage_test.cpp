@@ -164,7 +164,7 @@ TEST(MaxCoverage, ByHand) {
     EXPECT_EQ(reach.selected, Selection{2});
     EXPECT_EQ(reach.reached, 4U);
     EXPECT_EQ(reach.upper_bound, 4U);
-    EXPECT_EQ(reach.missed, (std::vector<std::uint32_t>{2, 5}));
+    EXPECT_EQ(reach.missed, (std::vector<LabelId>{2, 5}));
     for (const std::size_t units : {std::size_t{2}, std::size_t{3}, std::size_t{50}, std::size_t{1} << 32,
                                     std::numeric_limits<std::size_t>::max()}) {
       reach = maximise_coverage(table, {model}, units, {});

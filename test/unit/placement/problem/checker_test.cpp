@@ -13,6 +13,7 @@ namespace shelfbeam {
 namespace {
 
 using Columns = Selection;
+using Labels = std::vector<LabelId>;
 using Numbers = std::vector<std::uint32_t>;
 using test::alone;
 using test::coop;
@@ -37,7 +38,7 @@ TEST(PlacementChecker, AddsSignalsWhereUnitsCooperate) {
 
 TEST(PlacementChecker, UsesTheLargestSignalIfUnitsDoNotCooperate) {
   const Check check = check_selection(four_units(), {alone, Objective::links}, Columns{2, 1, 0});
-  EXPECT_EQ(check.unmet, Numbers{0});
+  EXPECT_EQ(check.unmet, Labels{0});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 1.0, 1.5}));
   EXPECT_EQ(check.objective, 101);
   EXPECT_TRUE(check_selection(four_units(), {alone}, Columns{1, 2, 3}).met());
@@ -58,7 +59,7 @@ TEST(PlacementChecker, ComputesEveryObjective) {
 TEST(PlacementChecker, RemovesTheStrongestUnitIfOneMayFail) {
   Check check = check_selection(four_units(), {.model = coop, .redundant = true}, Columns{0, 1, 2, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{1.0, 0.75, 0.25}));
-  EXPECT_EQ(check.unmet, (Numbers{1, 2}));
+  EXPECT_EQ(check.unmet, (Labels{1, 2}));
   check = check_selection(four_units(), {.model = alone, .redundant = true}, Columns{0, 1, 3});
   EXPECT_EQ(check.signal, (std::vector<double>{0.5, 0.0, 0.0}));
   // A failing signal of any size leaves the others unchanged to the last bit.
@@ -94,7 +95,7 @@ TEST(PlacementChecker, NamesViolatedPointsAndPairs) {
 }
 
 TEST(PlacementChecker, CountsARepeatedColumnOnce) {
-  EXPECT_EQ(check_selection(four_units(), {coop}, Columns{0, 0}).unmet, (Numbers{0, 1, 2}));
+  EXPECT_EQ(check_selection(four_units(), {coop}, Columns{0, 0}).unmet, (Labels{0, 1, 2}));
   EXPECT_THROW(check_selection(four_units(), {coop}, Columns{4}), std::out_of_range);
 }
 
@@ -117,7 +118,7 @@ TEST(PlacementChecker, RejectsBrokenSelections) {
     for (const std::uint32_t removed : whole) {
       Columns rest = whole;
       std::erase(rest, removed);
-      Numbers expected;
+      Labels expected;
       for (std::uint32_t i = 0; i < table.rows(); ++i) {
         double sum = 0, largest = 0;
         for (const SignalEntry& entry : table.row(i)) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 #include "unit/placement/random_table.hpp"
@@ -31,7 +31,7 @@ bool holds_pair(const Selection& selected, const Pairs& forbidden) {
 /// The minimum cost of `fixed` with any of `columns` that reach the labels, with at most one unit per
 /// mounting point and without conflicts.
 double min_cost(const SignalTable& table, const std::vector<double>& cost, const Selection& fixed,
-                const Selection& columns, const std::vector<std::uint32_t>& labels, const Pairs& forbidden) {
+                const Selection& columns, const std::vector<LabelId>& labels, const Pairs& forbidden) {
   double best = infinite;
   for (std::uint32_t set = 0; set < (std::uint32_t{1} << columns.size()); ++set) {
     Selection selected = fixed;
@@ -49,17 +49,11 @@ double min_cost(const SignalTable& table, const std::vector<double>& cost, const
   return best;
 }
 
-std::vector<std::uint32_t> all(std::size_t count) {
-  std::vector<std::uint32_t> result(count);
-  std::iota(result.begin(), result.end(), 0U);
-  return result;
-}
-
 double min_cost(const SignalTable& table, const std::vector<double>& cost, const Pairs& forbidden) {
   Selection installed, others;
   for (std::uint32_t j = 0; j < table.columns(); ++j)
     (table.transceivers[j].installed ? installed : others).push_back(j);
-  return min_cost(table, cost, installed, others, all(table.rows()), forbidden);
+  return min_cost(table, cost, installed, others, all_numbers<LabelId>(table.rows()), forbidden);
 }
 
 /// The same after a reduction: solves the parts one by one, and checks every label at the end.
@@ -182,9 +176,9 @@ TEST(Reductions, SplitIntoParts) {
   const std::vector<double> cost(6, 1.0);
   const Reduction reduction = reduce_cover({table, covering}, cost);
   ASSERT_EQ(reduction.parts.size(), 2U);
-  EXPECT_EQ(reduction.parts[0].labels, (std::vector<std::uint32_t>{0, 2, 3}));
+  EXPECT_EQ(reduction.parts[0].labels, (std::vector<LabelId>{0, 2, 3}));
   EXPECT_EQ(reduction.parts[0].columns, (Selection{0, 1, 2}));
-  EXPECT_EQ(reduction.parts[1].labels, (std::vector<std::uint32_t>{1, 4, 5}));
+  EXPECT_EQ(reduction.parts[1].labels, (std::vector<LabelId>{1, 4, 5}));
   // Shared points, or unknown constraints, keep parts together.
   SignalTable shared = table;
   shared.mounts = {{2, 3}};

@@ -93,7 +93,7 @@ TEST(PlaceOverScenariosRules, NamesLabelsOutOfReach) {
   for (std::ptrdiff_t j = 0; j < 8; ++j) std::fill_n(scenarios.signal.begin() + (j * 5 + 2) * 8, 8, 0.0F);
   const MissAllowance allowance{.of_label = std::vector<std::uint32_t>(5, 3)};
   const ScenarioPlacement placement = place_over_scenarios(scenarios, {}, allowance, {});
-  EXPECT_EQ(placement.unreachable, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(placement.unreachable, std::vector<LabelId>{2});
   EXPECT_FALSE(placement.has_selection());
 }
 

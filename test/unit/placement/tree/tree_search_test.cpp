@@ -160,7 +160,7 @@ TEST(TreeSearch, AddsRowsToASmallStart) {
     const SearchMatrix all(instance);
     for (const std::size_t rows : {std::size_t{1}, std::size_t{0}}) {
       TreeSearch tree(instance, all);
-      if (rows > 0) tree.begin_with(std::vector<std::uint32_t>{7}, std::vector<double>{1.0});
+      if (rows > 0) tree.begin_with(std::vector<LabelId>{7}, std::vector<double>{1.0});
       const TreeResult answer = tree.run(goal, {.wants_proof = true}, {.threads = 2});
       EXPECT_TRUE(agrees(instance, goal, answer, expected));
       found += answer.selected.has_value();

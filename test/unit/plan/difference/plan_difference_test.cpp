@@ -206,7 +206,7 @@ TEST(PlanDifference, NamesTheWeakestLabels) {
   Example one;
   one.matrix.labels[1].requirement = 1.1;
   one.matrix.labels[2].requirement = 0;  // no requirement, so no margin
-  EXPECT_EQ(difference(one, one).figures.after.weakest, (std::vector<std::uint32_t>{1, 0, 2}));
+  EXPECT_EQ(difference(one, one).figures.after.weakest, (std::vector<LabelId>{1, 0, 2}));
   one.choose({});
   EXPECT_TRUE(difference(one, one).figures.after.weakest.empty()) << "without units";
 }

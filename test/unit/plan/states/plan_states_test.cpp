@@ -51,8 +51,8 @@ TEST(PlanStates, NamesTheLabelsThatPreventAPlan) {
   const KnownStates shop({{{0.03, 0.03}, {0.4, 0.4}, {0.01, 0.2}}});
   const Availability found = shop.plan(1).availability;
   EXPECT_FALSE(found.certified);
-  EXPECT_EQ(found.unreachable, std::vector<std::uint32_t>{1});
-  EXPECT_EQ(found.responsible, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.unreachable, std::vector<LabelId>{1});
+  EXPECT_EQ(found.responsible, std::vector<LabelId>{1});
   ASSERT_EQ(found.at_risk.size(), 1U);
   EXPECT_EQ(found.at_risk.front().causes.front().cause, "objects");
 }
@@ -68,10 +68,10 @@ TEST(PlanStates, NamesTheChangesThatTakeLabels) {
   EXPECT_EQ(objects.states, 40U);
   EXPECT_EQ(found.missed_as_given, 0U);
   EXPECT_TRUE(found.lost.empty());
-  std::vector<std::uint32_t> below;
+  std::vector<LabelId> below;
   for (std::uint32_t i = 0; i < 3; ++i)
     if (found.nominal.is_below(i, found.required[i])) below.push_back(i);
-  EXPECT_EQ(below, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(below, std::vector<LabelId>{1});
   EXPECT_EQ(objects.taken, below);
   EXPECT_EQ(objects.units, found.sample.units);
   EXPECT_EQ(objects.lower_bound, found.sample_lower_bound);
@@ -95,11 +95,11 @@ TEST(PlanStates, RowsAreThePlansWithoutTheOtherChanges) {
 TEST(PlanStates, NamesTheChangeThatAloneTakesALabelFromAllCandidates) {
   const KnownStates shop({{{0, 0}, {1, 1}, {0, 0}}}, R"("unit_power_db": 0.1,)");
   const Availability found = shop.plan(1, {.sample = 20, .certifies = false}).availability;
-  EXPECT_EQ(found.unreachable, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.unreachable, std::vector<LabelId>{1});
   ASSERT_EQ(found.alone.size(), 2U);
   EXPECT_EQ(found.alone[0].cause, "objects");
-  EXPECT_EQ(found.alone[0].taken, std::vector<std::uint32_t>{1});
-  EXPECT_EQ(found.alone[0].unreachable, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.alone[0].taken, std::vector<LabelId>{1});
+  EXPECT_EQ(found.alone[0].unreachable, std::vector<LabelId>{1});
   EXPECT_EQ(found.alone[1].cause, "mounting");
   EXPECT_TRUE(found.alone[1].taken.empty());
   EXPECT_EQ(found.alone[1].units, found.nominal.units);
@@ -175,7 +175,7 @@ TEST(RiskCauses, SharesAreThoseOfClosedForms) {
   const SimulationOptions options = KnownStates::simulation(3);
   const Scene scene = make_scene(shop.store());
   const StoreStates states(shop.store(), scene, 3);
-  const std::vector<std::uint32_t> every{0, 1, 2}, first{0};
+  const std::vector<LabelId> every{0, 1, 2}, first{0};
   const Selection left{0};
   ResultLog log({}, {}, false, 0);
   const std::vector<LabelAtRisk> found =
@@ -237,7 +237,7 @@ TEST(ReflectanceEnds, NoBrdfFallsWithItsReflectance) {
 TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
   const KnownStates shop({{{0, 0}, {0.15, 0.15}, {0, 0.2}}});
   const Scene scene = make_scene(shop.store());
-  const std::vector<std::uint32_t> every{0, 1, 2};
+  const std::vector<LabelId> every{0, 1, 2};
   const Selection left{0, 2, 4};
   VerifyStatesOptions options;
   options.states = 300;
@@ -246,13 +246,13 @@ TEST(VerifyStates, NamesTheLabelAndTheBestAddition) {
   const Availability found =
       verify_over_states(shop.store(), scene, sub_scene(scene, every, left), {}, options, log);
   EXPECT_FALSE(found.certified);
-  EXPECT_EQ(found.responsible, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.responsible, std::vector<LabelId>{1});
   ASSERT_TRUE(found.addition);
   EXPECT_EQ(found.addition->id, "U11");
   EXPECT_EQ(found.addition->without.below(found.required), 1U);
   EXPECT_EQ(found.addition->added.below(found.required), 0U);
   ASSERT_EQ(found.alone.size(), 1U);
-  EXPECT_EQ(found.alone.front().taken, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(found.alone.front().taken, std::vector<LabelId>{1});
   EXPECT_EQ(found.alone.front().units, 0U);
 }
 
@@ -266,7 +266,7 @@ std::vector<std::uint64_t> numbers_of(const Availability& found) {
 // Fresh states that may have suggested a change must not confirm it.
 TEST(VerifyStates, TakesOtherStatesForAnotherQuestion) {
   const KnownStates::Pallets pallets{{{0, 0}, {0.15, 0.15}, {0, 0.2}}};
-  const std::vector<std::uint32_t> every{0, 1, 2};
+  const std::vector<LabelId> every{0, 1, 2};
   const Selection left{0, 2, 4};
   const auto numbers = [&](const VerifyStatesOptions& options, const KnownStates& shop) {
     const Scene scene = make_scene(shop.store());
@@ -314,7 +314,7 @@ TEST(FreshStates, LevelHoldsAtTheLimit) {
   for (int trial = 0; trial < 4000; ++trial) {
     std::bernoulli_distribution misses(counted);
     const auto missed = [&](std::uint64_t) {
-      return misses(random) ? std::vector<std::uint32_t>{1} : std::vector<std::uint32_t>{};
+      return misses(random) ? std::vector<LabelId>{1} : std::vector<LabelId>{};
     };
     const FreshStates found =
         examine(missed, {}, {0.95, 0.95}, {.level = level, .looks = {100, 150, 200}}, Deadline(1e6), {});
@@ -335,7 +335,7 @@ TEST(FreshStates, MeanOfMissedLabelsIsLimited) {
   for (int trial = 0; trial < trials; ++trial) {
     std::poisson_distribution<int> number(0.9 * 2.0);  // counted at the limit of 2
     const auto missed = [&](std::uint64_t) {
-      std::vector<std::uint32_t> labels(static_cast<std::size_t>(number(random)));
+      std::vector<LabelId> labels(static_cast<std::size_t>(number(random)));
       for (std::uint32_t i = 0; i < labels.size(); ++i) labels[i] = i;
       return labels;
     };

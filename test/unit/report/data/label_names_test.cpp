@@ -67,12 +67,12 @@ TEST(LabelNames, AreArticlesAndPlaces) {
 TEST(LabelNames, CountManyLabelsByFixture) {
   const NamedShop named = named_shop();
   const LabelNames names = named.names();
-  EXPECT_THAT(names.counts(std::vector<std::uint32_t>{7, 0, 2}), ElementsAre("G3: 2 of 3", "C2: 1 of 1"));
-  EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 4}), "Milk (C2); Offers (wall at the top)");
-  EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 4, 2, 1, 0}), "3 on G3, 1 on wall at the top, 1 on C2");
-  EXPECT_EQ(named.names(Language::german).list(std::vector<std::uint32_t>{7, 6, 4, 2, 1}),
+  EXPECT_THAT(names.counts(std::vector<LabelId>{7, 0, 2}), ElementsAre("G3: 2 of 3", "C2: 1 of 1"));
+  EXPECT_EQ(names.list(std::vector<LabelId>{7, 4}), "Milk (C2); Offers (wall at the top)");
+  EXPECT_EQ(names.list(std::vector<LabelId>{7, 4, 2, 1, 0}), "3 on G3, 1 on wall at the top, 1 on C2");
+  EXPECT_EQ(named.names(Language::german).list(std::vector<LabelId>{7, 6, 4, 2, 1}),
             "2× G3, 1× obere Wand, 1× andere Stellen, 1× C2");
-  EXPECT_EQ(names.list(std::vector<std::uint32_t>{7, 6, 4, 3, 2, 1, 0}),
+  EXPECT_EQ(names.list(std::vector<LabelId>{7, 6, 4, 3, 2, 1, 0}),
             "3 on G3, 1 on T1, 1 on wall at the top, 1 on other places and others");
 }
 
@@ -83,7 +83,7 @@ TEST(LabelNames, AreCountedInProportionToTheLabelsAskedFor) {
   const LabelNames names = shop.names();
   const test::ProcessorTime time;
   for (std::uint32_t row = 0; row < 1000; ++row)
-    EXPECT_EQ(names.counts({&row, 1}).front(), fmt::format("G{}: 1 of 400", row % 50));
+    EXPECT_EQ(names.counts(std::vector<LabelId>{row}).front(), fmt::format("G{}: 1 of 400", row % 50));
   EXPECT_LT(time.seconds(), 0.3);  // 2 s when all labels were counted each time
 }
 

@@ -13,7 +13,7 @@ namespace {
 // Whether every label occurs once, each level is within the band, levels are separate, and no level could
 // include the first label of the next.
 bool are_levels(const std::vector<ShelfLevel>& levels, const std::vector<double>& heights) {
-  std::set<std::uint32_t> seen;
+  std::set<LabelId> seen;
   for (std::size_t k = 0; k < levels.size(); ++k) {
     const ShelfLevel& level = levels[k];
     if (level.labels.empty() || level.high - level.low > level_band + 1e-9) return false;
@@ -33,9 +33,9 @@ TEST(Levels, JoinsNeighbouringHeights) {
   const std::vector<double> heights{1.6, 0.4, 0.85, 1.0, 0.4, 1.1, 0.65};
   const auto levels = shelf_levels(heights);
   ASSERT_EQ(levels.size(), 3U);
-  EXPECT_EQ(levels[0].labels, (std::vector<std::uint32_t>{1, 4, 6}));  // 0.40 to 0.65: exactly the band
-  EXPECT_EQ(levels[1].labels, (std::vector<std::uint32_t>{2, 3, 5}));
-  EXPECT_EQ(levels[2].labels, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(levels[0].labels, (std::vector<LabelId>{1, 4, 6}));  // 0.40 to 0.65: exactly the band
+  EXPECT_EQ(levels[1].labels, (std::vector<LabelId>{2, 3, 5}));
+  EXPECT_EQ(levels[2].labels, (std::vector<LabelId>{0}));
   EXPECT_EQ(levels[1].heights(english()), "labels at 0.85 to 1.10\u00A0m");
   EXPECT_EQ(levels[2].heights(english()), "labels at 1.60\u00A0m");
   EXPECT_TRUE(shelf_levels({}).empty());

@@ -163,13 +163,13 @@ TEST(Outcome, KnownValues) {
   EXPECT_EQ(outcome.units[0].strongest_for, 1U);
   EXPECT_EQ(outcome.met_by_direct_light, 1U);
   EXPECT_EQ(outcome.redundant, 0U);
-  EXPECT_EQ(outcome.served_by(0), (std::vector<std::uint32_t>{0}));  // reached by none alone
-  EXPECT_EQ(outcome.served_by(1), (std::vector<std::uint32_t>{1}));
+  EXPECT_EQ(outcome.served_by(0), (std::vector<LabelId>{0}));  // reached by none alone
+  EXPECT_EQ(outcome.served_by(1), (std::vector<LabelId>{1}));
   EXPECT_EQ(outcome.direct_shares(), (std::vector<double>{0.75, 0.25}));
 
   matrix.labels[0].requirement = 1;  // now both units reach it
   EXPECT_EQ(outcome_of(matrix, placement).redundant, 1U);
-  EXPECT_EQ(outcome_of(matrix, placement).served_by(1), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(outcome_of(matrix, placement).served_by(1), (std::vector<LabelId>{0, 1}));
   matrix.labels[0].requirement = 2;
 
   placement.problem.model = CommunicationModel::non_cooperative;
@@ -178,7 +178,7 @@ TEST(Outcome, KnownValues) {
   EXPECT_DOUBLE_EQ(alone.labels[0].margin(), 10 * std::log10(0.5));
   EXPECT_EQ(alone.met, 1U);
   EXPECT_EQ(alone.units[0].needed_by, 0U);
-  EXPECT_EQ(alone.by_margin, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(alone.by_margin, (std::vector<LabelId>{0, 1}));
 }
 
 TEST(Outcome, FindsLabelsThatDependOnFlaggedEntries) {

@@ -302,8 +302,7 @@ TEST(PageStore, NamesTheContentsOfTheReport) {
   const auto& about = page.about;
   ASSERT_EQ(about["labels"]["ids"].size(), s.matrix.rows());
   ASSERT_EQ(about["units"]["ids"].size(), s.matrix.columns());
-  EXPECT_EQ(about["units"]["selected"],
-            std::vector<std::uint32_t>(s.placement.selected.begin(), s.placement.selected.end()));
+  EXPECT_EQ(about["units"]["selected"], s.placement.selected);
   EXPECT_EQ(about["levels"].size(), data.levels.size());
   EXPECT_EQ(about["unit"]["name"], data.unit.name);
   const auto kind = page.get<std::uint16_t>("label_kind"), level = page.get<std::uint16_t>("label_level");

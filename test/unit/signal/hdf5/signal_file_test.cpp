@@ -94,7 +94,7 @@ TEST(SignalFile, KeepsTheStatesOfAShop) {
     written.states->signal[k] = static_cast<float>(k) - 2;
   write_signal_file(written, folder / "signal.h5");
   EXPECT_TRUE(read_signal_file(folder / "signal.h5") == written);
-  const auto expect_refused = [&](std::vector<std::uint32_t> hard, std::string_view place) {
+  const auto expect_refused = [&](std::vector<LabelId> hard, std::string_view place) {
     written.states->hard = std::move(hard);
     write_signal_file(written, folder / "signal.h5");
     test::expect_input_error([&] { read_signal_file(folder / "signal.h5"); }, "signal.h5", place);

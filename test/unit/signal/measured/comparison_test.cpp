@@ -92,7 +92,10 @@ TEST(Comparison, IntervalAllowsForGainsThatPairsShare) {
   survey.label_db = 1.5;
   EXPECT_GE(coverage(survey, 0.95, 1000, as_it_is), 0.92) << "both";
   const auto strangers = [](std::vector<ComparedPair>& pairs) {
-    for (std::uint32_t k = 0; k < pairs.size(); ++k) pairs[k].label = *(pairs[k].transceiver = k);
+    for (std::uint32_t k = 0; k < pairs.size(); ++k) {
+      pairs[k].label = k;
+      pairs[k].transceiver = k;
+    }
   };
   EXPECT_LT(coverage(survey, 0.95, 500, strangers), 0.8) << "as if pairs had nothing in common";
 }

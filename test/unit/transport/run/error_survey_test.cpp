@@ -23,8 +23,7 @@ class OneRow : public Estimator {
   std::string name() const override { return "one row"; }
   bool sample(std::size_t, std::uint32_t, const CancelToken*, BatchValues&) const override { return true; }
 
-  std::unique_ptr<Estimator> part(std::span<const std::uint32_t>, std::uint64_t,
-                                  std::uint64_t) const override {
+  std::unique_ptr<Estimator> part(std::span<const LabelId>, std::uint64_t, std::uint64_t) const override {
     return nullptr;
   }
   std::unique_ptr<Estimator> for_state(const World&, std::uint64_t) const override { return nullptr; }

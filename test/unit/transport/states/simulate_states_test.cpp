@@ -244,7 +244,7 @@ TEST(SimulateStates, KeepsTheHardestLabels) {
   };
   double most = 0;
   for (std::size_t k = 0; k < 4; ++k) {
-    const std::uint32_t i = some.states->hard[k];
+    const LabelId i = some.states->hard[k];
     most = std::max(most, degree(i));
     for (std::size_t s = 0; s < 2; ++s)
       EXPECT_TRUE(

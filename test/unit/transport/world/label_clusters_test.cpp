@@ -1,11 +1,12 @@
 #include "shelfbeam/transport/world/label_clusters.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "shelfbeam/math/order.hpp"
 
 #include "physics/bare_scene.hpp"
 
@@ -29,12 +30,6 @@ test::BareScene aisle() {
   return room;
 }
 
-std::vector<std::uint32_t> all_of(const World& world) {
-  std::vector<std::uint32_t> labels(world.receivers.size());
-  std::iota(labels.begin(), labels.end(), 0U);
-  return labels;
-}
-
 std::vector<std::size_t> cluster_of_labels(const std::vector<LabelCluster>& clusters, std::size_t labels) {
   std::vector<std::size_t> result(labels, clusters.size());
   for (std::size_t c = 0; c < clusters.size(); ++c)
@@ -46,8 +41,8 @@ TEST(LabelClusters, AreAPartitionIntoSmallParts) {
   const test::BareScene room = aisle();
   const World world(room.scene);
   for (const std::size_t most : {1U, 3U, 7U, 96U}) {
-    const auto clusters = cluster_labels(world, all_of(world), most);
-    std::vector<std::uint32_t> all;
+    const auto clusters = cluster_labels(world, all_numbers<LabelId>(world.receivers.size()), most);
+    std::vector<LabelId> all;
     for (const LabelCluster& cluster : clusters) {
       EXPECT_FALSE(cluster.empty());
       EXPECT_LE(cluster.size(), most);
@@ -55,16 +50,14 @@ TEST(LabelClusters, AreAPartitionIntoSmallParts) {
       all.insert(all.end(), cluster.begin(), cluster.end());
     }
     std::sort(all.begin(), all.end());
-    std::vector<std::uint32_t> expected(4 * per_face);
-    std::iota(expected.begin(), expected.end(), 0U);
-    EXPECT_EQ(all, expected);
+    EXPECT_EQ(all, all_numbers<LabelId>(4 * per_face));
   }
 }
 
 TEST(LabelClusters, SidesOfAnAisleBelongTogetherFacesOfAShelfDoNot) {
   const test::BareScene room = aisle();
   const World world(room.scene);
-  const auto clusters = cluster_labels(world, all_of(world), 96);
+  const auto clusters = cluster_labels(world, all_numbers<LabelId>(world.receivers.size()), 96);
   ASSERT_EQ(clusters.size(), 3U);
   const auto cluster = cluster_of_labels(clusters, 4 * per_face);
   for (std::uint32_t k = 1; k < per_face; ++k)
@@ -84,7 +77,8 @@ TEST(LabelClusters, RoomsAreApart) {
     for (std::uint32_t k = 0; k < 8; ++k) rooms.label({0.5 + k, 0.01, 1}, {0, 1, 0});
     rooms.unit({3, 3, 2.9}, {0, 0, -1}, SinTwoTheta{1});
     const World world(rooms.scene);
-    EXPECT_EQ(cluster_labels(world, all_of(world), 96).size(), has_wall ? 2U : 1U);
+    EXPECT_EQ(cluster_labels(world, all_numbers<LabelId>(world.receivers.size()), 96).size(),
+              has_wall ? 2U : 1U);
   }
 }
 
@@ -96,7 +90,8 @@ TEST(LabelClusters, GlassDoorsDoNotSplitAnAisle) {
         room.material(is_glass ? Material(make_thin_dielectric(1.5, 0.005, 0)) : Lambertian{0.5});
     room.quad(door, {0, 2.25, 0}, {8, 0, 0}, {0, 0, 2.6});
     const World world(room.scene);
-    const auto cluster = cluster_of_labels(cluster_labels(world, all_of(world), 96), 4 * per_face);
+    const auto cluster = cluster_of_labels(
+        cluster_labels(world, all_numbers<LabelId>(world.receivers.size()), 96), 4 * per_face);
     EXPECT_EQ(cluster[per_face] == cluster[2 * per_face], is_glass);
     EXPECT_EQ(cluster[per_face], cluster[2 * per_face - 1]);
   }
