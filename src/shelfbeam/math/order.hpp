@@ -24,4 +24,26 @@ std::vector<Number> ordered_by(std::size_t count, const Key& key) {
   return order;
 }
 
+/// The numbers k < count with is_in(k), ascending.
+template <class Number = std::uint32_t, class Predicate>
+std::vector<Number> numbers_where(std::size_t count, const Predicate& is_in) {
+  std::vector<Number> numbers;
+  for (std::uint32_t k = 0; k < count; ++k)
+    if (is_in(Number(k))) numbers.push_back(k);
+  return numbers;
+}
+
+template <class Number = std::uint32_t>
+std::vector<Number> numbers_where(const std::vector<bool>& is_in) {
+  return numbers_where<Number>(is_in.size(), [&](std::uint32_t k) { return is_in[k]; });
+}
+
+/// For each number below `count`, whether the list contains it.
+template <class List>
+std::vector<bool> marked(std::size_t count, const List& numbers) {
+  std::vector<bool> is_in(count, false);
+  for (const auto k : numbers) is_in[k] = true;
+  return is_in;
+}
+
 }  // namespace shelfbeam

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
 
 namespace shelfbeam::detail {
@@ -49,15 +50,6 @@ class BitRows {
   std::vector<std::uint64_t> bits_;
 };
 
-/// The indices with keep[k].
-template <class Id>
-std::vector<Id> indices(const std::vector<bool>& keep) {
-  std::vector<Id> result;
-  for (std::uint32_t k = 0; k < keep.size(); ++k)
-    if (keep[k]) result.push_back(k);
-  return result;
-}
-
 class CoverReducer {
  public:
   CoverReducer(const Instance& instance, std::span<const double> cost, const std::vector<bool>& pinned,
@@ -85,7 +77,7 @@ class CoverReducer {
     drop_met_labels();
     drop_dominated_labels();
     while (!infeasible_ && !stops() && (force_columns() || drop_dominated_columns())) drop_dominated_labels();
-    Reduction result{infeasible_, indices<ColumnId>(forced_), {}};
+    Reduction result{infeasible_, numbers_where<ColumnId>(forced_), {}};
     if (!infeasible_) result.parts = parts();
     return result;
   }
@@ -136,7 +128,7 @@ class CoverReducer {
   // Rows in order of size: only a smaller row can be contained in another. Each row is filed under its rarest
   // column, so a row is compared only with rows filed under its own columns.
   void drop_dominated_labels() {
-    const std::vector<LabelId> labels = indices<LabelId>(unmet_);
+    const std::vector<LabelId> labels = numbers_where<LabelId>(unmet_);
     BitRows rows(labels.size(), table_.columns());
     std::vector<std::uint32_t> size(labels.size(), 0), reached(table_.columns(), 0);
     for (std::size_t k = 0; k < labels.size(); ++k)
@@ -174,7 +166,7 @@ class CoverReducer {
   }
 
   bool drop_dominated_columns() {
-    const std::vector<LabelId> labels = indices<LabelId>(unmet_);
+    const std::vector<LabelId> labels = numbers_where<LabelId>(unmet_);
     std::vector<std::vector<ColumnId>> columns(labels.size());
     BitRows reach(table_.columns(), labels.size());
     std::vector<std::uint32_t> size(table_.columns(), 0);
@@ -213,7 +205,7 @@ class CoverReducer {
     const auto join = [&](const std::vector<ColumnId>& columns) {
       for (const ColumnId j : columns) parent[root(j)] = root(columns.front());
     };
-    const std::vector<LabelId> labels = indices<LabelId>(unmet_);
+    const std::vector<LabelId> labels = numbers_where<LabelId>(unmet_);
     for (const LabelId i : labels) join(open_columns(i));
     std::vector<ColumnId> pinned;
     for (std::uint32_t j = 0; j < table_.columns(); ++j)
