@@ -60,12 +60,8 @@ void count_common(std::span<const std::uint32_t> some, std::span<const BitSet> s
 
 class CoverTree {
  public:
-  CoverTree(const SmallCover& cover, const CoverTreeOptions& options)
-      : cover_(cover),
-        options_(options),
-        best_(options.known),
-        rounding_(1e-9 * options.known),
-        rows_of_(cover.cost.size()) {
+  CoverTree(const SmallCover& cover, double known, const CoverTreeLimits& limits)
+      : cover_(cover), limits_(limits), best_(known), rounding_(1e-9 * known), rows_of_(cover.cost.size()) {
     for (std::size_t i = 0; i < cover.rows.size(); ++i) {
       row_bits_.emplace_back(cover.cost.size());
       for (const std::uint32_t j : cover.rows[i]) {
@@ -81,22 +77,20 @@ class CoverTree {
     }
   }
 
-  CheapestCover cheapest(std::span<const double> y) {
+  FoundCovers cheapest(std::span<const double> y) {
     run(y);
-    found_.complete = !was_cut_;
     found_.bound = std::max(0.0, std::min(best_, open_bound_) - 2 * rounding_);
     return std::move(found_);
   }
 
-  ColumnsOfCovers columns(std::span<const double> y) {
+  FoundCovers columns(std::span<const double> y) {
     is_found_ = BitSet(cover_.cost.size());
-    best_ = options_.known + 2 * rounding_;
+    best_ += 2 * rounding_;
     finds_columns_ = true;
     run(y);
-    ColumnsOfCovers all{std::vector<bool>(cover_.cost.size(), true), !was_cut_, found_.nodes};
-    for (std::size_t j = 0; all.complete && j < cover_.cost.size(); ++j)
-      all.contains[j] = is_found_.contains(j);
-    return all;
+    for (std::size_t j = 0; j < cover_.cost.size(); ++j)
+      found_.contains.push_back(!found_.complete || is_found_.contains(j));
+    return std::move(found_);
   }
 
  private:
@@ -137,9 +131,9 @@ class CoverTree {
 
   bool is_over() {
     constexpr std::uint64_t often = 256;
-    was_cut_ = was_cut_ || found_.nodes >= options_.effort.steps ||
-               (found_.nodes % often == 0 && options_.effort.is_over(options_.control));
-    return was_cut_;
+    found_.complete = found_.complete && found_.nodes < limits_.effort.steps &&
+                      (found_.nodes % often != 0 || !limits_.is_over());
+    return !found_.complete;
   }
 
   void forbid_expensive_columns(Node& node) const {
@@ -264,7 +258,7 @@ class CoverTree {
   }
 
   const SmallCover& cover_;
-  const CoverTreeOptions& options_;
+  const CoverTreeLimits& limits_;
   double best_;
   double rounding_;  ///< exceeds the rounding errors of all sums, which have less than a million terms
   std::vector<std::vector<std::uint32_t>> rows_of_;
@@ -276,21 +270,21 @@ class CoverTree {
   std::vector<std::uint32_t> begin_;  ///< per number of columns, the place of its first row in `order_`
   std::vector<std::uint32_t> tight_;  ///< per row, the column of its last smallest slack
   double open_bound_ = std::numeric_limits<double>::infinity();  ///< of the subtrees left open
-  bool was_cut_ = false, finds_columns_ = false;
+  bool finds_columns_ = false;
   BitSet is_found_;  ///< columns of covers
-  CheapestCover found_;
+  FoundCovers found_;
 };
 
 }  // namespace
 
-CheapestCover cheapest_cover(const SmallCover& cover, std::span<const double> y,
-                             const CoverTreeOptions& options) {
-  return CoverTree(cover, options).cheapest(y);
+FoundCovers cheapest_cover(const SmallCover& cover, std::span<const double> y, double known,
+                           const CoverTreeLimits& limits) {
+  return CoverTree(cover, known, limits).cheapest(y);
 }
 
-ColumnsOfCovers columns_of_covers(const SmallCover& cover, std::span<const double> y,
-                                  const CoverTreeOptions& options) {
-  return CoverTree(cover, options).columns(y);
+FoundCovers columns_of_covers(const SmallCover& cover, std::span<const double> y, double known,
+                              const CoverTreeLimits& limits) {
+  return CoverTree(cover, known, limits).columns(y);
 }
 
 }  // namespace shelfbeam::detail

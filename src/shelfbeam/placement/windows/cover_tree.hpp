@@ -17,21 +17,24 @@ struct SmallCover {
   std::vector<double> cost;                      ///< of every column, not negative
 };
 
-struct CoverTreeOptions {
-  double known;        ///< only covers that cost less are sought; finite
+struct CoverTreeLimits {
   Effort effort = {};  ///< its steps: nodes
   RunControl control = {};
+
+  bool is_over() const { return effort.is_over(control); }
 };
 
-struct CheapestCover {
+struct FoundCovers {
   double bound = 0;  ///< no cover costs less than this and `known`; lowered by more than rounding errors
   std::optional<std::vector<std::uint32_t>> selected;  ///< a cover that costs less than `known`
-  bool complete = false;                               ///< no limit came first: `selected` is the cheapest
+  std::vector<bool> contains;  ///< per column: some cover that costs at most `known` may contain it
+  bool complete = true;        ///< no limit came first: `selected` is the cheapest
   std::uint64_t nodes = 0;
 };
 
-/// The cheapest cover, exactly and depth first. A node has chosen columns, open rows and multipliers y >= 0
-/// of the open rows, so that every column that may still be chosen has a slack
+/// The cheapest cover that costs less than `known`, a finite number; exactly and depth first. A node has
+/// chosen columns, open rows and multipliers y >= 0 of the open rows, so that every column that may still be
+/// chosen has a slack
 ///
 ///   s_j = c_j - (sum of y_i over the open rows of j) >= 0.
 ///
@@ -44,18 +47,12 @@ struct CheapestCover {
 /// the tree is a hundred times faster than branch and bound by linear programs.
 ///
 /// `y` are the root's first multipliers, best those of the LP; any are valid.
-CheapestCover cheapest_cover(const SmallCover& cover, std::span<const double> y,
-                             const CoverTreeOptions& options);
+FoundCovers cheapest_cover(const SmallCover& cover, std::span<const double> y, double known,
+                           const CoverTreeLimits& limits);
 
-struct ColumnsOfCovers {
-  std::vector<bool> contains;  ///< per column: some cover that costs at most `known` may contain it
-  bool complete = false;       ///< no limit came first; otherwise every column counts
-  std::uint64_t nodes = 0;
-};
-
-/// The columns of all covers that cost at most `known`, by the same tree. Subtrees that have only columns
-/// that have been found already are omitted.
-ColumnsOfCovers columns_of_covers(const SmallCover& cover, std::span<const double> y,
-                                  const CoverTreeOptions& options);
+/// The columns of all covers that cost at most `known`, by the same tree; all columns if a limit came first.
+/// Subtrees that have only columns that have been found already are omitted.
+FoundCovers columns_of_covers(const SmallCover& cover, std::span<const double> y, double known,
+                              const CoverTreeLimits& limits);
 
 }  // namespace shelfbeam::detail

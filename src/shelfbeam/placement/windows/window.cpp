@@ -4,8 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "shelfbeam/placement/windows/cover_tree.hpp"
-
 namespace shelfbeam::detail {
 
 namespace {
@@ -43,7 +41,7 @@ struct SmallWindow {
 };
 
 // Multipliers of the rows: the LP's, or none if it fails.
-std::vector<double> lp_multipliers(const SmallCover& cover, const WindowLimits& limits,
+std::vector<double> lp_multipliers(const SmallCover& cover, const CoverTreeLimits& limits,
                                    const milp::Backend& backend) {
   if (cover.rows.empty()) return {};
   std::vector<milp::Column> columns;
@@ -114,7 +112,7 @@ Window merged(const CoverMatrix& cover, const Window& a, const Window& b) {
   return window;
 }
 
-void search_window(const CoverMatrix& cover, Window& window, const WindowLimits& limits,
+void search_window(const CoverMatrix& cover, Window& window, const CoverTreeLimits& limits,
                    const milp::Backend& backend) {
   const SmallWindow small(cover, window);
   double known = 0;
@@ -124,9 +122,8 @@ void search_window(const CoverMatrix& cover, Window& window, const WindowLimits&
     if (window.selected.empty() || was_selected[small.columns[k]]) known += small.cover.cost[k];
   // The old selection is still one, and is found again if it is the cheapest.
   constexpr double slightly_more = 1 + 1e-6;
-  const CheapestCover found =
-      cheapest_cover(small.cover, lp_multipliers(small.cover, limits, backend),
-                     {.known = known * slightly_more, .effort = limits.effort, .control = limits.control});
+  const FoundCovers found = cheapest_cover(small.cover, lp_multipliers(small.cover, limits, backend),
+                                           known * slightly_more, limits);
   window.value = found.bound;
   window.complete = found.complete;
   window.work = work_of_lp + found.nodes;
@@ -137,15 +134,15 @@ void search_window(const CoverMatrix& cover, Window& window, const WindowLimits&
   add_free_columns(cover, small.is_free, window);
 }
 
-UselessColumns useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
-                               const WindowLimits& limits, const milp::Backend& backend) {
+std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, Window& window, double allowance,
+                                           const CoverTreeLimits& limits, const milp::Backend& backend) {
   const SmallWindow small(cover, window);
-  const ColumnsOfCovers found = columns_of_covers(
-      small.cover, lp_multipliers(small.cover, limits, backend),
-      {.known = window.value + allowance, .effort = limits.effort, .control = limits.control});
-  UselessColumns useless{.columns = {}, .work = work_of_lp + found.nodes};
+  const FoundCovers found = columns_of_covers(small.cover, lp_multipliers(small.cover, limits, backend),
+                                              window.value + allowance, limits);
+  window.work = work_of_lp + found.nodes;
+  std::vector<std::uint32_t> useless;
   for (std::size_t k = 0; k < small.columns.size(); ++k)
-    if (!found.contains[k]) useless.columns.push_back(small.columns[k]);
+    if (!found.contains[k]) useless.push_back(small.columns[k]);
   return useless;
 }
 

@@ -3,10 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "shelfbeam/base/control.hpp"
 #include "shelfbeam/milp/solver.hpp"
-#include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/reduce/cover_matrix.hpp"
+#include "shelfbeam/placement/windows/cover_tree.hpp"
 
 namespace shelfbeam::detail {
 
@@ -21,30 +20,17 @@ struct Window {
   std::uint64_t work = 0;  ///< of the last search, in nodes of trees
 };
 
-/// The same for all windows of a step.
-struct WindowLimits {
-  Effort effort = {};  ///< its steps: nodes of each tree
-  RunControl control = {};
-
-  bool is_over() const { return effort.is_over(control); }
-};
-
 Window make_window(const CoverMatrix& cover, std::vector<std::uint32_t> rows);
 /// With the weights of both.
 Window merged(const CoverMatrix& cover, const Window& a, const Window& b);
 
 /// Finds `selected` and `value`. Rows may have no column only if the problem is infeasible.
-void search_window(const CoverMatrix& cover, Window& window, const WindowLimits& limits,
+void search_window(const CoverMatrix& cover, Window& window, const CoverTreeLimits& limits,
                    const milp::Backend& backend);
 
-struct UselessColumns {
-  std::vector<std::uint32_t> columns;
-  std::uint64_t work = 0;  ///< in nodes of trees
-};
-
-/// The window's columns that no selection of weight up to value + `allowance` contains.
-UselessColumns useless_columns(const CoverMatrix& cover, const Window& window, double allowance,
-                               const WindowLimits& limits, const milp::Backend& backend);
+/// The window's columns that no selection of weight up to value + `allowance` contains. Sets `work`.
+std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, Window& window, double allowance,
+                                           const CoverTreeLimits& limits, const milp::Backend& backend);
 
 /// Omits columns.
 void remove_columns(CoverMatrix& cover, const std::vector<bool>& is_removed);

@@ -235,8 +235,8 @@ class WindowSearch {
     std::size_t a = 0, b = 0;
   };
 
-  // Pairs of the best windows that share columns, the largest shared weight relative to their values first:
-  // merging gains most there.
+  // Disjoint pairs of the best windows that share columns, the largest shared weight relative to their values
+  // first: merging gains most there.
   std::vector<Pair> neighbours() const {
     std::vector<Pair> pairs;
     for (std::size_t a = 0; a < best_.size(); ++a) {
@@ -252,6 +252,12 @@ class WindowSearch {
     }
     std::stable_sort(pairs.begin(), pairs.end(),
                      [](const Pair& left, const Pair& right) { return left.shared > right.shared; });
+    std::vector<bool> is_taken(best_.size(), false);
+    std::erase_if(pairs, [&](const Pair& pair) {
+      if (is_taken[pair.a] || is_taken[pair.b]) return true;
+      is_taken[pair.a] = is_taken[pair.b] = true;
+      return false;
+    });
     return pairs;
   }
 
@@ -260,16 +266,15 @@ class WindowSearch {
     constexpr double hopeful = 0.5;  // of the difference that makes a selection better
     const double allowance = worth() - value_of(best_);
     if (!(options_.step > 0) || allowance > hopeful * options_.step) return false;
-    std::vector<UselessColumns> useless(best_.size());
+    std::vector<std::vector<std::uint32_t>> useless(best_.size());
     allow_rest();
     for_each_task(best_.size(), [&](std::size_t k) {
       useless[k] = useless_columns(cover_, best_[k], allowance, limits_, backend_);
     });
     std::vector<bool> is_removed(cover_.columns.size(), false);
-    for (const UselessColumns& of_window : useless) {
-      work_ += of_window.work;
-      for (const std::uint32_t j : of_window.columns) is_removed[j] = true;
-    }
+    for (const Window& window : best_) work_ += window.work;
+    for (const auto& columns : useless)
+      for (const std::uint32_t j : columns) is_removed[j] = true;
     if (std::none_of(is_removed.begin(), is_removed.end(), [](bool removed) { return removed; }))
       return false;
     for (std::size_t j = 0; j < is_removed.size(); ++j)
@@ -287,22 +292,10 @@ class WindowSearch {
     return true;
   }
 
-  // Disjoint pairs of neighbours among the best windows.
-  std::vector<Pair> disjoint_neighbours() const {
-    std::vector<bool> is_taken(best_.size(), false);
-    std::vector<Pair> pairs;
-    for (const Pair& pair : neighbours()) {
-      if (is_taken[pair.a] || is_taken[pair.b]) continue;
-      is_taken[pair.a] = is_taken[pair.b] = true;
-      pairs.push_back(pair);
-    }
-    return pairs;
-  }
-
   // Merges pairs of neighbours whose common tree is small enough; larger trees are allowed as long as there
   // is none. False if no neighbours are left.
   bool merge() {
-    const std::vector<Pair> pairs = disjoint_neighbours();
+    const std::vector<Pair> pairs = neighbours();
     while (!pairs.empty() && !is_over()) {
       Windows both;
       for (const Pair& pair : pairs) both.push_back(merged(cover_, best_[pair.a], best_[pair.b]));
@@ -340,7 +333,7 @@ class WindowSearch {
   double best_value_ = 0, length_ = 0;
   std::vector<std::vector<double>> directions_;  ///< per window and column, mean of recent steps
   std::uint64_t max_nodes_ = 50'000, work_ = 0;
-  WindowLimits limits_;
+  CoverTreeLimits limits_;
 };
 
 }  // namespace

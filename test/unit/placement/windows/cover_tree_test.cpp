@@ -11,8 +11,8 @@ namespace shelfbeam {
 namespace {
 
 using detail::cheapest_cover;
-using detail::CheapestCover;
 using detail::columns_of_covers;
+using detail::FoundCovers;
 using detail::SmallCover;
 
 constexpr std::uint64_t any_nodes = std::numeric_limits<std::uint64_t>::max();
@@ -62,8 +62,8 @@ TEST(CoverTree, FindsTheCheapestCoverFromAnyMultipliers) {
   for (int repeat = 0; repeat < 500; ++repeat) {
     const SmallCover cover = random_cover(random);
     const double least = min_cost(cover);
-    const CheapestCover found =
-        cheapest_cover(cover, random_multipliers(random, cover), {least + 1, {any_nodes}});
+    const FoundCovers found =
+        cheapest_cover(cover, random_multipliers(random, cover), least + 1, {{any_nodes}});
     ASSERT_TRUE(found.complete);
     ASSERT_LE(found.bound, least);
     ASSERT_NEAR(found.bound, least, 1e-8 * (least + 1));
@@ -91,7 +91,7 @@ TEST(CoverTree, FindsTheSameAmongManyRowsAndColumns) {
     }
     for (std::size_t i = 0; i < 8 * cover.rows.size(); ++i)
       wide.rows.push_back(wide.rows[i % cover.rows.size()]);
-    const CheapestCover found = cheapest_cover(wide, {}, {least + 1, {any_nodes}});
+    const FoundCovers found = cheapest_cover(wide, {}, least + 1, {{any_nodes}});
     ASSERT_TRUE(found.complete);
     ASSERT_LE(found.bound, least);
     ASSERT_NEAR(found.bound, least, 1e-8 * (least + 1));
@@ -105,8 +105,7 @@ TEST(CoverTree, BoundOfAnUnfinishedTreeHolds) {
     const SmallCover cover = random_cover(random);
     const double least = min_cost(cover);
     const auto nodes = static_cast<std::uint64_t>(random.whole(0, 4));
-    const CheapestCover found =
-        cheapest_cover(cover, random_multipliers(random, cover), {least + 1, {nodes}});
+    const FoundCovers found = cheapest_cover(cover, random_multipliers(random, cover), least + 1, {{nodes}});
     ASSERT_LE(found.bound, least);
     unfinished += found.complete ? 0 : 1;
   }
@@ -119,7 +118,7 @@ TEST(CoverTree, FindsTheColumnsOfAllCheapCovers) {
   for (int repeat = 0; repeat < 500; ++repeat) {
     const SmallCover cover = random_cover(random);
     const double limit = min_cost(cover) + random.real(0, 1);
-    const auto found = columns_of_covers(cover, random_multipliers(random, cover), {limit, {any_nodes}});
+    const auto found = columns_of_covers(cover, random_multipliers(random, cover), limit, {{any_nodes}});
     ASSERT_TRUE(found.complete);
     for (std::uint32_t j = 0; j < cover.cost.size(); ++j) {
       bool is_in = false, is_nearly_in = false;
@@ -144,7 +143,7 @@ TEST(CoverTree, ARowThatIsNotRequiredRaisesTheBound) {
     SmallCover cover = random_cover(random);
     const double least = min_cost(cover);
     cover.rows.push_back({static_cast<std::uint32_t>(cover.cost.size() - 1)});
-    const CheapestCover found = cheapest_cover(cover, {}, {least + 10, {any_nodes}});
+    const FoundCovers found = cheapest_cover(cover, {}, least + 10, {{any_nodes}});
     too_much += found.bound > least + 1e-6 ? 1 : 0;
   }
   EXPECT_GT(too_much, 20);
