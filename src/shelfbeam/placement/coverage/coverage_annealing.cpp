@@ -12,30 +12,25 @@ namespace shelfbeam::detail {
 
 namespace {
 
-enum class Aim { fewest_units, most_weight };
-
 // All labels. A selection lacks the missed weight beyond the weight that may be missed.
 class WeighedRows {
  public:
   static constexpr std::uint64_t max_moves = 4096;
 
   WeighedRows(const Instance& instance, const ActiveRows& rows, const LabelWeights& weights, double target,
-              std::size_t units, Aim aim)
+              std::size_t units, bool raises)
       : instance_(instance),
         rows_(rows),
         weights_(weights),
-        target_(aim == Aim::fewest_units ? target : target_above(target)),
-        aim_(aim),
+        target_(raises ? target_above(target) : target),
+        raises_(raises),
         weight_(rows.padded(), 0.0F),
         heat_(target_ / static_cast<double>(std::max<std::size_t>(1, units)) * scale()) {
-    for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t r = 0; r < rows.rows(); ++r)
       weight_[r] = static_cast<float>(weights[rows.row(r)] * scale());
   }
 
-  std::size_t size() const { return rows_.size(); }
-  std::size_t padded() const { return rows_.padded(); }
-  const float* column(std::uint32_t j) const { return rows_.column(j); }
-  void excuse(std::vector<float>&, const std::vector<float>&) const {}
+  const ActiveRows& matrix() const { return rows_; }
 
   // About 5 % of the moves are accepted at the hot end, few at the cold end.
   double hot() const { return 0.07 * heat_; }
@@ -50,7 +45,7 @@ class WeighedRows {
     is_raised_ = false;
     const double reached = weights_.without(instance_.check(selected).unmet);
     if (reached < target_) return false;
-    if (aim_ == Aim::fewest_units) return true;
+    if (!raises_) return true;
     best_ = {selected, -reached};
     target_ = target_above(reached);
     is_raised_ = true;
@@ -69,13 +64,13 @@ class WeighedRows {
   }
 
   // The mean weight becomes 1, which keeps counts exact in single precision.
-  double scale() const { return static_cast<double>(rows_.size()) / weights_.total(); }
+  double scale() const { return static_cast<double>(rows_.rows()) / weights_.total(); }
 
   const Instance& instance_;
   const ActiveRows& rows_;
   const LabelWeights& weights_;
   double target_;
-  Aim aim_;
+  bool raises_;  // the target: the most weight is sought
   std::vector<float> weight_;
   double heat_;  // the weight that a unit reaches
   bool is_raised_ = false;
@@ -98,24 +93,22 @@ std::optional<Selection> CoverageAnnealing::for_fewer(double target, const Selec
                                                       const Effort& effort, std::uint32_t seed,
                                                       const RunControl& control) const {
   if (!(target > 0)) return {};
-  return best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
-    WeighedRows weighed(instance_, rows_, weights_, target, start.size(), Aim::fewest_units);
-    return AnnealingWalk(instance_, matrix_, std::move(weighed), start, own_seed);
-  });
+  return best(target, false, start, effort, seed, control);
 }
 
 std::optional<Selection> CoverageAnnealing::for_more(double reached, const Selection& start,
                                                      const Effort& effort, std::uint32_t seed,
                                                      const RunControl& control) const {
-  struct Walk {
-    AnnealingWalk<WeighedRows> walk;
-    void run(const Effort& of_one, const RunControl& own) { walk.run(of_one, own); }
-    Found best() const { return walk.rows().best(); }
-  };
   if (!(weights_.total() > 0)) return {};
+  return best(reached, true, start, effort, seed, control);
+}
+
+std::optional<Selection> CoverageAnnealing::best(double target, bool raises, const Selection& start,
+                                                 const Effort& effort, std::uint32_t seed,
+                                                 const RunControl& control) const {
   return best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
-    WeighedRows weighed(instance_, rows_, weights_, reached, start.size(), Aim::most_weight);
-    return Walk{AnnealingWalk(instance_, matrix_, std::move(weighed), start, own_seed)};
+    WeighedRows weighed(instance_, rows_, weights_, target, start.size(), raises);
+    return AnnealingWalk(instance_, matrix_, std::move(weighed), start, own_seed);
   });
 }
 

@@ -33,6 +33,10 @@ class CoverageAnnealing {
                                     std::uint32_t seed, const RunControl& control) const;
 
  private:
+  /// A selection that reaches the weight `target`, or more if the target is raised with each that does.
+  std::optional<Selection> best(double target, bool raises, const Selection& start, const Effort& effort,
+                                std::uint32_t seed, const RunControl& control) const;
+
   const Instance& instance_;
   SearchMatrix matrix_;
   ActiveRows rows_;  ///< all of them

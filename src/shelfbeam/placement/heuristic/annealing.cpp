@@ -19,12 +19,7 @@ class TableRows : public TotalLack<TableRows> {
     rows_.add_hardest(start, ActiveRows::at_first);
   }
 
-  std::size_t size() const { return rows_.size(); }
-  std::size_t padded() const { return rows_.padded(); }
-  const float* column(std::uint32_t j) const { return rows_.column(j); }
-
-  void excuse(std::vector<float>&, const std::vector<float>&) const {}
-
+  const ActiveRows& matrix() const { return rows_; }
   bool reaches_all(const Selection& selected) {
     margin_ = margin_of(instance_, all_, selected, received_);
     return margin_.is_met;

@@ -30,20 +30,22 @@ struct TotalLack {
   static double hot() { return 0.03; }  ///< in requirements
   static double cold() { return 0.015; }
   float lack_after(const SearchKernels::Held& held, const float* out, const float* in, float demand) const {
-    return SearchKernels::lack_after(held, out, in, demand, static_cast<const Rows&>(*this).padded());
+    return SearchKernels::lack_after(held, out, in, demand,
+                                     static_cast<const Rows&>(*this).matrix().padded());
   }
 };
 
 /// Simulated annealing of the total lack L(T) at a fixed count (searches.hpp), on rows that grow. Rows has
 ///
-///   size(), padded(), column(j)     rows as in ActiveRows
+///   matrix()                        has rows(), padded() and column(j) as ActiveRows
 ///   max_moves                       between two counts of the signals
-///   excuse(held, best)              raises the sums of rows that do not have to be met now; `best`: their
-///                                   largest signals, which then do not count, or empty
+///   excuse(held, best)              optional: raises the sums of rows that need not be met now; `best`:
+///                                   their largest signals, which then do not count, or empty
 ///   lack_after(held, out, in, demand)  L after an exchange; 0 or less if all rows seem to be met
 ///   hot(), cold()                   temperatures
 ///   reaches_all(selected)           tests a selection by the whole problem, in double precision
 ///   add_missed()                    adds rows that the selection last tested misses; false if none is new
+///   best()                          optional: what counts as found if no selection passed the test
 template <class Rows>
 class AnnealingWalk {
  public:
@@ -64,7 +66,8 @@ class AnnealingWalk {
 
   void run(const Effort& effort, const RunControl& control) {
     // About a millisecond.
-    const std::uint64_t between_looks = std::clamp<std::uint64_t>(4'000'000 / (rows_.padded() + 1), 16, 4096);
+    const std::uint64_t between_looks =
+        std::clamp<std::uint64_t>(4'000'000 / (rows_.matrix().padded() + 1), 16, 4096);
     const std::uint64_t cooling = std::clamp(effort.steps / coolings, shortest_cooling, longest_cooling);
     for (std::uint64_t move = 0; move < effort.steps; ++move) {
       if (move % between_looks == 0) {
@@ -82,10 +85,15 @@ class AnnealingWalk {
     }
   }
 
-  const Rows& rows() const { return rows_; }
-  Found best() const { return {best_, static_cast<double>(fewest_)}; }
+  Found best() const {
+    if constexpr (requires { rows_.best(); })
+      if (!best_) return rows_.best();
+    return {best_, static_cast<double>(fewest_)};
+  }
 
  private:
+  const float* column(ColumnId j) const { return rows_.matrix().column(j); }
+
   Selection selection() const {
     Selection result = fixed_;
     result.insert(result.end(), free_.begin(), free_.end());
@@ -100,13 +108,13 @@ class AnnealingWalk {
   static constexpr float demand = 1 - static_cast<float>(search_tolerance);
 
   void recount() {
-    held_.assign(rows_.padded(), 0.0F);
+    held_.assign(rows_.matrix().padded(), 0.0F);
     // Padding lacks nothing.
-    std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.size()), held_.end(), 1.0F);
+    std::fill(held_.begin() + static_cast<std::ptrdiff_t>(rows_.matrix().rows()), held_.end(), 1.0F);
     for (const ColumnId j : selection())
-      SearchKernels::receive(Receiving::sum, rows_.column(j), held_.size(), held_.data(), nullptr);
+      SearchKernels::receive(Receiving::sum, column(j), held_.size(), held_.data(), nullptr);
     rank();
-    rows_.excuse(held_, best_signal_);
+    if constexpr (requires { rows_.excuse(held_, best_signal_); }) rows_.excuse(held_, best_signal_);
     zeros_.assign(held_.size(), 0.0F);
     lack_ = lack_after(zeros_.data(), zeros_.data());
   }
@@ -124,14 +132,14 @@ class AnnealingWalk {
     second_signal_.assign(held_.size(), 0.0F);
     for (const auto* const part : {&fixed_, &free_})
       for (const ColumnId j : *part)
-        SearchKernels::rank(rows_.column(j), held_.size(), best_signal_.data(), second_signal_.data());
+        SearchKernels::rank(column(j), held_.size(), best_signal_.data(), second_signal_.data());
   }
 
   void drop_weakest() {
     std::size_t weakest = 0;
     float min_lack = std::numeric_limits<float>::infinity();
     for (std::size_t k = 0; k < free_.size(); ++k) {
-      const float lack = lack_after(rows_.column(free_[k]), zeros_.data());
+      const float lack = lack_after(column(free_[k]), zeros_.data());
       if (lack >= min_lack) continue;
       min_lack = lack;
       weakest = k;
@@ -189,13 +197,13 @@ class AnnealingWalk {
     ColumnId& place = free_[index(free_.size())];
     const ColumnId out = place, in = another_for(out);
     if (in_[in] || is_excluded(in, out)) return;
-    const float lack = lack_after(rows_.column(out), rows_.column(in));
+    const float lack = lack_after(column(out), column(in));
     if (lack > lack_ && unit() >= std::exp(static_cast<double>(lack_ - lack) / temperature)) return;
     in_[out] = false;
     in_[in] = true;
     place = in;
     has_failed_ = false;
-    SearchKernels::exchange(rows_.column(out), rows_.column(in), held_.size(), held_.data());
+    SearchKernels::exchange(column(out), column(in), held_.size(), held_.data());
     lack_ = lack;
     if (lack_ <= 0)
       recount();

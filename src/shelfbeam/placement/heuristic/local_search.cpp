@@ -71,7 +71,7 @@ class Walk {
   // Sets weights and supporters of new rows.
   void follow_rows() {
     weight_.resize(rows_.padded(), 0.0F);
-    for (std::size_t r = supporters_.size(); r < rows_.size(); ++r) {
+    for (std::size_t r = supporters_.size(); r < rows_.rows(); ++r) {
       const LabelId row = rows_.row(r);
       std::vector<ColumnId> columns;
       for (std::uint32_t j = 0; j < in_.size(); ++j)
@@ -104,7 +104,7 @@ class Walk {
   bool meets_rows() {
     unmet_.clear();
     const float enough = demand_ * (1 - static_cast<float>(search_tolerance));
-    for (std::uint32_t r = 0; r < rows_.size(); ++r)
+    for (std::uint32_t r = 0; r < rows_.rows(); ++r)
       if (held_[r] < enough) unmet_.push_back(r);
     return unmet_.empty();
   }

@@ -17,7 +17,7 @@ class ActiveRows {
  public:
   ActiveRows(const SearchMatrix& all, Receiving rule);
 
-  std::size_t size() const { return rows_.size(); }
+  std::size_t rows() const { return rows_.size(); }
   std::size_t padded() const { return values_.padded(); }  ///< GrowingColumns
   LabelId row(std::size_t r) const { return rows_[r]; }    ///< of the table
   const float* column(std::size_t j) const { return values_.column(j); }

@@ -51,9 +51,7 @@ class CaseRows : public detail::TotalLack<CaseRows> {
     }
   }
 
-  std::size_t size() const { return values_.rows(); }
-  std::size_t padded() const { return values_.padded(); }
-  const float* column(std::uint32_t j) const { return values_.column(j); }
+  const detail::GrowingColumns& matrix() const { return values_; }
 
   void excuse(std::vector<float>& held, const std::vector<float>& best) {
     if (!allowance_.of_label.empty())
