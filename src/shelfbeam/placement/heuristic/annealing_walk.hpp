@@ -132,7 +132,8 @@ class AnnealingWalk {
     second_signal_.assign(held_.size(), 0.0F);
     for (const auto* const part : {&fixed_, &free_})
       for (const ColumnId j : *part)
-        SearchKernels::rank(column(j), held_.size(), best_signal_.data(), second_signal_.data());
+        SearchKernels::receive(Receiving::second_best, column(j), held_.size(), second_signal_.data(),
+                               best_signal_.data());
   }
 
   void drop_weakest() {

@@ -18,24 +18,14 @@ SHELFBEAM_INLINE inline float share_of(float signal, float shift, float scale) {
 SHELFBEAM_FOR_EACH_CPU
 float CoverageKernels::reached(const float* column, const float* lack, const float* weight,
                                std::size_t rows) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k) total[k] += column[i + k] >= lack[i + k] ? weight[i + k] : 0.0F;
-  }
-  return sum_of(total);
+  return sum_over(rows, [=](std::size_t i) { return column[i] >= lack[i] ? weight[i] : 0.0F; });
 }
 
 SHELFBEAM_FOR_EACH_CPU
 float CoverageKernels::value(const float* column, const Shares& shares, const float* weight) {
   const Shares s = shares;
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < s.rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k)
-      total[k] += weight[i + k] * share_of(column[i + k], s.shift[i + k], s.scale[i + k]);
-  }
-  return sum_of(total);
+  return sum_over(s.rows,
+                  [=](std::size_t i) { return weight[i] * share_of(column[i], s.shift[i], s.scale[i]); });
 }
 
 SHELFBEAM_FOR_EACH_CPU

@@ -17,4 +17,15 @@ SHELFBEAM_INLINE inline float sum_of(const float* lanes) {
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
+/// The sum of term(i) over the rows, with `width` consecutive rows in parallel lanes.
+template <class Term>
+SHELFBEAM_INLINE inline float sum_over(std::size_t rows, const Term& term) {
+  alignas(64) float total[width] = {};
+  for (std::size_t i = 0; i < rows; i += width) {
+    SHELFBEAM_VECTORIZE
+    for (std::size_t k = 0; k < width; ++k) total[k] += term(i + k);
+  }
+  return sum_of(total);
+}
+
 }  // namespace shelfbeam::detail

@@ -14,17 +14,6 @@ SHELFBEAM_INLINE inline float larger(float a, float b) {
   return a > b ? a : b;
 }
 
-// The sum of term(i) over the rows, with `width` consecutive rows in parallel lanes.
-template <class Term>
-SHELFBEAM_INLINE inline float sum_over(std::size_t rows, const Term& term) {
-  alignas(64) float total[width] = {};
-  for (std::size_t i = 0; i < rows; i += width) {
-    SHELFBEAM_VECTORIZE
-    for (std::size_t k = 0; k < width; ++k) total[k] += term(i + k);
-  }
-  return sum_of(total);
-}
-
 SHELFBEAM_INLINE inline float sum_after(const SearchKernels::Held& held, const float* out, const float* in,
                                         std::size_t i) {
   return held.sum[i] - out[i] + in[i];
@@ -169,15 +158,6 @@ float SearchKernels::loss(const float* column, const float* weight, const float*
   return sum_over(rows, [=](std::size_t i) {
     return weight[i] * larger(0.0F, column[i] - larger(0.0F, held[i] - demand));
   });
-}
-
-SHELFBEAM_FOR_EACH_CPU
-void SearchKernels::rank(const float* column, std::size_t rows, float* best, float* second) {
-  SHELFBEAM_VECTORIZE
-  for (std::size_t i = 0; i < rows; ++i) {
-    second[i] = larger(second[i], smaller(best[i], column[i]));
-    best[i] = larger(best[i], column[i]);
-  }
 }
 
 SHELFBEAM_FOR_EACH_CPU

@@ -54,15 +54,13 @@ struct SearchKernels {
   static float loss(const float* column, const float* weight, const float* held, float demand,
                     std::size_t rows);
 
-  /// The sums of the chosen columns and, if a unit may fail, the two largest signals of every row; null
-  /// otherwise.
+  /// The sums of the chosen columns and, if a unit may fail, the two largest signals of every row (received
+  /// as `second_best`); null otherwise.
   struct Held {
     const float* sum;
     const float* best;
     const float* second;
   };
-  /// Raises the two largest signals of the rows to those of a column.
-  static void rank(const float* column, std::size_t rows, float* best, float* second);
   /// Total lack after one column replaces another: sum_i max(0, demand - S_i), S_i = sum_i - out_i + in_i,
   /// less the largest of these signals if a unit may fail.
   static float lack_after(const Held& held, const float* out, const float* in, float demand,

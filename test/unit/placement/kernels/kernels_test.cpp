@@ -54,7 +54,7 @@ struct KernelExchange {
         second(rows.count) {
     for (const Floats& column : columns) {
       for (std::size_t i = 0; i < rows.count; ++i) sum[i] += column[i];
-      SearchKernels::rank(column.data(), rows.count, best.data(), second.data());
+      SearchKernels::receive(Receiving::second_best, column.data(), rows.count, second.data(), best.data());
     }
     if (redundant)
       held = {sum.data(), best.data(), second.data()};
@@ -72,7 +72,7 @@ struct KernelExchange {
   SearchKernels::Held held{};
 };
 
-TEST(SearchKernels, RankKeepsTheTwoLargestSignals) {
+TEST(SearchKernels, SecondBestKeepsTheTwoLargestSignals) {
   for (unsigned seed = 0; seed < kernel_cases; ++seed) {
     KernelRows rows(seed);
     const KernelExchange exchange(rows, true);
