@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 #include <string_view>
 #include <unordered_set>
@@ -9,46 +8,13 @@
 
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
+#include "shelfbeam/placement/reduce/bit_set.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
 
 constexpr std::uint32_t no_column = ~std::uint32_t{0};
-
-/// Sets of columns 0 ... columns - 1, one bit each: the rows of a 0/1 matrix.
-class BitRows {
- public:
-  BitRows(std::size_t rows, std::size_t columns) : words_((columns + 63) / 64), bits_(rows * words_, 0) {}
-
-  void add(std::size_t row, std::size_t column) {
-    bits_[row * words_ + column / 64] |= std::uint64_t{1} << column % 64;
-  }
-
-  std::string_view bytes(std::size_t row) const {
-    return {reinterpret_cast<const char*>(bits_.data() + row * words_), words_ * sizeof bits_[0]};
-  }
-
-  bool is_subset(std::size_t part, std::size_t whole) const {
-    const std::uint64_t* p = bits_.data() + part * words_;
-    const std::uint64_t* w = bits_.data() + whole * words_;
-    for (std::size_t k = 0; k < words_; ++k)
-      if ((p[k] & ~w[k]) != 0) return false;
-    return true;
-  }
-
-  /// Calls visit(column) for the columns of a row, ascending.
-  template <class Visit>
-  void for_each(std::size_t row, Visit visit) const {
-    for (std::size_t k = 0; k < words_; ++k)
-      for (std::uint64_t rest = bits_[row * words_ + k]; rest != 0; rest &= rest - 1)
-        visit(static_cast<std::uint32_t>(64 * k + static_cast<std::size_t>(std::countr_zero(rest))));
-  }
-
- private:
-  std::size_t words_;
-  std::vector<std::uint64_t> bits_;
-};
 
 class CoverReducer {
  public:
@@ -59,13 +25,13 @@ class CoverReducer {
         cost_(cost),
         pinned_(pinned.empty() ? std::vector<bool>(instance.columns(), false) : pinned),
         mount_(instance.columns(), no_column),
-        rows_(instance.rows(), instance.columns()),
+        rows_(instance.rows(), BitSet(instance.columns())),
         open_(instance.columns(), true),
         forced_(instance.columns(), false),
         unmet_(instance.rows(), true) {
     const CoverRows cover(instance);
     for (std::uint32_t i = 0; i < instance.rows(); ++i)
-      cover.for_entries(i, [&](std::uint32_t j, double) { rows_.add(i, j); });
+      cover.for_entries(i, [&](std::uint32_t j, double) { rows_[i].insert(j); });
     for (std::uint32_t k = 0; k < instance.table.mounts.size(); ++k)
       for (const ColumnId j : instance.table.mounts[k]) mount_[j] = k;
     for (const ColumnId j : omitted) open_[j] = false;
@@ -94,7 +60,7 @@ class CoverReducer {
 
   std::vector<ColumnId> open_columns(LabelId label) const {
     std::vector<ColumnId> columns;
-    rows_.for_each(label, [&](std::uint32_t j) {
+    rows_[label].for_each([&](std::uint32_t j) {
       if (open_[j]) columns.push_back(j);
     });
     return columns;
@@ -102,7 +68,7 @@ class CoverReducer {
 
   void drop_met_labels() {
     for (std::uint32_t i = 0; i < unmet_.size(); ++i)
-      rows_.for_each(i, [&](std::uint32_t j) {
+      rows_[i].for_each([&](std::uint32_t j) {
         if (forced_[j]) unmet_[i] = false;
       });
   }
@@ -129,15 +95,15 @@ class CoverReducer {
   // column, so a row is compared only with rows filed under its own columns.
   void drop_dominated_labels() {
     const std::vector<LabelId> labels = numbers_where<LabelId>(unmet_);
-    BitRows rows(labels.size(), table_.columns());
+    std::vector<BitSet> rows(labels.size(), BitSet(table_.columns()));
     std::vector<std::uint32_t> size(labels.size(), 0), reached(table_.columns(), 0);
     for (std::size_t k = 0; k < labels.size(); ++k)
-      for (const ColumnId j : open_columns(labels[k])) rows.add(k, j), ++size[k], ++reached[j];
+      for (const ColumnId j : open_columns(labels[k])) rows[k].insert(j), ++size[k], ++reached[j];
 
     std::vector<std::uint32_t> order;
     std::unordered_set<std::string_view> seen;
     for (std::uint32_t k = 0; k < labels.size(); ++k) {
-      if (seen.insert(rows.bytes(k)).second)
+      if (seen.insert(rows[k].bytes()).second)
         order.push_back(k);
       else
         unmet_[labels[k]] = false;
@@ -149,10 +115,11 @@ class CoverReducer {
       if (k % 64 == 0 && stops()) return;
       std::uint32_t rarest = no_column;
       bool dominated = false;
-      rows.for_each(k, [&](std::uint32_t j) {
+      rows[k].for_each([&](std::uint32_t j) {
         if (rarest == no_column || reached[j] < reached[rarest]) rarest = j;
-        dominated = dominated || std::any_of(kept[j].begin(), kept[j].end(),
-                                             [&](std::uint32_t other) { return rows.is_subset(other, k); });
+        dominated = dominated || std::any_of(kept[j].begin(), kept[j].end(), [&](std::uint32_t other) {
+                      return rows[other].is_subset(rows[k]);
+                    });
       });
       if (dominated)
         unmet_[labels[k]] = false;
@@ -168,11 +135,11 @@ class CoverReducer {
   bool drop_dominated_columns() {
     const std::vector<LabelId> labels = numbers_where<LabelId>(unmet_);
     std::vector<std::vector<ColumnId>> columns(labels.size());
-    BitRows reach(table_.columns(), labels.size());
+    std::vector<BitSet> reach(table_.columns(), BitSet(labels.size()));
     std::vector<std::uint32_t> size(table_.columns(), 0);
     for (std::uint32_t k = 0; k < labels.size(); ++k) {
       columns[k] = open_columns(labels[k]);
-      for (const ColumnId j : columns[k]) reach.add(j, k), ++size[j];
+      for (const ColumnId j : columns[k]) reach[j].insert(k), ++size[j];
     }
     bool dropped = false;
     // Columns are closed one at a time, compared with open columns, so one of equal columns stays.
@@ -180,13 +147,13 @@ class CoverReducer {
       if (!open_[j] || pinned_[j]) continue;
       if (j % 64 == 0 && stops()) break;
       const std::vector<ColumnId>* fewest = nullptr;
-      reach.for_each(j, [&](std::uint32_t k) {
+      reach[j].for_each([&](std::uint32_t k) {
         if (fewest == nullptr || columns[k].size() < fewest->size()) fewest = &columns[k];
       });
       const bool is_dominated =
           fewest == nullptr || std::any_of(fewest->begin(), fewest->end(), [&](std::uint32_t other) {
             return size[other] >= size[j] && other != j && open_[other] && may_replace(other, j) &&
-                   reach.is_subset(j, other);
+                   reach[j].is_subset(reach[other]);
           });
       if (!is_dominated) continue;
       open_[j] = false;
@@ -237,7 +204,7 @@ class CoverReducer {
   std::span<const double> cost_;
   std::vector<bool> pinned_;
   std::vector<std::uint32_t> mount_;  ///< index into SignalTable::mounts, or no_column
-  BitRows rows_;                      ///< per label: the columns that reach it, open or not
+  std::vector<BitSet> rows_;          ///< per label: the columns that reach it, open or not
   std::vector<bool> open_;            ///< per column: neither forced nor closed
   std::vector<bool> forced_;
   std::vector<bool> unmet_;  ///< per label: neither reached nor dropped

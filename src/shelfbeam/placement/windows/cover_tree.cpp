@@ -9,41 +9,11 @@
 #include <utility>
 
 #include "shelfbeam/math/cpu_vectors.hpp"
+#include "shelfbeam/placement/reduce/bit_set.hpp"
 
 namespace shelfbeam::detail {
 
 namespace {
-
-/// A set of small numbers, one bit each.
-class BitSet {
- public:
-  explicit BitSet(std::size_t size = 0, bool full = false) : words_((size + 63) / 64, 0) {
-    for (std::size_t k = 0; full && k < size; ++k) insert(k);
-  }
-  void insert(std::size_t k) { words_[k / 64] |= std::uint64_t{1} << k % 64; }
-  void erase(std::size_t k) { words_[k / 64] &= ~(std::uint64_t{1} << k % 64); }
-  bool contains(std::size_t k) const { return (words_[k / 64] >> k % 64 & 1) != 0; }
-  bool empty() const {
-    return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
-  }
-  bool is_subset(const BitSet& other) const {
-    for (std::size_t w = 0; w < words_.size(); ++w)
-      if ((words_[w] & ~other.words_[w]) != 0) return false;
-    return true;
-  }
-  std::span<const std::uint64_t> words() const { return words_; }
-  /// Calls visit(k) for the common members, ascending, until it returns false.
-  template <class Visit>
-  void for_common(const BitSet& other, Visit visit) const {
-    for (std::size_t w = 0; w < words_.size(); ++w)
-      for (std::uint64_t rest = words_[w] & other.words_[w]; rest != 0; rest &= rest - 1)
-        if (!visit(static_cast<std::uint32_t>(64 * w + static_cast<std::size_t>(std::countr_zero(rest)))))
-          return;
-  }
-
- private:
-  std::vector<std::uint64_t> words_;
-};
 
 /// Counts the members that some sets share with another one.
 SHELFBEAM_FOR_EACH_CPU
@@ -137,10 +107,8 @@ class CoverTree {
   }
 
   void forbid_expensive_columns(Node& node) const {
-    const BitSet before = node.columns;
-    before.for_common(before, [&](std::uint32_t j) {
+    node.columns.for_each([&](std::uint32_t j) {
       if (node.bound + node.slack[j] >= best_ - rounding_) node.columns.erase(j);
-      return true;
     });
   }
 
@@ -162,10 +130,7 @@ class CoverTree {
   // The open rows, those with the fewest columns first.
   void sort_rows(const Node& node) {
     rows_.clear();
-    node.rows.for_common(node.rows, [&](std::uint32_t i) {
-      rows_.push_back(i);
-      return true;
-    });
+    node.rows.for_each([&](std::uint32_t i) { rows_.push_back(i); });
     count_columns(node);
     begin_.assign(cover_.cost.size() + 2, 0);
     for (const std::uint32_t i : rows_) ++begin_[count_[i] + 1];
@@ -201,10 +166,7 @@ class CoverTree {
     }
     forbid_expensive_columns(node);
     for (const std::uint32_t j : chosen_) is_found_.insert(j);
-    node.columns.for_common(node.columns, [&](std::uint32_t j) {
-      is_found_.insert(j);
-      return true;
-    });
+    node.columns.for_each([&](std::uint32_t j) { is_found_.insert(j); });
   }
 
   bool has_no_new_column(const Node& node) const {
@@ -229,10 +191,8 @@ class CoverTree {
     if (finds_columns_ && has_no_new_column(node)) return;
     const std::uint32_t row = branching_row(node);
     std::vector<std::pair<double, std::uint32_t>> children;
-    row_bits_[row].for_common(node.columns, [&](std::uint32_t j) {
-      children.emplace_back(node.slack[j], j);
-      return true;
-    });
+    row_bits_[row].for_common(node.columns,
+                              [&](std::uint32_t j) { children.emplace_back(node.slack[j], j); });
     std::sort(children.begin(), children.end());
     for (const auto& [slack, j] : children) {
       if (node.bound + slack >= best_ - rounding_) return;
@@ -253,7 +213,6 @@ class CoverTree {
       if (child.y[i] > 0)
         for (const std::uint32_t k : cover_.rows[i]) child.slack[k] += child.y[i];
       child.y[i] = 0;
-      return true;
     });
   }
 
