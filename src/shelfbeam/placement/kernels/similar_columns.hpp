@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/placement/kernels/growing_columns.hpp"
+#include "shelfbeam/placement/kernels/search_kernels.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 
 namespace shelfbeam::detail {
@@ -19,15 +21,11 @@ namespace shelfbeam::detail {
 class SimilarColumns {
  public:
   SimilarColumns(const SearchMatrix& all, std::span<const ColumnId> candidates)
-      : candidates_(candidates.begin(), candidates.end()), similar_(all.columns()) {
-    constexpr std::size_t block = SearchMatrix::block, looked_at = 512;
+      : candidates_(candidates.begin(), candidates.end()), sample_(all.columns()), similar_(all.columns()) {
+    constexpr std::size_t looked_at = 512;
     const std::size_t step = std::max<std::size_t>(1, all.rows() / looked_at);
-    const std::size_t rows = (all.rows() + step - 1) / step;
-    sampled_ = (rows + block - 1) / block * block;
-    sample_.assign(sampled_ * all.columns(), 0.0F);
-    for (std::size_t j = 0; j < all.columns(); ++j)
-      for (std::size_t r = 0; r < rows; ++r)
-        sample_[j * sampled_ + r] = std::min(all.column(j)[r * step], 1.0F);
+    sample_.add_rows((all.rows() + step - 1) / step,
+                     [&](std::size_t r, std::size_t j) { return std::min(all.column(j)[r * step], 1.0F); });
   }
 
   /// Up to 60 candidates other than `column`, the most similar first.
@@ -36,10 +34,10 @@ class SimilarColumns {
     std::vector<ColumnId>& similar = similar_[column];
     if (!similar.empty()) return similar;
     std::vector<std::pair<float, std::uint32_t>> by_distance;
-    const float* const own = sample_.data() + column * sampled_;
+    const float* const own = sample_.column(column);
     for (const ColumnId j : candidates_) {
       if (j == column) continue;
-      by_distance.emplace_back(SearchKernels::distance(own, sample_.data() + j * sampled_, sampled_), j);
+      by_distance.emplace_back(SearchKernels::distance(own, sample_.column(j), sample_.padded()), j);
     }
     const std::size_t count = std::min(max_count, by_distance.size());
     std::partial_sort(by_distance.begin(), by_distance.begin() + static_cast<std::ptrdiff_t>(count),
@@ -50,8 +48,7 @@ class SimilarColumns {
 
  private:
   std::vector<ColumnId> candidates_;
-  std::size_t sampled_ = 0;  ///< sampled rows, padded as in a SearchMatrix
-  std::vector<float> sample_;
+  GrowingColumns sample_;
   std::vector<std::vector<ColumnId>> similar_;
 };
 
