@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -44,6 +45,22 @@ std::vector<bool> marked(std::size_t count, const List& numbers) {
   std::vector<bool> is_in(count, false);
   for (const auto k : numbers) is_in[k] = true;
   return is_in;
+}
+
+/// A list in ascending order.
+template <class List>
+std::vector<typename List::value_type> sorted(const List& list) {
+  std::vector<typename List::value_type> ascending(list.begin(), list.end());
+  std::sort(ascending.begin(), ascending.end());
+  return ascending;
+}
+
+/// The union of two ascending lists without repetitions.
+template <class A, class B>
+std::vector<typename A::value_type> united(const A& a, const B& b) {
+  std::vector<typename A::value_type> all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace shelfbeam

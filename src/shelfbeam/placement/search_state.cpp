@@ -1,25 +1,13 @@
 #include "shelfbeam/placement/search_state.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 
 namespace shelfbeam::detail {
-
-namespace {
-
-// The union of ascending columns.
-std::vector<ColumnId> united(std::span<const ColumnId> a, std::span<const ColumnId> b) {
-  std::vector<ColumnId> all;
-  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
-  return all;
-}
-
-}  // namespace
 
 SearchState::SearchState(const Instance& of, const Selection& start, const Solvers& s, double time_limit_s,
                          std::uint64_t own_seed, const RunControl& c, const SearchLimits& l)

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/random.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/kernels/similar_columns.hpp"
@@ -94,12 +95,7 @@ class AnnealingWalk {
  private:
   const float* column(ColumnId j) const { return rows_.matrix().column(j); }
 
-  Selection selection() const {
-    Selection result = fixed_;
-    result.insert(result.end(), free_.begin(), free_.end());
-    std::sort(result.begin(), result.end());
-    return result;
-  }
+  Selection selection() const { return united(sorted(fixed_), sorted(free_)); }
 
   // Within a cooling of the given number of moves, u rises from 0 to 1 and
   //

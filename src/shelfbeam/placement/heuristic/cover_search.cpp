@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/reduce/cover_matrix.hpp"
 
@@ -211,13 +212,11 @@ std::optional<Selection> cover_search(const Instance& instance, const Reduction&
     for (const ColumnId other : instance.excludes[j])
       if (place[other] != no_place) others.push_back(place[other]);
   }
-  auto selected = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
+  const auto selected = best_of_walks(seed, effort, control, [&](std::uint32_t own_seed) {
     return CoverWalk(cover, cost, excludes, known, own_seed);
   });
   if (!selected) return std::nullopt;
-  selected->insert(selected->end(), reduction.forced.begin(), reduction.forced.end());
-  std::sort(selected->begin(), selected->end());
-  return selected;
+  return united(sorted(*selected), reduction.forced);
 }
 
 }  // namespace shelfbeam::detail

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 
@@ -200,9 +201,7 @@ std::vector<double> greedy_costs(const detail::Instance& instance) {
 
 Selection greedy_selection(const detail::Instance& instance, const detail::Effort& effort,
                            const RunControl& control) {
-  Selection selected = greedy_order(instance, {}, effort, control);
-  std::sort(selected.begin(), selected.end());
-  return selected;
+  return sorted(greedy_order(instance, {}, effort, control));
 }
 
 std::vector<ColumnId> greedy_order(const detail::Instance& instance, std::span<const double> weight,

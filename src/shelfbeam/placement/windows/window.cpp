@@ -1,8 +1,9 @@
 #include "shelfbeam/placement/windows/window.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
+
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam::detail {
 
@@ -99,16 +100,12 @@ Window make_window(const CoverMatrix& cover, std::vector<std::uint32_t> rows) {
 }
 
 Window merged(const CoverMatrix& cover, const Window& a, const Window& b) {
-  std::vector<std::uint32_t> rows;
-  std::merge(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(), std::back_inserter(rows));
-  Window window = make_window(cover, std::move(rows));
+  Window window = make_window(cover, united(a.rows, b.rows));
   std::vector<double> sum(cover.columns.size(), 0.0);
   for (const Window* part : {&a, &b})
     for (std::size_t k = 0; k < part->columns.size(); ++k) sum[part->columns[k]] += part->weight[k];
   for (std::size_t k = 0; k < window.columns.size(); ++k) window.weight[k] = sum[window.columns[k]];
-  if (!a.selected.empty() && !b.selected.empty())
-    std::set_union(a.selected.begin(), a.selected.end(), b.selected.begin(), b.selected.end(),
-                   std::back_inserter(window.selected));
+  if (!a.selected.empty() && !b.selected.empty()) window.selected = united(a.selected, b.selected);
   return window;
 }
 

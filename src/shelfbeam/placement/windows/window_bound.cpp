@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/math/steps.hpp"
 #include "shelfbeam/placement/bound/ascent.hpp"
 #include "shelfbeam/placement/windows/divided_rows.hpp"
@@ -47,8 +48,7 @@ class WindowSearch {
         while (!is_over() && exclude()) step_until_stuck();
       } while (!is_over() && merge());
     });
-    std::sort(useless_.begin(), useless_.end());
-    return {.bound = best_value_, .useless = useless_};
+    return {.bound = best_value_, .useless = sorted(useless_)};
   }
 
   // For ascend.
@@ -202,8 +202,7 @@ class WindowSearch {
       else
         selected.push_back(cover_.column_of[j]);
     }
-    std::sort(selected.begin(), selected.end());
-    target_ = heuristic_(selected);
+    target_ = heuristic_(sorted(selected));
   }
 
   void step_until_stuck() {
@@ -343,10 +342,8 @@ WindowBound window_bound(const Instance& instance, std::span<const double> cost,
                          const WindowHeuristic& heuristic, const RunControl& control) {
   double forced_cost = 0;
   for (const std::uint32_t j : reduction.forced) forced_cost += cost[j];
-  const WindowHeuristic whole = [&](Selection selected) {
-    selected.insert(selected.end(), reduction.forced.begin(), reduction.forced.end());
-    std::sort(selected.begin(), selected.end());
-    return heuristic(selected);
+  const WindowHeuristic whole = [&](const Selection& selected) {
+    return heuristic(united(selected, reduction.forced));
   };
   CoverMatrix cover(instance, cost, reduction);
   if (cover.rows.empty()) return {.bound = forced_cost, .useless = {}};
