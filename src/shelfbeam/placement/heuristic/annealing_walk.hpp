@@ -53,14 +53,13 @@ class AnnealingWalk {
   /// `all`: signals that show which columns are similar.
   AnnealingWalk(const Instance& instance, const SearchMatrix& all, Rows rows, const Selection& start,
                 std::uint32_t seed)
-      : instance_(instance), rows_(std::move(rows)), in_(all.columns(), false), random_(seed) {
-    for (const ColumnId j : start) {
-      in_[j] = true;
-      (instance.available[j] ? free_ : fixed_).push_back(j);
-    }
-    for (std::uint32_t j = 0; j < all.columns(); ++j)
-      if (instance.available[j]) candidates_.push_back(j);
-    similar_.emplace(all, candidates_);
+      : instance_(instance),
+        rows_(std::move(rows)),
+        in_(marked(all.columns(), start)),
+        candidates_(numbers_where<ColumnId>(instance.available)),
+        similar_(all, candidates_),
+        random_(seed) {
+    for (const ColumnId j : start) (instance.available[j] ? free_ : fixed_).push_back(j);
     if (rows_.reaches_all(start)) fewest_ = start.size();
     recount();
   }
@@ -176,7 +175,7 @@ class AnnealingWalk {
     constexpr std::size_t nearest_count = 8;
     const double kind = unit();
     if (kind < any) return candidates_[index(candidates_.size())];
-    const std::span<const ColumnId> near = similar_->to(out);
+    const std::span<const ColumnId> near = similar_.to(out);
     return near[index(kind < any + nearest ? std::min(nearest_count, near.size()) : near.size())];
   }
 
@@ -212,7 +211,7 @@ class AnnealingWalk {
   Rows rows_;
   std::vector<bool> in_;
   std::vector<ColumnId> fixed_, free_, candidates_;
-  std::optional<SimilarColumns> similar_;
+  SimilarColumns similar_;
   std::vector<float> held_, zeros_, best_signal_, second_signal_;
   float lack_ = 0;           ///< L(T)
   bool has_failed_ = false;  ///< misses a label on all rows, although none of them is new

@@ -28,12 +28,9 @@ class CoverWalk {
         touched_(cost.size(), 0),
         weight_(cover.rows.size(), 1),
         times_(cover.rows.size(), 0),
-        position_(cover.rows.size(), 0),
+        open_(all_numbers(cover.rows.size())),
+        position_(open_),
         random_(seed) {
-    for (std::uint32_t i = 0; i < weight_.size(); ++i) {
-      position_[i] = static_cast<std::uint32_t>(open_.size());
-      open_.push_back(i);
-    }
     for (std::size_t c = 0; c < in_.size(); ++c) {
       score_[c] = static_cast<std::int64_t>(cover.columns[c].size());
       per_cost_.push_back(1 / std::max(static_cast<double>(cost[c]), 1e-3));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "shelfbeam/math/order.hpp"
@@ -74,9 +73,7 @@ class Greedy {
   double weight(std::size_t label) const { return weight_.empty() ? 1 : weight_[label]; }
 
   void look_at_every_label() {
-    unmet_.resize(instance_.rows());
-    std::iota(unmet_.begin(), unmet_.end(), std::size_t{0});
-    std::erase_if(unmet_, [&](std::size_t i) { return weight(i) <= 0; });
+    unmet_ = numbers_where<LabelId>(instance_.rows(), [&](LabelId i) { return weight(i) > 0; });
   }
 
   double share(const SignalEntry& entry, double requirement) const {
@@ -132,7 +129,7 @@ class Greedy {
   void reach_each_label() {
     std::vector<SignalEntry> strongest;
     std::vector<ColumnId> added;
-    for (const std::size_t i : unmet_) {
+    for (const LabelId i : unmet_) {
       const double requirement = instance_.requirement(i);
       if (instance_.is_reached(i, chosen_)) continue;
       if (!instance_.mounts.may_meet(instance_.row(i), requirement, instance_.problem)) continue;
@@ -158,7 +155,7 @@ class Greedy {
   // The gain of every column (greedy.hpp); removes labels that are reached by now.
   std::vector<double> gains() {
     std::vector<double> gain(instance_.columns(), 0.0);
-    std::erase_if(unmet_, [&](std::size_t i) {
+    std::erase_if(unmet_, [&](LabelId i) {
       const double requirement = instance_.requirement(i);
       const double received = instance_.received(i, chosen_);
       if (is_met(received, requirement)) return true;
@@ -185,7 +182,7 @@ class Greedy {
   std::vector<ColumnId> order_;  ///< the chosen units, in the order of their addition
   std::vector<bool> chosen_;
   std::vector<std::uint32_t> blocked_by_;  ///< per column: chosen units in conflict with it
-  std::vector<std::size_t> unmet_;
+  std::vector<LabelId> unmet_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/kernels/active_rows.hpp"
 
@@ -26,12 +27,11 @@ class Walk {
         demand_(rule_ == Receiving::second_best ? 2.0F : 1.0F),
         price_(all.columns(), 1.0),
         is_free_(instance.available),
-        in_(all.columns(), false),
+        in_(marked(all.columns(), start)),
         touched_(all.columns(), 0),
         random_(seed) {
     if (instance.is_weighted())
       for (std::size_t j = 0; j < price_.size(); ++j) price_[j] = static_cast<double>(instance.cost[j]);
-    for (const ColumnId j : start) in_[j] = true;
     if (margin_of(instance, all, start, memory_).is_met) best_cost_ = cost();
     rows_.add_hardest(start, ActiveRows::at_first);
     follow_rows();
@@ -73,9 +73,8 @@ class Walk {
     weight_.resize(rows_.padded(), 0.0F);
     for (std::size_t r = supporters_.size(); r < rows_.rows(); ++r) {
       const LabelId row = rows_.row(r);
-      std::vector<ColumnId> columns;
-      for (std::uint32_t j = 0; j < in_.size(); ++j)
-        if (is_free_[j] && rows_.used_of(row, j) > 0) columns.push_back(j);
+      std::vector<ColumnId> columns = numbers_where<ColumnId>(
+          in_.size(), [&](ColumnId j) { return is_free_[j] && rows_.used_of(row, j) > 0; });
       const std::size_t count = std::min(max_supporters, columns.size());
       std::partial_sort(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(count), columns.end(),
                         [&](std::uint32_t a, std::uint32_t b) {
@@ -109,16 +108,9 @@ class Walk {
     return unmet_.empty();
   }
 
-  Selection selection() const {
-    Selection result;
-    for (std::uint32_t j = 0; j < in_.size(); ++j)
-      if (in_[j]) result.push_back(j);
-    return result;
-  }
-
   // Keeps the selection if it reaches all labels; otherwise adds rows that it misses.
   bool try_on_all() {
-    const Selection selected = selection();
+    const Selection selected = numbers_where<ColumnId>(in_);
     const Margin margin = margin_of(instance_, all_, selected, memory_);
     if (margin.is_met) {
       if (const double price = cost(); price < best_cost_) {

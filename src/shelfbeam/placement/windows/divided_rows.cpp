@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
+
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam::detail {
 
@@ -85,9 +86,7 @@ class RowDivider {
 std::vector<std::vector<std::uint32_t>> divided_rows(std::span<const milp::Row> rows, std::size_t columns,
                                                      std::span<const double> mass, std::size_t parts) {
   RowDivider divider(rows, columns, mass);
-  std::vector<std::uint32_t> all(rows.size());
-  std::iota(all.begin(), all.end(), 0U);
-  divider.divide(std::move(all), parts);
+  divider.divide(all_numbers(rows.size()), parts);
   return std::move(divider.divided);
 }
 

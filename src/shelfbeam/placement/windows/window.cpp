@@ -60,8 +60,7 @@ std::vector<double> lp_multipliers(const SmallCover& cover, const CoverTreeLimit
 
 // Rows that the selection does not reach yet are reached by columns without weight.
 void add_free_columns(const CoverMatrix& cover, const std::vector<bool>& is_free, Window& window) {
-  std::vector<bool> is_open(cover.rows.size(), false);
-  for (const std::uint32_t i : window.rows) is_open[i] = true;
+  std::vector<bool> is_open = marked(cover.rows.size(), window.rows);
   const auto reach = [&](std::uint32_t j) {
     for (const std::uint32_t i : cover.columns[j]) is_open[i] = false;
   };
@@ -93,8 +92,7 @@ Window make_window(const CoverMatrix& cover, std::vector<std::uint32_t> rows) {
   std::vector<bool> is_in(cover.columns.size(), false);
   for (const std::uint32_t i : window.rows)
     for (const std::uint32_t j : cover.rows[i]) is_in[j] = true;
-  for (std::uint32_t j = 0; j < is_in.size(); ++j)
-    if (is_in[j]) window.columns.push_back(j);
+  window.columns = numbers_where(is_in);
   window.weight.assign(window.columns.size(), 0.0);
   return window;
 }
@@ -113,8 +111,7 @@ void search_window(const CoverMatrix& cover, Window& window, const CoverTreeLimi
                    const milp::Backend& backend) {
   const SmallWindow small(cover, window);
   double known = 0;
-  std::vector<bool> was_selected(cover.columns.size(), false);
-  for (const std::uint32_t j : window.selected) was_selected[j] = true;
+  const std::vector<bool> was_selected = marked(cover.columns.size(), window.selected);
   for (std::size_t k = 0; k < small.columns.size(); ++k)
     if (window.selected.empty() || was_selected[small.columns[k]]) known += small.cover.cost[k];
   // The old selection is still one, and is found again if it is the cheapest.

@@ -85,8 +85,7 @@ class WindowSearch {
     directions_.resize(now_.size());
     double square = 0;
     for (std::size_t w = 0; w < now_.size(); ++w) {
-      std::vector<bool> is_used(cover_.columns.size(), false);
-      for (const std::uint32_t j : now_[w].selected) is_used[j] = true;
+      const std::vector<bool> is_used = marked(cover_.columns.size(), now_[w].selected);
       directions_[w].resize(now_[w].columns.size(), 0.0);
       for (std::size_t k = 0; k < now_[w].columns.size(); ++k) {
         const std::uint32_t j = now_[w].columns[k];
@@ -274,10 +273,9 @@ class WindowSearch {
     for (const Window& window : best_) work_ += window.work;
     for (const auto& columns : useless)
       for (const std::uint32_t j : columns) is_removed[j] = true;
-    if (std::none_of(is_removed.begin(), is_removed.end(), [](bool removed) { return removed; }))
-      return false;
-    for (std::size_t j = 0; j < is_removed.size(); ++j)
-      if (is_removed[j]) useless_.push_back(cover_.column_of[j]);
+    const std::vector<std::uint32_t> removed = numbers_where(is_removed);
+    if (removed.empty()) return false;
+    for (const std::uint32_t j : removed) useless_.push_back(cover_.column_of[j]);
     remove_columns(cover_, is_removed);
     for (Window& window : best_) remove_columns(window, is_removed);
     if (std::any_of(cover_.rows.begin(), cover_.rows.end(), [](const auto& row) { return row.empty(); })) {

@@ -10,6 +10,7 @@
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/milp/branching.hpp"
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/bound/row_pricing.hpp"
@@ -112,8 +113,7 @@ class WindowMips final : ProgressSink {
         for (const milp::Entry& entry : priced[i].entries) share[entry.column] += entry.value;
       for (std::size_t j = 0; j < share.size(); ++j) all[j] += share[j];
     }
-    std::vector<bool> is_out(cost_.size(), false);
-    for (const ColumnId j : options_.without) is_out[j] = true;
+    const std::vector<bool> is_out = marked(cost_.size(), options_.without);
     for (std::size_t k = 0; k < parts.size(); ++k) {
       std::vector<double>& share = shares[k];
       WindowMip& window = windows_.emplace_back();
