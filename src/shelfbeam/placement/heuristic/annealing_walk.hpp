@@ -184,8 +184,8 @@ class AnnealingWalk {
     if (instance_.problem.combination == Combination::spend &&
         instance_.table.transceivers[in].cost > instance_.table.transceivers[out].cost)
       return true;
-    return std::any_of(instance_.excludes[in].begin(), instance_.excludes[in].end(),
-                       [&](std::uint32_t other) { return other != out && in_[other]; });
+    return std::ranges::any_of(instance_.excludes[in],
+                               [&](std::uint32_t other) { return other != out && in_[other]; });
   }
 
   // A random exchange, accepted with probability min(1, exp((L(before) - L(after)) / temperature)).

@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/heuristic/greedy.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -116,8 +117,7 @@ class Greedy {
       }
       for (const SignalEntry& entry : instance_.row(i)) part[entry.transceiver] = 0;
     }
-    const auto best = std::min_element(
-        all.begin(), all.end(), [](const Exchange& a, const Exchange& b) { return a.lacking < b.lacking; });
+    const auto best = std::ranges::min_element(all, {}, &Exchange::lacking);
     if (best == all.end() || best->lacking > -min_help) return false;
     drop(best->out);
     choose(best->in);
@@ -137,8 +137,7 @@ class Greedy {
       added.clear();
       for (const SignalEntry& entry : instance_.row(i))
         if (!chosen_[entry.transceiver] && share(entry, requirement) > 0) strongest.push_back(entry);
-      std::stable_sort(strongest.begin(), strongest.end(),
-                       [](const SignalEntry& a, const SignalEntry& b) { return a.signal > b.signal; });
+      std::ranges::stable_sort(strongest, std::greater{}, &SignalEntry::signal);
       bool is_reached = false;
       for (const SignalEntry& entry : strongest) {
         if (blocked_by_[entry.transceiver] > 0) continue;

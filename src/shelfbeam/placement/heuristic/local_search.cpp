@@ -76,11 +76,8 @@ class Walk {
       std::vector<ColumnId> columns = numbers_where<ColumnId>(
           in_.size(), [&](ColumnId j) { return is_free_[j] && rows_.used_of(row, j) > 0; });
       const std::size_t count = std::min(max_supporters, columns.size());
-      std::partial_sort(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(count), columns.end(),
-                        [&](std::uint32_t a, std::uint32_t b) {
-                          const float x = all_.column(a)[row], y = all_.column(b)[row];
-                          return x > y || (x == y && a < b);
-                        });
+      std::ranges::partial_sort(columns, columns.begin() + static_cast<std::ptrdiff_t>(count), {},
+                                [&](ColumnId j) { return std::pair(-all_.column(j)[row], j); });
       columns.resize(count);
       supporters_.push_back(std::move(columns));
       weight_[r] = 1;

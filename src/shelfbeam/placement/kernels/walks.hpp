@@ -36,9 +36,7 @@ std::optional<Selection> best_of_walks(std::uint32_t seed, const Effort& effort,
       found[k] = walk.best();
     });
   });
-  return std::min_element(found.begin(), found.end(),
-                          [](const Found& a, const Found& b) { return a.cost < b.cost; })
-      ->selected;
+  return std::ranges::min_element(found, {}, &Found::cost)->selected;
 }
 
 }  // namespace shelfbeam::detail

@@ -21,7 +21,7 @@ class BitSet {
   void erase(std::size_t k) { words_[k / 64] &= ~(std::uint64_t{1} << k % 64); }
   bool contains(std::size_t k) const { return (words_[k / 64] >> k % 64 & 1) != 0; }
   bool empty() const {
-    return std::all_of(words_.begin(), words_.end(), [](std::uint64_t word) { return word == 0; });
+    return std::ranges::all_of(words_, [](std::uint64_t word) { return word == 0; });
   }
   /// The other set is of the same size, here and below.
   bool is_subset(const BitSet& other) const {

@@ -103,10 +103,7 @@ class CaseRows : public detail::TotalLack<CaseRows> {
                    const std::vector<float>& best) const {
     const auto end =
         rows.begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(allowed, rows.size()));
-    if (end != rows.end())
-      std::nth_element(rows.begin(), end, rows.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return counted(held, best, a) < counted(held, best, b);
-      });
+    std::ranges::nth_element(rows, end, {}, [&](std::uint32_t r) { return counted(held, best, r); });
     std::for_each(rows.begin(), end, [&](std::uint32_t r) { held[r] += excused; });
   }
 

@@ -171,8 +171,7 @@ class CoverTree {
 
   bool has_no_new_column(const Node& node) const {
     return node.columns.is_subset(is_found_) &&
-           std::all_of(chosen_.begin(), chosen_.end(),
-                       [&](std::uint32_t j) { return is_found_.contains(j); });
+           std::ranges::all_of(chosen_, [&](std::uint32_t j) { return is_found_.contains(j); });
   }
 
   // nodes_[depth] explored; its subtree stays open if the search ends.

@@ -26,9 +26,7 @@ class RowDivider {
       return;
     }
     find_eigenvector(part);
-    std::sort(part.begin(), part.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::pair(value_[a], a) < std::pair(value_[b], b);
-    });
+    std::ranges::sort(part, {}, [&](std::uint32_t i) { return std::pair(value_[i], i); });
     const std::size_t left = parts / 2;
     double total = 0, sum = 0;
     for (const std::uint32_t i : part) total += mass_[i];

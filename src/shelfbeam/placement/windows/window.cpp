@@ -67,13 +67,11 @@ void add_free_columns(const CoverMatrix& cover, const std::vector<bool>& is_free
   for (const std::uint32_t j : window.selected) reach(j);
   for (const std::uint32_t i : window.rows) {
     if (!is_open[i]) continue;
-    std::size_t max_gain = 0;
+    std::ptrdiff_t max_gain = 0;
     std::uint32_t best = none;
     for (const std::uint32_t j : cover.rows[i]) {
       if (!is_free[j]) continue;
-      const auto& rows = cover.columns[j];
-      const auto gain = static_cast<std::size_t>(
-          std::count_if(rows.begin(), rows.end(), [&](std::uint32_t k) { return is_open[k]; }));
+      const auto gain = std::ranges::count_if(cover.columns[j], [&](std::uint32_t k) { return is_open[k]; });
       if (gain <= max_gain) continue;
       max_gain = gain;
       best = j;
@@ -155,8 +153,7 @@ void remove_columns(Window& window, const std::vector<bool>& is_removed) {
   }
   window.columns.resize(left);
   window.weight.resize(left);
-  if (std::any_of(window.selected.begin(), window.selected.end(),
-                  [&](std::uint32_t j) { return is_removed[j]; })) {
+  if (std::ranges::any_of(window.selected, [&](std::uint32_t j) { return is_removed[j]; })) {
     window.selected.clear();
     window.complete = false;
   }

@@ -133,9 +133,7 @@ class WindowSearch {
     report();
   }
 
-  bool is_cut_short() const {
-    return std::any_of(now_.begin(), now_.end(), [](const Window& window) { return !window.complete; });
-  }
+  bool is_cut_short() const { return !std::ranges::all_of(now_, &Window::complete); }
 
   void search(Windows& windows) {
     allow_rest();
@@ -196,7 +194,7 @@ class WindowSearch {
     });
     for (const std::uint32_t j : order) {
       const auto& rows = cover_.columns[j];
-      if (std::all_of(rows.begin(), rows.end(), [&](std::uint32_t i) { return times[i] > 1; }))
+      if (std::ranges::all_of(rows, [&](std::uint32_t i) { return times[i] > 1; }))
         for (const std::uint32_t i : rows) --times[i];
       else
         selected.push_back(cover_.column_of[j]);
@@ -248,8 +246,7 @@ class WindowSearch {
         if (shared > 0) pairs.push_back({shared / (best_[a].value + best_[b].value), a, b});
       }
     }
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const Pair& left, const Pair& right) { return left.shared > right.shared; });
+    std::ranges::stable_sort(pairs, std::greater{}, &Pair::shared);
     std::vector<bool> is_taken(best_.size(), false);
     std::erase_if(pairs, [&](const Pair& pair) {
       if (is_taken[pair.a] || is_taken[pair.b]) return true;
@@ -278,7 +275,7 @@ class WindowSearch {
     for (const std::uint32_t j : removed) useless_.push_back(cover_.column_of[j]);
     remove_columns(cover_, is_removed);
     for (Window& window : best_) remove_columns(window, is_removed);
-    if (std::any_of(cover_.rows.begin(), cover_.rows.end(), [](const auto& row) { return row.empty(); })) {
+    if (std::ranges::any_of(cover_.rows, [](const auto& row) { return row.empty(); })) {
       best_value_ = std::numeric_limits<double>::infinity();
       return true;
     }
