@@ -18,11 +18,12 @@ class Greedy {
   Greedy(const detail::Instance& instance, std::span<const double> weight)
       : instance_(instance),
         weight_(weight),
-        cost_(greedy_costs(instance)),
+        cost_(instance.first_cost),
         chosen_(instance.columns(), false),
         blocked_by_(instance.columns(), 0) {
-    for (std::uint32_t j = 0; j < instance.columns(); ++j)
-      if (instance.is_installed(j)) choose(j);
+    if (instance.problem.combination == Combination::lexicographic)
+      for (std::size_t j = 0; j < cost_.size(); ++j) cost_[j] += instance.second_cost[j];
+    for (const ColumnId j : instance.installed) choose(j);
     look_at_every_label();
   }
 
@@ -62,13 +63,13 @@ class Greedy {
   void choose(ColumnId column) {
     order_.push_back(column);
     chosen_[column] = true;
-    instance_.mounts.for_each_conflict(column, [&](std::uint32_t other) { ++blocked_by_[other]; });
+    for (const ColumnId other : instance_.excludes[column]) ++blocked_by_[other];
   }
 
   void drop(ColumnId column) {
     order_.erase(std::find(order_.begin(), order_.end(), column));
     chosen_[column] = false;
-    instance_.mounts.for_each_conflict(column, [&](std::uint32_t other) { --blocked_by_[other]; });
+    for (const ColumnId other : instance_.excludes[column]) --blocked_by_[other];
   }
 
   double weight(std::size_t label) const { return weight_.empty() ? 1 : weight_[label]; }
@@ -81,17 +82,12 @@ class Greedy {
     return detail::share_of(entry.signal, requirement, instance_.problem);
   }
 
-  double lacking(double sum, double largest) const {
-    return detail::lacking(sum, largest, instance_.problem);
-  }
-
   std::vector<Exchange> exchanges() const {
     std::vector<Exchange> result;
     for (std::uint32_t j = 0; j < instance_.columns(); ++j) {
       if (!chosen_[j] || instance_.is_installed(j)) continue;
-      instance_.mounts.for_each_conflict(j, [&](std::uint32_t other) {
+      for (const ColumnId other : instance_.excludes[j])
         if (!chosen_[other] && blocked_by_[other] == 1) result.push_back({j, other, 0});
-      });
     }
     return result;
   }
@@ -108,12 +104,11 @@ class Greedy {
         part[entry.transceiver] = share(entry, requirement);
         if (chosen_[entry.transceiver]) now.add(entry.transceiver, part[entry.transceiver]);
       }
-      const double before = lacking(now.sum, now.largest);
+      const double before = detail::lacking(now.sum, now.largest, instance_.problem);
       for (Exchange& one : all) {
-        const double left = now.largest_without(one.out);
-        one.lacking +=
-            weight(i) *
-            (lacking(now.sum - part[one.out] + part[one.in], std::max(left, part[one.in])) - before);
+        const double largest = std::max(now.largest_without(one.out), part[one.in]);
+        const double sum = now.sum - part[one.out] + part[one.in];
+        one.lacking += weight(i) * (detail::lacking(sum, largest, instance_.problem) - before);
       }
       for (const SignalEntry& entry : instance_.row(i)) part[entry.transceiver] = 0;
     }
@@ -185,15 +180,6 @@ class Greedy {
 };
 
 }  // namespace
-
-std::vector<double> greedy_costs(const detail::Instance& instance) {
-  std::vector<double> cost = instance.second_cost;
-  for (std::size_t j = 0; j < cost.size(); ++j)
-    cost[j] += instance.problem.combination == Combination::lexicographic
-                   ? 1.0
-                   : instance.table.transceivers[j].cost;
-  return cost;
-}
 
 Selection greedy_selection(const detail::Instance& instance, const detail::Effort& effort,
                            const RunControl& control) {

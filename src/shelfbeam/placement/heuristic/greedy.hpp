@@ -43,7 +43,4 @@ Selection greedy_selection(const detail::Instance& instance, const detail::Effor
 std::vector<ColumnId> greedy_order(const detail::Instance& instance, std::span<const double> weight,
                                    const detail::Effort& effort, const RunControl& control);
 
-/// c(S_j) of every column.
-std::vector<double> greedy_costs(const detail::Instance& instance);
-
 }  // namespace shelfbeam

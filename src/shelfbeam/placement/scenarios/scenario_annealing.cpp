@@ -8,6 +8,7 @@
 
 #include "shelfbeam/placement/heuristic/annealing_walk.hpp"
 #include "shelfbeam/placement/kernels/growing_columns.hpp"
+#include "shelfbeam/placement/problem/label_shares.hpp"
 
 namespace shelfbeam {
 
@@ -149,10 +150,7 @@ class CaseRows : public detail::TotalLack<CaseRows> {
     values_.add_rows(cases.size(), [&](std::size_t k, std::size_t j) {
       const double signal = static_cast<double>(
           scenarios_.of(static_cast<std::uint32_t>(j), cases[k].label)[cases[k].scenario]);
-      const double needed = requirement(cases[k].label);
-      if (problem_.model == CommunicationModel::cooperative)
-        return static_cast<float>(std::min(1.0, signal / needed));
-      return is_met(signal, needed) ? 1.0F : 0.0F;
+      return static_cast<float>(detail::share_of(signal, requirement(cases[k].label), problem_));
     });
   }
 
