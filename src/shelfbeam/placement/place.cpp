@@ -135,7 +135,6 @@ void raise_neglected_bounds(Placement& placement, const Instance& instance, cons
 Placement placed(const Instance& instance, const PlaceOptions& options, const Deadline& deadline,
                  std::vector<SearchStep>& steps, const RunControl& control) {
   const auto backends = milp::backends_of(options.backend);
-  const bool without_mip = options.solver == SolverChoice::search;
   const bool searches = options.uses(SolverChoice::search);
   const bool is_all = options.solver == SolverChoice::greedy;
   // A search of a large table takes about a second to begin.
@@ -163,11 +162,10 @@ Placement placed(const Instance& instance, const PlaceOptions& options, const De
       placement.status = Status::stopped;
       return placement;
     }
-    return detail::search_placement(
-        instance, *known, {backends, without_mip}, deadline.seconds_left(), options.seed, control,
-        {.proves = options.proves, .settles_ties = options.settles_ties, .step_limit = options.step_limit});
+    return detail::search_placement(instance, *known, backends, options, deadline, control);
   }
-  if (without_mip || (searches && instance.table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
+  if (!options.uses(SolverChoice::mip) ||
+      (searches && instance.table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
     Placement placement = plain_placement(instance, known);
     placement.solver = {Method::search};
     return placement;
@@ -189,8 +187,7 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   if (problem.combination == Combination::spend)
     return detail::place_by_spend(table, problem, options, control);
   const auto start = std::chrono::steady_clock::now();
-  constexpr double endless_s = 1e8;
-  const Deadline deadline(options.step_limit ? endless_s : options.time_limit_s);
+  const Deadline deadline(options.step_limit ? detail::no_limit_s : options.time_limit_s);
   check_problem(table, problem);
   const ThreadLimit allowed(control.threads);
   milp::backends_of(options.backend);  // throws for an unknown name

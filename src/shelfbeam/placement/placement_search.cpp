@@ -81,8 +81,8 @@ constexpr auto is_large_whole_of_few = [](State state) {
 // Sums of many units: tree searches do not end, and the whole is too large for a MIP.
 constexpr auto may_have_window_mips = [](State state) {
   return has_tree(state) && !has_few_units(state) && !state.instance.is_cover() &&
-         !state.instance.is_weighted() && !state.instance.problem.redundant && !state.solvers.only_linear &&
-         !state.fits_mip();
+         !state.instance.is_weighted() && !state.instance.problem.redundant &&
+         state.options.uses(SolverChoice::mip) && !state.fits_mip();
 };
 constexpr auto fits_mip = [](State state) { return state.fits_mip(); };
 constexpr auto has_bounds_alone = [](State state) { return !has_tree(state) && !state.may_ask_mip(); };
@@ -156,8 +156,8 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
   run_steps(opening, state);
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
-  if (state.limits.proves) run_steps(schedule, state);
-  if (state.limits.proves && !state.instance.is_weighted() &&
+  if (state.options.proves) run_steps(schedule, state);
+  if (state.options.proves && !state.instance.is_weighted() &&
       state.instance.problem.objective != Objective::count) {
     const CostBounds& bounds = state.instance.second_bounds;
     const Selection& best = state.incumbent.selected();
@@ -166,7 +166,7 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
     if (state.incumbent.is_closed()) run_steps(second_schedule, state);
   }
   const bool is_optimal = state.is_settled();
-  const bool settled = is_optimal && state.limits.settles_ties && settle_ties(state, problem, of_opening);
+  const bool settled = is_optimal && state.options.settles_ties && settle_ties(state, problem, of_opening);
   Placement placement = answer_of(state, problem);
   placement.status = is_optimal ? Status::optimal : Status::stopped;
   placement.ties_settled = settled;
@@ -186,11 +186,11 @@ std::optional<Selection> first_selection(const Instance& instance, const Selecti
   return found && instance.check(*found).met() ? found : std::nullopt;
 }
 
-Placement search_placement(const Instance& instance, const Selection& start, const Solvers& solvers,
-                           double time_limit_s, std::uint64_t seed, const RunControl& control,
-                           const SearchLimits& limits) {
+Placement search_placement(const Instance& instance, const Selection& start,
+                           std::span<const milp::Backend> backends, const PlaceOptions& options,
+                           const Deadline& deadline, const RunControl& control, const SearchLimits& limits) {
   const auto search_for = [&](const Instance& own) {
-    SearchState state(own, start, solvers, time_limit_s, seed, control, limits);
+    SearchState state(own, start, backends, options, deadline, control, limits);
     return search(state, instance.problem);
   };
   const auto answer = [&](const Instance& priced) {

@@ -7,18 +7,13 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/heuristic/searches.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
-
-/// The back ends for LPs and MIPs, in order: the next one follows if one fails.
-struct Solvers {
-  std::span<const milp::Backend> preferred;
-  bool only_linear = false;  ///< no MIPs: no solver contributes to the selection or its proof
-};
 
 /// Size limits of the methods, suited to two cores and a minute. Entries are stored signals, places are cells
 /// of the matrix (m n).
@@ -31,17 +26,16 @@ struct SearchLimits {
   std::size_t max_model_entries = 20'000'000;  ///< of the whole model if no selection is known
   std::size_t max_small_lp_entries = 5'000'000;
   std::size_t max_checked_steps = 1'000'000;  ///< of a tree's log
-  bool proves = true;
-  bool settles_ties = true;
-  std::optional<std::uint64_t> step_limit = {};  ///< PlaceOptions::step_limit
 };
 
 /// Solves a placement problem by local search, LP bounds, tree search and, if a gap remains, a MIP on the
-/// remainder of the reductions. `start` is a selection that the checker accepts. If the search closes the
-/// gap, it settles ties (`settle_ties`) within a work limit, so that the result is the same for any number of
+/// remainder of the reductions. `start` is a selection that the checker accepts. The next of `backends`
+/// follows if one fails. The deadline replaces the time limit of the options. If the search closes the gap,
+/// it settles ties (`settle_ties`) within a work limit, so that the result is the same for any number of
 /// threads even if ties stay open. The result has no `seconds`.
-Placement search_placement(const Instance& instance, const Selection& start, const Solvers& solvers,
-                           double time_limit_s, std::uint64_t seed, const RunControl& control,
+Placement search_placement(const Instance& instance, const Selection& start,
+                           std::span<const milp::Backend> backends, const PlaceOptions& options,
+                           const Deadline& deadline, const RunControl& control,
                            const SearchLimits& limits = {});
 
 /// A feasible selection, by local search from an infeasible one (conflicts can block the greedy method);

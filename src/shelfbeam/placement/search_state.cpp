@@ -9,13 +9,14 @@
 
 namespace shelfbeam::detail {
 
-SearchState::SearchState(const Instance& of, const Selection& start, const Solvers& s, double time_limit_s,
-                         std::uint64_t own_seed, const RunControl& c, const SearchLimits& l)
+SearchState::SearchState(const Instance& of, const Selection& start, std::span<const milp::Backend> b,
+                         const PlaceOptions& o, const Deadline& d, const RunControl& c, const SearchLimits& l)
     : instance(of),
-      solvers(s),
+      backends(b),
+      options(o),
       limits(l),
-      deadline(l.step_limit ? no_limit_s : time_limit_s),
-      seed(static_cast<std::uint32_t>(mix_key(own_seed, 0))),
+      deadline(d),
+      seed(static_cast<std::uint32_t>(mix_key(o.seed, 0))),
       incumbent(of.bounds, of.is_weighted() ? of.bounds.cheapest(of.trivial_count_bound())
                                             : static_cast<double>(of.trivial_count_bound())),
       watcher(c.progress),

@@ -27,12 +27,14 @@ namespace shelfbeam::detail {
 /// State shared by the steps of one search: problem, incumbent, bounds and remaining time. Reports incumbent
 /// and bound as progress, whichever method runs.
 struct SearchState final : ProgressSink {
-  SearchState(const Instance& instance, const Selection& start, const Solvers& solvers, double time_limit_s,
-              std::uint64_t seed, const RunControl& control, const SearchLimits& limits);
+  SearchState(const Instance& instance, const Selection& start, std::span<const milp::Backend> backends,
+              const PlaceOptions& options, const Deadline& deadline, const RunControl& control,
+              const SearchLimits& limits);
   SearchState(const SearchState&) = delete;
 
   const Instance& instance;
-  const Solvers& solvers;
+  std::span<const milp::Backend> backends;
+  const PlaceOptions& options;
   const SearchLimits& limits;
   Deadline deadline;
   std::uint32_t seed;
@@ -54,7 +56,7 @@ struct SearchState final : ProgressSink {
   std::string_view step;  ///< name of the current step
   std::vector<SearchStep> steps;
 
-  Effort whole() const { return {limits.step_limit.value_or(any_steps), deadline.end()}; }
+  Effort whole() const { return {options.step_limit.value_or(any_steps), deadline.end()}; }
   bool is_settled() const { return incumbent.is_closed() && (!second || second->is_closed()); }
   bool ends() const { return is_settled() || out_of_time(); }
   double value() const { return second ? second->value() : incumbent.value(); }
@@ -68,9 +70,9 @@ struct SearchState final : ProgressSink {
            instance.table.entries.size() <= limits.max_mip_entries;
   }
   bool fits_mip() const {
-    return !solvers.only_linear && instance.table.entries.size() <= limits.max_mip_entries;
+    return options.uses(SolverChoice::mip) && instance.table.entries.size() <= limits.max_mip_entries;
   }
-  bool may_ask_mip() const { return fits_mip() || (!solvers.only_linear && instance.is_cover()); }
+  bool may_ask_mip() const { return fits_mip() || (options.uses(SolverChoice::mip) && instance.is_cover()); }
   /// No selection better than the incumbent has more units.
   std::size_t max_better_count() const {
     const double below = instance.bounds.below(incumbent.value());

@@ -17,10 +17,6 @@ namespace {
 
 using Answer = CoverModel::Outcome;
 
-std::vector<milp::Backend> preferred(const SearchState& state) {
-  return {state.solvers.preferred.begin(), state.solvers.preferred.end()};
-}
-
 // Runs the back ends in order until one does not fail.
 template <class Ask>
 auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, const Ask& ask) {
@@ -34,7 +30,7 @@ auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, co
 // The same for MIPs.
 template <class Ask>
 Answer solve_mips_in_turn(SearchState& state, const Ask& ask) {
-  return ask_in_turn(state, state.solvers.preferred,
+  return ask_in_turn(state, state.backends,
                      [&](const milp::Backend& backend) -> Answer { return ask(backend.solve); });
 }
 
@@ -133,7 +129,7 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
   if (reduction.infeasible) return nothing;
   constexpr std::uint64_t steps_per_node = 20;  // strong branching takes much longer than other steps
   Effort nodes = effort;
-  if (state.limits.step_limit) nodes.steps = 1 + *state.limits.step_limit / steps_per_node;
+  if (state.options.step_limit) nodes.steps = 1 + *state.options.step_limit / steps_per_node;
   return place_reduced(state.instance, state.instance.first_cost, reduction, cutoff, branch, nodes,
                        state.control);
 }
@@ -198,7 +194,7 @@ Answer solve_whole(SearchState& state, const Effort& effort) {
 }  // namespace
 
 std::vector<milp::Backend> clp_first(const SearchState& state) {
-  std::vector<milp::Backend> backends = preferred(state);
+  std::vector<milp::Backend> backends(state.backends.begin(), state.backends.end());
   std::stable_partition(backends.begin(), backends.end(),
                         [](const milp::Backend& backend) { return backend.name == "cbc"; });
   return backends;
@@ -213,21 +209,22 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
     return state.raise_open(milp::infinity, BoundProof::dual);
   const bool is_large = state.instance.table.entries.size() > state.limits.max_small_lp_entries;
   // Clp is faster than HiGHS on large linear programs.
-  const std::vector<milp::Backend> backends = is_large ? clp_first(state) : preferred(state);
-  const Relaxation lp = ask_in_turn(state, backends, [&](const milp::Backend& backend) {
-    Relaxation relaxation;
-    const LpBoundOptions options{.effort = effort, .selections = open, .rows = state.rows};
-    if (state.instance.is_weighted()) {
-      relaxation = {lp_bound(state.instance, state.instance.first_cost, backend, options, state.control)};
-      state.raise_open(relaxation.dual.bound, BoundProof::dual);
-    } else {
-      CountBound count = count_bound(state.instance, backend, options, state.control);
-      state.raise_open(static_cast<double>(count.count), BoundProof::dual);
-      relaxation = {std::move(count.relaxation)};
-    }
-    relaxation.failed = relaxation.rounds == 0 && !state.out_of_time();
-    return relaxation;
-  });
+  const std::vector<milp::Backend> by_clp = clp_first(state);
+  const Relaxation lp =
+      ask_in_turn(state, is_large ? by_clp : state.backends, [&](const milp::Backend& backend) {
+        Relaxation relaxation;
+        const LpBoundOptions options{.effort = effort, .selections = open, .rows = state.rows};
+        if (state.instance.is_weighted()) {
+          relaxation = {lp_bound(state.instance, state.instance.first_cost, backend, options, state.control)};
+          state.raise_open(relaxation.dual.bound, BoundProof::dual);
+        } else {
+          CountBound count = count_bound(state.instance, backend, options, state.control);
+          state.raise_open(static_cast<double>(count.count), BoundProof::dual);
+          relaxation = {std::move(count.relaxation)};
+        }
+        relaxation.failed = relaxation.rounds == 0 && !state.out_of_time();
+        return relaxation;
+      });
   state.exclude(lp.dual);
   state.relaxation = lp.dual;
   if (!lp.rows.empty()) state.rows = lp.rows;
@@ -253,7 +250,7 @@ void solve_mip(SearchState& state, const Effort& effort) {
 
 void bound_second_by_lp(SearchState& state, const Effort& effort) {
   const std::size_t count = state.incumbent.selected().size();
-  const LpBound lp = lp_bound(state.instance, state.instance.second_cost, state.solvers.preferred.front(),
+  const LpBound lp = lp_bound(state.instance, state.instance.second_cost, state.backends.front(),
                               {.effort = effort, .selections = {count, count}}, state.control);
   state.raise_second(lp.dual.bound, BoundProof::dual);
   begin_tree_with(lp, state);

@@ -11,7 +11,7 @@ namespace shelfbeam::detail {
 void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   if (state.relaxation) state.exclude(*state.relaxation);  // the incumbent may be better than at that time
   const Reduction& reduction = state.reduction();
-  if (reduction.infeasible || state.solvers.preferred.empty()) return;
+  if (reduction.infeasible || state.backends.empty()) return;
   constexpr std::size_t units_per_window = 5;
   WindowBoundOptions options;
   options.known = state.incumbent.value();
@@ -32,13 +32,13 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
   constexpr std::size_t units_per_window = 6;
   constexpr double above = 1e-3;                 // of a step, more than rounding takes back
   constexpr std::uint64_t steps_per_node = 200;  // a node of a MIP takes much longer than a move of a walk
-  const milp::Backend& backend = state.solvers.preferred.front();
+  const milp::Backend& backend = state.backends.front();
   state.last_backend = backend.full_name();
   while (!state.is_settled() && !effort.is_over(state.control)) {
     WindowMipOptions options;
     options.goal = state.incumbent.bound() + above * state.instance.bounds.step();
     options.effort.until = effort.until;
-    if (state.limits.step_limit) options.effort.steps = 1 + *state.limits.step_limit / steps_per_node;
+    if (state.options.step_limit) options.effort.steps = 1 + *state.options.step_limit / steps_per_node;
     options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
     options.without = state.useless;
     options.rows = state.rows;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/placement.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
@@ -82,8 +83,7 @@ TEST(PlacementSearch, StopsWithValidBoundsAtAnyTime) {
 
 // Table sizes determine the methods of the search, and these tables are small.
 Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tables,
-               detail::SearchLimits limits) {
-  limits.step_limit = 20000;
+               const detail::SearchLimits& limits) {
   test::RandomTables random(seed, tables);
   const auto backends = milp::backends();
   Tally tally;
@@ -94,7 +94,8 @@ Tally run_with(std::uint64_t seed, int cases, const test::RandomTableLimits& tab
     const auto greedy = greedy_selection({table, problem});
     if (!check_selection(table, problem, greedy).met()) continue;
     compare(table, problem,
-            detail::search_placement({table, problem}, greedy, {backends}, 0, 1, {.threads = 1}, limits),
+            detail::search_placement({table, problem}, greedy, backends, {.step_limit = 20000}, Deadline(1e8),
+                                     {.threads = 1}, limits),
             tally);
   }
   return tally;
@@ -153,9 +154,9 @@ TEST(PlacementSearch, SurvivesSolversThatFailAndLie) {
     const PlacementProblem problem = random.next_problem();
     const auto greedy = greedy_selection({table, problem});
     if (!check_selection(table, problem, greedy).met()) continue;
-    const Placement answer = detail::search_placement(
-        {table, problem}, greedy, {both}, 0, 1, {.threads = 1},
-        {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
+    const Placement answer =
+        detail::search_placement({table, problem}, greedy, both, {.step_limit = test::ample_steps},
+                                 Deadline(1e8), {.threads = 1}, {.max_units_of_trees = 0, .small_answer = 0});
     compare(table, problem, answer, tally);
     by_the_next += answer.solver.backend == milp::backends().back().full_name();
   }
@@ -174,9 +175,9 @@ TEST(PlacementSearch, AcceptsASolverWithinItsGap) {
     const auto greedy = greedy_selection({table, problem});
     if (!check_selection(table, problem, greedy).met() || greedy.empty()) continue;
     const auto backends = milp::backends();
-    const Placement answer = detail::search_placement(
-        {table, problem}, greedy, {backends}, 0, 1, {.threads = 1},
-        {.max_units_of_trees = 0, .small_answer = 0, .step_limit = test::ample_steps});
+    const Placement answer =
+        detail::search_placement({table, problem}, greedy, backends, {.step_limit = test::ample_steps},
+                                 Deadline(1e8), {.threads = 1}, {.max_units_of_trees = 0, .small_answer = 0});
     EXPECT_EQ(answer.status, Status::optimal);
     EXPECT_LT(answer.gap(), 1e-6);
     proven += answer.bound_proof == BoundProof::solver;
