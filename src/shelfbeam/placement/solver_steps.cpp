@@ -27,13 +27,6 @@ auto ask_in_turn(SearchState& state, std::span<const milp::Backend> backends, co
   }
 }
 
-// The same for MIPs.
-template <class Ask>
-Answer solve_mips_in_turn(SearchState& state, const Ask& ask) {
-  return ask_in_turn(state, state.backends,
-                     [&](const milp::Backend& backend) -> Answer { return ask(backend.solve); });
-}
-
 void begin_tree_with(const LpBound& lp, SearchState& state) {
   std::vector<LabelId> rows;
   std::vector<double> weights;
@@ -157,9 +150,9 @@ void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
 }
 
 Answer solve_reduced(SearchState& state, const Effort& effort) {
-  return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
+  return ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
     return place_reduced(state.instance, state.instance.first_cost, state.reduction(),
-                         cutoff_of(state.instance.bounds, state.incumbent.value()), solve, effort,
+                         cutoff_of(state.instance.bounds, state.incumbent.value()), backend.solve, effort,
                          state.control);
   });
 }
@@ -183,8 +176,8 @@ std::vector<milp::Row> cuts_of(const SearchState& state) {
 Answer solve_whole(SearchState& state, const Effort& effort) {
   const MipKnowledge knowledge{cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless,
                                cuts_of(state)};
-  return solve_mips_in_turn(state, [&](const SolveFunction& solve) {
-    CoverModel model(state.instance, solve, effort, state.control, knowledge);
+  return ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
+    CoverModel model(state.instance, backend.solve, effort, state.control, knowledge);
     Answer answer = model.minimise({.cost = state.instance.first_cost});
     answer.bound = answer.infeasible ? milp::infinity : state.instance.bounds.rounded(answer.bound);
     return answer;
@@ -201,30 +194,27 @@ std::vector<milp::Backend> clp_first(const SearchState& state) {
 }
 
 void raise_bound_by_lp(SearchState& state, const Effort& effort) {
-  struct Relaxation : LpBound {
-    bool failed = false;
-  };
   const SelectionSet open = state.open_selections();
   if (state.instance.is_cover() && state.reduction().infeasible)
     return state.raise_open(milp::infinity, BoundProof::dual);
   const bool is_large = state.instance.table.entries.size() > state.limits.max_small_lp_entries;
   // Clp is faster than HiGHS on large linear programs.
   const std::vector<milp::Backend> by_clp = clp_first(state);
-  const Relaxation lp =
-      ask_in_turn(state, is_large ? by_clp : state.backends, [&](const milp::Backend& backend) {
-        Relaxation relaxation;
-        const LpBoundOptions options{.effort = effort, .selections = open, .rows = state.rows};
-        if (state.instance.is_weighted()) {
-          relaxation = {lp_bound(state.instance, state.instance.first_cost, backend, options, state.control)};
-          state.raise_open(relaxation.dual.bound, BoundProof::dual);
-        } else {
-          CountBound count = count_bound(state.instance, backend, options, state.control);
-          state.raise_open(static_cast<double>(count.count), BoundProof::dual);
-          relaxation = {std::move(count.relaxation)};
-        }
-        relaxation.failed = relaxation.rounds == 0 && !state.out_of_time();
-        return relaxation;
-      });
+  const LpBoundOptions options{.effort = effort, .selections = open, .rows = state.rows};
+  const auto ask = [&](const milp::Backend& backend) {
+    LpBound lp;
+    if (state.instance.is_weighted()) {
+      lp = lp_bound(state.instance, state.instance.first_cost, backend, options, state.control);
+      state.raise_open(lp.dual.bound, BoundProof::dual);
+    } else {
+      CountBound count = count_bound(state.instance, backend, options, state.control);
+      state.raise_open(static_cast<double>(count.count), BoundProof::dual);
+      lp = std::move(count.relaxation);
+    }
+    lp.failed = lp.failed && !state.out_of_time();
+    return lp;
+  };
+  const LpBound lp = ask_in_turn(state, is_large ? by_clp : state.backends, ask);
   state.exclude(lp.dual);
   state.relaxation = lp.dual;
   if (!lp.rows.empty()) state.rows = lp.rows;
@@ -258,9 +248,9 @@ void bound_second_by_lp(SearchState& state, const Effort& effort) {
 
 void solve_mip_for_second(SearchState& state, const Effort& effort) {
   const Selection& best = state.incumbent.selected();
-  const Answer answer = solve_mips_in_turn(state, [&](const SolveFunction& solve) {
+  const Answer answer = ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
     const Incumbent& second = *state.second;
-    CoverModel model(state.instance, solve, effort, state.control,
+    CoverModel model(state.instance, backend.solve, effort, state.control,
                      {.cutoff = cutoff_of(second.steps(), second.value())});
     const double known = state.instance.check(best).objective;
     return model.minimise({state.instance.second_cost, known, best.size(), best.size()});

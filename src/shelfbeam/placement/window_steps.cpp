@@ -11,7 +11,7 @@ namespace shelfbeam::detail {
 void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   if (state.relaxation) state.exclude(*state.relaxation);  // the incumbent may be better than at that time
   const Reduction& reduction = state.reduction();
-  if (reduction.infeasible || state.backends.empty()) return;
+  if (reduction.infeasible) return;
   constexpr std::size_t units_per_window = 5;
   WindowBoundOptions options;
   options.known = state.incumbent.value();

@@ -100,7 +100,7 @@ class RowGeneration {
     if (options_.effort.seconds_left() <= 0) return false;
     milp::LpResult solved = lp_->solve(options_.effort.seconds_left(), control_);
     if (solved.termination != milp::Termination::optimal) return false;
-    ++result_.rounds;
+    result_.failed = false;
     result_.x = std::move(solved.x);
     const std::size_t first_row = instance_.table.mounts.size() + (limits_count(options_) ? 1 : 0);
     std::vector<BoundRow> rows;

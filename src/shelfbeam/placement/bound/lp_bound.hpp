@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -29,7 +28,7 @@ struct LpBound {
   std::vector<LabelId> labels;  ///< labels whose rows are in the LP, in order of addition
   /// `x` violates no label row by more than 1e-6, and the time limit omitted no cut.
   bool complete = false;
-  std::size_t rounds = 0;  ///< LPs solved
+  bool failed = true;  ///< no LP was solved
 };
 
 /// The label rows of its LP and its cuts with multipliers, as initial rows of a similar LP.
