@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -19,16 +18,6 @@ std::vector<BoundRow> rows_of(SearchState& state) {
   return rows;
 }
 
-MultiplierBound bound_of_open(SearchState& state, const Effort& effort, const SelectionSet& open) {
-  MultiplierBoundOptions options;
-  options.selections = open;
-  options.known = state.incumbent.value();
-  options.step = state.instance.bounds.step();
-  options.effort = effort;
-  options.rows = rows_of(state);
-  return multiplier_bound(state.instance, state.instance.first_cost, options, state.control);
-}
-
 }  // namespace
 
 void raise_bound_by_multipliers(SearchState& state, const Effort& effort) {
@@ -39,7 +28,13 @@ void raise_bound_by_multipliers(SearchState& state, const Effort& effort) {
     const SelectionSet open = state.open_selections();
     if (state.instance.is_cover() && state.reduction().infeasible)
       return state.raise_open(std::numeric_limits<double>::infinity(), BoundProof::dual);
-    MultiplierBound found = bound_of_open(state, effort, open);
+    const MultiplierBoundOptions options{.selections = open,
+                                         .known = state.incumbent.value(),
+                                         .step = state.instance.bounds.step(),
+                                         .effort = effort,
+                                         .rows = rows_of(state)};
+    MultiplierBound found =
+        multiplier_bound(state.instance, state.instance.first_cost, options, state.control);
     state.raise_open(found.dual.bound, BoundProof::dual);
     state.rows = std::move(found.rows);
     if (!state.exclude(found.dual) || !state.instance.is_cover() || effort.is_over(state.control)) return;
@@ -50,14 +45,13 @@ void raise_bound_by_multipliers(SearchState& state, const Effort& effort) {
 }
 
 void bound_second_by_multipliers(SearchState& state, const Effort& effort) {
-  MultiplierBoundOptions options;
-  options.selections.min_count = options.selections.max_count = state.incumbent.selected().size();
-  options.known = state.second->value();
-  options.step = state.second->steps().step();
-  options.effort = effort;
-  state.raise_second(
-      multiplier_bound(state.instance, state.instance.second_cost, options, state.control).dual.bound,
-      BoundProof::dual);
+  const std::size_t count = state.incumbent.selected().size();
+  const Incumbent& second = *state.second;
+  const MultiplierBoundOptions options{
+      .selections = {count, count}, .known = second.value(), .step = second.steps().step(), .effort = effort};
+  const MultiplierBound found =
+      multiplier_bound(state.instance, state.instance.second_cost, options, state.control);
+  state.raise_second(found.dual.bound, BoundProof::dual);
 }
 
 }  // namespace shelfbeam::detail

@@ -90,17 +90,12 @@ Placement solved_placement(const Instance& instance, const MaybeSelection& known
 /// Lower bound on a sum of costs over selections of at least `min_count` units, by some multipliers; rounded
 /// up.
 double quick_bound(const Instance& instance, std::span<const double> cost, double known,
-                   std::size_t min_count, const PlaceOptions& options, const Deadline& deadline,
-                   const RunControl& control) {
-  constexpr std::uint64_t steps = 150;
+                   std::size_t min_count, const detail::Effort& effort, const RunControl& control) {
   const CostBounds bounds(instance.table, cost);
-  detail::MultiplierBoundOptions quick;
-  quick.selections.min_count = min_count;
-  quick.known = known;
-  quick.step = bounds.step();
-  quick.effort.steps = std::min(steps, options.step_limit.value_or(steps));
-  if (!options.step_limit) quick.effort.until = deadline.end();
-  return std::min(known, bounds.rounded(detail::multiplier_bound(instance, cost, quick, control).dual.bound));
+  const detail::MultiplierBoundOptions options{
+      .selections = {.min_count = min_count}, .known = known, .step = bounds.step(), .effort = effort};
+  return std::min(known,
+                  bounds.rounded(detail::multiplier_bound(instance, cost, options, control).dual.bound));
 }
 
 /// Raises bounds that the search has left low: all of them if it was not ours or had no time, and otherwise
@@ -111,9 +106,12 @@ void raise_neglected_bounds(Placement& placement, const Instance& instance, cons
   const bool is_count = !is_sum && instance.problem.objective == Objective::count;
   const bool is_low = placement.bound_proof == BoundProof::trivial || options.solver == SolverChoice::mip;
   constexpr double least = 0.05, most = 0.5;  // s
-  const Deadline deadline(std::clamp(seconds_left, least, most));
+  constexpr std::uint64_t steps = 150;
+  const detail::Effort effort =
+      options.step_limit ? detail::Effort{std::min(steps, *options.step_limit)}
+                         : detail::Effort{steps, Deadline(std::clamp(seconds_left, least, most)).end()};
   const auto raise = [&](double& bound, std::span<const double> cost, double known, std::size_t min_count) {
-    const double found = quick_bound(instance, cost, known, min_count, options, deadline, control);
+    const double found = quick_bound(instance, cost, known, min_count, effort, control);
     if (!(found > bound)) return;
     bound = found;
     placement.bound_proof = is_count ? BoundProof::dual : std::max(placement.bound_proof, BoundProof::dual);

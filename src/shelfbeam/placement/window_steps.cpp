@@ -13,11 +13,11 @@ void raise_bound_by_windows(SearchState& state, const Effort& effort) {
   const Reduction& reduction = state.reduction();
   if (reduction.infeasible) return;
   constexpr std::size_t units_per_window = 5;
-  WindowBoundOptions options;
-  options.known = state.incumbent.value();
-  options.step = state.instance.bounds.step();
-  options.effort = effort;
-  options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
+  const WindowBoundOptions options{
+      .known = state.incumbent.value(),
+      .step = state.instance.bounds.step(),
+      .effort = effort,
+      .windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window)};
   const auto heuristic = [&](const Selection& selected) {
     state.offer(selected);
     return state.incumbent.value();
@@ -35,13 +35,13 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort) {
   const milp::Backend& backend = state.backends.front();
   state.last_backend = backend.full_name();
   while (!state.is_settled() && !effort.is_over(state.control)) {
-    WindowMipOptions options;
-    options.goal = state.incumbent.bound() + above * state.instance.bounds.step();
-    options.effort.until = effort.until;
+    WindowMipOptions options{
+        .goal = state.incumbent.bound() + above * state.instance.bounds.step(),
+        .effort = {.until = effort.until},
+        .windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window),
+        .without = state.useless,
+        .rows = state.rows};
     if (state.options.step_limit) options.effort.steps = 1 + *state.options.step_limit / steps_per_node;
-    options.windows = std::max<std::size_t>(1, state.incumbent.selected().size() / units_per_window);
-    options.without = state.useless;
-    options.rows = state.rows;
     std::erase_if(options.rows, [](const BoundRow& row) { return !row.is_plain(); });
     const double bound =
         window_mip_bound(state.instance, state.instance.first_cost, options, backend, state.control);
