@@ -42,16 +42,6 @@ std::vector<Unreachable> unreachable_labels(const Instance& instance) {
   return result;
 }
 
-Placement infeasible(const Instance& instance, std::vector<Unreachable> unreachable) {
-  Placement placement;
-  placement.problem = instance.problem;
-  placement.status = Status::infeasible;
-  placement.objective_value = placement.lower_bound = placement.count_lower_bound = infinite;
-  placement.unit_costs = label_costs(instance.table, instance.problem.objective).unit;
-  placement.unreachable = std::move(unreachable);
-  return placement;
-}
-
 /// The cheaper feasible one of two selections, the first if both cost the same.
 MaybeSelection better_of(const Instance& instance, const Selection& first, const Selection& second) {
   const double of_first = instance.value_of(first);
@@ -179,6 +169,14 @@ double Placement::gap() const {
   return objective_value > lower_bound ? (objective_value - lower_bound) / objective_value : 0;
 }
 
+Placement infeasible_placement(std::vector<Unreachable> unreachable) {
+  Placement placement;
+  placement.status = Status::infeasible;
+  placement.objective_value = placement.lower_bound = placement.count_lower_bound = infinite;
+  placement.unreachable = std::move(unreachable);
+  return placement;
+}
+
 Placement place(const SignalTable& table, const PlacementProblem& asked, const PlaceOptions& options,
                 const RunControl& control) {
   const PlacementProblem problem = resolved(asked, table);
@@ -194,11 +192,13 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   std::vector<SearchStep> steps;
   auto unreachable = unreachable_labels(instance);
   Placement placement = unreachable.empty() ? placed(instance, options, deadline, steps, control)
-                                            : infeasible(instance, std::move(unreachable));
+                                            : infeasible_placement(std::move(unreachable));
   if (placement.has_selection() && options.proves)
     raise_neglected_bounds(placement, instance, options, deadline.seconds_left(), control);
   if (placement.has_selection() && has_prices(table)) placement.price = price_of(table, placement.selected);
   placement.steps.insert(placement.steps.begin(), steps.begin(), steps.end());
+  placement.problem = problem;
+  placement.unit_costs = label_costs(table, problem.objective).unit;
   placement.min_spacing = table.min_spacing;
   placement.forbidden_pairs = table.conflicts.size();
   placement.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

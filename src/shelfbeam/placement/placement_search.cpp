@@ -133,13 +133,11 @@ constexpr Step<SearchState> second_schedule[] = {
     {"second objective, MIP", fits_mip, 1, solve_mip_for_second},
 };
 
-Placement answer_of(State state, const PlacementProblem& problem) {
+Placement answer_of(State state) {
   const Instance& instance = state.instance;
   Placement placement;
-  placement.problem = problem;
-  placement.unit_costs = label_costs(instance.table, problem.objective).unit;
   placement.selected = state.incumbent.selected();
-  placement.objective_value = instance.is_weighted() || problem.objective != Objective::count
+  placement.objective_value = instance.is_weighted() || instance.problem.objective != Objective::count
                                   ? instance.second_value_of(placement.selected)
                                   : static_cast<double>(placement.selected.size());
   placement.lower_bound = std::min(state.bound(), placement.objective_value);
@@ -167,7 +165,7 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
   }
   const bool is_optimal = state.is_settled();
   const bool settled = is_optimal && state.options.settles_ties && settle_ties(state, problem, of_opening);
-  Placement placement = answer_of(state, problem);
+  Placement placement = answer_of(state);
   placement.status = is_optimal ? Status::optimal : Status::stopped;
   placement.ties_settled = settled;
   placement.steps = std::move(state.steps);

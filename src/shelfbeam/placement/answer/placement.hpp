@@ -78,6 +78,9 @@ struct Placement {
   double gap() const;
 };
 
+/// No selection is feasible.
+Placement infeasible_placement(std::vector<Unreachable> unreachable = {});
+
 enum class SolverChoice {
   automatic,  ///< the whole schedule, with a MIP back end for the cases that suit it
   search,     ///< no MIP: selection and proof depend on no solver (LP bounds are summed again)

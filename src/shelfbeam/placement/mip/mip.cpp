@@ -46,7 +46,7 @@ struct Search {
     MipResult answer;
     const std::vector<double>& ones = instance.first_cost;
     const auto fewest = model.minimise({.cost = ones, .known = count});
-    if (fewest.infeasible) return infeasible();
+    if (fewest.infeasible) return {infeasible_placement()};
     offer(fewest.selected);
     answer.solver_failed = fewest.failed;
     const double proven_count = std::clamp(instance.bounds.rounded(fewest.bound),
@@ -84,7 +84,7 @@ struct Search {
     bool is_optimal = closes(bound, value);
     if (!is_optimal) {
       const auto best = model.minimise({.cost = cost, .known = value});
-      if (best.infeasible) return infeasible();
+      if (best.infeasible) return {infeasible_placement()};
       offer(best.selected);
       answer.solver_failed = best.failed;
       bound = std::max(bound, bounds.rounded(best.bound));
@@ -93,14 +93,6 @@ struct Search {
     set_value(answer.placement, value, bound, is_optimal);
     answer.placement.count_lower_bound =
         static_cast<double>(std::max(min_count, bounds.fewest(answer.placement.lower_bound)));
-    return answer;
-  }
-
-  static MipResult infeasible() {
-    MipResult answer;
-    answer.placement.status = Status::infeasible;
-    answer.placement.count_lower_bound = answer.placement.objective_value = answer.placement.lower_bound =
-        milp::infinity;
     return answer;
   }
 
@@ -122,9 +114,7 @@ MipResult place_by_mip(const detail::Instance& instance, const std::optional<Sel
   search.offer(start);
   MipResult answer =
       instance.problem.combination == Combination::lexicographic ? search.lexicographic() : search.weighted();
-  answer.placement.problem = instance.problem;
   answer.placement.selected = search.selected;
-  answer.placement.unit_costs = label_costs(instance.table, instance.problem.objective).unit;
   return answer;
 }
 
