@@ -7,19 +7,12 @@
 
 namespace shelfbeam::detail {
 
-TreeRun::TreeRun(const Instance& p, const SearchMatrix& a, const SearchMatrix& m, const TreeGoal& g,
-                 const TreeSearch::Limits& l, const RunControl& control)
-    : instance(p),
-      all(a),
-      matrix(m),
-      goal(g),
-      limits(l),
-      rule(receiving(p.problem)),
-      control_(control),
-      is_searched_(a.rows(), false),
-      max_work_(l.work > 0 ? l.work : std::numeric_limits<std::uint64_t>::max()),
-      max_cost_(g.max_cost),
-      widest_(g.start) {
+TreeRun::TreeRun(const TreeQuestion& question)
+    : TreeQuestion(question),
+      is_searched_(all.rows(), false),
+      max_work_(limits.work > 0 ? limits.work : std::numeric_limits<std::uint64_t>::max()),
+      max_cost_(goal.max_cost),
+      widest_(goal.start) {
   if (goal.kind == TreeGoal::Kind::widest) {
     std::vector<float> memory;
     margin_ = margin_of(instance, all, goal.start, memory).smallest;
@@ -28,13 +21,7 @@ TreeRun::TreeRun(const Instance& p, const SearchMatrix& a, const SearchMatrix& m
 }
 
 TreeRun::TreeRun(const TreeRun& whole, std::uint64_t shares)
-    : instance(whole.instance),
-      all(whole.all),
-      matrix(whole.matrix),
-      goal(whole.goal),
-      limits(whole.limits),
-      rule(whole.rule),
-      control_(whole.control_),
+    : TreeQuestion(whole),
       is_searched_(whole.is_searched_),
       max_work_((whole.max_work_ - std::min(whole.max_work_, whole.work())) / shares),
       nodes_before_(whole.nodes()),
@@ -62,11 +49,11 @@ bool TreeRun::ends() {
   const std::uint64_t node = nodes_.fetch_add(1, std::memory_order_relaxed);
   if (work() >= max_work_) cut_.store(true, std::memory_order_relaxed);
   if (node % between_looks == 0) {
-    if (node >= limits.effort.steps || misses_rows() || limits.effort.is_over(control_))
+    if (node >= limits.effort.steps || misses_rows() || limits.effort.is_over(control))
       cut_.store(true, std::memory_order_relaxed);
-    if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control_.progress)
-      control_.report(Task::tree_search, -1,
-                      fmt::format("{} nodes, {} units", nodes_before_ + node, goal.max_units));
+    if (const std::unique_lock lock(reporting_, std::try_to_lock); lock.owns_lock() && control.progress)
+      control.report(Task::tree_search, -1,
+                     fmt::format("{} nodes, {} units", nodes_before_ + node, goal.max_units));
   }
   return was_cut() || found_any();
 }

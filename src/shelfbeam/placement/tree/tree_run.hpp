@@ -13,11 +13,21 @@
 
 namespace shelfbeam::detail {
 
+/// The question of one tree search.
+struct TreeQuestion {
+  const Instance& instance;
+  const SearchMatrix& all;
+  const SearchMatrix& matrix;  ///< the rows of the search
+  const TreeGoal& goal;
+  const TreeSearch::Limits& limits;
+  const RunControl& control;
+  Receiving rule = receiving(instance.problem);
+};
+
 /// State shared by the walks of one tree search.
-class TreeRun {
+class TreeRun : public TreeQuestion {
  public:
-  TreeRun(const Instance& instance, const SearchMatrix& all, const SearchMatrix& matrix, const TreeGoal& goal,
-          const TreeSearch::Limits& limits, const RunControl& control);
+  explicit TreeRun(const TreeQuestion& question);
 
   /// A part of `whole`: starts from the present state, keeps its findings to itself, and has the share 1 /
   /// `shares` of the remaining work.
@@ -47,13 +57,6 @@ class TreeRun {
     return logged_.fetch_add(words, std::memory_order_relaxed) + words <= max_logged;
   }
 
-  const Instance& instance;
-  const SearchMatrix& all;
-  const SearchMatrix& matrix;
-  const TreeGoal& goal;
-  const TreeSearch::Limits& limits;
-  Receiving rule;
-
   bool found_any() const { return found_.load(std::memory_order_relaxed); }
   bool was_cut() const { return cut_.load(std::memory_order_relaxed); }
   bool is_complete() const { return !was_cut() && !is_part_cut_; }
@@ -65,7 +68,6 @@ class TreeRun {
   static constexpr std::uint64_t max_misses = 64;
   static constexpr std::uint64_t max_logged = std::uint64_t{1} << 25;
 
-  const RunControl& control_;
   std::mutex mutex_, reporting_;
   std::vector<bool> is_searched_;
   std::map<LabelId, std::uint64_t> missed_;

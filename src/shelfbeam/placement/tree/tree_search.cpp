@@ -68,7 +68,7 @@ TreeResult TreeSearch::run(const TreeGoal& given, const Limits& limits, const Ru
   Limits left = limits;
   while (true) {
     if (!matrix_) matrix_.emplace(instance_, rows_);
-    TreeRun run(instance_, all_, *matrix_, goal, left, control);
+    TreeRun run({instance_, all_, *matrix_, goal, left, control});
     TreeWalk root(run, weights_, 0);
     with_threads(control.threads, [&] { root.from_root(); });
     std::copy_n(root.weights().begin(), weights_.size(), weights_.begin());
