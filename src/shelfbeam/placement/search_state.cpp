@@ -75,15 +75,14 @@ bool SearchState::exclude(std::span<const ColumnId> columns) {
 SelectionSet SearchState::open_selections() {
   if (!instance.is_cover()) return {.without = useless};
   SelectionSet open;
-  std::vector<bool> is_open(instance.columns(), false);
+  std::vector<bool> is_out(instance.columns(), true);
   for (const ColumnId j : reduction().forced) {
-    is_open[j] = true;
+    is_out[j] = false;
     if (!instance.is_installed(j)) open.with.push_back(j);
   }
   for (const CoverPart& part : reduction().parts)
-    for (const ColumnId j : part.columns) is_open[j] = true;
-  for (std::uint32_t j = 0; j < instance.columns(); ++j)
-    if (!is_open[j]) open.without.push_back(j);
+    for (const ColumnId j : part.columns) is_out[j] = false;
+  open.without = numbers_where<ColumnId>(is_out);
   return open;
 }
 

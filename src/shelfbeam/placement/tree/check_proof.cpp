@@ -4,6 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
 
@@ -164,9 +165,7 @@ class ProofChecker {
     // it, and near-ties count as in the search.
     const auto& rows = is_sum_ ? rows_ : relaxed_rows_;
     Weighing w{std::vector<double>(instance_.columns(), 0.0)};
-    std::vector<ColumnId> columns;
-    for (std::uint32_t j = 0; j < w.value.size(); ++j)
-      if (allowed[j]) columns.push_back(j);
+    const auto columns = numbers_where<ColumnId>(allowed);
     for (std::size_t r = 0; r < rows.size(); ++r) {
       const auto weight = static_cast<double>(weights.at(r));
       if (!(weight >= 0) || !std::isfinite(weight)) throw std::out_of_range("a weight is out of range");

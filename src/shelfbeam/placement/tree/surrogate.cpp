@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/tree/proof.hpp"
 
 namespace shelfbeam::detail {
@@ -109,9 +109,7 @@ void SurrogateTest::sharpen(TreeNode& node, std::size_t units) {
 }
 
 TreeWindow::TreeWindow(const SearchMatrix& whole)
-    : rows(whole.rows()), slot(whole.columns()), padded(whole.padded_rows()) {
-  std::iota(rows.begin(), rows.end(), 0U);
-  std::iota(slot.begin(), slot.end(), 0U);
+    : rows(all_numbers(whole.rows())), slot(all_numbers(whole.columns())), padded(whole.padded_rows()) {
   for (const std::uint32_t j : slot) values.insert(values.end(), whole.column(j), whole.column(j) + padded);
 }
 

@@ -27,9 +27,7 @@ void TreeSearch::choose_rows(std::size_t units) {
   std::vector<float> weight(padded, 1.0F), lacking(padded, 0.0F), nothing(padded, 0.0F);
   std::fill_n(lacking.begin(), all_.rows(), 1.0F);
   const SearchKernels::Rows rows{lacking.data(), weight.data(), nothing.data(), nothing.data(), 1.0F, padded};
-  std::vector<ColumnId> columns;
-  for (std::uint32_t j = 0; j < all_.columns(); ++j)
-    if (instance_.available[j]) columns.push_back(j);
+  const auto columns = numbers_where<ColumnId>(instance_.available);
   std::vector<float> gain(columns.size()), supporters(padded, 0.0F);
   RowWeights weights;
   constexpr int steps = 60;

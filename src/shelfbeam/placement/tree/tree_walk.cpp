@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam::detail {
 
@@ -57,8 +58,7 @@ TreeWalk::TreeWalk(TreeRun& run, std::span<const float> weights, std::uint32_t n
   for (const ColumnId j : chosen_)
     SearchKernels::receive(run.rule, root.window->column(j), root.value.size(), root.value.data(),
                            root.best.data());
-  for (std::uint32_t j = 0; j < instance.available.size(); ++j)
-    if (instance.available[j]) root.allowed.push_back(j);
+  root.allowed = numbers_where<ColumnId>(instance.available);
 }
 
 void TreeWalk::move_log_to(Proof& proof) {
