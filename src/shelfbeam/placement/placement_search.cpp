@@ -198,8 +198,7 @@ Placement search_placement(const Instance& instance, const Selection& start,
     };
     PlacementProblem alone = instance.problem;
     alone.model = CommunicationModel::non_cooperative;
-    const std::vector<SignalTable::Label>& labels = priced.table.labels;
-    if (std::none_of(labels.begin(), labels.end(), needs_rule)) return search_for({priced.table, alone});
+    if (std::ranges::none_of(priced.table.labels, needs_rule)) return search_for({priced.table, alone});
     SignalTable cover = priced.table;
     for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
     return search_for({cover, alone});
@@ -208,7 +207,7 @@ Placement search_placement(const Instance& instance, const Selection& start,
   const double max_cost = 2 * (known.objective + known.transceiver_cost);
   const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > max_cost; };
   if (instance.problem.combination == Combination::lexicographic || !(max_cost > 0) ||
-      std::none_of(instance.table.transceivers.begin(), instance.table.transceivers.end(), is_too_expensive))
+      std::ranges::none_of(instance.table.transceivers, is_too_expensive))
     return answer(instance);
   // No selection as good as the known one contains a more expensive unit. Capping such prices keeps the other
   // prices from vanishing in the rounding.

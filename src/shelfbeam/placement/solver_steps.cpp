@@ -188,8 +188,7 @@ Answer solve_whole(SearchState& state, const Effort& effort) {
 
 std::vector<milp::Backend> clp_first(const SearchState& state) {
   std::vector<milp::Backend> backends(state.backends.begin(), state.backends.end());
-  std::stable_partition(backends.begin(), backends.end(),
-                        [](const milp::Backend& backend) { return backend.name == "cbc"; });
+  std::ranges::stable_partition(backends, [](const milp::Backend& own) { return own.name == "cbc"; });
   return backends;
 }
 

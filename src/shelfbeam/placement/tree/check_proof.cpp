@@ -99,8 +99,8 @@ class ProofChecker {
     for (std::size_t j = 0; j < value.size(); ++j)
       if (allowed[j] && value[j] > 0) positive.push_back(value[j]);
     const std::size_t largest = std::min(count, positive.size());
-    std::partial_sort(positive.begin(), positive.begin() + static_cast<std::ptrdiff_t>(largest),
-                      positive.end(), std::greater<>());
+    std::ranges::partial_sort(positive, positive.begin() + static_cast<std::ptrdiff_t>(largest),
+                              std::greater{});
     Sums sums;
     for (std::size_t k = 0; k < largest; ++k) {
       sums.largest += positive[k];
@@ -186,20 +186,17 @@ class ProofChecker {
   }
 
   bool every_single_fails(const std::vector<bool>& allowed) {
-    bool is_unmet = false;  // by the chosen columns alone
-    for (std::uint32_t i = 0; i < instance_.rows() && !is_unmet; ++i)
-      is_unmet = !instance_.is_reached(i, chosen_);
-    if (!is_unmet) return false;
+    const auto labels = all_numbers<LabelId>(instance_.rows());
+    const auto is_missed = [&](LabelId i) { return !instance_.is_reached(i, chosen_); };
+    if (std::ranges::none_of(labels, is_missed)) return false;  // no column is needed
     std::vector<double> open;
     for (const auto& row : rows_) open.push_back(lacking(row));
-    for (std::uint32_t j = 0; j < allowed.size(); ++j) {
-      if (!allowed[j]) continue;
+    for (const ColumnId j : numbers_where<ColumnId>(allowed)) {
       bool fails = false;
       for (std::size_t r = 0; r < rows_.size() && !fails; ++r) fails = rows_[r][j] < open[r] - rounding_slack;
       if (fails) continue;
       take(j);
-      for (std::uint32_t i = 0; i < instance_.rows() && !fails; ++i)
-        fails = !instance_.is_reached(i, chosen_);
+      fails = std::ranges::any_of(labels, is_missed);
       give_back();
       if (!fails) return false;
     }

@@ -1,7 +1,9 @@
 #include "shelfbeam/placement/tree/tree_run.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -111,12 +113,9 @@ void TreeRun::miss(LabelId row) {
 }
 
 std::vector<LabelId> TreeRun::missed_rows() const {
-  std::vector<std::pair<std::uint64_t, LabelId>> by_number;
-  for (const auto& [row, number] : missed_) by_number.emplace_back(number, row);
-  std::sort(by_number.rbegin(), by_number.rend());
   std::vector<LabelId> rows;
-  rows.reserve(by_number.size());
-  for (const auto& [number, row] : by_number) rows.push_back(row);
+  for (const auto& [row, number] : missed_) rows.push_back(row);
+  std::ranges::sort(rows, std::greater{}, [&](LabelId row) { return std::pair(missed_.at(row), row); });
   return rows;
 }
 

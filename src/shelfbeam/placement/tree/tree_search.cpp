@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/tree/tree_search.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/order.hpp"
@@ -39,9 +40,8 @@ void TreeSearch::choose_rows(std::size_t units) {
         rule_, rows, gain, units, [&](std::uint32_t k) { return all_.column(columns[k]); }, min_weight,
         weight);
   }
-  std::partial_sort(rows_.begin(), rows_.begin() + rows_at_first, rows_.end(), [&](LabelId a, LabelId b) {
-    return weight[a] > weight[b] || (weight[a] == weight[b] && a < b);
-  });
+  std::ranges::partial_sort(rows_, rows_.begin() + rows_at_first, {},
+                            [&](LabelId i) { return std::pair(-weight[i], i); });
   rows_.resize(rows_at_first);
   weights_.clear();
   for (const LabelId i : rows_) weights_.push_back(std::max(weight[i], 1e-4F));

@@ -165,16 +165,15 @@ void TreeWalk::complete(std::size_t depth) {
 // The last unit must supply the whole lack.
 void TreeWalk::take_last(std::size_t depth) {
   TreeNode& node = nodes_[depth];
-  std::size_t hardest = 0;
-  for (std::size_t i = 1; i < node.window->rows.size(); ++i)
-    if (node.lacking[i] > node.lacking[hardest]) hardest = i;
+  const auto hardest = std::ranges::max_element(node.lacking);
   const float target = run_.target();
   const bool sums = is_sum(run_.rule);
-  const float needed = sums ? node.lacking[hardest] : target;
+  const float needed = sums ? *hardest : target;
   bool is_open = false;
   for (const ColumnId j : node.allowed) {
     const float* const column = node.window->column(j);
-    if (column[hardest] < needed || spent_ + run_.instance.cost[j] > run_.max_cost()) continue;
+    if (column[hardest - node.lacking.begin()] < needed || spent_ + run_.instance.cost[j] > run_.max_cost())
+      continue;
     run_.count_work(node.value.size());
     if (!SearchKernels::suffices(run_.rule, column, node.lacking.data(), target, node.value.size())) continue;
     if (run_.ends()) {
