@@ -24,4 +24,13 @@ class Deadline {
   Clock::time_point end_;
 };
 
+/// Wall time since the object was constructed.
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(Deadline::Clock::now() - start_).count(); }
+
+ private:
+  Deadline::Clock::time_point start_ = Deadline::Clock::now();
+};
+
 }  // namespace shelfbeam

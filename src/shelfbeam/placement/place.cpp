@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -182,7 +181,7 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   const PlacementProblem problem = resolved(asked, table);
   if (problem.combination == Combination::spend)
     return detail::place_by_spend(table, problem, options, control);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Deadline deadline(options.step_limit ? detail::no_limit_s : options.time_limit_s);
   check_problem(table, problem);
   const ThreadLimit allowed(control.threads);
@@ -201,7 +200,7 @@ Placement place(const SignalTable& table, const PlacementProblem& asked, const P
   placement.unit_costs = label_costs(table, problem.objective).unit;
   placement.min_spacing = table.min_spacing;
   placement.forbidden_pairs = table.conflicts.size();
-  placement.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  placement.seconds = watch.seconds();
   return placement;
 }
 

@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/place_by_spend.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -108,10 +107,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   PlacementProblem sum = problem;
   sum.combination = Combination::weighted;
   const Effort effort = greedy_effort(options, share_of_greedy * options.time_limit_s);
-  const auto begin = std::chrono::steady_clock::now();
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+  const Stopwatch watch;
   double known = unknown_spend;
   const SignalTable priced = SpendOrder(table, known).priced(table);
   Selection start;
@@ -134,7 +130,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
                               {control.threads, control.cancel, progress ? &*progress : nullptr});
   placement.problem = problem;
   placement.price.reset();
-  placement.seconds = elapsed();
+  placement.seconds = watch.seconds();
   if (placement.status == Status::infeasible) return placement;
   if (placement.has_selection()) {
     placement.price = price_of(table, placement.selected);
@@ -154,7 +150,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   const Placement counted = place(table, count, of_count, control);
   learn_from_count(placement, table, counted);
   placement.steps.insert(placement.steps.end(), counted.steps.begin(), counted.steps.end());
-  placement.seconds = elapsed();
+  placement.seconds = watch.seconds();
   return placement;
 }
 

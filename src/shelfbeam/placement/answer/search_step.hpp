@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -19,10 +18,10 @@ inline constexpr double no_limit_s = 1e8;
 template <class Value, class Bound, class Run>
 void record_step(std::vector<SearchStep>& steps, std::string_view name, const Value& value,
                  const Bound& bound, const Run& run) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   SearchStep step{.name = name, .value_before = value(), .bound_before = bound()};
   run();
-  step.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  step.seconds = watch.seconds();
   step.value = value();
   step.bound = bound();
   steps.push_back(step);

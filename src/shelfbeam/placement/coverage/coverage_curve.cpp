@@ -235,12 +235,12 @@ void reconcile_bounds(Placement& placement, CoverageCurve& curve, const SignalTa
 
 CoverageCurve add_curve(Placement& placement, const SignalTable& table, double time_limit_s,
                         const RunControl& control, bool selection_stays) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   const double seconds = std::max(time_limit_s - placement.seconds, 0.1 * time_limit_s);
   CoverageCurve curve =
       coverage_curve(table, placement.problem, placement.selected, control, Deadline(seconds).end());
   reconcile_bounds(placement, curve, table, selection_stays);
-  placement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+  placement.seconds += watch.seconds();
   return curve;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string_view>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/answer/incumbent.hpp"
@@ -93,14 +93,14 @@ class PartialSearch {
 template <class Search>
 auto search_partial(const SignalTable& table, const PlacementProblem& problem, const PlaceOptions& options,
                     const RunControl& control, const Search& search) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const ThreadLimit allowed(control.threads);
   check_problem(table, problem);
   milp::backends_of(options.backend);  // throws for an unknown name
   auto answer = search(Instance(table, counting(problem)));
   answer.problem = problem;
   answer.problem.combination = Combination::lexicographic;
-  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  answer.seconds = watch.seconds();
   return answer;
 }
 
