@@ -138,19 +138,16 @@ Placement placed(const Instance& instance, const PlaceOptions& options, const De
       });
   if (!known && searches)
     known = detail::first_selection(instance, greedy, 0.2 * deadline.seconds_left(), options.seed, control);
-  if (is_all) {
+  const bool is_late =
+      known && searches &&
+      deadline.seconds_left() < std::min(share_to_begin * options.time_limit_s, seconds_to_begin);
+  if (is_all || is_late) {
     Placement placement = plain_placement(instance, known);
-    if (deadline.has_passed() || control.cancelled()) placement.status = Status::stopped;
+    if (is_late || deadline.has_passed() || control.cancelled()) placement.status = Status::stopped;
     return placement;
   }
-  if (known && searches) {
-    if (deadline.seconds_left() < std::min(share_to_begin * options.time_limit_s, seconds_to_begin)) {
-      Placement placement = plain_placement(instance, known);
-      placement.status = Status::stopped;
-      return placement;
-    }
+  if (known && searches)
     return detail::search_placement(instance, *known, backends, options, deadline, control);
-  }
   if (!options.uses(SolverChoice::mip) ||
       (searches && instance.table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
     Placement placement = plain_placement(instance, known);

@@ -85,9 +85,7 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
     if (part.labels.empty()) continue;
     std::vector<ColumnId> columns;
     const SignalTable own = table_of(instance, cost, part, blocked, columns);
-    PlacementProblem sum;
-    sum.model = instance.problem.model;
-    sum.combination = Combination::weighted;
+    const PlacementProblem sum{.model = instance.problem.model, .combination = Combination::weighted};
     // The other parts cost at least their bounds so far, and at least nothing.
     const MipResult best =
         place_by_mip({own, sum}, std::nullopt, solve, effort, control, {.cutoff = cutoff - answer.bound});
@@ -117,9 +115,7 @@ Answer branch_reduced(SearchState& state, const Reduction& reduction, double cut
                                    const RunControl& control) {
     return milp::branch_and_bound(model, backends.front(), options, control);
   };
-  Answer nothing;
-  nothing.bound = milp::infinity;
-  if (reduction.infeasible) return nothing;
+  if (reduction.infeasible) return {std::nullopt, milp::infinity};
   constexpr std::uint64_t steps_per_node = 20;  // strong branching takes much longer than other steps
   Effort nodes = effort;
   if (state.options.step_limit) nodes.steps = 1 + *state.options.step_limit / steps_per_node;

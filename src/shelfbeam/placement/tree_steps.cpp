@@ -16,9 +16,8 @@ std::optional<BoundProof> strength_of(const Proof& proof, const SearchState& sta
 
 void raise_count_bound(SearchState& state, const Effort& effort) {
   while (!state.incumbent.is_closed() && !effort.is_over(state.control)) {
-    TreeGoal goal;
-    goal.max_units = static_cast<std::size_t>(std::llround(state.incumbent.bound()));
-    const TreeResult answer = state.tree->run(goal, {effort, true}, state.control);
+    const auto max_units = static_cast<std::size_t>(std::llround(state.incumbent.bound()));
+    const TreeResult answer = state.tree->run({.max_units = max_units}, {effort, true}, state.control);
     state.offer(answer.selected);
     if (!answer.is_complete || answer.selected) return;
     const auto strength = strength_of(answer.proof, state);
@@ -39,11 +38,10 @@ Cheapest cheapest(const SearchState& state, std::size_t max_units, double betwee
   // Every column is rounded by up to a half of cost_unit.
   const double rounding_errors = static_cast<double>(max_units + 1) / 2;
   const std::int64_t known = state.instance.cost_of(state.incumbent.selected());
-  TreeGoal goal;
-  goal.kind = TreeGoal::Kind::cheapest;
-  goal.max_units = max_units;
   const double limit = std::ceil(between / state.instance.cost_unit + rounding_errors);
-  goal.max_cost = std::min<std::int64_t>(known - 1, std::llround(limit));
+  const TreeGoal goal{.kind = TreeGoal::Kind::cheapest,
+                      .max_units = max_units,
+                      .max_cost = std::min<std::int64_t>(known - 1, std::llround(limit))};
   const TreeResult answer = tree.run(goal, {effort, true}, state.control);
   if (!answer.is_complete) return {answer.selected};
   const double bound = static_cast<double>(answer.proof.max_cost) + 1 - rounding_errors;
@@ -84,19 +82,16 @@ bool settle_ties(SearchState& state, const PlacementProblem& problem, const Sele
     own_matrix.emplace(*own_instance);
   }
   const Instance& instance = own_instance ? *own_instance : state.instance;
-  TreeGoal goal;
-  goal.kind = TreeGoal::Kind::widest;
-  goal.max_units = max_units;
+  TreeGoal goal{.kind = TreeGoal::Kind::widest, .max_units = max_units};
   constexpr int bits_of_rounding = 40;  // 2^-40, about 1e-12 of the cost
   if (instance.has_costs) {
     goal.max_cost = instance.cost_of(state.incumbent.selected());
     goal.max_cost += goal.max_cost >> bits_of_rounding;
   }
   if (start.size() <= max_units && instance.cost_of(start) <= goal.max_cost) goal.start = start;
-  TreeSearch::Limits limits;
   constexpr std::uint64_t max_work = 2'000'000'000;  // some tenths of a second
-  limits.work = max_work;
-  limits.effort.until = Deadline(0.5 * state.deadline.seconds_left()).end();
+  const TreeSearch::Limits limits{.effort = {.until = Deadline(0.5 * state.deadline.seconds_left()).end()},
+                                  .work = max_work};
   TreeSearch tree(instance, own_matrix ? *own_matrix : *state.matrix);
   const TreeResult answer = tree.run(goal, limits, state.control);
   if (answer.selected)

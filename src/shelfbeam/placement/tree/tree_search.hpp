@@ -25,7 +25,7 @@ struct TreeGoal {
   Kind kind = Kind::any;
   std::size_t max_units = 0;
   std::int64_t max_cost = std::numeric_limits<std::int64_t>::max();
-  Selection start;  ///< for widest: ascending; a feasible selection, or empty
+  Selection start = {};  ///< for widest: ascending; a feasible selection, or empty
 };
 
 struct TreeResult {
