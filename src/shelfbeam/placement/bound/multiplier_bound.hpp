@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "shelfbeam/placement/bound/subgradient.hpp"
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/placement/bound/dual_bound.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
@@ -19,7 +20,7 @@ struct MultiplierBound {
 struct MultiplierBoundOptions {
   SelectionSet selections = {};  ///< the bound holds for these selections
   double known = 0;    ///< cost of a selection, which the steps aim at; any positive number is valid
-  double step = 0;     ///< SubgradientOptions::step
+  double step = 0;     ///< costs are multiples of this: a bound above known - step ends the search
   Effort effort = {};  ///< its steps: per set of rows
   /// The labels whose rows are used. Empty: the labels of smallest total sum_j a_ij per strongest unit, to
   /// which labels are added that the relaxation misses.

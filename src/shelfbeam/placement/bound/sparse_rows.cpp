@@ -1,5 +1,7 @@
 #include "shelfbeam/placement/bound/sparse_rows.hpp"
 
+#include <algorithm>
+
 #include "shelfbeam/placement/problem/mounts.hpp"
 
 namespace shelfbeam::detail {
@@ -28,6 +30,8 @@ SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, c
     column_.push_back(j);
     cost_.push_back(cost[j]);
   }
+  min_count_ = selections.min_count - std::min(selections.min_count, chosen_.size());
+  max_count_ = selections.max_count - std::min(selections.max_count, chosen_.size());
   group_.assign(column_.size(), no_group);
   for (const auto& mount : instance.table.mounts) {
     bool is_open = false;

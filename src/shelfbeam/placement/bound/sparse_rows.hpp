@@ -38,6 +38,9 @@ class SparseRows {
   /// Columns chosen in every selection, ascending, and their cost.
   const std::vector<ColumnId>& chosen() const { return chosen_; }
   double chosen_cost() const { return chosen_cost_; }
+  /// Of the units besides the chosen ones.
+  std::size_t min_count() const { return min_count_; }
+  std::size_t max_count() const { return max_count_; }
 
  private:
   static std::span<const Term> part(const std::vector<Term>& all, const std::vector<std::size_t>& begin,
@@ -50,7 +53,7 @@ class SparseRows {
   std::vector<double> cost_, rhs_;
   std::vector<std::size_t> row_begin_ = {0}, column_begin_;
   std::vector<Term> of_row_, of_column_;
-  std::size_t groups_ = 0;
+  std::size_t groups_ = 0, min_count_ = 0, max_count_ = 0;
   double chosen_cost_ = 0;
 };
 
