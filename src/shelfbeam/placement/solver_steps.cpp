@@ -8,6 +8,7 @@
 #include "shelfbeam/milp/branching.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/cover_rows.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/search_state.hpp"
 
@@ -156,11 +157,11 @@ Answer solve_reduced(SearchState& state, const Effort& effort) {
 // The label rows and cuts of the last relaxation are part of the model, the cuts as further rows.
 std::vector<milp::Row> cuts_of(const SearchState& state) {
   std::vector<milp::Row> cuts;
-  BoundRowReader reader(state.instance, state.max_better_count());
+  const CoverRows cover(state.instance, state.max_better_count());
   for (const BoundRow& row : state.rows) {
     if (row.is_plain()) continue;
     milp::Row& cut = cuts.emplace_back();
-    cut.lower = reader.read(row, [&](std::uint32_t j, double a) { cut.entries.push_back({j, a}); });
+    cut.lower = cover.read(row, [&](std::uint32_t j, double a) { cut.entries.push_back({j, a}); });
     if (cut.lower > 0)
       cut = relaxed(std::move(cut));
     else

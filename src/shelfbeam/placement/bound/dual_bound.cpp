@@ -128,10 +128,10 @@ DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std
   for_each_task(parts, [&](std::size_t p) {
     std::vector<double>& weight = of_part[p].weight;
     weight.assign(instance.columns(), 0.0);
-    BoundRowReader reader(instance, max_count);
+    const CoverRows cover(instance, max_count);
     for (std::size_t k = p * rows_of_part; k < std::min(rows.size(), (p + 1) * rows_of_part); ++k)
       if (y[k] > 0 && std::isfinite(y[k]))
-        of_row[k] = y[k] * reader.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
+        of_row[k] = y[k] * cover.read(rows[k], [&](std::uint32_t j, double a) { weight[j] += y[k] * a; });
   });
   DualSums sums{0, std::vector<double>(instance.columns(), 0.0), rows.size(), max_count};
   for (const DualSums& part : of_part)

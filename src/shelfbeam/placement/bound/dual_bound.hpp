@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -11,30 +9,6 @@
 #include "shelfbeam/placement/problem/instance.hpp"
 
 namespace shelfbeam::detail {
-
-/// A valid inequality from one label's row sum_j a_ij T_j >= b (cover_rows.hpp): the row itself or one of
-/// two cuts, which exclude one another.
-///
-/// Share cut, empty unless d > 0, with s > 0, for selections of at most K units (SelectionSet::max_count):
-/// parts below s contribute at most s K, so the label requires d = b - s K from the parts above s:
-///
-///   sum_j min(1, max(0, a_ij - s) / d) T_j >= 1.
-///
-/// Near s = 1 / K this is the pigeonhole principle: one unit contributes at least that.
-///
-/// Case, with t > 0, for selections in which some unit contributes at least t to the label:
-///
-///   sum_{j: a_ij >= t} T_j >= 1.
-struct BoundRow {
-  LabelId label;
-  double share = 0;      ///< s
-  double strongest = 0;  ///< t
-
-  /// The label's own row.
-  bool is_plain() const { return share == 0 && strongest == 0; }
-
-  bool operator==(const BoundRow&) const = default;
-};
 
 /// The selections for which a bound holds.
 struct SelectionSet {
@@ -93,48 +67,5 @@ BoundsByCount bounds_by_count(const Instance& instance, const DualSums& sums, st
 /// their `if_chosen` exceeds it. For a known selection of cost v, `worth` is
 /// CostBounds::below(v).
 std::vector<ColumnId> useless_columns(const DualBound& dual, double worth);
-
-/// Expands the inequalities of one table, slightly relaxed, by more than rounding errors.
-class BoundRowReader {
- public:
-  BoundRowReader(const Instance& instance, std::size_t max_units)
-      : cover_(instance, max_units), max_units_(static_cast<double>(max_units)) {}
-
-  /// Calls visit(column, coefficient), ascending, and returns the right-hand side; 0 if the inequality is
-  /// empty.
-  template <class Visit>
-  double read(const BoundRow& row, Visit visit) const {
-    if (row.strongest > 0) return read_strongest(row, visit);
-    if (row.share > 0) return read_above_share(row, visit);
-    cover_.for_entries(row.label, visit);
-    return cover_.bound(row.label);
-  }
-
- private:
-  static constexpr double rounding = 1e-10;  // of sums of up to a million numbers of at most 1
-  static constexpr double min_lack = 1e-3;
-
-  template <class Visit>
-  double read_strongest(const BoundRow& row, Visit visit) const {
-    cover_.for_entries(row.label, [&](std::uint32_t j, double a) {
-      if (a >= row.strongest) visit(j, 1.0);
-    });
-    return 1;
-  }
-
-  template <class Visit>
-  double read_above_share(const BoundRow& row, Visit visit) const {
-    const double lacking = cover_.bound(row.label) - row.share * max_units_ - rounding;
-    if (!(lacking >= min_lack)) return 0;
-    cover_.for_entries(row.label, [&](std::uint32_t j, double a) {
-      // The difference loses digits; 1e-12 exceeds that error after the division.
-      if (a > row.share) visit(j, std::min(1.0, (a - row.share) / lacking + 1e-12));
-    });
-    return 1;
-  }
-
-  CoverRows cover_;
-  double max_units_;
-};
 
 }  // namespace shelfbeam::detail

@@ -25,7 +25,7 @@ class RowGeneration {
         cost_(cost),
         options_(options),
         control_(control),
-        reader_(instance, options.selections.max_count),
+        cover_(instance, options.selections.max_count),
         pricing_(instance, options.selections.max_count),
         lp_(load(instance, cost, backend, options)),
         is_row_(instance.rows(), false),
@@ -84,7 +84,7 @@ class RowGeneration {
     std::vector<milp::Row> rows;
     for (const BoundRow& row : batch) {
       milp::Row& built = rows.emplace_back();
-      built.lower = reader_.read(row, [&](std::uint32_t j, double a) {
+      built.lower = cover_.read(row, [&](std::uint32_t j, double a) {
         if (!is_out_[j]) built.entries.push_back({j, a});
       });
       if (row.is_plain()) {
@@ -138,7 +138,7 @@ class RowGeneration {
   std::span<const double> cost_;
   const LpBoundOptions& options_;
   const RunControl& control_;
-  BoundRowReader reader_;
+  CoverRows cover_;
   RowPricing pricing_;
   std::unique_ptr<milp::LpSession> lp_;
   std::vector<BoundRow> rows_;  ///< all rows in the LP

@@ -43,11 +43,11 @@ SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, c
     groups_ += is_open ? 1 : 0;
   }
 
-  BoundRowReader reader(instance, selections.max_count);
+  const CoverRows cover(instance, selections.max_count);
   column_begin_.assign(column_.size() + 1, 0);
   for (const BoundRow& row : rows) {
     double met = 0;
-    const double rhs = reader.read(row, [&](std::uint32_t j, double a) {
+    const double rhs = cover.read(row, [&](std::uint32_t j, double a) {
       if (place[j] == is_chosen) met += a;
       if (place[j] >= is_chosen) return;
       of_row_.push_back({place[j], static_cast<float>(a)});
