@@ -15,46 +15,21 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A mounting point without a chosen unit, or a column with a mounting point of its own.
 struct Point {
-  std::vector<ColumnId> options;
+  std::vector<ColumnId> options = {};
   double min_cost = infinite;  ///< of its options, reduced
 };
 
-Point make_point(std::vector<ColumnId> options, const std::vector<double>& reduced_cost) {
-  double min_cost = infinite;
-  for (const ColumnId j : options) min_cost = std::min(min_cost, reduced_cost[j]);
-  return {std::move(options), min_cost};
-}
-
-/// The mounting points without a chosen unit. Adds the chosen units to the bound and excludes the other
-/// options of their points, and columns in conflict with installed units.
-std::vector<Point> free_points(const Instance& instance, const std::vector<bool>& chosen,
-                               const std::vector<ColumnId>& without, DualBound& dual) {
-  std::vector<Point> points;
-  std::vector<bool> shares(instance.columns(), false), is_out(instance.columns(), false);
-  for (const ColumnId j : without) is_out[j] = true;
+/// The points with open columns.
+std::vector<Point> free_points(const Instance& instance, const std::vector<ColumnState>& states,
+                               const std::vector<double>& reduced_cost) {
+  std::vector<Point> points(instance.columns());
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    is_out[j] = is_out[j] || (!instance.available[j] && !chosen[j]);
-    if (is_out[j]) dual.if_chosen[j] = infinite;
+    if (states[j] != ColumnState::open) continue;
+    Point& point = points[instance.mounts.first_option(j)];
+    point.options.push_back(j);
+    point.min_cost = std::min(point.min_cost, reduced_cost[j]);
   }
-  for (const auto& mount : instance.table.mounts) {
-    bool taken = false;
-    for (const ColumnId j : mount) {
-      shares[j] = true;
-      taken = taken || chosen[j];
-    }
-    for (const ColumnId j : mount)
-      if (taken && !chosen[j]) dual.if_chosen[j] = infinite;
-    std::vector<ColumnId> options;
-    for (const ColumnId j : mount)
-      if (!is_out[j]) options.push_back(j);
-    if (!taken && !options.empty()) points.push_back(make_point(std::move(options), dual.reduced_cost));
-  }
-  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    if (chosen[j])
-      dual.bound += dual.reduced_cost[j];
-    else if (!shares[j] && !is_out[j])
-      points.push_back(make_point({j}, dual.reduced_cost));
-  }
+  std::erase_if(points, [](const Point& point) { return point.options.empty(); });
   return points;
 }
 
@@ -72,7 +47,6 @@ Relaxation relaxation_of(const Instance& instance, const DualSums& sums, std::sp
   Relaxation result;
   DualBound& dual = result.dual;
   dual.bound = sums.constant;
-  dual.if_chosen.assign(n, 0.0);
   double added = dual.bound;
   for (std::size_t j = 0; j < n; ++j) {
     dual.reduced_cost.push_back(cost[j] - sums.weight[j]);
@@ -81,12 +55,15 @@ Relaxation relaxation_of(const Instance& instance, const DualSums& sums, std::sp
   result.slack = std::isfinite(added)
                      ? static_cast<double>(sums.rows + n + 8) * std::numeric_limits<double>::epsilon() * added
                      : infinite;
-  std::vector<bool> chosen = chosen_columns(instance, instance.installed);
-  for (const ColumnId j : selections.with) chosen[j] = true;
-  result.chosen = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
-  result.points = free_points(instance, chosen, selections.without, dual);
-  std::stable_sort(result.points.begin(), result.points.end(),
-                   [](const Point& a, const Point& b) { return a.min_cost < b.min_cost; });
+  const std::vector<ColumnState> states = states_of(instance, selections);
+  for (std::size_t j = 0; j < n; ++j) {
+    dual.if_chosen.push_back(states[j] == ColumnState::closed ? infinite : 0);
+    if (states[j] != ColumnState::chosen) continue;
+    dual.bound += dual.reduced_cost[j];
+    ++result.chosen;
+  }
+  result.points = free_points(instance, states, dual.reduced_cost);
+  std::ranges::stable_sort(result.points, {}, &Point::min_cost);
   return result;
 }
 
@@ -116,6 +93,19 @@ void take_points(std::span<const Point> points, std::size_t min_count, std::size
 }
 
 }  // namespace
+
+std::vector<ColumnState> states_of(const Instance& instance, const SelectionSet& selections) {
+  std::vector<ColumnState> states(instance.columns(), ColumnState::open);
+  for (std::uint32_t j = 0; j < states.size(); ++j)
+    if (!instance.mounts.available(j)) states[j] = ColumnState::closed;
+  for (const ColumnId j : selections.without) states[j] = ColumnState::closed;
+  for (const ColumnId j : instance.installed) states[j] = ColumnState::chosen;
+  for (const ColumnId j : selections.with) {
+    for (const ColumnId option : instance.mounts.options(j)) states[option] = ColumnState::closed;
+    states[j] = ColumnState::chosen;
+  }
+  return states;
+}
 
 DualSums dual_sums(const Instance& instance, std::span<const BoundRow> rows, std::span<const double> y,
                    std::size_t max_count, std::span<const double> price_of_miss) {

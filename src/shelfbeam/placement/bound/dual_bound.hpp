@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -17,6 +18,16 @@ struct SelectionSet {
   std::vector<ColumnId> without = {};  ///< columns that are not chosen; no installed ones
   std::vector<ColumnId> with = {};     ///< columns that are chosen besides the installed ones
 };
+
+/// What the selections of a SelectionSet do with a column.
+enum class ColumnState : std::uint8_t {
+  open,
+  chosen,
+  closed  ///< excluded, or in conflict with an installed unit or at its mounting point with a chosen one
+};
+
+/// One per column.
+std::vector<ColumnState> states_of(const Instance& instance, const SelectionSet& selections);
 
 /// A lower bound from multipliers; all numbers are safe against rounding.
 struct DualBound {

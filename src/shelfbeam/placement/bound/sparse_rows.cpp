@@ -2,30 +2,20 @@
 
 #include <algorithm>
 
-#include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/problem/cover_rows.hpp"
 
 namespace shelfbeam::detail {
 
 SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, const SelectionSet& selections,
                        std::span<const BoundRow> rows) {
-  constexpr std::uint32_t closed = ~std::uint32_t{0}, is_chosen = closed - 1;
-  const Mounts& mounts = instance.mounts;
-  std::vector<std::uint32_t> place(instance.columns(), 0);
+  const std::vector<ColumnState> states = states_of(instance, selections);
+  std::vector<std::uint32_t> place(instance.columns(), 0);  // of open columns
   for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    if (!mounts.available(j)) place[j] = closed;
-    if (instance.is_installed(j)) place[j] = is_chosen;
-  }
-  for (const ColumnId j : selections.without) place[j] = closed;
-  for (const ColumnId j : selections.with) {
-    for (const ColumnId option : mounts.options(j)) place[option] = closed;
-    place[j] = is_chosen;
-  }
-  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    if (place[j] == is_chosen) {
+    if (states[j] == ColumnState::chosen) {
       chosen_.push_back(j);
       chosen_cost_ += cost[j];
     }
-    if (place[j] >= is_chosen) continue;
+    if (states[j] != ColumnState::open) continue;
     place[j] = static_cast<std::uint32_t>(column_.size());
     column_.push_back(j);
     cost_.push_back(cost[j]);
@@ -36,7 +26,7 @@ SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, c
   for (const auto& mount : instance.table.mounts) {
     bool is_open = false;
     for (const ColumnId j : mount) {
-      if (place[j] >= is_chosen) continue;
+      if (states[j] != ColumnState::open) continue;
       group_[place[j]] = static_cast<std::uint32_t>(groups_);
       is_open = true;
     }
@@ -48,8 +38,8 @@ SparseRows::SparseRows(const Instance& instance, std::span<const double> cost, c
   for (const BoundRow& row : rows) {
     double met = 0;
     const double rhs = cover.read(row, [&](std::uint32_t j, double a) {
-      if (place[j] == is_chosen) met += a;
-      if (place[j] >= is_chosen) return;
+      if (states[j] == ColumnState::chosen) met += a;
+      if (states[j] != ColumnState::open) return;
       of_row_.push_back({place[j], static_cast<float>(a)});
       ++column_begin_[place[j] + 1];
     });
