@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace shelfbeam::milp {
@@ -31,6 +32,14 @@ struct Row {
   std::vector<Entry> entries;
   std::string name;
 };
+
+/// lower <= sum of these columns <= upper.
+template <class Columns>
+Row sum_row(const Columns& columns, double lower, double upper, std::string name = {}) {
+  Row row{lower, upper, {}, std::move(name)};
+  for (const std::uint32_t j : columns) row.entries.push_back({j, 1.0});
+  return row;
+}
 
 /// A sparse mixed-integer linear model, always minimised.
 struct Model {

@@ -24,11 +24,7 @@ RelaxedCover relaxed_cover(const SignalTable& table, const SelectionBudget& limi
   std::vector<milp::Row> fixed(1);
   fixed[0].upper = limit.budget;
   for (std::uint32_t j = 0; j < n; ++j) fixed[0].entries.push_back({j, limit.price[j]});
-  for (const auto& mount : table.mounts) {
-    milp::Row row{-milp::infinity, 1, {}, {}};
-    for (const std::uint32_t j : mount) row.entries.push_back({j, 1.0});
-    fixed.push_back(std::move(row));
-  }
+  for (const auto& mount : table.mounts) fixed.push_back(milp::sum_row(mount, -milp::infinity, 1));
   lp->add_rows(fixed);
   const auto share = [&](LabelId i, const SignalEntry& entry) {
     return std::min(1.0, entry.signal / table.labels[i].requirement);

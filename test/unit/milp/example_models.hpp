@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "shelfbeam/milp/model.hpp"
@@ -14,11 +13,7 @@ inline milp::Model cover(std::size_t columns, const std::vector<std::vector<std:
   milp::Model model;
   model.columns.resize(columns);
   for (milp::Column& column : model.columns) column.cost = 1;
-  for (const auto& row : rows) {
-    milp::Row built{1.0, milp::infinity, {}, {}};
-    for (const std::uint32_t j : row) built.entries.push_back({j, 1.0});
-    model.rows.push_back(std::move(built));
-  }
+  for (const auto& row : rows) model.rows.push_back(milp::sum_row(row, 1, milp::infinity));
   return model;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/bound/row_pricing.hpp"
 #include "shelfbeam/placement/bound/share_cuts.hpp"
@@ -63,19 +64,11 @@ class RowGeneration {
     for (const ColumnId j : options.selections.with) columns[j].lower = 1;
     auto lp = backend.lp(columns);
     std::vector<milp::Row> rows;
-    for (const auto& mount : instance.table.mounts) {
-      milp::Row row{-milp::infinity, 1, {}, {}};
-      for (const ColumnId j : mount) row.entries.push_back({j, 1.0});
-      rows.push_back(std::move(row));
-    }
-    if (limits_count(options)) {
-      milp::Row row{static_cast<double>(options.selections.min_count),
-                    static_cast<double>(options.selections.max_count),
-                    {},
-                    {}};
-      for (std::uint32_t j = 0; j < instance.columns(); ++j) row.entries.push_back({j, 1.0});
-      rows.push_back(std::move(row));
-    }
+    for (const auto& mount : instance.table.mounts) rows.push_back(milp::sum_row(mount, -milp::infinity, 1));
+    if (limits_count(options))
+      rows.push_back(milp::sum_row(all_numbers(instance.columns()),
+                                   static_cast<double>(options.selections.min_count),
+                                   static_cast<double>(options.selections.max_count)));
     if (!rows.empty()) lp->add_rows(rows);
     return lp;
   }

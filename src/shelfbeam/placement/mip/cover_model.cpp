@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/mip/export_model.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"
@@ -69,9 +71,7 @@ void CoverModel::build() {
   if (!fails_by_rows()) return;
   for (std::size_t i = 0; i < instance_.rows(); ++i) {
     const auto row = instance_.row(i);
-    const auto strongest =
-        std::max_element(row.begin(), row.end(),
-                         [](const SignalEntry& a, const SignalEntry& b) { return a.signal < b.signal; });
+    const auto strongest = std::ranges::max_element(row, {}, &SignalEntry::signal);
     if (strongest != row.end()) add_failure(i, strongest->transceiver);
   }
 }
@@ -131,21 +131,16 @@ std::vector<milp::Row> CoverModel::set_goal(const MipGoal& goal, const CostBound
     column.upper = too_dear ? 0 : 1;
   }
   for (const ColumnId j : knowledge_.without) model_.columns[j].upper = model_.columns[j].cost = 0;
-  const bool limits_count = goal.min_count > 0 || goal.max_count < instance_.columns();
   bound_label_rows(std::min(goal.max_count, bounds.affordable(max_cost)));
   std::vector<milp::Row> rows;
-  if (limits_count) {
-    milp::Row& count = rows.emplace_back();
-    count.lower = static_cast<double>(goal.min_count);
-    count.upper = static_cast<double>(goal.max_count);
-    for (std::uint32_t j = 0; j < instance_.columns(); ++j) count.entries.push_back({j, 1.0});
-  }
+  if (goal.min_count > 0 || goal.max_count < instance_.columns())
+    rows.push_back(milp::sum_row(all_numbers(instance_.columns()), static_cast<double>(goal.min_count),
+                                 static_cast<double>(goal.max_count)));
   const double largest = may_miss() ? *std::max_element(weights_.begin(), weights_.end()) : 0;
   for (std::size_t i = 0; i < weights_.size(); ++i)
     model_.columns[missed(i)].cost = goal.price_of_misses * weights_[i];
   if (largest > 0 && goal.max_missed < milp::infinity) {
     milp::Row& weight = rows.emplace_back();
-    weight.lower = -milp::infinity;
     weight.upper = goal.max_missed / largest;
     for (std::size_t i = 0; i < weights_.size(); ++i)
       if (weights_[i] > 0) weight.entries.push_back({missed(i), weights_[i] / largest});
@@ -196,9 +191,8 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
     }
     outcome.bound = std::max(outcome.bound, safe(result.dual_bound));
     if (empty_handed) break;
-    Selection selected;
-    for (std::uint32_t j = 0; j < instance_.columns(); ++j)
-      if (result.solution[j] > 0.5) selected.push_back(j);
+    const Selection selected = numbers_where<ColumnId>(
+        instance_.columns(), [&](std::uint32_t j) { return result.solution[j] > 0.5; });
     const Check check = instance_.check(selected);
     std::vector<LabelId> mistaken = check.unmet;  // labels that the solver counts as reached
     double missed_weight = 0;
@@ -235,10 +229,8 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
 
 // These labels weigh more than may be missed, though by less than the solver's tolerance.
 void CoverModel::forbid_misses(std::span<const LabelId> labels) {
-  milp::Row& row = model_.rows.emplace_back();
-  row.lower = -milp::infinity;
-  row.upper = static_cast<double>(labels.size()) - 1;
-  for (const LabelId i : labels) row.entries.push_back({missed(i), 1.0});
+  const auto all = labels | std::views::transform([this](LabelId i) { return missed(i); });
+  model_.rows.push_back(milp::sum_row(all, -milp::infinity, static_cast<double>(labels.size()) - 1));
 }
 
 // The selection misses the label, and so does every part of it (signals are not negative). It is extended by
@@ -248,21 +240,18 @@ void CoverModel::cut_off(const Selection& selected, std::size_t unmet_label) {
   std::vector<double> signal(instance_.columns(), 0.0);
   for (const SignalEntry& entry : instance_.row(unmet_label)) signal[entry.transceiver] = entry.signal;
   std::vector<bool> chosen = chosen_columns(instance_, selected);
-  Selection outside;
-  for (std::uint32_t j = 0; j < instance_.columns(); ++j)
-    if (!chosen[j]) outside.push_back(j);
-  std::stable_sort(outside.begin(), outside.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return signal[a] < signal[b]; });
+  Selection outside =
+      numbers_where<ColumnId>(instance_.columns(), [&](std::uint32_t j) { return !chosen[j]; });
+  std::ranges::stable_sort(outside, {}, [&](ColumnId j) { return signal[j]; });
 
   auto first = outside.begin();
   for (; first != outside.end(); ++first) {
     chosen[*first] = true;
     if (instance_.is_reached(unmet_label, chosen)) break;
   }
-  milp::Row cut{1.0, milp::infinity, {}, "cut"};
-  for (; first != outside.end(); ++first) cut.entries.push_back({*first, 1.0});
+  milp::Row& cut =
+      model_.rows.emplace_back(milp::sum_row(std::span(first, outside.end()), 1, milp::infinity, "cut"));
   if (may_miss()) cut.entries.push_back({missed(unmet_label), 1.0});
-  model_.rows.push_back(std::move(cut));
 }
 
 }  // namespace shelfbeam::detail

@@ -1,5 +1,7 @@
 #include "shelfbeam/placement/mip/export_model.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "shelfbeam/base/error.hpp"
@@ -26,16 +28,11 @@ milp::Model model_without_failures(const detail::Instance& instance) {
     }
     model.rows.push_back(std::move(row));
   }
-  for (const auto& mount : table.mounts) {
-    milp::Row row{-milp::infinity, 1.0, {}, "mount_" + table.transceivers[mount.front()].id};
-    for (const ColumnId j : mount) row.entries.push_back({j, 1.0});
-    model.rows.push_back(std::move(row));
-  }
+  const auto id = [&](ColumnId j) { return table.transceivers[j].id; };
+  for (const auto& mount : table.mounts)
+    model.rows.push_back(milp::sum_row(mount, -milp::infinity, 1, "mount_" + id(mount.front())));
   for (const auto& [a, b] : table.conflicts)
-    model.rows.push_back({-milp::infinity,
-                          1.0,
-                          {{a, 1.0}, {b, 1.0}},
-                          "apart_" + table.transceivers[a].id + "_" + table.transceivers[b].id});
+    model.rows.push_back(milp::sum_row(std::array{a, b}, -milp::infinity, 1, "apart_" + id(a) + "_" + id(b)));
   return model;
 }
 

@@ -48,11 +48,7 @@ std::vector<double> lp_multipliers(const SmallCover& cover, const CoverTreeLimit
   std::vector<milp::Column> columns;
   for (const double cost : cover.cost) columns.push_back({cost, 0, 1, false, {}});
   std::vector<milp::Row> rows;
-  for (const auto& members : cover.rows) {
-    milp::Row& row = rows.emplace_back();
-    row.lower = 1;
-    for (const std::uint32_t j : members) row.entries.push_back({j, 1.0});
-  }
+  for (const auto& row : cover.rows) rows.push_back(milp::sum_row(row, 1, milp::infinity));
   const auto lp = backend.lp(columns);
   lp->add_rows(rows);
   return lp->solve(limits.effort.seconds_left(), {1, limits.control.cancel, nullptr}).y;
