@@ -1,13 +1,13 @@
 #include "shelfbeam/placement/reduce/reductions.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
+#include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/reduce/bit_set.hpp"
 
 namespace shelfbeam::detail {
@@ -21,10 +21,10 @@ class CoverReducer {
   CoverReducer(const Instance& instance, std::span<const double> cost, const std::vector<bool>& pinned,
                const std::function<bool()>& stop, std::span<const ColumnId> omitted)
       : table_(instance.table),
+        mounts_(instance.mounts),
         stop_(stop),
         cost_(cost),
         pinned_(pinned.empty() ? std::vector<bool>(instance.columns(), false) : pinned),
-        mount_(instance.columns(), no_column),
         rows_(instance.rows(), BitSet(instance.columns())),
         open_(instance.columns(), true),
         forced_(instance.columns(), false),
@@ -32,8 +32,6 @@ class CoverReducer {
     const CoverRows cover(instance);
     for (std::uint32_t i = 0; i < instance.rows(); ++i)
       cover.for_entries(i, [&](std::uint32_t j, double) { rows_[i].insert(j); });
-    for (std::uint32_t k = 0; k < instance.table.mounts.size(); ++k)
-      for (const ColumnId j : instance.table.mounts[k]) mount_[j] = k;
     for (const ColumnId j : omitted) open_[j] = false;
   }
 
@@ -52,8 +50,7 @@ class CoverReducer {
   bool stops() const { return stop_ && stop_(); }
 
   void force(ColumnId column) {
-    if (mount_[column] != no_column)
-      for (const ColumnId option : table_.mounts[mount_[column]]) open_[option] = false;
+    for (const ColumnId option : mounts_.options(column)) open_[option] = false;
     open_[column] = false;
     forced_[column] = true;
   }
@@ -108,8 +105,7 @@ class CoverReducer {
       else
         unmet_[labels[k]] = false;
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return size[a] < size[b]; });
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t k) { return size[k]; });
     std::vector<std::vector<std::uint32_t>> kept(table_.columns());
     for (const std::uint32_t k : order) {
       if (k % 64 == 0 && stops()) return;
@@ -129,7 +125,9 @@ class CoverReducer {
   }
 
   bool may_replace(ColumnId in, ColumnId out) const {
-    return !pinned_[in] && (mount_[in] == no_column || mount_[in] == mount_[out]) && cost_[in] <= cost_[out];
+    const bool has_own_mount = mounts_.options(in).empty();
+    return !pinned_[in] && (has_own_mount || mounts_.first_option(in) == mounts_.first_option(out)) &&
+           cost_[in] <= cost_[out];
   }
 
   bool drop_dominated_columns() {
@@ -163,8 +161,7 @@ class CoverReducer {
   }
 
   std::vector<CoverPart> parts() const {
-    std::vector<std::uint32_t> parent(table_.columns());
-    std::iota(parent.begin(), parent.end(), 0U);
+    std::vector<std::uint32_t> parent = all_numbers(table_.columns());
     const auto root = [&](std::uint32_t j) {
       while (parent[j] != j) j = parent[j] = parent[parent[j]];
       return j;
@@ -174,10 +171,7 @@ class CoverReducer {
     };
     const std::vector<LabelId> labels = numbers_where<LabelId>(unmet_);
     for (const LabelId i : labels) join(open_columns(i));
-    std::vector<ColumnId> pinned;
-    for (std::uint32_t j = 0; j < table_.columns(); ++j)
-      if (open_[j] && pinned_[j]) pinned.push_back(j);
-    join(pinned);
+    join(numbers_where<ColumnId>(open_.size(), [&](ColumnId j) { return open_[j] && pinned_[j]; }));
     for (std::vector<ColumnId> mount : table_.mounts) {
       std::erase_if(mount, [&](std::uint32_t j) { return !open_[j]; });
       join(mount);
@@ -200,12 +194,12 @@ class CoverReducer {
   }
 
   const SignalTable& table_;
+  const Mounts& mounts_;
   const std::function<bool()>& stop_;
   std::span<const double> cost_;
   std::vector<bool> pinned_;
-  std::vector<std::uint32_t> mount_;  ///< index into SignalTable::mounts, or no_column
-  std::vector<BitSet> rows_;          ///< per label: the columns that reach it, open or not
-  std::vector<bool> open_;            ///< per column: neither forced nor closed
+  std::vector<BitSet> rows_;  ///< per label: the columns that reach it, open or not
+  std::vector<bool> open_;    ///< per column: neither forced nor closed
   std::vector<bool> forced_;
   std::vector<bool> unmet_;  ///< per label: neither reached nor dropped
   bool infeasible_ = false;
