@@ -100,8 +100,7 @@ class Cases {
     };
     std::vector<Term> terms;
     cover_.for_entries(label, [&](std::uint32_t j, double a) { terms.push_back({a, j}); });
-    std::sort(terms.begin(), terms.end(),
-              [](const Term& s, const Term& t) { return s.a != t.a ? s.a > t.a : s.column < t.column; });
+    std::ranges::sort(terms, {}, [](const Term& term) { return std::pair(-term.a, term.column); });
     double sum = 0;
     std::size_t count = 0;
     while (count < terms.size() && sum < min_part) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam::detail {
 
@@ -71,24 +72,19 @@ Relaxation relaxation_of(const Instance& instance, const DualSums& sums, std::sp
 void take_points(std::span<const Point> points, std::size_t min_count, std::size_t max_count,
                  DualBound& dual) {
   const auto negative = static_cast<std::size_t>(
-      std::count_if(points.begin(), points.end(), [](const Point& point) { return point.min_cost < 0; }));
+      std::ranges::count_if(points, [](const Point& point) { return point.min_cost < 0; }));
   max_count = std::min(max_count, points.size());
   min_count = std::min(min_count, max_count);
   const std::size_t taken = std::clamp(negative, min_count, max_count);
+  // If the count is at its maximum, or at a minimum that forces units, a further unit replaces the last.
+  const bool replaces = taken == max_count || (taken == min_count && negative < min_count);
   const double last = taken > 0 ? points[taken - 1].min_cost : 0;
+  const double of_further = max_count == 0 ? -infinite : replaces ? last : 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Point& point = points[k];
-    const bool is_taken = k < taken;
-    if (is_taken) dual.bound += point.min_cost;
-    // If the count is at its maximum, or at a minimum that forces units, a further unit replaces the last.
-    const bool replaces = taken == max_count || (taken == min_count && negative < min_count);
-    for (const ColumnId j : point.options) {
-      const double r = dual.reduced_cost[j];
-      if (is_taken)
-        dual.if_chosen[j] = r - point.min_cost;
-      else
-        dual.if_chosen[j] = max_count == 0 ? infinite : r - (replaces ? last : 0);
-    }
+    if (k < taken) dual.bound += point.min_cost;
+    const double replaced = k < taken ? point.min_cost : of_further;
+    for (const ColumnId j : point.options) dual.if_chosen[j] = dual.reduced_cost[j] - replaced;
   }
 }
 
@@ -166,10 +162,8 @@ BoundsByCount bounds_by_count(const Instance& instance, const DualSums& sums, st
 }
 
 std::vector<ColumnId> useless_columns(const DualBound& dual, double worth) {
-  std::vector<ColumnId> useless;
-  for (std::uint32_t j = 0; j < dual.if_chosen.size(); ++j)
-    if (dual.if_chosen[j] > worth) useless.push_back(j);
-  return useless;
+  return numbers_where<ColumnId>(dual.if_chosen.size(),
+                                 [&](ColumnId j) { return dual.if_chosen[j] > worth; });
 }
 
 }  // namespace shelfbeam::detail

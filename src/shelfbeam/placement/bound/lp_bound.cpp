@@ -30,8 +30,7 @@ class RowGeneration {
         pricing_(instance, options.selections.max_count),
         lp_(load(instance, cost, backend, options)),
         is_row_(instance.rows(), false),
-        is_out_(instance.columns(), false) {
-    for (const ColumnId j : options.selections.without) is_out_[j] = true;
+        is_out_(marked(instance.columns(), options.selections.without)) {
     result_.dual = dual_bound(instance, {}, {}, cost, options.selections);
   }
 

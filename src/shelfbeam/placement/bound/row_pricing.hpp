@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shelfbeam/base/parallel.hpp"
@@ -70,9 +71,7 @@ class RowPricing {
     for (std::uint32_t i = 0; i < rows_; ++i)
       if (!known[i] && lacking[i] > worst[strongest_[i]].by) worst[strongest_[i]] = {lacking[i], i};
     std::erase_if(worst, [&](const Violated& row) { return row.by <= tolerance; });
-    std::sort(worst.begin(), worst.end(), [](const Violated& a, const Violated& b) {
-      return a.by != b.by ? a.by > b.by : a.label < b.label;
-    });
+    std::ranges::sort(worst, {}, [](const Violated& row) { return std::pair(-row.by, row.label); });
     worst.resize(std::min(worst.size(), max_cuts));
     return worst;
   }

@@ -1,6 +1,7 @@
 #include "shelfbeam/placement/bound/share_cuts.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "shelfbeam/base/parallel.hpp"
@@ -64,8 +65,7 @@ std::vector<BoundRow> share_cuts(const Instance& instance, std::size_t max_units
     for (std::size_t k = first; k < last; ++k) cuts[k] = best_share(labels[k], cover, x, max_units);
   });
   std::erase_if(cuts, [](const Cut& cut) { return cut.violation < min_violation; });
-  std::stable_sort(cuts.begin(), cuts.end(),
-                   [](const Cut& a, const Cut& b) { return a.violation > b.violation; });
+  std::ranges::stable_sort(cuts, std::greater{}, &Cut::violation);
   std::vector<BoundRow> rows;
   for (const Cut& cut : std::span(cuts).first(std::min(cuts.size(), max_cuts))) rows.push_back(cut.row);
   return rows;

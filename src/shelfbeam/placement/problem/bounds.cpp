@@ -16,8 +16,7 @@ constexpr double solver_gap = 1e-6;
 constexpr double rounding = 1e-7;  // of a bound, before it is rounded up to a step
 
 double step_of(std::span<const double> cost) {
-  const bool are_whole =
-      std::all_of(cost.begin(), cost.end(), [](double one) { return one == std::round(one); });
+  const bool are_whole = std::ranges::all_of(cost, [](double one) { return one == std::round(one); });
   return std::max(price_step(cost), are_whole ? 1.0 : 0.0);
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <string_view>
 
+#include "shelfbeam/math/order.hpp"
+
 namespace shelfbeam::detail {
 
 namespace {
@@ -28,6 +30,7 @@ Instance::Instance(const SignalTable& t, const PlacementProblem& q)
     : table(t),
       problem(q),
       mounts(t),
+      installed(numbers_where<ColumnId>(t.columns(), [&](ColumnId j) { return is_installed(j); })),
       available(t.columns(), true),
       excludes(t.columns()),
       second_cost(objective_coefficients(t, q)),
@@ -45,7 +48,6 @@ Instance::Instance(const SignalTable& t, const PlacementProblem& q)
   for (std::uint32_t j = 0; j < t.columns(); ++j) {
     mounts.for_each_conflict(j, [&](std::uint32_t other) { excludes[j].push_back(other); });
     available[j] = mounts.available(j) && !is_installed(j);
-    if (is_installed(j)) installed.push_back(j);
   }
   has_covers_of_sums = is_cover_of_sums(t, q);
   has_one_price = have_one_price(t);
@@ -68,9 +70,8 @@ std::size_t Instance::trivial_count_bound() const {
 }
 
 bool Instance::can_exchange(std::span<const ColumnId> selected) const {
-  const auto candidates = std::count(available.begin(), available.end(), true);
-  const auto chosen =
-      std::count_if(selected.begin(), selected.end(), [&](std::uint32_t j) { return available[j]; });
+  const auto candidates = std::ranges::count(available, true);
+  const auto chosen = std::ranges::count_if(selected, [&](ColumnId j) { return available[j]; });
   return 0 < chosen && chosen < candidates;
 }
 
@@ -85,9 +86,7 @@ bool Instance::is_first_by_id(std::span<const ColumnId> a, std::span<const Colum
 }
 
 std::vector<bool> chosen_columns(const Instance& instance, std::span<const ColumnId> selected) {
-  std::vector<bool> chosen(instance.columns(), false);
-  for (const ColumnId j : selected) chosen[j] = true;
-  return chosen;
+  return marked(instance.columns(), selected);
 }
 
 }  // namespace shelfbeam::detail

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shelfbeam/math/order.hpp"
+
 namespace shelfbeam {
 
 double Mounts::max_signal(std::span<const SignalEntry> row, const PlacementProblem& problem) const {
@@ -21,20 +23,15 @@ double Mounts::max_signal(std::span<const SignalEntry> row, const PlacementProbl
 }
 
 std::vector<std::uint32_t> shared_mounts(const SignalTable& table, const std::vector<bool>& chosen) {
-  std::vector<std::uint32_t> crowded;
-  for (std::uint32_t k = 0; k < table.mounts.size(); ++k) {
-    const auto units = std::count_if(table.mounts[k].begin(), table.mounts[k].end(),
-                                     [&](std::uint32_t j) { return chosen[j]; });
-    if (units > 1) crowded.push_back(k);
-  }
-  return crowded;
+  return numbers_where(table.mounts.size(), [&](std::uint32_t k) {
+    return std::ranges::count_if(table.mounts[k], [&](ColumnId j) { return chosen[j]; }) > 1;
+  });
 }
 
 std::vector<std::uint32_t> conflicting_pairs(const SignalTable& table, const std::vector<bool>& chosen) {
-  std::vector<std::uint32_t> broken;
-  for (std::uint32_t k = 0; k < table.conflicts.size(); ++k)
-    if (chosen[table.conflicts[k].first] && chosen[table.conflicts[k].second]) broken.push_back(k);
-  return broken;
+  return numbers_where(table.conflicts.size(), [&](std::uint32_t k) {
+    return chosen[table.conflicts[k].first] && chosen[table.conflicts[k].second];
+  });
 }
 
 }  // namespace shelfbeam
