@@ -119,8 +119,7 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
       start = selected;
     }
   const SpendOrder order(table, known);
-  const bool counts =
-      options.proves && options.uses(SolverChoice::search) && Instance(table, problem).has_one_price;
+  const bool counts = options.proves && options.uses(SolverChoice::search) && has_one_price(table);
   PlaceOptions of_sum = options;
   of_sum.start = start;
   of_sum.time_limit_s = (counts ? share_of_sum : 1) * deadline.seconds_left();

@@ -192,7 +192,7 @@ Placement search_placement(const Instance& instance, const Selection& start,
     return search(state, instance.problem);
   };
   const auto answer = [&](const Instance& priced) {
-    if (!priced.has_covers_of_sums) return search_for(priced);
+    if (!is_cover_of_sums(priced.table, priced.problem)) return search_for(priced);
     const auto needs_rule = [](const SignalTable::Label& label) {
       return label.single_requirement != label.requirement;
     };
