@@ -66,7 +66,7 @@ std::optional<Finding> margin_warning(const SignalTable& table, const Placement&
   for (const std::uint32_t j : placement.selected) chosen[j] = true;
   std::size_t flooded = 0;
   for (std::size_t i = 0; i < table.rows(); ++i)
-    if (received_signal(table, i, chosen, placement.problem) >
+    if (received_signal(table.row(i), chosen, placement.problem) >
         far_too_much * requirement_of(table.labels[i], placement.problem.model))
       ++flooded;
   const double flooded_share = share * static_cast<double>(flooded);

@@ -34,7 +34,7 @@ Check check_selection(const SignalTable& table, const PlacementProblem& problem,
         if (is_met(entry.signal, table.labels[i].single_requirement)) ++alone;
         if (is_met(entry.signal, problem.share * requirement)) ++effective;
       }
-      check.signal[i] = received_signal(table, i, chosen, problem);
+      check.signal[i] = received_signal(table.row(i), chosen, problem);
       check.serving[i] = alone;
       switch (problem.objective) {
         case Objective::count:

@@ -45,7 +45,7 @@ struct Instance {
   double requirement(std::size_t label) const { return requirement_of(table.labels[label], problem.model); }
   /// S_i.
   double received(std::size_t label, const std::vector<bool>& chosen) const {
-    return received_signal(table, label, chosen, problem);
+    return received_signal(row(label), chosen, problem);
   }
   bool is_reached(std::size_t label, const std::vector<bool>& chosen) const {
     return is_met(received(label, chosen), requirement(label));

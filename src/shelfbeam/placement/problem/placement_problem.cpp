@@ -18,11 +18,6 @@ double received_signal(std::span<const SignalEntry> row, const std::vector<bool>
   return received.value();
 }
 
-double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
-                       const PlacementProblem& problem) {
-  return received_signal(table.row(label), chosen, problem);
-}
-
 void check_problem(const SignalTable& table, const PlacementProblem& problem) {
   for (const SignalTable::Label& label : table.labels) {
     const double requirement = requirement_of(label, problem.model);

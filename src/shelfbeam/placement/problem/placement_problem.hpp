@@ -127,8 +127,6 @@ class ReceivedSignal {
 
 double received_signal(std::span<const SignalEntry> row, const std::vector<bool>& chosen,
                        const PlacementProblem& problem);
-double received_signal(const SignalTable& table, std::size_t label, const std::vector<bool>& chosen,
-                       const PlacementProblem& problem);
 
 /// Throws InputError for a requirement or a share that is not positive and finite.
 void check_problem(const SignalTable& table, const PlacementProblem& problem);
