@@ -54,10 +54,8 @@ void learn_from_count(Placement& placement, const SignalTable& table, const Plac
     placement.count_lower_bound = of_count.count_lower_bound;
     rests_on_count();
   }
-  std::vector<double> prices;
-  for (const SignalTable::Transceiver& unit : table.transceivers) prices.push_back(price_to_spend(unit));
-  const double floor =
-      CostBounds(table, prices).cheapest(static_cast<std::size_t>(of_count.count_lower_bound));
+  const double floor = CostBounds(table, prices_to_spend(table))
+                           .cheapest(static_cast<std::size_t>(of_count.count_lower_bound));
   if (floor > placement.lower_bound) {
     placement.lower_bound = std::min(floor, placement.objective_value);
     rests_on_count();

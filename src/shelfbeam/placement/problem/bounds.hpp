@@ -44,6 +44,9 @@ class CostBounds : public ValueSteps {
  public:
   CostBounds(const SignalTable& table, std::span<const double> cost);
 
+  /// Number of installed units.
+  std::size_t installed() const { return installed_; }
+
   /// Minimum cost of at least `count` units: the installed units and the cheapest others.
   double cheapest(std::size_t count) const;
 

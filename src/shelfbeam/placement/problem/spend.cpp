@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -28,6 +29,12 @@ Price price_of(const SignalTable& table, std::span<const ColumnId> selected) {
     price.to_spend += price_to_spend(table.transceivers[j]);
   }
   return price;
+}
+
+std::vector<double> prices_to_spend(const SignalTable& table) {
+  std::vector<double> prices;
+  std::ranges::transform(table.transceivers, std::back_inserter(prices), price_to_spend);
+  return prices;
 }
 
 bool has_prices(const SignalTable& table) {
@@ -72,15 +79,10 @@ double price_step(std::span<const double> prices) {
   return static_cast<double>(step) / hundredths;
 }
 
-SpendOrder::SpendOrder(const SignalTable& table, double known) {
-  std::size_t installed = 0;
-  for (const SignalTable::Transceiver& unit : table.transceivers) {
-    price_.push_back(price_to_spend(unit));
-    installed += unit.installed ? 1 : 0;
-  }
+SpendOrder::SpendOrder(const SignalTable& table, double known) : price_(prices_to_spend(table)) {
   const CostBounds bounds(table, price_);
-  max_units_ =
-      static_cast<double>((std::isfinite(known) ? bounds.affordable(known) : table.columns()) - installed);
+  max_units_ = static_cast<double>((std::isfinite(known) ? bounds.affordable(known) : table.columns()) -
+                                   bounds.installed());
   const double all = std::accumulate(price_.begin(), price_.end(), 0.0);
   if (!(all > 0)) return;
   step_ = price_step(price_);

@@ -18,6 +18,9 @@ struct Price {
 };
 Price price_of(const SignalTable& table, std::span<const ColumnId> selected);
 
+/// price_to_spend of every unit.
+std::vector<double> prices_to_spend(const SignalTable& table);
+
 /// The table names a currency, or some cost is not 1, so that sums of costs mean something to a user.
 bool has_prices(const SignalTable& table);
 

@@ -19,6 +19,7 @@
 #include "shelfbeam/placement/bound/lp_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/mounts.hpp"
+#include "shelfbeam/placement/problem/spend.hpp"
 #include "shelfbeam/placement/scenarios/scenario_annealing.hpp"
 #include "shelfbeam/placement/scenarios/scenario_cuts.hpp"
 #include "shelfbeam/placement/scenarios/scenario_search.hpp"
@@ -40,10 +41,8 @@ constexpr std::uint64_t first_moves = 50'000, max_moves = 20'000'000;  ///< of o
 
 /// Counts units, or the new spend.
 std::vector<double> unit_costs(const SignalTable& table, const PlacementProblem& problem) {
-  std::vector<double> cost(table.columns(), 1);
-  if (problem.combination == Combination::spend)
-    for (std::size_t j = 0; j < cost.size(); ++j) cost[j] = price_to_spend(table.transceivers[j]);
-  return cost;
+  return problem.combination == Combination::spend ? prices_to_spend(table)
+                                                   : std::vector<double>(table.columns(), 1);
 }
 
 class Solver {
