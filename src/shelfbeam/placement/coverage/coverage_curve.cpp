@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/coverage/coverage_curve.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/parallel.hpp"
@@ -155,12 +154,12 @@ class Curve {
     for (Point& point : points_) {
       rise();
       if (point.at_least >= point.at_most) continue;
-      auto found = enumerate_coverage(dense, weights_, point.units, point.at_least + weights_.step(),
-                                      detail::EnumerationAim::best, left, control_);
+      const auto found = enumerate_coverage(dense, weights_, point.units, point.at_least + weights_.step(),
+                                            detail::EnumerationAim::best, left, control_);
       if (found.selected) offer(*found.selected);
       if (!found.is_complete) return;
       rise();
-      const auto strength = judged(instance_, weights_, std::move(found.proof), point.units,
+      const auto strength = judged(instance_, weights_, found.proof, point.units,
                                    point.at_least + weights_.step(), part_of_rest(effort_, 4), control_);
       was_cut_short_ = was_cut_short_ || !strength;
       if (!strength) return;

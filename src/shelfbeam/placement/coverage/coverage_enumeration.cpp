@@ -99,7 +99,7 @@ class Search {
     for (std::size_t u = 0; u < table_.installed().size(); ++u) receive(root, table_.installed_signals(u));
     explore(all_numbers(table_.candidates().size()), free, 0);
     result_.is_complete = !is_cut_short_;
-    result_.proof = log_.proof(units_, needed_, table_.rows());
+    result_.proof = log_.proof(table_.rows());
     return std::move(result_);
   }
 
@@ -363,7 +363,7 @@ class Search {
 };
 
 // At most one unit. Exact even for tables that are too large for a dense matrix.
-CoverageEnumeration examine_few(const CoverageTable& table, std::size_t free, double needed, double step) {
+CoverageEnumeration examine_few(const CoverageTable& table, std::size_t free, double needed) {
   CoverageEnumeration result{.is_complete = true};
   const auto offer = [&](double weight, std::optional<std::uint32_t> column) {
     if (weight < needed || (result.selected && weight <= result.weight)) return;
@@ -376,8 +376,8 @@ CoverageEnumeration examine_few(const CoverageTable& table, std::size_t free, do
   offer(table.settled_weight(), {});
   const std::vector<double> weights = free > 0 ? table.weights_with_one() : std::vector<double>();
   for (std::size_t c = 0; c < weights.size(); ++c) offer(weights[c], table.candidates()[c]);
-  result.proof = {table.installed().size() + free, result.selected ? result.weight + step : needed,
-                  table.rows(), free > 0 ? CoverageProof::single_fails : CoverageProof::nothing_left};
+  result.proof.rows.assign(table.rows().begin(), table.rows().end());
+  result.proof.steps = {free > 0 ? CoverageProof::single_fails : CoverageProof::nothing_left};
   return result;
 }
 
@@ -388,7 +388,7 @@ CoverageEnumeration enumerate_coverage(CoverageTable& table, const LabelWeights&
                                        const RunControl& control) {
   const std::size_t installed = table.installed().size();
   const std::size_t free = std::min(units - std::min(units, installed), table.candidates().size());
-  if (free <= 1) return examine_few(table, free, needed, weights.step());
+  if (free <= 1) return examine_few(table, free, needed);
   if (free > max_free || table.cells() > max_cells) return {};
   table.fill();
   Search search(table, weights, installed + free, needed, aim, left, control);

@@ -19,11 +19,13 @@ constexpr double judge_slack = 1e-10, judge_tie = 1e-12;
 
 class Judge {
  public:
-  Judge(const Instance& instance, const LabelWeights& weights, const CoverageProof& proof,
-        const Effort& effort, const RunControl& control)
+  Judge(const Instance& instance, const LabelWeights& weights, const CoverageProof& proof, std::size_t units,
+        double needed, const Effort& effort, const RunControl& control)
       : instance_(instance),
         weights_(weights),
         proof_(proof),
+        units_(units),
+        needed_(needed),
         effort_(effort),
         control_(control),
         is_sum_(instance.is_cooperative()),
@@ -43,13 +45,13 @@ class Judge {
 
   ProofVerdict judge() {
     const std::size_t installed = instance_.installed.size();
-    if (installed > proof_.units) return ProofVerdict::holds;
+    if (installed > units_) return ProofVerdict::holds;
     std::vector<bool> helps(instance_.columns(), false);
     for (const LabelId label : proof_.rows)
       for (const SignalEntry& entry : instance_.row(known(label)))
         helps[entry.transceiver] = instance_.available[entry.transceiver];
     const auto candidates = static_cast<std::size_t>(std::count(helps.begin(), helps.end(), true));
-    free_ = std::min(proof_.units - installed, candidates);
+    free_ = std::min(units_ - installed, candidates);
     fill();
     std::vector<ColumnId> all;
     for (std::uint32_t j = 0; j < instance_.columns(); ++j)
@@ -166,7 +168,7 @@ class Judge {
     return std::all_of(list.begin(), list.end(), [&](ColumnId j) { return column_[j].empty(); });
   }
 
-  bool is_less(double bound) const { return bound * (1 + judge_slack) < proof_.needed; }
+  bool is_less(double bound) const { return bound * (1 + judge_slack) < needed_; }
 
   std::uint32_t next() {
     if (at_ == proof_.steps.size()) throw std::out_of_range("the proof ends early");
@@ -177,7 +179,7 @@ class Judge {
   bool node(State& state, const std::vector<ColumnId>& list, std::size_t free) {
     ran_out_ = ran_out_ || work_ >= effort_.steps || effort_.is_over(control_);
     measure(state, free);
-    is_refuted_ = is_refuted_ || state.reached >= proof_.needed;
+    is_refuted_ = is_refuted_ || state.reached >= needed_;
     if (ran_out_ || is_refuted_) return false;
     switch (next()) {
       case CoverageProof::nothing_left:
@@ -208,7 +210,7 @@ class Judge {
             reached += weights_[proof_.rows[entry.row]];
           chosen_[j] = false;
         }
-      is_refuted_ = is_refuted_ || reached >= proof_.needed;
+      is_refuted_ = is_refuted_ || reached >= needed_;
     }
     return !is_refuted_;
   }
@@ -284,6 +286,8 @@ class Judge {
   const Instance& instance_;
   const LabelWeights& weights_;
   const CoverageProof& proof_;
+  std::size_t units_;
+  double needed_;
   const Effort& effort_;
   const RunControl& control_;
   bool is_sum_, omits_best_, ran_out_ = false, is_refuted_ = false;
@@ -299,23 +303,23 @@ class Judge {
 }  // namespace
 
 ProofVerdict judge_coverage(const Instance& instance, const LabelWeights& weights, const CoverageProof& proof,
-                            const Effort& effort, const RunControl& control) {
+                            std::size_t units, double needed, const Effort& effort,
+                            const RunControl& control) {
   try {
     const Instance own(instance.table, instance.problem);
-    return Judge(own, weights, proof, effort, control).judge();
+    return Judge(own, weights, proof, units, needed, effort, control).judge();
   } catch (const std::out_of_range&) {
     return ProofVerdict::refuted;
   }
 }
 
-std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights, CoverageProof proof,
-                                 std::size_t units, double needed, const Effort& effort,
-                                 const RunControl& control) {
+std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights,
+                                 const CoverageProof& proof, std::size_t units, double needed,
+                                 const Effort& effort, const RunControl& control) {
   constexpr std::uint64_t max_work = 5'000'000'000;  // some seconds
   if (proof.steps.empty()) return BoundProof::search;
-  proof.units = units;
-  proof.needed = needed;
-  return strength_of(judge_coverage(instance, weights, proof, {max_work, effort.until}, control));
+  return strength_of(
+      judge_coverage(instance, weights, proof, units, needed, {max_work, effort.until}, control));
 }
 
 }  // namespace shelfbeam::detail

@@ -16,8 +16,8 @@
 
 namespace shelfbeam::detail {
 
-/// The log of an enumeration: a proof that no selection of at most `units` units, installed ones included,
-/// reaches labels of the weight `needed`.
+/// The log of an enumeration: a proof that no selection of some number of units reaches labels of some
+/// weight.
 ///
 /// A node has chosen columns (at the root the installed units), a list of columns that may be added, and the
 /// number f of units left. Label i lacks r_i; further signals that reach it add up to at least that. `steps`
@@ -43,16 +43,9 @@ struct CoverageProof {
     end = ~std::uint32_t{0}
   };
 
-  std::size_t units = 0;
-  double needed = 0;          ///< in the unit of LabelWeights
   std::vector<LabelId> rows;  ///< labels, to which multipliers belong
   std::vector<std::vector<float>> multipliers;
   std::vector<std::uint32_t> steps;
-
-  CoverageProof() = default;
-  /// Of a single node.
-  CoverageProof(std::size_t max_units, double weight, std::span<const LabelId> labels, Tag node)
-      : units(max_units), needed(weight), rows(labels.begin(), labels.end()), steps{node} {}
 };
 
 /// Writes a proof. Of one that is too long, no steps are kept.
@@ -71,9 +64,7 @@ class CoverageLog {
     if (!is_full(y.size() * proof_.multipliers.size())) proof_.multipliers.emplace_back(y.begin(), y.end());
     return static_cast<std::uint32_t>(proof_.multipliers.size() - 1);
   }
-  CoverageProof proof(std::size_t units, double needed, std::span<const LabelId> rows) {
-    proof_.units = units;
-    proof_.needed = needed;
+  CoverageProof proof(std::span<const LabelId> rows) {
     proof_.rows.assign(rows.begin(), rows.end());
     if (is_full_) proof_.steps.clear();
     return std::move(proof_);
@@ -90,16 +81,19 @@ class CoverageLog {
   bool is_full_ = false;
 };
 
-/// Verifies a proof in double precision from the table and the problem of `instance` alone. Refuted if it is
-/// malformed, or meets a selection that reaches the weight; unconfirmed if it does not hold for another
-/// reason, such as rounding. A step of the effort is a matrix entry.
+/// Verifies in double precision, from the table and the problem of `instance` alone, that no selection of at
+/// most `units` units, installed ones included, reaches labels of the weight `needed` (in the unit of
+/// LabelWeights). Refuted if the proof is malformed, or meets a selection that reaches the weight;
+/// unconfirmed if it does not hold for another reason, such as rounding. A step of the effort is a matrix
+/// entry.
 ProofVerdict judge_coverage(const Instance& instance, const LabelWeights& weights, const CoverageProof& proof,
-                            const Effort& effort, const RunControl& control);
+                            std::size_t units, double needed, const Effort& effort,
+                            const RunControl& control);
 
-/// The strength of the claim that no selection of at most `units` units reaches the weight `needed`, by the
-/// log of an enumeration; `search` if the log has no steps. Nothing if it is refuted.
-std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights, CoverageProof proof,
-                                 std::size_t units, double needed, const Effort& effort,
-                                 const RunControl& control);
+/// The strength of this claim by the log of an enumeration; `search` if the log has no steps. Nothing if it
+/// is refuted.
+std::optional<BoundProof> judged(const Instance& instance, const LabelWeights& weights,
+                                 const CoverageProof& proof, std::size_t units, double needed,
+                                 const Effort& effort, const RunControl& control);
 
 }  // namespace shelfbeam::detail

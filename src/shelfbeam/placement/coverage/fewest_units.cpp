@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "shelfbeam/placement/coverage/coverage_bound.hpp"
 #include "shelfbeam/placement/coverage/coverage_enumeration.hpp"
@@ -116,15 +115,15 @@ class Minimisation final : detail::PartialSearch {
     detail::CoverageTable table(instance_, weights_);
     Effort left = detail::enumeration_effort(effort, instance_.table);
     while (!incumbent_.is_closed()) {
-      auto found = enumerate_coverage(table, weights_, count_bound(), target_, detail::EnumerationAim::first,
-                                      left, control_);
+      const auto found = enumerate_coverage(table, weights_, count_bound(), target_,
+                                            detail::EnumerationAim::first, left, control_);
       if (!found.is_complete) return;
       if (found.selected) {
         solver_ = {Method::search};
         return offer(*found.selected);
       }
-      const auto strength = judged(instance_, weights_, std::move(found.proof), count_bound(), target_,
-                                   {.until = effort.until}, control_);
+      const auto strength =
+          judged(instance_, weights_, found.proof, count_bound(), target_, {.until = effort.until}, control_);
       if (!strength) return;
       solver_ = {Method::search};
       raise_to(count_bound() + 1, *strength);

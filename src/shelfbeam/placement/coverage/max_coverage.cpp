@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -142,10 +141,10 @@ class Maximisation final : detail::PartialSearch {
     };
     const bool was_open = !incumbent_.is_closed();
     if (was_open) {
-      auto best = examine(units_, reached() + weights_.step(), EnumerationAim::best);
+      const auto best = examine(units_, reached() + weights_.step(), EnumerationAim::best);
       if (!best.is_complete) return false;
-      const auto strength = judged(instance_, weights_, std::move(best.proof), units_,
-                                   reached() + weights_.step(), {.until = effort.until}, control_);
+      const auto strength = judged(instance_, weights_, best.proof, units_, reached() + weights_.step(),
+                                   {.until = effort.until}, control_);
       if (!strength) return false;
       // Weights that are not whole may be larger by less than a step, as CoverageWeight says.
       incumbent_.raise(incumbent_.value(), *strength, step);

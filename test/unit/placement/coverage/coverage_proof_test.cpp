@@ -17,19 +17,26 @@ struct Question {
   SignalTable table;
   Instance instance;
   LabelWeights weights;
+  std::size_t units;
   CoverageEnumeration found, more;
 
   Question(test::RandomTables& tables, const SignalTable& next)
-      : table(next), instance(table, tables.next_problem()), weights(table) {
+      : table(next),
+        instance(table, tables.next_problem()),
+        weights(table),
+        units(test::some_units(tables, table)) {
     CoverageTable dense(instance, weights);
     Effort effort;
-    const std::size_t units = test::some_units(tables, table);
     found = enumerate_coverage(dense, weights, units, 0, EnumerationAim::best, effort, {});
     more = enumerate_coverage(dense, weights, units, found.weight + weights.step(), EnumerationAim::best,
                               effort, {});
   }
-  ProofVerdict judge(const CoverageProof& proof) const {
-    return judge_coverage(instance, weights, proof, {}, {});
+  /// The least weight that an enumeration excludes.
+  double excluded(const CoverageEnumeration& by) const {
+    return (by.selected ? by.weight : found.weight) + weights.step();
+  }
+  ProofVerdict judge(const CoverageProof& proof, double needed) const {
+    return judge_coverage(instance, weights, proof, units, needed, {}, {});
   }
 };
 
@@ -42,24 +49,23 @@ TEST(CoverageProof, IsVerified) {
     const Question question(tables, tables.next());
     if (!question.found.is_complete || question.weights.total() == 0) continue;
     const CoverageProof& proof = question.more.proof;
-    for (const CoverageProof* const one : {&question.found.proof, &proof}) {
-      ASSERT_GE(one->needed, question.found.weight);
+    for (const CoverageEnumeration* const one : {&question.found, &question.more}) {
+      const ProofVerdict verdict = question.judge(one->proof, question.excluded(*one));
       ++proofs;
-      held += question.judge(*one) == ProofVerdict::holds;
-      refuted += question.judge(*one) == ProofVerdict::refuted;
+      held += verdict == ProofVerdict::holds;
+      refuted += verdict == ProofVerdict::refuted;
     }
     if (!question.found.selected) continue;
 
-    CoverageProof too_much = proof;
-    too_much.needed = question.found.weight - question.weights.step() / 2;
+    const double too_little = question.found.weight - question.weights.step() / 2;
     ++attained;
-    wrong += question.judge(too_much) == ProofVerdict::holds;
+    wrong += question.judge(proof, too_little) == ProofVerdict::holds;
     if (proof.steps.size() < 8 || proof.steps.front() != CoverageProof::branch) continue;
     // Without the children of the root, which are listed because the bound does not exclude them.
     CoverageProof childless = proof;
     childless.steps = {proof.steps[0], proof.steps[1], proof.steps[2], CoverageProof::end};
     ++shortened;
-    held_shortened += question.judge(childless) == ProofVerdict::holds;
+    held_shortened += question.judge(childless, question.excluded(question.more)) == ProofVerdict::holds;
   }
   EXPECT_GT(proofs, 2000);
   EXPECT_GT(held, proofs * 99 / 100);
@@ -79,18 +85,19 @@ TEST(CoverageProof, OfOtherContentIsRefuted) {
     if (!question.found.is_complete || proof.multipliers.empty() || proof.rows.empty()) continue;
     ++altered;
     CoverageProof other = proof;
+    const double needed = question.excluded(question.found);
     other.multipliers[0][0] = 1.5F;
-    EXPECT_EQ(question.judge(other), ProofVerdict::refuted) << "a multiplier above 1";
+    EXPECT_EQ(question.judge(other, needed), ProofVerdict::refuted) << "a multiplier above 1";
     other = proof;
     other.rows.pop_back();
     for (auto& y : other.multipliers) y.pop_back();
-    EXPECT_EQ(question.judge(other), ProofVerdict::refuted) << "a label without a row";
+    EXPECT_EQ(question.judge(other, needed), ProofVerdict::refuted) << "a label without a row";
     other = proof;
     other.steps.pop_back();
-    EXPECT_NE(question.judge(other), ProofVerdict::holds) << "an end before the last node";
+    EXPECT_NE(question.judge(other, needed), ProofVerdict::holds) << "an end before the last node";
     other = proof;
     other.steps.push_back(CoverageProof::end);
-    EXPECT_NE(question.judge(other), ProofVerdict::holds) << "more than the tree";
+    EXPECT_NE(question.judge(other, needed), ProofVerdict::holds) << "more than the tree";
   }
   EXPECT_GT(altered, 50);
 }
