@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 
@@ -44,18 +45,9 @@ class Judge {
   }
 
   ProofVerdict judge() {
-    const std::size_t installed = instance_.installed.size();
-    if (installed > units_) return ProofVerdict::holds;
-    std::vector<bool> helps(instance_.columns(), false);
-    for (const LabelId label : proof_.rows)
-      for (const SignalEntry& entry : instance_.row(known(label)))
-        helps[entry.transceiver] = instance_.available[entry.transceiver];
-    const auto candidates = static_cast<std::size_t>(std::count(helps.begin(), helps.end(), true));
-    free_ = std::min(units_ - installed, candidates);
+    if (instance_.installed.size() > units_) return ProofVerdict::holds;
     fill();
-    std::vector<ColumnId> all;
-    for (std::uint32_t j = 0; j < instance_.columns(); ++j)
-      if (instance_.available[j]) all.push_back(j);
+    const auto all = numbers_where<ColumnId>(instance_.available);
     const bool holds = node(states_.front(), all, free_) && at_ == proof_.steps.size();
     return is_refuted_ ? ProofVerdict::refuted
            : holds     ? ProofVerdict::holds
@@ -64,11 +56,6 @@ class Judge {
   }
 
  private:
-  LabelId known(LabelId label) const {
-    if (label >= instance_.rows()) throw std::out_of_range("the table has no such label");
-    return label;
-  }
-
   struct Entry {
     std::uint32_t row = 0;
     double share = 0;
@@ -90,7 +77,14 @@ class Judge {
   // Labels that further units may reach become rows, in the order of the proof; others count at once.
   void fill() {
     std::vector<std::uint32_t> place(instance_.rows(), CoverageProof::end);  // of a label among the rows
-    for (std::uint32_t r = 0; r < proof_.rows.size(); ++r) place[proof_.rows[r]] = r;
+    std::vector<bool> helps(instance_.columns(), false);
+    for (std::uint32_t r = 0; r < proof_.rows.size(); ++r) {
+      place.at(proof_.rows[r]) = r;
+      for (const SignalEntry& entry : instance_.row(proof_.rows[r]))
+        helps[entry.transceiver] = instance_.available[entry.transceiver];
+    }
+    const auto candidates = static_cast<std::size_t>(std::count(helps.begin(), helps.end(), true));
+    free_ = std::min(units_ - instance_.installed.size(), candidates);
     states_.resize(free_ + 1);
     State& root = states_.front();
     root.value.assign(proof_.rows.size(), 0);
@@ -170,10 +164,7 @@ class Judge {
 
   bool is_less(double bound) const { return bound * (1 + judge_slack) < needed_; }
 
-  std::uint32_t next() {
-    if (at_ == proof_.steps.size()) throw std::out_of_range("the proof ends early");
-    return proof_.steps[at_++];
-  }
+  std::uint32_t next() { return proof_.steps.at(at_++); }
 
   // Reads the steps of one node; true if they prove it.
   bool node(State& state, const std::vector<ColumnId>& list, std::size_t free) {
