@@ -190,10 +190,7 @@ class Record {
   /// Without a value, the key is omitted.
   template <class Struct, class Describe = Usual>
   void optional(std::string_view key, std::optional<Struct>& value, const Describe& describe = {}) {
-    if (!has(key, value.has_value())) return;
-    custom(
-        key, [&] { return write(*value, ids_, describe); },
-        [&](const JsonCursor& json) { value = read<Struct>(json, ids_, describe); });
+    if (has(key, value.has_value())) object(key, value ? *value : value.emplace(), describe);
   }
   template <class Struct, class Describe = Usual>
   void list(std::string_view key, std::vector<Struct>& values, const Describe& describe = {}) {
