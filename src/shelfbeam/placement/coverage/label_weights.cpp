@@ -70,11 +70,7 @@ std::vector<bool> reachable_labels(const detail::Instance& instance) {
 }
 
 double reachable_weight(const detail::Instance& instance, const LabelWeights& weights) {
-  const std::vector<bool> can = reachable_labels(instance);
-  double sum = 0;
-  for (std::size_t i = 0; i < can.size(); ++i)
-    if (can[i]) sum += weights[i];
-  return weights.rounded_down(sum);
+  return weights.rounded_down(weights.sum(reachable_labels(instance)));
 }
 
 }  // namespace detail

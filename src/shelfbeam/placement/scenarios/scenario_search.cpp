@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam {
 
@@ -14,10 +15,8 @@ constexpr std::array depths{1.0, 1.1, 1.2};  ///< in requirements
 
 double scenario_value(const ScenarioTable& scenarios, const PlacementProblem& problem,
                       std::span<const ColumnId> selected) {
-  if (problem.combination != Combination::spend) return static_cast<double>(selected.size());
-  double spend = 0;
-  for (const ColumnId j : selected) spend += price_to_spend(scenarios.table.transceivers[j]);
-  return spend;
+  return problem.combination == Combination::spend ? price_of(scenarios.table, selected).to_spend
+                                                   : static_cast<double>(selected.size());
 }
 
 double ScenarioSearch::price(ColumnId column) const {
