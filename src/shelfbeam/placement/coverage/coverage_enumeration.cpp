@@ -276,8 +276,7 @@ class Search {
       bound.order.push_back(
           {c, static_cast<double>(CoverageKernels::value(table_.signals(c), shares, weight.data()))});
     work_ += padded_ * list.size();
-    std::stable_sort(bound.order.begin(), bound.order.end(),
-                     [](const Valued& a, const Valued& b) { return a.value > b.value; });
+    std::ranges::stable_sort(bound.order, std::greater{}, &Valued::value);
     bound.total = bound.fixed + sum_of_best(bound, 0, free);
     return bound;
   }

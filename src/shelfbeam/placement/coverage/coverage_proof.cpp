@@ -228,8 +228,7 @@ class Judge {
 
   // The sum of the `count` largest values of different mounting points.
   double largest(const Values& values, std::vector<ColumnId> list, std::size_t count) const {
-    std::sort(list.begin(), list.end(),
-              [&](ColumnId a, ColumnId b) { return values.of_column[a] > values.of_column[b]; });
+    std::ranges::sort(list, std::greater{}, [&](ColumnId j) { return values.of_column[j]; });
     std::vector<std::uint32_t> points;
     double sum = 0;
     for (const ColumnId j : list) {

@@ -60,9 +60,7 @@ double CoverageTable::weight(std::span<const ColumnId> selected) const {
     ReceivedSignal received(instance_.problem);
     auto from = row.begin();
     for (const ColumnId j : selected) {
-      from = std::lower_bound(from, row.end(), j, [](const SignalEntry& entry, ColumnId column) {
-        return entry.transceiver < column;
-      });
+      from = std::ranges::lower_bound(from, row.end(), j, {}, &SignalEntry::transceiver);
       if (from != row.end() && from->transceiver == j) received.add(from->signal);
     }
     if (is_met(received.value(), instance_.requirement(i))) result += weights_[i];

@@ -277,15 +277,15 @@ class Solver {
   bool is_possible() {
     // Options of a mounting point exclude one another, but all of them give at least as much as any one.
     const Mounts mounts(scenarios_.table);
-    Selection all = all_numbers<ColumnId>(scenarios_.table.columns());
-    std::erase_if(all, [&](std::uint32_t j) { return !mounts.available(j); });
+    const auto all =
+        numbers_where<ColumnId>(scenarios_.table.columns(), [&](ColumnId j) { return mounts.available(j); });
     const ScenarioMisses misses = misses_of(scenarios_, problem_, all);
-    for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
-      if (misses.of_label[i] > allowance_.limit(i)) best_.unreachable.push_back(i);
+    best_.unreachable = numbers_where<LabelId>(
+        misses.of_label.size(), [&](LabelId i) { return misses.of_label[i] > allowance_.limit(i); });
     const bool fits = allowance_.excess(misses) == 0;
     if (!fits && best_.unreachable.empty())
-      for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
-        if (misses.of_label[i] > 0) best_.unreachable.push_back(i);
+      best_.unreachable =
+          numbers_where<LabelId>(misses.of_label.size(), [&](LabelId i) { return misses.of_label[i] > 0; });
     return fits;
   }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "shelfbeam/base/parallel.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 
 namespace shelfbeam {
@@ -163,10 +164,7 @@ std::vector<double> ScenarioCuts::cover_cut(std::vector<Case> cases, std::size_t
   for (std::uint32_t j = 0; j < n; ++j)
     for (const Case& at : cases) total[j] += share(at, j);
   for (const Part& part : parts) outside[part.column] = 0;
-  std::vector<std::uint32_t> order(n);
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t j) { return total[j]; });
-  for (const ColumnId j : order) {
+  for (const auto j : ordered_by<ColumnId>(n, [&](ColumnId column) { return total[column]; })) {
     if (outside[j] == 0) continue;
     std::vector<Case> still = cases;
     for (Case& at : still) at.add(j, share(at, j), problem_.redundant);
@@ -199,12 +197,10 @@ std::size_t ScenarioCuts::add(std::span<const ColumnId> selected, const Scenario
   const std::size_t before = size();
   std::vector<Part> parts;
   for (const ColumnId j : selected) parts.push_back({j});
-  std::vector<LabelId> worst;
-  for (std::uint32_t i = 0; i < misses.of_label.size(); ++i)
-    if (misses.of_label[i] > allowance_.limit(i)) worst.push_back(i);
-  std::stable_sort(worst.begin(), worst.end(), [&](LabelId a, LabelId b) {
-    return misses.of_label[a] - allowance_.limit(a) > misses.of_label[b] - allowance_.limit(b);
-  });
+  auto worst = numbers_where<LabelId>(misses.of_label.size(),
+                                      [&](LabelId i) { return misses.of_label[i] > allowance_.limit(i); });
+  std::ranges::stable_sort(worst, std::greater{},
+                           [&](LabelId i) { return misses.of_label[i] - allowance_.limit(i); });
   if (worst.size() > max_labels) worst.resize(max_labels);
   for (const LabelId i : worst) add_cuts(cases_of(i, parts, {}), allowance_.limit(i), false, parts);
   const bool too_many_scenarios = allowance_.of_shop && misses.of_shop > *allowance_.of_shop;
