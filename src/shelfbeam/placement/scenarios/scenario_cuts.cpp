@@ -25,12 +25,10 @@ constexpr std::size_t max_sizes = 64;             ///< that are tried for one cu
 
 ScenarioCuts::ScenarioCuts(const ScenarioTable& scenarios, const PlacementProblem& problem,
                            const MissAllowance& allowance)
-    : scenarios_(scenarios), problem_(problem), allowance_(allowance) {
-  table_ = scenarios.table;
-  table_.labels.clear();
-  table_.scenarios.clear();
-  table_.entries.clear();
-  table_.row_begin = {0};
+    : scenarios_(scenarios),
+      problem_(problem),
+      allowance_(allowance),
+      table_(make_scenario_table(scenarios.table, {}, 0).table) {
   for (std::uint32_t i = 0; i < scenarios.table.rows(); ++i)
     if (const std::uint64_t limit = allowance.limit(i); limit < scenarios.count)
       append(mean_of_largest(cases_of(i, {}, {}), scenarios.count - limit, {}));
