@@ -37,15 +37,13 @@ class ScenarioCuts {
                            const RunControl& control);
 
  private:
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
   /// A label in a scenario, with unit failure without its strongest unit.
   struct Case {
     LabelId label;
     std::uint32_t scenario = 0;
-    std::uint32_t failed = none;  ///< column
-    double largest = 0;           ///< received from the failed unit
-    double received = 0;          ///< from the others, as a share of the requirement
+    ColumnId failed = std::numeric_limits<std::uint32_t>::max();  ///< none
+    double largest = 0;                                           ///< received from the failed unit
+    double received = 0;  ///< from the others, as a share of the requirement
 
     void add(ColumnId column, double share, bool fails);
   };
@@ -56,7 +54,7 @@ class ScenarioCuts {
   };
   /// A unit with its value, 1 in a selection.
   struct Part {
-    std::uint32_t column = 0;
+    ColumnId column;
     double x = 1;
   };
   struct Cut {
