@@ -100,6 +100,12 @@ class Solver {
 
  private:
   using Effort = detail::Effort;
+  /// Cuts for selections of at most `units` units.
+  struct Limited {
+    std::size_t units = 0;
+    ScenarioCuts cuts;
+    double bound = 0;  ///< of the linear program over these
+  };
 
   void run_schedule() {
     using S = Solver;
@@ -146,10 +152,9 @@ class Solver {
   void refute_counts(const Effort& effort) {
     while (incumbent_.bound() > 0 && !is_settled() && !effort.is_over(control_)) {
       const double enough = incumbent_.bound() + least_step;
-      limit_ = static_cast<std::size_t>(incumbent_.bound());
-      limited_.emplace(cuts_);
-      limited_bound_ = lp_bound(*limited_, limit_, enough, effort);
-      if (limited_bound_ < enough) return;
+      limited_.emplace(Limited{static_cast<std::size_t>(incumbent_.bound()), cuts_});
+      limited_->bound = lp_bound(limited_->cuts, limited_->units, enough, effort);
+      if (limited_->bound < enough) return;
       raise_to(incumbent_.bound() + 1);
     }
   }
@@ -158,7 +163,7 @@ class Solver {
   bool may_have_windows() const {
     constexpr double gain = 1.1;
     return options_.uses(SolverChoice::mip) && limited_ && !is_settled() &&
-           incumbent_.bound() < gain * limited_bound_;
+           incumbent_.bound() < gain * limited_->bound;
   }
 
   // The same as `refute_counts` by windows of the cuts.
@@ -166,17 +171,18 @@ class Solver {
     constexpr std::size_t units_per_window = 3;
     constexpr double above = 1e-3;  // more than rounding takes back
     while (may_have_windows() && !effort.is_over(control_)) {
-      if (static_cast<double>(limit_) < incumbent_.bound()) {
+      const std::size_t limit = limited_->units;
+      if (static_cast<double>(limit) < incumbent_.bound()) {
         refute_counts(effort);
         continue;
       }
-      const detail::WindowMipOptions options{.goal = static_cast<double>(limit_) + above,
+      const detail::WindowMipOptions options{.goal = static_cast<double>(limit) + above,
                                              .effort = effort,
-                                             .windows = std::max<std::size_t>(1, limit_ / units_per_window)};
-      if (detail::window_mip_bound({limited_->table(), master_}, cost_, options, backend_, control_) <
+                                             .windows = std::max<std::size_t>(1, limit / units_per_window)};
+      if (detail::window_mip_bound({limited_->cuts.table(), master_}, cost_, options, backend_, control_) <
           options.goal)
         return;
-      raise_to(static_cast<double>(limit_ + 1));
+      raise_to(static_cast<double>(limit + 1));
       report();
     }
   }
@@ -304,9 +310,7 @@ class Solver {
   ScenarioAnnealing annealing_;
   // Shares add up in both models, and cuts contain unit failure.
   PlacementProblem master_ = problem_;
-  std::optional<ScenarioCuts> limited_;  ///< for selections of at most `limit_` units
-  std::size_t limit_ = 0;
-  double limited_bound_ = 0;  ///< of the linear program over these
+  std::optional<Limited> limited_;
   ScenarioPlacement best_;
   Selection first_;  ///< annealing begins with it as long as no selection is known
   std::uint64_t moves_ = first_moves;
