@@ -19,9 +19,8 @@ struct ScenarioMisses {
 /// Counts misses, one at a time.
 class MissCounter {
  public:
-  MissCounter(std::size_t labels, std::size_t scenarios) : has_miss_(scenarios, false) {
-    misses_.of_label.assign(labels, 0);
-  }
+  MissCounter(std::size_t labels, std::size_t scenarios)
+      : misses_{.of_label = std::vector<std::uint32_t>(labels)}, has_miss_(scenarios, false) {}
   void add(std::size_t label, std::size_t scenario) {
     ++misses_.of_label[label];
     if (!has_miss_[scenario]) ++misses_.of_shop;

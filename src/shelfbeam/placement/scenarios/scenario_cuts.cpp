@@ -73,11 +73,8 @@ std::vector<double> ScenarioCuts::mean_of_largest(std::span<const Case> cases, s
 // The scenarios of a label, those that receive least first.
 std::vector<ScenarioCuts::Case> ScenarioCuts::cases_of(LabelId label, std::span<const Part> parts,
                                                        const Counted& counted) const {
-  std::vector<Case> cases(scenarios_.count);
-  for (std::uint32_t s = 0; s < cases.size(); ++s) {
-    cases[s].label = label;
-    cases[s].scenario = s;
-  }
+  std::vector<Case> cases;
+  for (std::uint32_t s = 0; s < scenarios_.count; ++s) cases.push_back({label, s});
   const double requirement = requirement_of(scenarios_.table.labels[label], problem_.model);
   for (const Part& part : parts) {
     const std::span<const float> signal = scenarios_.of(part.column, label);
@@ -179,13 +176,8 @@ void ScenarioCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool b
   if (const auto cut = cover_cut(cases, allowed, by_scenario, parts); !cut.empty()) append(cut);
   std::ranges::stable_sort(cases, {}, &Case::received);
   // Each scenario keeps the case that receives least.
-  std::vector<bool> has(scenarios_.count, false);
-  if (by_scenario)
-    std::erase_if(cases, [&](const Case& at) {
-      const bool had = has[at.scenario];
-      has[at.scenario] = true;
-      return had;
-    });
+  std::set<std::uint32_t> seen;
+  if (by_scenario) std::erase_if(cases, [&](const Case& at) { return !seen.insert(at.scenario).second; });
   Cut best{violated, {}};
   lower(best, std::span(cases).first(std::min(cases.size(), allowed + max_cases)), allowed, parts, {});
   if (!best.shares.empty()) append(best.shares);
