@@ -24,12 +24,10 @@ constexpr std::size_t max_parts = 16, min_entries_of_part = 20'000;
 
 CoverageBound::CoverageBound(const detail::Instance& instance, const detail::LabelWeights& weights,
                              std::size_t max_units)
-    : instance_(instance), weights_(weights), point_(instance.columns()), chosen_(instance.columns(), 0.0F) {
+    : instance_(instance), weights_(weights), chosen_(instance.columns(), 0.0F) {
   const Mounts& mounts = instance.mounts;
-  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    point_[j] = mounts.first_option(j);
+  for (std::uint32_t j = 0; j < instance.columns(); ++j)
     if (mounts.available(j)) chosen_[j] = 1;
-  }
   if (!instance.is_cooperative()) lifted_rows_ = 1;
   const detail::CoverRows cover(instance);
   for (std::uint32_t i = 0; i < instance.rows(); ++i) {
@@ -142,7 +140,8 @@ double CoverageBound::relax(std::size_t units, float share_of_step, std::vector<
 void CoverageBound::keep_to(std::size_t units) {
   std::vector<double> at_point(chosen_.size(), 0.0);
   for (std::uint32_t j = 0; j < chosen_.size(); ++j)
-    if (!instance_.is_installed(j)) at_point[point_[j]] += static_cast<double>(chosen_[j]);
+    if (!instance_.is_installed(j))
+      at_point[instance_.mounts.first_option(j)] += static_cast<double>(chosen_[j]);
   double factor = 0;
   for (bool grows = true; grows;) {
     double full = 0, rest = 0;
@@ -153,7 +152,7 @@ void CoverageBound::keep_to(std::size_t units) {
     factor = std::max(factor, next);
   }
   for (std::uint32_t j = 0; j < chosen_.size(); ++j)
-    if (const double sum = at_point[point_[j]]; !instance_.is_installed(j) && sum > 0)
+    if (const double sum = at_point[instance_.mounts.first_option(j)]; !instance_.is_installed(j) && sum > 0)
       chosen_[j] *= static_cast<float>(std::min(factor, 1 / sum));
 }
 

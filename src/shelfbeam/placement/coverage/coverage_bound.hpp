@@ -82,10 +82,9 @@ class CoverageBound {
   std::vector<double> weight_;         ///< w_i
   std::vector<double> min_share_sum_;  ///< b_i of CoverRows for the present number of units
   std::vector<Part> parts_;
-  std::vector<std::uint32_t> point_;  ///< of every column, its first option
-  std::vector<float> chosen_;         ///< T_j
-  std::vector<double> best_;          ///< per number of units
-  bool has_plain_bounds_ = false;     ///< with all multipliers 1
+  std::vector<float> chosen_;      ///< T_j
+  std::vector<double> best_;       ///< per number of units
+  bool has_plain_bounds_ = false;  ///< with all multipliers 1
 };
 
 }  // namespace shelfbeam

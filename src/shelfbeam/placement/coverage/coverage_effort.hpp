@@ -20,9 +20,9 @@ inline std::uint64_t allowed_work(std::uint64_t work, const Effort& effort, cons
   return effort.steps > work / step ? work : effort.steps * step;
 }
 
-/// Steps of CoverageBound, each of which examines its entries twice.
-inline std::uint64_t bound_steps(std::size_t entries, const Effort& effort, const SignalTable& table) {
-  return 1 + allowed_work(coverage_bound_work, effort, table) / (2 * entries + 1);
+/// The effort of CoverageBound; a step examines its entries twice.
+inline Effort bound_effort(std::size_t entries, const Effort& effort, const SignalTable& table) {
+  return {1 + allowed_work(coverage_bound_work, effort, table) / (2 * entries + 1), effort.until};
 }
 
 /// The effort of `enumerate_coverage`; a step is one matrix entry.

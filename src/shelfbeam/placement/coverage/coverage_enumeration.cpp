@@ -80,10 +80,7 @@ class Search {
         padded_(table.padded_labels()) {
     // A float's rounding error is below 6e-8 of it, and a lane adds up this many.
     error_ = 1.2e-7 * (static_cast<double>(padded_) / 16 + 8);
-    weight_.assign(padded_, 0.0F);
     for (std::size_t i = 0; i < table.labels(); ++i) weight_[i] = static_cast<float>(table.label_weight(i));
-    shift_.assign(padded_, 0.0F);
-    scale_.assign(padded_, 0.0F);
   }
 
   std::size_t work() const { return work_; }
@@ -92,8 +89,7 @@ class Search {
     find_strongest(free);
     states_.resize(free + 1);
     LabelState& root = states_.front();
-    root.value.assign(padded_, 0.0F);
-    root.best.assign(padded_, 0.0F);
+    root.value = root.best = Floats(padded_);
     root.multiplier.assign(padded_, 1.0F);
     log_.add(multipliers(root.multiplier));
     for (std::size_t u = 0; u < table_.installed().size(); ++u) receive(root, table_.installed_signals(u));
@@ -350,7 +346,7 @@ class Search {
   const RunControl& control_;
   std::size_t padded_;
   double error_ = 0;
-  Floats weight_, shift_, scale_;
+  Floats weight_ = Floats(padded_), shift_ = weight_, scale_ = weight_;
   std::vector<Floats> strongest_;      ///< per number of units: the sum of a label's strongest signals
   std::vector<LabelState> states_;     ///< per depth
   std::vector<std::uint32_t> chosen_;  ///< candidates

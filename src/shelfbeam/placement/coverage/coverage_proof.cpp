@@ -87,9 +87,8 @@ class Judge {
     free_ = std::min(units_ - instance_.installed.size(), candidates);
     states_.resize(free_ + 1);
     State& root = states_.front();
-    root.value.assign(proof_.rows.size(), 0);
-    root.best.assign(proof_.rows.size(), 0);
-    strongest_.assign(free_ + 1, std::vector<double>(proof_.rows.size(), 0));
+    root.value = root.best = std::vector<double>(proof_.rows.size());
+    strongest_.assign(free_ + 1, root.value);
     for (std::uint32_t i = 0; i < instance_.rows(); ++i) {
       const std::uint32_t r = place[i];
       std::vector<double> shares;

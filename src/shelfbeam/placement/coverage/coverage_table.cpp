@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
+#include "shelfbeam/placement/problem/label_shares.hpp"
 
 namespace shelfbeam::detail {
 
@@ -102,14 +103,12 @@ void CoverageTable::fill() {
   for (std::uint32_t u = 0; u < instance_.installed.size(); ++u)
     place[instance_.installed[u]] = static_cast<std::uint32_t>(candidates_.size()) + u;
   matrix_.assign((candidates_.size() + instance_.installed.size()) * padded_, 0.0F);
-  const bool cooperative = instance_.is_cooperative();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const double requirement = instance_.requirement(rows_[i]);
     for (const SignalEntry& entry : instance_.row(rows_[i])) {
       if (place[entry.transceiver] == none) continue;
       float& signal = matrix_[place[entry.transceiver] * padded_ + i];
-      signal = cooperative ? rounded_up(std::min(1.0, entry.signal / requirement))
-                           : (is_met(entry.signal, requirement) ? 1.0F : 0.0F);
+      signal = rounded_up(share_of(entry.signal, requirement, instance_.problem));
     }
   }
 }

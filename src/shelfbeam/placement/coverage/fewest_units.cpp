@@ -28,12 +28,11 @@ class Minimisation final : detail::PartialSearch {
         upper_bound_(detail::reachable_weight(instance, weights_)) {
     Minimisation::offer(instance.installed);
     const std::size_t installed = instance.installed.size();
-    if (target_ <= 0 || incumbent_.has_selection())
-      raise_to(installed, BoundProof::trivial);
-    else if (upper_bound_ < target_)
-      raise_to(max_units_ + 1, BoundProof::trivial);
-    else
-      raise_to(std::max<std::size_t>(installed + 1, instance.problem.redundant ? 2 : 1), BoundProof::trivial);
+    raise_to(target_ <= 0 || incumbent_.has_selection() ? installed
+             : upper_bound_ < target_
+                 ? max_units_ + 1
+                 : std::max<std::size_t>(installed + 1, instance.problem.redundant ? 2 : 1),
+             BoundProof::trivial);
     if (!options.start.empty()) Minimisation::offer(options.start);
   }
 
@@ -102,7 +101,7 @@ class Minimisation final : detail::PartialSearch {
     // With unit failure, the bound is better for fewer units.
     CoverageBound bound_for(instance_, weights_,
                             incumbent_.has_selection() ? incumbent_.selected().size() - 1 : max_units_);
-    Effort left{detail::bound_steps(bound_for.entries(), effort, instance_.table), effort.until};
+    Effort left = detail::bound_effort(bound_for.entries(), effort, instance_.table);
     while (!incumbent_.is_closed()) {
       left.steps -=
           bound_for.improve(count_bound(), target_ - weights_.step(), CoverageAim::reached, left, control_);

@@ -18,10 +18,6 @@ namespace {
 using detail::Effort;
 using detail::EnumerationAim;
 
-ValueSteps steps_of(const detail::LabelWeights& weights) {
-  return weights.are_whole() ? ValueSteps(1) : ValueSteps(0, weights.step());
-}
-
 /// The value is the missed weight.
 class Maximisation final : detail::PartialSearch {
  public:
@@ -31,7 +27,7 @@ class Maximisation final : detail::PartialSearch {
         at_most_(units),
         units_(std::min(units, instance.columns())),
         unit_cost_(instance.columns(), weights_.are_whole() ? 1 : 0) {
-    incumbent_ = detail::Incumbent(steps_of(weights_), 0);
+    incumbent_ = {weights_.are_whole() ? ValueSteps(1) : ValueSteps(0, weights_.step()), 0};
     incumbent_.replace(instance.installed, missed_by(instance.check(instance.installed)));
     if (!options.start.empty()) Maximisation::offer(options.start);
   }
@@ -89,7 +85,7 @@ class Maximisation final : detail::PartialSearch {
     CoverageBound bound(instance_, weights_, units_);
     incumbent_.raise(weights_.total() - bound.weight(units_), BoundProof::trivial, step);
     bound.improve(units_, reached(), CoverageAim::lowest,
-                  {detail::bound_steps(bound.entries(), effort, instance_.table), effort.until}, control_);
+                  detail::bound_effort(bound.entries(), effort, instance_.table), control_);
     incumbent_.raise(weights_.total() - bound.weight(units_), BoundProof::dual, step);
   }
 
