@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 namespace shelfbeam {
@@ -27,11 +28,10 @@ std::vector<Critical> critical_units(const SignalTable& table, const PlacementPr
   PlacementProblem nothing_fails = problem;
   nothing_fails.redundant = false;
   std::vector<std::size_t> place(table.columns(), 0);
-  std::vector<bool> working(table.columns(), false);
+  std::vector<bool> working = marked(table.columns(), selected);
   std::vector<Critical> result;
   for (const ColumnId j : selected) {
     place[j] = result.size();
-    working[j] = true;
     result.push_back({j, {}});
   }
   std::vector<SignalEntry> received;
