@@ -32,7 +32,6 @@ void PartialSearch::search() {
   constexpr auto only_searches = [](const S& s) { return s.searches_ && !s.has_rest(); };
   constexpr auto improves_first = [](const S& s) { return s.may_improve() && s.solves_; };
   constexpr auto improves_last = [](const S& s) { return s.may_improve() && !s.solves_; };
-  constexpr auto solves = [](const S& s) { return s.solves_; };
   constexpr auto begin = [](S& s, const Effort& e) {
     s.order_ = greedy_order(s.instance_, s.weights_.of_labels(), {.until = e.until}, s.control_);
     s.begin(e);
@@ -43,7 +42,6 @@ void PartialSearch::search() {
   constexpr auto bound = [](S& s, const Effort& e) { s.raise_by_multipliers(e); };
   constexpr auto enumerate = [](S& s, const Effort& e) { s.raise_by_enumeration(e); };
   constexpr auto anneal_long = [](S& s, const Effort& e) { s.anneal_in_turn(s.long_walk(), e, true); };
-  constexpr auto solve = [](S& s, const Effort& e) { s.solve(e); };
   static constexpr Step<S> schedule[] = {
       // name, condition, share of the time left, function, maximum steps, maximum seconds
       {"greedy", has_rest, 0.3, begin},
@@ -56,7 +54,7 @@ void PartialSearch::search() {
       {"tree search", only_searches, 1, enumerate},
       {"annealing", improves_first, 0.4, anneal_long},
       {"annealing", improves_last, 1, anneal_long},
-      {"MIP", solves, 1, solve},
+      {"MIP", [](const S& s) { return s.solves_; }, 1, [](S& s, const Effort& e) { s.solve(e); }},
   };
   run_steps(schedule, *this);
 }
