@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/kernels/search_matrix.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 
@@ -39,17 +40,14 @@ CoverageTable::CoverageTable(const Instance& instance, const LabelWeights& weigh
       for (const SignalEntry& entry : instance.row(i)) helps[entry.transceiver] = true;
     }
   }
-  for (std::uint32_t j = 0; j < instance.columns(); ++j) {
-    if (!helps[j] || !instance.available[j]) continue;
-    candidates_.push_back(j);
-    point_.push_back(mounts.first_option(j));
-  }
+  candidates_ = numbers_where<ColumnId>(instance.columns(),
+                                        [&](ColumnId j) { return helps[j] && instance.available[j]; });
   constexpr std::size_t block = SearchMatrix::block;
   padded_ = (rows_.size() + block - 1) / block * block;
 }
 
 bool CoverageTable::exclude_each_other(std::uint32_t candidate, std::uint32_t other) const {
-  if (point_[candidate] == point_[other]) return true;
+  if (point(candidate) == point(other)) return true;
   const auto partners = instance_.mounts.partners(candidates_[candidate]);
   return std::find(partners.begin(), partners.end(), candidates_[other]) != partners.end();
 }

@@ -26,7 +26,9 @@ class CoverageTable {
   std::span<const ColumnId> candidates() const { return candidates_; }         ///< columns
   bool exclude_each_other(std::uint32_t candidate, std::uint32_t other) const;
   /// The mounting point of a candidate; candidates of one point have equal numbers.
-  std::uint32_t point(std::uint32_t candidate) const { return point_[candidate]; }
+  std::uint32_t point(std::uint32_t candidate) const {
+    return instance_.mounts.first_option(candidates_[candidate]);
+  }
 
   std::size_t labels() const { return rows_.size(); }
   std::span<const LabelId> rows() const { return rows_; }  ///< the labels of the table
@@ -56,7 +58,6 @@ class CoverageTable {
   const Instance& instance_;
   const LabelWeights& weights_;
   Selection candidates_;
-  std::vector<std::uint32_t> point_;  ///< per candidate
   std::vector<LabelId> rows_;
   double settled_ = 0;
   bool omits_best_ = false;
