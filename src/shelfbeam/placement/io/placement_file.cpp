@@ -131,12 +131,11 @@ JsonCursor parse_placement(const std::filesystem::path& path) {
 }
 
 void describe(Record& record, Price& price) {
-  const auto read_currency = [&](const JsonCursor& json) {
-    if (!json.is_null()) price.currency = json.text();
-  };
   record.custom(
       "currency", [&] { return price.currency.empty() ? Json(nullptr) : Json(price.currency); },
-      read_currency);
+      [&](const JsonCursor& json) {
+        if (!json.is_null()) price.currency = json.text();
+      });
   record.non_negative("total", price.total);
   record.non_negative("new", price.to_spend);
 }
