@@ -12,6 +12,7 @@
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/answer/weak_spots.hpp"
 #include "shelfbeam/placement/coverage/label_weights.hpp"
@@ -41,13 +42,11 @@ Json whole_bound(double value) {
 
 // Units that were given may share a mounting point.
 Selection read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTable& table, bool is_given) {
-  Selection selected;
   std::vector<bool> seen(table.columns(), false);
   for (const JsonCursor& element : cursor.elements()) {
-    selected.push_back(ids.position(element));
-    if (seen[selected.back()])
-      element.fail(fmt::format("is a duplicate {}", in_quotes(element.text())), "remove it");
-    seen[selected.back()] = true;
+    const std::uint32_t j = ids.position(element);
+    if (seen[j]) element.fail(fmt::format("is a duplicate {}", in_quotes(element.text())), "remove it");
+    seen[j] = true;
   }
   if (const auto crowded = shared_mounts(table, seen); !crowded.empty() && !is_given) {
     std::vector<std::string> options;
@@ -56,8 +55,7 @@ Selection read_selected(const JsonCursor& cursor, const Ids& ids, const SignalTa
     cursor.fail(fmt::format("has {}, which are options of one mounting point", fmt::join(options, " and ")),
                 "keep one of them");
   }
-  std::sort(selected.begin(), selected.end());
-  return selected;
+  return numbers_where<ColumnId>(seen);
 }
 
 // Format 1 has one text: "greedy", "search with highs 1.10.0", or name and version of a MIP back end.
@@ -77,8 +75,7 @@ SolvedBy read_solver(const JsonCursor& file) {
 double redundant_share(const Placement& placement, const SignalTable& table) {
   if (table.rows() == 0) return 0;
   const Check check = check_selection(table, placement.problem, placement.selected);
-  const auto redundant = std::count_if(check.serving.begin(), check.serving.end(),
-                                       [](std::uint32_t units) { return units >= 2; });
+  const auto redundant = std::ranges::count_if(check.serving, [](std::uint32_t units) { return units >= 2; });
   return static_cast<double>(redundant) / static_cast<double>(table.rows());
 }
 
