@@ -32,7 +32,7 @@ struct SearchLimits {
 /// remainder of the reductions. `start` is a selection that the checker accepts. The next of `backends`
 /// follows if one fails. The deadline replaces the time limit of the options. If the search closes the gap,
 /// it settles ties (`settle_ties`) within a work limit, so that the result is the same for any number of
-/// threads even if ties stay open. The result states neither the problem nor seconds.
+/// threads even if ties stay open. The result has no `problem`, `unit_costs` and `seconds`.
 Placement search_placement(const Instance& instance, const Selection& start,
                            std::span<const milp::Backend> backends, const PlaceOptions& options,
                            const Deadline& deadline, const RunControl& control,

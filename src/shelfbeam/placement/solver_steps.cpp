@@ -194,7 +194,6 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   if (state.instance.is_cover() && state.reduction().infeasible)
     return state.raise_open(milp::infinity, BoundProof::dual);
   const bool is_large = state.instance.table.entries.size() > state.limits.max_small_lp_entries;
-  // Clp is faster than HiGHS on large linear programs.
   const std::vector<milp::Backend> by_clp = clp_first(state);
   const LpBoundOptions options{.effort = effort, .selections = open, .rows = state.rows};
   const auto ask = [&](const milp::Backend& backend) {
@@ -210,6 +209,7 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
     lp.failed = lp.failed && !state.out_of_time();
     return lp;
   };
+  // Clp is faster than HiGHS on large linear programs.
   const LpBound lp = ask_in_turn(state, is_large ? by_clp : state.backends, ask);
   state.exclude(lp.dual);
   state.relaxation = lp.dual;

@@ -9,7 +9,7 @@ namespace shelfbeam::detail {
 struct StepRule {
   double first = 1;          ///< length of the first step
   double shorter = 0.7;      ///< factor after every `patience` steps without a gain
-  std::size_t patience = 1;  ///< steps
+  std::size_t patience = 1;  ///< steps, at least 1
   std::size_t max_idle =
       std::numeric_limits<std::size_t>::max();  ///< steps without a gain that end the ascent
 };

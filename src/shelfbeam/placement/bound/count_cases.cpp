@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/bound/count_bound.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
 
@@ -53,7 +54,7 @@ class Cases {
   // True if some label cannot be reached without these columns.
   bool is_empty(const LpBound& open, const std::vector<ColumnId>& without) const {
     constexpr double rounding = 1e-9;
-    const std::vector<bool> is_out = chosen_columns(instance_, without);
+    const std::vector<bool> is_out = marked(instance_.columns(), without);
     return std::any_of(open.labels.begin(), open.labels.end(), [&](LabelId label) {
       double outside = 0;
       cover_.for_entries(label, [&](std::uint32_t j, double a) { outside += is_out[j] ? 0 : a; });

@@ -23,7 +23,8 @@ struct SelectionSet {
 enum class ColumnState : std::uint8_t {
   open,
   chosen,
-  closed  ///< excluded, or in conflict with an installed unit or at its mounting point with a chosen one
+  closed  ///< excluded, in conflict with an installed unit, or another option of a chosen unit's mounting
+          ///< point
 };
 
 /// One per column.

@@ -98,7 +98,7 @@ class Dual {
     return value_;
   }
 
-  static double least_gain(double value) { return 1e-3 * std::abs(value); }
+  double least_gain(double value) const { return 1e-3 * std::abs(value - rows_.chosen_cost()); }
 
   // y_i <- max(0, y_i + length (known - L) d_i / |d|^2), d a mean of this subgradient and the last direction.
   // False at an optimum.

@@ -305,7 +305,8 @@ class Search {
     const std::vector<std::uint32_t>& list;
     std::size_t free, max_steps;
     const LabelState& state;
-    Bound &best, bound = best;
+    Bound& best;
+    Bound bound = best;  ///< of the present step
     Floats load = Floats(search.padded_);
 
     bool ends(std::size_t step) {

@@ -18,7 +18,7 @@ using SolveFunction =
     std::function<milp::Result(const milp::Model&, const milp::SolveOptions&, const RunControl&)>;
 
 struct MipResult {
-  Placement placement;         ///< without problem, `solver` and `seconds`
+  Placement placement;         ///< without `problem`, `unit_costs`, `solver` and `seconds`
   bool solver_failed = false;  ///< the solver's results were inconsistent; bounds and selection still hold
 };
 

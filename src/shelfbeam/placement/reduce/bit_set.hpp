@@ -23,18 +23,19 @@ class BitSet {
   bool empty() const {
     return std::ranges::all_of(words_, [](std::uint64_t word) { return word == 0; });
   }
-  /// The other set is of the same size, here and below.
+  /// Both sets have the same size.
   bool is_subset(const BitSet& other) const {
     for (std::size_t w = 0; w < words_.size(); ++w)
       if ((words_[w] & ~other.words_[w]) != 0) return false;
     return true;
   }
   std::span<const std::uint64_t> words() const { return words_; }
-  /// Equal for equal sets.
+  /// The words as bytes, to compare and hash sets of the same size.
   std::string_view bytes() const {
     return {reinterpret_cast<const char*>(words_.data()), words_.size() * sizeof words_[0]};
   }
-  /// Calls visit(k) for the common members, ascending, until it returns false. It may erase k.
+  /// Calls visit(k) for the common members, ascending, until it returns false; `visit` may erase k. Both
+  /// sets have the same size.
   template <class Visit>
   void for_common(const BitSet& other, Visit visit) const {
     for (std::size_t w = 0; w < words_.size(); ++w)

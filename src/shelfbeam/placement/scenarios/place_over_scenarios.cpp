@@ -84,6 +84,7 @@ class Solver {
     best_.selected = incumbent_.selected();
     best_.value = incumbent_.value();
     best_.lower_bound = incumbent_.bound();
+    best_.bound_proof = incumbent_.proof();
     if (incumbent_.has_selection()) best_.misses = misses_of(scenarios_, problem_, best_.selected);
     return std::move(best_);
   }
@@ -143,7 +144,7 @@ class Solver {
   }
 
   void relax(const Effort& effort) {
-    raise_to(lp_bound(cuts_, scenarios_.table.columns(), unbounded, effort));
+    raise_to(lp_bound(cuts_, scenarios_.table.columns(), unbounded, effort), BoundProof::dual);
     if (problem_.combination != Combination::spend) refute_counts(effort);
   }
 
@@ -155,7 +156,7 @@ class Solver {
       limited_.emplace(Limited{static_cast<std::size_t>(incumbent_.bound()), cuts_});
       limited_->bound = lp_bound(limited_->cuts, limited_->units, enough, effort);
       if (limited_->bound < enough) return;
-      raise_to(incumbent_.bound() + 1);
+      raise_to(incumbent_.bound() + 1, BoundProof::dual);
     }
   }
 
@@ -182,7 +183,7 @@ class Solver {
       if (detail::window_mip_bound({limited_->cuts.table(), master_}, cost_, options, backend_, control_) <
           options.goal)
         return;
-      raise_to(static_cast<double>(limit + 1));
+      raise_to(static_cast<double>(limit + 1), BoundProof::solver);
       report();
     }
   }
@@ -225,7 +226,7 @@ class Solver {
                          : problem_.combination == Combination::spend ? placement.lower_bound
                                                                       : placement.count_lower_bound;
     if (incumbent_.contradicts(bound)) return false;
-    raise_to(bound);
+    raise_to(bound, std::max(placement.bound_proof, BoundProof::dual));
     if (!placement.has_selection()) return false;
     const std::size_t added =
         cuts_.add(placement.selected, misses_of(scenarios_, problem_, placement.selected));
@@ -235,8 +236,8 @@ class Solver {
   }
 
   // A solver that contradicts a checked selection is wrong.
-  void raise_to(double bound) {
-    if (!incumbent_.contradicts(bound)) incumbent_.raise(bound, BoundProof::search, step);
+  void raise_to(double bound, BoundProof proof) {
+    if (!incumbent_.contradicts(bound)) incumbent_.raise(bound, proof, step);
   }
 
   void anneal(const Effort& effort) {
@@ -319,7 +320,7 @@ class Solver {
 void check(const ScenarioTable& scenarios, const PlacementProblem& problem) {
   if (problem.objective != Objective::count || problem.combination == Combination::weighted)
     throw InputError("objective", "is not the number or the price of units",
-                     "placements over scenarios minimise these");
+                     "placements over states minimise these");
   check_problem(scenarios.table, problem);
 }
 

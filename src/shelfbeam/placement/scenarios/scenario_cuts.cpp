@@ -5,6 +5,7 @@
 #include <numeric>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/math/order.hpp"
@@ -21,6 +22,13 @@ constexpr std::size_t max_labels = 256;           ///< that give cuts at once
 constexpr std::size_t max_cases = 4000;           ///< of one cut
 constexpr std::size_t max_sizes = 64;             ///< that are tried for one cut
 
+// The first case of each scenario stays.
+template <class Cases>
+void keep_one_per_scenario(Cases& cases) {
+  std::set<std::uint32_t> seen;
+  std::erase_if(cases, [&](const auto& at) { return !seen.insert(at.scenario).second; });
+}
+
 }  // namespace
 
 ScenarioCuts::ScenarioCuts(const ScenarioTable& scenarios, const PlacementProblem& problem,
@@ -31,7 +39,7 @@ ScenarioCuts::ScenarioCuts(const ScenarioTable& scenarios, const PlacementProble
       table_(make_scenario_table(scenarios.table, {}, 0).table) {
   for (std::uint32_t i = 0; i < scenarios.table.rows(); ++i)
     if (const std::uint64_t limit = allowance.limit(i); limit < scenarios.count)
-      append(mean_of_largest(cases_of(i, {}, {}), scenarios.count - limit, {}));
+      append(cut_over(cases_of(i, {}, {}), limit, {}));
 }
 
 void ScenarioCuts::Case::add(ColumnId column, double share, bool fails) {
@@ -62,19 +70,21 @@ double ScenarioCuts::mean_of_largest(std::span<const Case> cases, std::size_t ke
   return std::accumulate(shares.begin(), middle, 0.0) / static_cast<double>(kept);
 }
 
-std::vector<double> ScenarioCuts::mean_of_largest(std::span<const Case> cases, std::size_t kept,
-                                                  const Counted& counted) const {
-  std::vector<double> result(scenarios_.table.columns()), shares;
-  for (std::uint32_t j = 0; j < result.size(); ++j)
-    result[j] = mean_of_largest(cases, kept, j, counted, shares);
-  return result;
+ScenarioCuts::Cut ScenarioCuts::cut_over(std::span<const Case> cases, std::size_t allowed,
+                                         const Counted& counted) const {
+  Cut cut{.shares = std::vector<double>(scenarios_.table.columns()),
+          .proof = {{cases.begin(), cases.end()}, false, counted.above, counted.units}};
+  std::vector<double> shares;
+  for (std::uint32_t j = 0; j < cut.shares.size(); ++j)
+    cut.shares[j] = mean_of_largest(cases, cases.size() - allowed, j, counted, shares);
+  return cut;
 }
 
 // The scenarios of a label, those that receive least first.
 std::vector<ScenarioCuts::Case> ScenarioCuts::cases_of(LabelId label, std::span<const Part> parts,
                                                        const Counted& counted) const {
   std::vector<Case> cases;
-  for (std::uint32_t s = 0; s < scenarios_.count; ++s) cases.push_back({label, s});
+  for (std::uint32_t s = 0; s < scenarios_.count; ++s) cases.push_back({{label, s}});
   const double requirement = requirement_of(scenarios_.table.labels[label], problem_.model);
   for (const Part& part : parts) {
     const std::span<const float> signal = scenarios_.of(part.column, label);
@@ -105,20 +115,24 @@ void ScenarioCuts::lower(Cut& best, std::span<const Case> cases, std::size_t all
     best.left_side = left;
     size = t;
   }
-  if (size > 0) best.shares = mean_of_largest(cases.first(size), size - allowed, counted);
+  if (size == 0) return;
+  const double left_side = best.left_side;
+  best = cut_over(cases.first(size), allowed, counted);
+  best.left_side = left_side;
 }
 
 // The most violated cut of a label; without shares if none is violated.
 ScenarioCuts::Cut ScenarioCuts::most_violated(LabelId label, std::span<const Part> parts,
                                               std::size_t max_units) const {
   const std::uint64_t allowed = allowance_.limit(label);
-  Cut best{violated_by_lp, {}};
+  Cut best{violated_by_lp};
   if (allowed >= scenarios_.count) return best;
   const bool is_limited = max_units < scenarios_.table.columns();
   for (std::size_t k = 0; k < (is_limited ? share_steps : 1); ++k) {
     // s K grows evenly up to nearly the whole requirement.
     const double below = static_cast<double>(k) / share_steps;
-    const Counted counted{is_limited ? below / static_cast<double>(max_units) : 0, missed - below};
+    const auto units = static_cast<double>(max_units);
+    const Counted counted{is_limited ? below / units : 0, missed - below, units};
     lower(best, cases_of(label, parts, counted), allowed, parts, counted);
   }
   return best;
@@ -139,13 +153,14 @@ std::size_t ScenarioCuts::add_violated(std::span<const double> x, std::size_t ma
   std::erase_if(cuts, [](const Cut& cut) { return cut.shares.empty(); });
   std::ranges::stable_sort(cuts, {}, &Cut::left_side);
   cuts.resize(std::min(cuts.size(), max_labels));
-  for (const Cut& cut : cuts) append(cut.shares);
-  return cuts.size();
+  const std::size_t before = size();
+  for (Cut& cut : cuts) append(std::move(cut));
+  return size() - before;
 }
 
 // Extends the selection to a large set of units with which more cases, or scenarios, than allowed are missed.
-std::vector<double> ScenarioCuts::cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
-                                            std::span<const Part> parts) const {
+ScenarioCuts::Cut ScenarioCuts::cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
+                                          std::span<const Part> parts) const {
   const auto is_met = [](const Case& at) { return at.received >= missed; };
   const auto misses = [&](const std::vector<Case>& some) {
     std::set<std::uint32_t> scenarios;
@@ -168,19 +183,19 @@ std::vector<double> ScenarioCuts::cover_cut(std::vector<Case> cases, std::size_t
     cases = std::move(still);
     outside[j] = 0;
   }
-  return outside;
+  if (by_scenario) keep_one_per_scenario(cases);
+  cases.resize(allowed + 1);
+  return {.shares = std::move(outside), .proof = {{cases.begin(), cases.end()}, true}};
 }
 
 void ScenarioCuts::add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
                             std::span<const Part> parts) {
-  if (const auto cut = cover_cut(cases, allowed, by_scenario, parts); !cut.empty()) append(cut);
+  append(cover_cut(cases, allowed, by_scenario, parts));
   std::ranges::stable_sort(cases, {}, &Case::received);
-  // Each scenario keeps the case that receives least.
-  std::set<std::uint32_t> seen;
-  if (by_scenario) std::erase_if(cases, [&](const Case& at) { return !seen.insert(at.scenario).second; });
-  Cut best{violated, {}};
+  if (by_scenario) keep_one_per_scenario(cases);
+  Cut best{violated};
   lower(best, std::span(cases).first(std::min(cases.size(), allowed + max_cases)), allowed, parts, {});
-  if (!best.shares.empty()) append(best.shares);
+  append(std::move(best));
 }
 
 std::size_t ScenarioCuts::add(std::span<const ColumnId> selected, const ScenarioMisses& misses) {
@@ -206,12 +221,15 @@ std::size_t ScenarioCuts::add(std::span<const ColumnId> selected, const Scenario
   return size() - before;
 }
 
-void ScenarioCuts::append(const std::vector<double>& shares) {
+// Does nothing without shares.
+void ScenarioCuts::append(Cut cut) {
   // Sums of a selection that reaches the label may fall below 1 by the tolerance of is_met and by rounding.
   constexpr double reserve = 1 + 1e-8;
+  for (double& share : cut.shares) share = std::min(1.0, share) * reserve;
+  if (cut.shares.empty() || !proves(cut.proof, cut.shares, scenarios_, problem_, allowance_)) return;
   table_.labels.push_back({.id = std::to_string(size()), .requirement = 1, .single_requirement = 1});
-  for (std::uint32_t j = 0; j < shares.size(); ++j)
-    if (shares[j] > 0) table_.entries.push_back({j, std::min(1.0, shares[j]) * reserve});
+  for (std::uint32_t j = 0; j < cut.shares.size(); ++j)
+    if (cut.shares[j] > 0) table_.entries.push_back({j, cut.shares[j]});
   table_.row_begin.push_back(table_.entries.size());
 }
 

@@ -2,12 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
+#include "shelfbeam/placement/scenarios/cut_proof.hpp"
 #include "shelfbeam/placement/scenarios/scenario_table.hpp"
 
 namespace shelfbeam {
@@ -19,6 +19,8 @@ namespace shelfbeam {
 /// all, so a case that is met has
 ///
 ///   sum_j min(1, max(0, a_j - s) / (1 - s K)) x_j >= 1,   a_j the share of unit j.
+///
+/// Every cut has passed its judge (cut_proof.hpp).
 class ScenarioCuts {
  public:
   /// Begins with one cut per label, over all scenarios. The arguments must outlive the object.
@@ -37,19 +39,16 @@ class ScenarioCuts {
                            const RunControl& control);
 
  private:
-  /// A label in a scenario, with unit failure without its strongest unit.
-  struct Case {
-    LabelId label;
-    std::uint32_t scenario = 0;
-    ColumnId failed = std::numeric_limits<std::uint32_t>::max();  ///< none
-    double largest = 0;                                           ///< received from the failed unit
+  /// With unit failure without its strongest unit.
+  struct Case : CutProof::Case {
+    double largest = 0;   ///< received from the failed unit
     double received = 0;  ///< from the others, as a share of the requirement
 
     void add(ColumnId column, double share, bool fails);
   };
   /// The parts of shares that count.
   struct Counted {
-    double above = 0, lack = 1;  ///< s and 1 - s K
+    double above = 0, lack = 1, units = 0;  ///< s, 1 - s K, and K
     double of(double share) const;
   };
   /// A unit with its value, 1 in a selection.
@@ -59,22 +58,22 @@ class ScenarioCuts {
   };
   struct Cut {
     double left_side = 1;
-    std::vector<double> shares;
+    std::vector<double> shares = {};
+    CutProof proof = {};
   };
 
   double share(const Case& at, ColumnId column) const;
   double mean_of_largest(std::span<const Case> cases, std::size_t kept, ColumnId column,
                          const Counted& counted, std::vector<double>& shares) const;
-  std::vector<double> mean_of_largest(std::span<const Case> cases, std::size_t kept,
-                                      const Counted& counted) const;
+  Cut cut_over(std::span<const Case> cases, std::size_t allowed, const Counted& counted) const;
   std::vector<Case> cases_of(LabelId label, std::span<const Part> parts, const Counted& counted) const;
   void lower(Cut& best, std::span<const Case> cases, std::size_t allowed, std::span<const Part> parts,
              const Counted& counted) const;
   Cut most_violated(LabelId label, std::span<const Part> parts, std::size_t max_units) const;
-  std::vector<double> cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
-                                std::span<const Part> parts) const;
+  Cut cover_cut(std::vector<Case> cases, std::size_t allowed, bool by_scenario,
+                std::span<const Part> parts) const;
   void add_cuts(std::vector<Case> cases, std::size_t allowed, bool by_scenario, std::span<const Part> parts);
-  void append(const std::vector<double>& shares);
+  void append(Cut cut);
 
   const ScenarioTable& scenarios_;
   const PlacementProblem& problem_;

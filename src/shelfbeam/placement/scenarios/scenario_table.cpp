@@ -12,7 +12,7 @@ ScenarioTable make_scenario_table(const SignalTable& all, std::span<const LabelI
   result.count = scenarios;
   result.table.labels.clear();
   for (const LabelId i : labels) result.table.labels.push_back(all.labels[i]);
-  result.table.scenarios.clear();
+  result.table.scenarios.clear();  // those of several matrices
   result.table.entries.clear();
   result.table.row_begin.assign(labels.size() + 1, 0);
   result.signal.resize(all.columns() * labels.size() * scenarios);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
+
 namespace shelfbeam::detail {
 
 TreeRun::TreeRun(const TreeQuestion& question)
@@ -77,29 +79,29 @@ Margin TreeRun::offer(std::span<const ColumnId> selected, std::vector<float>& me
   count_work(all.padded_rows() * selected.size());
   if (!margin.is_met) return margin;
   const std::lock_guard lock(mutex_);
-  Selection sorted(selected.begin(), selected.end());
-  std::sort(sorted.begin(), sorted.end());
+  Selection ascending = sorted(Selection(selected.begin(), selected.end()));
   switch (goal.kind) {
     case TreeGoal::Kind::any:
       if (found_any()) break;
-      best = std::move(sorted);
+      best = std::move(ascending);
       found_.store(true, std::memory_order_relaxed);
       break;
     case TreeGoal::Kind::cheapest: {
       const std::int64_t cost = instance.cost_of(selected);
       if (cost > max_cost()) break;
-      best = std::move(sorted);
+      best = std::move(ascending);
       max_cost_.store(cost - 1, std::memory_order_relaxed);
       break;
     }
     case TreeGoal::Kind::widest:
       if (instance.cost_of(selected) > goal.max_cost) break;
       if (const double now = margin_.load(std::memory_order_relaxed);
-          margin.smallest < now || (margin.smallest == now && (sorted.size() > widest_.size() ||
-                                                               (sorted.size() == widest_.size() &&
-                                                                !instance.is_first_by_id(sorted, widest_)))))
+          margin.smallest < now ||
+          (margin.smallest == now &&
+           (ascending.size() > widest_.size() ||
+            (ascending.size() == widest_.size() && !instance.is_first_by_id(ascending, widest_)))))
         break;
-      best = widest_ = std::move(sorted);
+      best = widest_ = std::move(ascending);
       margin_.store(margin.smallest, std::memory_order_relaxed);
   }
   return margin;

@@ -25,10 +25,12 @@ struct CoverTreeLimits {
 };
 
 struct FoundCovers {
-  double bound = 0;  ///< no cover costs less than this and `known`; lowered by more than rounding errors
+  double bound = 0;  ///< cheapest_cover alone, as `selected`; no cover costs less than this and `known`;
+                     ///< lowered by more than rounding errors
   std::optional<std::vector<std::uint32_t>> selected;  ///< a cover that costs less than `known`
-  std::vector<bool> contains;  ///< per column: some cover that costs at most `known` may contain it
-  bool complete = true;        ///< no limit came first: `selected` is the cheapest
+  std::vector<bool>
+      contains;  ///< columns_of_covers alone; per column: some cover that costs at most `known` may have it
+  bool complete = true;  ///< no limit came first: `selected` is the cheapest, or `contains` is exact
   std::uint64_t nodes = 0;
 };
 

@@ -122,7 +122,7 @@ void search_window(const CoverMatrix& cover, Window& window, const CoverTreeLimi
   add_free_columns(cover, small.is_free, window);
 }
 
-std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, Window& window, double allowance,
+std::vector<std::uint32_t> examine_columns(const CoverMatrix& cover, Window& window, double allowance,
                                            const CoverTreeLimits& limits, const milp::Backend& backend) {
   const SmallWindow small(cover, window);
   const FoundCovers found = columns_of_covers(small.cover, lp_multipliers(small.cover, limits, backend),

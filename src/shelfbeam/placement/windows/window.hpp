@@ -29,7 +29,7 @@ void search_window(const CoverMatrix& cover, Window& window, const CoverTreeLimi
                    const milp::Backend& backend);
 
 /// The window's columns that no selection of weight up to value + `allowance` contains. Sets `work`.
-std::vector<std::uint32_t> useless_columns(const CoverMatrix& cover, Window& window, double allowance,
+std::vector<std::uint32_t> examine_columns(const CoverMatrix& cover, Window& window, double allowance,
                                            const CoverTreeLimits& limits, const milp::Backend& backend);
 
 /// Omits columns.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -264,7 +265,7 @@ class WindowSearch {
     std::vector<std::vector<std::uint32_t>> useless(best_.size());
     allow_rest();
     for_each_task(best_.size(), [&](std::size_t k) {
-      useless[k] = useless_columns(cover_, best_[k], allowance, limits_, backend_);
+      useless[k] = examine_columns(cover_, best_[k], allowance, limits_, backend_);
     });
     std::vector<bool> is_removed(cover_.columns.size(), false);
     for (const Window& window : best_) work_ += window.work;
