@@ -146,8 +146,14 @@ Placement placed(const Instance& instance, const PlaceOptions& options, const De
     if (is_late || deadline.has_passed() || control.cancelled()) placement.status = Status::stopped;
     return placement;
   }
-  if (known && searches)
-    return detail::search_placement(instance, *known, backends, options, deadline, control);
+  if (known && searches) {
+    // Bounds that the search leaves low are raised after it, which reads a large table a few times.
+    constexpr double seconds_per_entry = 4e-9, max_share = 0.2;
+    const double reserved = std::min(seconds_per_entry * static_cast<double>(instance.table.entries.size()),
+                                     max_share * options.time_limit_s);
+    const Deadline end(deadline.seconds_left() - reserved);
+    return detail::search_placement(instance, *known, backends, options, end, control);
+  }
   if (!options.uses(SolverChoice::mip) ||
       (searches && instance.table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
     Placement placement = plain_placement(instance, known);
