@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
 namespace shelfbeam::python {
@@ -22,6 +24,11 @@ pybind11::array view_of(const T* data, std::vector<pybind11::ssize_t> shape, con
 template <class T>
 pybind11::array copy_of(const std::vector<T>& values) {
   return pybind11::array(static_cast<pybind11::ssize_t>(values.size()), values.data());
+}
+
+template <class Tag>
+pybind11::array copy_of(const std::vector<Number<Tag>>& numbers) {
+  return copy_of(std::vector<std::uint32_t>(numbers.begin(), numbers.end()));
 }
 
 inline pybind11::list numbers(const Vec3& v) {
