@@ -10,6 +10,13 @@
 #include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/math/vec3.hpp"
 
+/// Numbers of labels and columns are whole numbers in NumPy.
+template <class Tag>
+struct pybind11::detail::npy_format_descriptor<shelfbeam::Number<Tag>>
+    : npy_format_descriptor<std::uint32_t> {
+  static_assert(sizeof(shelfbeam::Number<Tag>) == sizeof(std::uint32_t));
+};
+
 namespace shelfbeam::python {
 
 /// A read-only array over memory that `owner` keeps alive.
@@ -24,11 +31,6 @@ pybind11::array view_of(const T* data, std::vector<pybind11::ssize_t> shape, con
 template <class T>
 pybind11::array copy_of(const std::vector<T>& values) {
   return pybind11::array(static_cast<pybind11::ssize_t>(values.size()), values.data());
-}
-
-template <class Tag>
-pybind11::array copy_of(const std::vector<Number<Tag>>& numbers) {
-  return copy_of(std::vector<std::uint32_t>(numbers.begin(), numbers.end()));
 }
 
 inline pybind11::list numbers(const Vec3& v) {

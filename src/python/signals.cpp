@@ -98,11 +98,9 @@ py::object states_of(const py::object& self) {
   const auto tensor = [&](const std::vector<float>& values) {
     return values.empty() ? py::object(py::none()) : view_of(values.data(), shape, self);
   };
-  static_assert(sizeof(LabelId) == sizeof(std::uint32_t));
-  const auto* const hard = reinterpret_cast<const std::uint32_t*>(states.hard.data());
   using py::arg;
   return py::dict(arg("count") = states.states, arg("deviation") = entries(self, states.deviation),
-                  arg("labels") = view_of(hard, {signed_size(states.hard.size())}, self),
+                  arg("labels") = view_of(states.hard.data(), {signed_size(states.hard.size())}, self),
                   arg("signal") = tensor(states.signal), arg("error") = tensor(states.error));
 }
 

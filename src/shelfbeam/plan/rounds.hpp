@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "shelfbeam/base/control.hpp"
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 #include "shelfbeam/plan/answer/end_reason.hpp"
@@ -52,9 +52,7 @@ class Rounds {
     }
   }
 
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
+  double seconds() const { return watch_.seconds(); }
   bool counts_samples() const { return budget_.samples.has_value(); }
   /// In the budget's unit of measure: seconds or samples.
   double spent() const { return counts_samples() ? static_cast<double>(samples_) : seconds(); }
@@ -114,7 +112,7 @@ class Rounds {
   std::uint32_t round_ = 0;
   std::uint64_t samples_ = 0;
   double cost_of_chosen_ = 0, cost_of_all_ = 0;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 /// Verdicts on the labels of one selection, in rounds. Every label gets the batches that it is expected to

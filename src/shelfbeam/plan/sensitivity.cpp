@@ -1,13 +1,13 @@
 #include "shelfbeam/plan/sensitivity.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/math/order.hpp"
 #include "shelfbeam/plan/sub_scene.hpp"
 #include "shelfbeam/stats/moments.hpp"
@@ -185,7 +185,7 @@ std::optional<MaterialSensitivity> range_of(const NamedMaterial& named, double a
 Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& problem,
                                     std::span<const float> planned, const SensitivityOptions& options,
                                     const VerificationEffort& effort, const RunControl& control) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Sensitivity result;
   result.confidence = options.confidence;
   result.assumed_error = options.assumed_error;
@@ -235,7 +235,7 @@ Sensitivity reflectance_sensitivity(const Scene& scene, const PlacementProblem& 
                    [](const MaterialSensitivity& a, const MaterialSensitivity& b) {
                      return a.at_lower.min_margin.ratio < b.at_lower.min_margin.ratio;
                    });
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = watch.seconds();
   return result;
 }
 

@@ -42,7 +42,7 @@ class WindowSearch {
       const std::size_t max_parts = 2 * parts;
       for (divide(parts); is_cut_short() && !is_over() && parts < max_parts;) divide(++parts);
       offer();
-      keep();
+      keep(value_of(now_));
       length_ = first_length * std::max(0.0, target_ - best_value_);
       do {
         step_until_stuck();
@@ -60,7 +60,7 @@ class WindowSearch {
     const double value = value_of(now_);
     if (is_over() && value <= best_value_) return value;
     offer();
-    keep();
+    keep(value);
     // Steps gain nothing while trees are cut short.
     if (is_cut_short()) allow_larger_trees(2);
     report();
@@ -172,12 +172,10 @@ class WindowSearch {
     control_.report(Task::windows, -1, fmt::format("{}, bound {:.3f}", now_.size(), best_value_));
   }
 
-  bool keep() {
-    const double value = value_of(now_);
-    if (!best_.empty() && !(value > best_value_)) return false;
+  void keep(double value) {
+    if (!best_.empty() && !(value > best_value_)) return;
     best_value_ = value;
     best_ = now_;
-    return true;
   }
 
   void offer() {
@@ -282,7 +280,7 @@ class WindowSearch {
     }
     now_ = best_;
     search(now_);
-    keep();
+    keep(value_of(now_));
     length_ *= 4;
     return true;
   }

@@ -1,7 +1,6 @@
 #include "shelfbeam/plan/states/plan_states.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <span>
 #include <utility>
@@ -68,7 +67,7 @@ class Planner {
       options_.sampled->expect(scene_.store_hash, options_.simulation.seed, scene_.labels.size(),
                                scene_.transceivers.size(), options_.sample);
     Availability& answer = result_.availability;
-    const auto begun = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     answer.open = Rounds::reason_after([&]() -> std::optional<EndReason> {
       place();
       const bool certifies = answer.unreachable.empty() && options_.certifies && !selected_.empty();
@@ -78,7 +77,7 @@ class Planner {
       return open;
     });
     log_.flush();
-    answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    answer.seconds = watch.seconds();
     finish();
     return std::move(result_);
   }
