@@ -184,6 +184,7 @@ class Planner {
                                 control_);
     // The sampled states may not show the risk of the fresh ones.
     std::vector<LabelId> rows;
+    rows.reserve(undecided.size());
     for (const LabelId i : undecided) rows.push_back(deciding_->row_of(i));
     Selection more = search.with_another(selected_, rows);
     ScenarioAnnealing annealing(deciding_->table(), problem(), allowance_);
