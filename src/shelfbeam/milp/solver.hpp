@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -84,6 +85,9 @@ class LpSession {
   virtual LpResult solve(double time_limit_s, const RunControl& control) = 0;
 };
 
+/// Solves a model; any function in place of a back end's own, as in tests.
+using SolveFunction = std::function<Result(const Model&, const SolveOptions&, const RunControl&)>;
+
 /// A MIP solver. To add a solver, write `solve_x`, `read_x` and `lp_x` in a new .cpp (the only file that
 /// includes the solver's headers), declare them in backend.hpp and add them to the table in solver.cpp behind
 /// a build option.
@@ -98,7 +102,7 @@ struct Backend {
   std::string_view version;
   /// "highs 1.10.0"
   std::string full_name() const;
-  Result (*solve)(const Model&, const SolveOptions&, const RunControl&);
+  SolveFunction solve;
   Model (*read)(const std::filesystem::path&);
   std::unique_ptr<LpSession> (*lp)(std::span<const Column>);
 };

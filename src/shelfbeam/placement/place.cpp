@@ -12,7 +12,6 @@
 #include "shelfbeam/placement/answer/search_step.hpp"
 #include "shelfbeam/placement/bound/multiplier_bound.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
-#include "shelfbeam/placement/mip/mip.hpp"
 #include "shelfbeam/placement/place_by_spend.hpp"
 #include "shelfbeam/placement/placement_search.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
@@ -46,34 +45,6 @@ MaybeSelection better_of(const Instance& instance, const Selection& first, const
   const double of_first = instance.value_of(first);
   if (!second.empty() && instance.value_of(second) < of_first) return second;
   return of_first < infinite ? MaybeSelection(first) : std::nullopt;
-}
-
-/// A greedy selection with the bounds that need no search.
-Placement plain_placement(const Instance& instance, const MaybeSelection& selected) {
-  Placement placement = place_by_mip(instance, selected, {}, {.until = {}}, {}).placement;
-  placement.status = selected ? Status::feasible : Status::stopped;
-  placement.solver = {Method::greedy};
-  return placement;
-}
-
-/// The answer of a MIP back end alone, the next one if one fails.
-Placement solved_placement(const Instance& instance, const MaybeSelection& known,
-                           std::span<const milp::Backend> backends, const PlaceOptions& options,
-                           const Deadline& deadline, const RunControl& control) {
-  Placement placement;
-  for (const milp::Backend& backend : backends) {
-    MipResult answer =
-        place_by_mip(instance, known, backend.solve,
-                     {options.step_limit.value_or(detail::any_steps), deadline.end()}, control);
-    placement = std::move(answer.placement);
-    placement.solver = {Method::mip, backend.full_name()};
-    if (!answer.solver_failed) break;
-  }
-  // Bounds above those without a search rest on the solver alone.
-  const Placement plain = plain_placement(instance, known);
-  if (placement.count_lower_bound > plain.count_lower_bound || placement.lower_bound > plain.lower_bound)
-    placement.bound_proof = BoundProof::solver;
-  return placement;
 }
 
 /// Lower bound on a sum of costs over selections of at least `min_count` units, by some multipliers; rounded
@@ -141,26 +112,18 @@ Placement placed(const Instance& instance, const PlaceOptions& options, const De
   const bool is_late =
       known && searches &&
       deadline.seconds_left() < std::min(share_to_begin * options.time_limit_s, seconds_to_begin);
-  if (is_all || is_late) {
-    Placement placement = plain_placement(instance, known);
-    if (is_late || deadline.has_passed() || control.cancelled()) placement.status = Status::stopped;
-    return placement;
-  }
-  if (known && searches) {
-    // Bounds that the search leaves low are raised after it, which reads a large table a few times.
-    constexpr double seconds_per_entry = 4e-9, max_share = 0.2;
-    const double reserved = std::min(seconds_per_entry * static_cast<double>(instance.table.entries.size()),
-                                     max_share * options.time_limit_s);
-    const Deadline end(deadline.seconds_left() - reserved);
-    return detail::search_placement(instance, *known, backends, options, end, control);
-  }
-  if (!options.uses(SolverChoice::mip) ||
-      (searches && instance.table.entries.size() > detail::SearchLimits{}.max_model_entries)) {
-    Placement placement = plain_placement(instance, known);
-    placement.solver = {Method::search};
-    return placement;
-  }
-  return solved_placement(instance, known, backends, options, deadline, control);
+  PlaceOptions own = options;
+  if (is_late) own.solver = SolverChoice::greedy;
+  // Bounds that the search leaves low are raised after it, which reads a large table a few times.
+  constexpr double seconds_per_entry = 4e-9, max_share = 0.2;
+  const double reserved = std::min(seconds_per_entry * static_cast<double>(instance.table.entries.size()),
+                                   max_share * options.time_limit_s);
+  const Deadline end(deadline.seconds_left() - reserved);
+  Placement placement = detail::search_placement(instance, known, backends, own, end, control);
+  if (own.solver != SolverChoice::greedy) return placement;
+  placement.solver = {Method::greedy};
+  if (is_all && known && !deadline.has_passed() && !control.cancelled()) placement.status = Status::feasible;
+  return placement;
 }
 
 }  // namespace

@@ -133,11 +133,25 @@ constexpr Step<SearchState> second_schedule[] = {
     {"second objective, MIP", fits_mip, 1, solve_mip_for_second},
 };
 
+// A MIP back end alone.
+constexpr Step<SearchState> solver_schedule[] = {{"MIP", always, 1, solve_mip_alone}};
+constexpr Step<SearchState> second_solver_schedule[] = {
+    {"second objective, MIP", always, 1, solve_mip_for_second}};
+
+// Whether a model of the whole problem is asked for, or the last resort.
+bool asks_solver_alone(State state) {
+  return !state.searches && state.options.uses(SolverChoice::mip) &&
+         (state.options.solver == SolverChoice::mip ||
+          state.instance.table.entries.size() <= state.limits.max_model_entries);
+}
+
 Placement answer_of(State state) {
   const Instance& instance = state.instance;
+  if (!state.incumbent.has_selection() && state.incumbent.is_closed()) return infeasible_placement();
   Placement placement;
   placement.selected = state.incumbent.selected();
-  placement.objective_value = instance.is_weighted() || instance.problem.objective != Objective::count
+  placement.objective_value = !state.incumbent.has_selection() ? state.incumbent.value()
+                              : instance.is_weighted() || instance.problem.objective != Objective::count
                                   ? instance.second_value_of(placement.selected)
                                   : static_cast<double>(placement.selected.size());
   placement.lower_bound = std::min(state.bound(), placement.objective_value);
@@ -145,29 +159,34 @@ Placement answer_of(State state) {
       instance.is_weighted() ? static_cast<double>(std::max(instance.trivial_count_bound(),
                                                             instance.bounds.fewest(placement.lower_bound)))
                              : state.incumbent.bound();
-  placement.bound_proof = state.incumbent.proof();
-  placement.solver = {Method::search, state.last_backend};
   return placement;
 }
 
 Placement search(SearchState& state, const PlacementProblem& problem) {
-  run_steps(opening, state);
+  const bool asks_solver = asks_solver_alone(state);
+  if (asks_solver) state.last_backend = state.backends.front().full_name();
+  if (state.searches) run_steps(opening, state);
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
-  if (state.options.proves) run_steps(schedule, state);
+  if (state.searches && state.options.proves) run_steps(schedule, state);
+  if (asks_solver) run_steps(solver_schedule, state);
   if (state.options.proves && !state.instance.is_weighted() &&
-      state.instance.problem.objective != Objective::count) {
+      state.instance.problem.objective != Objective::count && state.incumbent.bound() < milp::infinity) {
     const CostBounds& bounds = state.instance.second_bounds;
     const Selection& best = state.incumbent.selected();
     state.second.emplace(bounds, bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound())));
-    state.second->replace(best, state.instance.second_value_of(best));
-    if (state.incumbent.is_closed()) run_steps(second_schedule, state);
+    if (state.incumbent.has_selection()) state.second->replace(best, state.instance.second_value_of(best));
+    if (state.searches && state.incumbent.is_closed()) run_steps(second_schedule, state);
+    if (asks_solver && state.incumbent.is_closed()) run_steps(second_solver_schedule, state);
   }
-  const bool is_optimal = state.is_settled();
-  const bool settled = is_optimal && state.options.settles_ties && settle_ties(state, problem, of_opening);
+  const bool is_optimal = (state.searches || asks_solver) && state.is_settled();
+  const bool settled =
+      is_optimal && state.searches && state.options.settles_ties && settle_ties(state, problem, of_opening);
   Placement placement = answer_of(state);
-  placement.status = is_optimal ? Status::optimal : Status::stopped;
+  if (placement.has_selection()) placement.status = is_optimal ? Status::optimal : Status::stopped;
   placement.ties_settled = settled;
+  placement.bound_proof = state.incumbent.proof();
+  placement.solver = {asks_solver ? Method::mip : Method::search, state.last_backend};
   placement.steps = std::move(state.steps);
   return placement;
 }
@@ -184,7 +203,7 @@ std::optional<Selection> first_selection(const Instance& instance, const Selecti
   return found && instance.check(*found).met() ? found : std::nullopt;
 }
 
-Placement search_placement(const Instance& instance, const Selection& start,
+Placement search_placement(const Instance& instance, const std::optional<Selection>& start,
                            std::span<const milp::Backend> backends, const PlaceOptions& options,
                            const Deadline& deadline, const RunControl& control, const SearchLimits& limits) {
   const auto search_for = [&](const Instance& own) {
@@ -203,7 +222,8 @@ Placement search_placement(const Instance& instance, const Selection& start,
     for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
     return search_for({cover, alone});
   };
-  const Check known = instance.check(start);
+  if (!start) return answer(instance);
+  const Check known = instance.check(*start);
   const double max_cost = 2 * (known.objective + known.transceiver_cost);
   const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > max_cost; };
   if (instance.problem.combination == Combination::lexicographic || !(max_cost > 0) ||

@@ -9,19 +9,22 @@
 
 namespace shelfbeam::detail {
 
-SearchState::SearchState(const Instance& of, const Selection& start, std::span<const milp::Backend> b,
-                         const PlaceOptions& o, const Deadline& d, const RunControl& c, const SearchLimits& l)
+SearchState::SearchState(const Instance& of, const std::optional<Selection>& start,
+                         std::span<const milp::Backend> b, const PlaceOptions& o, const Deadline& d,
+                         const RunControl& c, const SearchLimits& l)
     : instance(of),
       backends(b),
       options(o),
       limits(l),
       deadline(d),
+      searches(start && o.uses(SolverChoice::search)),
       seed(static_cast<std::uint32_t>(mix_key(o.seed, 0))),
       incumbent(of.bounds, of.is_weighted() ? of.bounds.cheapest(of.trivial_count_bound())
                                             : static_cast<double>(of.trivial_count_bound())),
       watcher(c.progress),
       control{c.threads, c.cancel, c.progress == nullptr ? nullptr : this} {
-  incumbent.replace(start, of.value_of(start));
+  if (start) incumbent.replace(*start, of.value_of(*start));
+  if (!searches) return;
   if (of.rows() * of.columns() <= l.max_cells_of_local_search) matrix.emplace(of);
   if (has_tree(0)) tree.emplace(instance, *matrix);
 }
@@ -88,6 +91,7 @@ SelectionSet SearchState::open_selections() {
 
 void SearchState::report(Task stage, double, std::string_view detail) {
   const std::string below = stage == Task::placing ? "" : fmt::format("; {}", to_text(stage));
+  if (!incumbent.has_selection()) return watcher->report(stage, -1, detail);
   watcher->bounds(incumbent.value(), incumbent.bound());
   if (reported_ != incumbent.selected()) {
     reported_ = incumbent.selected();

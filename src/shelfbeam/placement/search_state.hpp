@@ -27,9 +27,9 @@ namespace shelfbeam::detail {
 /// State shared by the steps of one search: problem, incumbent, bounds and remaining time. Reports incumbent
 /// and bound as progress, whichever method runs.
 struct SearchState final : ProgressSink {
-  SearchState(const Instance& instance, const Selection& start, std::span<const milp::Backend> backends,
-              const PlaceOptions& options, const Deadline& deadline, const RunControl& control,
-              const SearchLimits& limits);
+  SearchState(const Instance& instance, const std::optional<Selection>& start,
+              std::span<const milp::Backend> backends, const PlaceOptions& options, const Deadline& deadline,
+              const RunControl& control, const SearchLimits& limits);
   SearchState(const SearchState&) = delete;
 
   const Instance& instance;
@@ -37,6 +37,7 @@ struct SearchState final : ProgressSink {
   const PlaceOptions& options;
   const SearchLimits& limits;
   Deadline deadline;
+  bool searches;  ///< by our own methods; otherwise at most by a MIP back end alone
   std::uint32_t seed;
   std::optional<SearchMatrix> matrix;  ///< all rows, if the memory limit allows
   std::optional<TreeSearch> tree;      ///< starts with the rows and weights of the last LP
@@ -154,6 +155,9 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort);
 /// MIP on the remainder of the reductions, or on the whole model if they do not apply, for a selection better
 /// than the incumbent, without useless columns.
 void solve_mip(SearchState& state, const Effort& effort);
+
+/// MIP on the whole model, as a back end solves it without our knowledge.
+void solve_mip_alone(SearchState& state, const Effort& effort);
 
 // The same methods for the second objective, among selections of at most as many units as the incumbent.
 void bound_second_by_multipliers(SearchState& state, const Effort& effort);

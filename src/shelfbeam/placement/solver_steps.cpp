@@ -74,7 +74,7 @@ SignalTable table_of(const Instance& instance, std::span<const double> cost, con
 // Solves the remainder of a cover part by part for a selection of cost up to `cutoff`. The bound is that of
 // selections of the remainder, and at most just above the cut-off. `selected` is not checked yet.
 Answer place_reduced(const Instance& instance, std::span<const double> cost, const Reduction& reduction,
-                     double cutoff, const SolveFunction& solve, const Effort& effort,
+                     double cutoff, const milp::SolveFunction& solve, const Effort& effort,
                      const RunControl& control) {
   Answer answer;
   Selection selected = reduction.forced;
@@ -88,16 +88,19 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
     const SignalTable own = table_of(instance, cost, part, blocked, columns);
     const PlacementProblem sum{.model = instance.problem.model, .combination = Combination::weighted};
     // The other parts cost at least their bounds so far, and at least nothing.
-    const MipResult best =
-        place_by_mip({own, sum}, std::nullopt, solve, effort, control, {.cutoff = cutoff - answer.bound});
-    answer.failed = answer.failed || best.solver_failed;
-    if (best.placement.status == Status::infeasible) {
+    const Instance whole(own, sum);
+    CoverModel model(whole, solve, effort, control, {.cutoff = cutoff - answer.bound});
+    const Answer best = model.minimise({.cost = whole.first_cost});
+    answer.failed = answer.failed || best.failed;
+    if (best.infeasible) {
       answer.bound = milp::infinity;
       return answer;
     }
-    answer.bound += std::max(0.0, best.placement.lower_bound);
-    is_whole = is_whole && !best.placement.selected.empty();
-    for (const ColumnId j : best.placement.selected) selected.push_back(columns[j]);
+    const double value = best.selected ? whole.value_of(*best.selected) : milp::infinity;
+    const double bound = std::max(whole.bounds.cheapest(1), whole.bounds.rounded(best.bound));
+    answer.bound += std::min(bound, value);
+    is_whole = is_whole && best.selected;
+    for (const ColumnId j : best.selected.value_or(Selection{})) selected.push_back(columns[j]);
   }
   std::sort(selected.begin(), selected.end());
   if (is_whole) answer.selected = std::move(selected);
@@ -112,8 +115,8 @@ double cutoff_of(const ValueSteps& bounds, double value) {
 // Branch and bound on the remainder of a cover, by the linear programs of Clp if it is built in.
 Answer branch_reduced(SearchState& state, const Reduction& reduction, double cutoff, const Effort& effort) {
   const std::vector<milp::Backend> backends = clp_first(state);
-  const SolveFunction branch = [&](const milp::Model& model, const milp::SolveOptions& options,
-                                   const RunControl& control) {
+  const milp::SolveFunction branch = [&](const milp::Model& model, const milp::SolveOptions& options,
+                                         const RunControl& control) {
     return milp::branch_and_bound(model, backends.front(), options, control);
   };
   if (reduction.infeasible) return {std::nullopt, milp::infinity};
@@ -185,7 +188,8 @@ Answer solve_whole(SearchState& state, const Effort& effort) {
 
 std::vector<milp::Backend> clp_first(const SearchState& state) {
   std::vector<milp::Backend> backends(state.backends.begin(), state.backends.end());
-  std::ranges::stable_partition(backends, [](const milp::Backend& own) { return own.name == "cbc"; });
+  std::stable_partition(backends.begin(), backends.end(),
+                        [](const milp::Backend& own) { return own.name == "cbc"; });
   return backends;
 }
 
@@ -232,6 +236,16 @@ void solve_mip(SearchState& state, const Effort& effort) {
   const Answer answer = state.instance.is_cover() ? solve_reduced(state, effort) : solve_whole(state, effort);
   state.offer(answer.selected);
   state.raise_open(answer.bound, BoundProof::solver);
+}
+
+void solve_mip_alone(SearchState& state, const Effort& effort) {
+  const Answer answer = ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
+    CoverModel model(state.instance, backend.solve, effort, state.control);
+    return model.minimise({.cost = state.instance.first_cost, .known = state.incumbent.value()});
+  });
+  state.offer(answer.selected);
+  state.raise(answer.infeasible ? milp::infinity : answer.bound, BoundProof::solver);
+  if (answer.proven) state.incumbent.close(BoundProof::solver);
 }
 
 void bound_second_by_lp(SearchState& state, const Effort& effort) {

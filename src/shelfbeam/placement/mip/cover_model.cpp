@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "shelfbeam/math/order.hpp"
@@ -38,7 +37,7 @@ milp::Row relaxed(milp::Row row) {
   return row;
 }
 
-CoverModel::CoverModel(const Instance& instance, const SolveFunction& solve, const Effort& effort,
+CoverModel::CoverModel(const Instance& instance, const milp::SolveFunction& solve, const Effort& effort,
                        const RunControl& control, const MipKnowledge& knowledge,
                        std::span<const double> weights)
     : instance_(instance),
@@ -229,7 +228,9 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
 
 // These labels weigh more than may be missed, though by less than the solver's tolerance.
 void CoverModel::forbid_misses(std::span<const LabelId> labels) {
-  const auto all = labels | std::views::transform([this](LabelId i) { return missed(i); });
+  std::vector<std::uint32_t> all;
+  all.reserve(labels.size());
+  for (const LabelId i : labels) all.push_back(missed(i));
   model_.rows.push_back(milp::sum_row(all, -milp::infinity, static_cast<double>(labels.size()) - 1));
 }
 

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "shelfbeam/placement/mip/mip.hpp"
+#include "shelfbeam/base/control.hpp"
+#include "shelfbeam/milp/solver.hpp"
 #include "shelfbeam/placement/problem/effort.hpp"
 #include "shelfbeam/placement/problem/instance.hpp"
 
@@ -18,6 +19,13 @@ namespace shelfbeam::detail {
 /// 1 less half a step. Every selection that reaches the label satisfies it. The row's own right-hand side is
 /// ignored.
 milp::Row relaxed(milp::Row row);
+
+/// Results of earlier methods, valid for selections of cost up to the cut-off.
+struct MipKnowledge {
+  double cutoff = milp::infinity;      ///< only selections of at most this cost are sought
+  std::vector<ColumnId> without = {};  ///< columns that are not chosen
+  std::vector<milp::Row> cuts = {};    ///< further rows, over the columns of the table
+};
 
 /// A question for a CoverModel: min sum_j c_j T_j + (price of missed weight) (missed weight) over selections
 /// of a number of units that miss no more weight than allowed.
@@ -36,7 +44,7 @@ struct MipGoal {
 class CoverModel {
  public:
   /// `weights`: one per label, or none. Instance and weights must outlive the object.
-  CoverModel(const Instance& instance, const SolveFunction& solve, const Effort& effort,
+  CoverModel(const Instance& instance, const milp::SolveFunction& solve, const Effort& effort,
              const RunControl& control, const MipKnowledge& knowledge = {},
              std::span<const double> weights = {});
 
@@ -76,7 +84,7 @@ class CoverModel {
   void cut_off(const Selection& selected, std::size_t unmet_label);
 
   const Instance& instance_;
-  SolveFunction solve_;
+  milp::SolveFunction solve_;
   RunControl control_;
   MipKnowledge knowledge_;
   std::span<const double> weights_;

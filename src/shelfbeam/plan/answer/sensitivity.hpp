@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/ids.hpp"
 #include "shelfbeam/plan/answer/certificate.hpp"
 
 namespace shelfbeam {

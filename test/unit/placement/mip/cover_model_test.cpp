@@ -18,7 +18,7 @@ struct Script {
   std::vector<Result> answers;
   std::vector<milp::Model> asked = {};
 
-  SolveFunction function() {
+  milp::SolveFunction function() {
     return [this](const milp::Model& model, const milp::SolveOptions&, const RunControl&) {
       asked.push_back(model);
       return answers[std::min(asked.size(), answers.size()) - 1];

@@ -1,5 +1,3 @@
-#include "shelfbeam/placement/mip/mip.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "shelfbeam/placement/heuristic/greedy.hpp"
+#include "shelfbeam/placement/placement_search.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 
 #include "unit/placement/brute_force.hpp"
@@ -20,14 +19,14 @@ using milp::Result;
 using milp::Termination;
 
 constexpr PlacementProblem count_problem{};
-const SolveFunction real_solver = milp::backends().front().solve;
+const milp::SolveFunction real_solver = milp::backends().front().solve;
 
 /// A solver that returns results from a list, then those of a real solver, and records its calls.
 struct Script {
   std::vector<Result> answers;
   std::vector<milp::Model> asked;
 
-  SolveFunction function() {
+  milp::SolveFunction function() {
     return [this](const milp::Model& model, const milp::SolveOptions& options, const RunControl& control) {
       asked.push_back(model);
       return asked.size() <= answers.size() ? answers[asked.size() - 1]
@@ -36,8 +35,29 @@ struct Script {
   }
 };
 
-MipResult answer(const SignalTable& table, const PlacementProblem& problem, const SolveFunction& solve) {
-  return place_by_mip({table, problem}, greedy_selection({table, problem}), solve, {}, {});
+struct Found {
+  Placement placement;
+  bool solver_failed = false;  ///< another back end was asked
+};
+
+// The answer of this solver alone, from a known selection.
+Found answer(const SignalTable& table, const PlacementProblem& problem, const std::optional<Columns>& start,
+             const milp::SolveFunction& solve, double seconds = 1e8) {
+  Found found;
+  milp::Backend backends[] = {milp::backends().front(), milp::backends().front()};
+  backends[0].solve = solve;
+  backends[1].solve = [&](const auto&, const auto&, const auto&) {
+    found.solver_failed = true;
+    return Result{};
+  };
+  found.placement = detail::search_placement({table, problem}, start, backends, {.solver = SolverChoice::mip},
+                                             Deadline(seconds), {.threads = 1});
+  return found;
+}
+
+Found from_greedy(const SignalTable& table, const PlacementProblem& problem,
+                  const milp::SolveFunction& solve) {
+  return answer(table, problem, greedy_selection({table, problem}), solve);
 }
 
 // Unit 0 alone misses 5e-8 of label 0: less than the 1e-6 that solvers tolerate, more than the 1e-9 of the
@@ -47,12 +67,11 @@ SignalTable nearly_met() {
 }
 
 // The rows of failures are added as needed.
-TEST(PlacementMip, LetsUnitsFailAsNeeded) {
+TEST(SolverAlone, LetsUnitsFailAsNeeded) {
   const SignalTable table = test::make_table({{0.9, 0.8, 0.7, 0.3, 0.2}}, 5);
   Script script;
   script.answers = {{Termination::optimal, 2, 2, {0, 1, 1, 0, 0}}};
-  const MipResult found =
-      place_by_mip({table, {.redundant = true}}, Columns{0, 1, 2, 3, 4}, script.function(), {}, {});
+  const Found found = answer(table, {.redundant = true}, Columns{0, 1, 2, 3, 4}, script.function());
   EXPECT_EQ(found.placement.status, Status::optimal);
   EXPECT_EQ(found.placement.count(), 3U);
   ASSERT_GE(script.asked.size(), 2U);
@@ -66,7 +85,7 @@ TEST(PlacementMip, LetsUnitsFailAsNeeded) {
 
 // A solver accepts unit 0 alone. The cut against it is as short as possible: the rejected selection is
 // extended by units that are too weak to help, regardless of shared points.
-TEST(PlacementMip, CutsOffRejectedSelections) {
+TEST(SolverAlone, CutsOffRejectedSelections) {
   struct Case {
     SignalTable table;
     Columns cut;
@@ -81,7 +100,7 @@ TEST(PlacementMip, CutsOffRejectedSelections) {
     std::vector<double> claimed(table.columns(), 0.0);
     claimed[0] = 1;
     script.answers = {{Termination::optimal, 1, 1, claimed}};
-    const MipResult found = place_by_mip({table, count_problem}, {}, script.function(), {}, {});
+    const Found found = answer(table, count_problem, {}, script.function());
     ASSERT_EQ(script.asked.size(), 2U);
     EXPECT_FALSE(found.solver_failed);
     EXPECT_EQ(found.placement.status, Status::optimal);
@@ -96,23 +115,23 @@ TEST(PlacementMip, CutsOffRejectedSelections) {
 
     for (const milp::Backend& backend : milp::backends()) {
       int calls = 0;
-      const SolveFunction counting = [&](const auto& model, const auto& options, const auto& control) {
+      const milp::SolveFunction counting = [&](const auto& model, const auto& options, const auto& control) {
         ++calls;
         return backend.solve(model, options, control);
       };
-      EXPECT_EQ(place_by_mip({table, count_problem}, {}, counting, {}, {}).placement.count(), 2U);
+      EXPECT_EQ(answer(table, count_problem, {}, counting).placement.count(), 2U);
       EXPECT_GE(calls, 2) << backend.name << " has seen a cut";
     }
   }
 }
 
-TEST(PlacementMip, GivesUpOnASolverThatIgnoresCuts) {
+TEST(SolverAlone, GivesUpOnASolverThatIgnoresCuts) {
   int calls = 0;
-  const SolveFunction stubborn = [&](const auto&, const auto&, const auto&) {
+  const milp::SolveFunction stubborn = [&](const auto&, const auto&, const auto&) {
     ++calls;
     return Result{Termination::optimal, 1, 1, {1, 0, 0}};
   };
-  const MipResult found = answer(nearly_met(), count_problem, stubborn);
+  const Found found = from_greedy(nearly_met(), count_problem, stubborn);
   EXPECT_EQ(calls, 2);
   EXPECT_TRUE(found.solver_failed);
   EXPECT_EQ(found.placement.status, Status::stopped);
@@ -127,7 +146,7 @@ SignalTable greedy_trap() {
 
 // Bounds are rounded up, and a bound equal to the selection's value is a proof, even if the solver was
 // stopped.
-TEST(PlacementMip, UsesPartialResultsOfSolvers) {
+TEST(SolverAlone, UsesPartialResultsOfSolvers) {
   const struct {
     Result result;
     bool is_failure;
@@ -147,7 +166,7 @@ TEST(PlacementMip, UsesPartialResultsOfSolvers) {
     Script script;
     script.answers = {one.result};
     const auto [found, has_failed] =
-        answer(greedy_trap(), {CommunicationModel::non_cooperative}, script.function());
+        from_greedy(greedy_trap(), {CommunicationModel::non_cooperative}, script.function());
     EXPECT_EQ(script.asked.size(), 1U);
     EXPECT_EQ(has_failed, one.is_failure);
     EXPECT_EQ(found.status, one.status);
@@ -168,7 +187,7 @@ SignalTable two_points() {
 
 // There is no start and no preprocessing: infeasibility rests on the solver alone, also near the rule's edge.
 // Half of the tables have options. Optima are proven within a relative gap of 1e-6.
-TEST(PlacementMipSlow, EqualsEnumerationWithoutAStart) {
+TEST(SolverAloneSlow, EqualsEnumerationWithoutAStart) {
   for (const milp::Backend& backend : milp::backends()) {
     test::RandomTables plain(43), with_options(44, {.mounts = true});
     int infeasible = 0, optimal = 0, stopped = 0;
@@ -178,7 +197,7 @@ TEST(PlacementMipSlow, EqualsEnumerationWithoutAStart) {
       const SignalTable table = tables.next();
       const PlacementProblem problem = tables.next_problem();
       const test::BruteForce brute(table, problem);
-      const Placement found = place_by_mip({table, problem}, {}, backend.solve, {}, {}).placement;
+      const Placement found = answer(table, problem, {}, backend.solve).placement;
       if (found.status == Status::stopped) {
         ++stopped;
         continue;
@@ -196,10 +215,10 @@ TEST(PlacementMipSlow, EqualsEnumerationWithoutAStart) {
   }
 }
 
-TEST(PlacementMip, MayStopWithoutASelection) {
+TEST(SolverAlone, MayStopWithoutASelection) {
   for (const auto combination : {Combination::lexicographic, Combination::weighted}) {
     const PlacementProblem problem{CommunicationModel::cooperative, Objective::links, combination};
-    const MipResult nothing = place_by_mip({two_points(), problem}, {}, {}, {.until = {}}, {});
+    const Found nothing = answer(two_points(), problem, {}, real_solver, 0);
     EXPECT_EQ(nothing.placement.status, Status::stopped);
     EXPECT_TRUE(nothing.placement.selected.empty());
     EXPECT_TRUE(std::isinf(nothing.placement.objective_value));
@@ -209,7 +228,7 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     Script script;
     script.answers = {{Termination::limit, milp::infinity, 1.5, {}}};
-    const MipResult stopped = place_by_mip({two_points(), problem}, {}, script.function(), {}, {});
+    const Found stopped = answer(two_points(), problem, {}, script.function());
     EXPECT_EQ(script.asked.size(), 1U);
     EXPECT_FALSE(stopped.solver_failed);
     EXPECT_EQ(stopped.placement.status, Status::stopped);
@@ -217,31 +236,31 @@ TEST(PlacementMip, MayStopWithoutASelection) {
 
     script.asked.clear();
     script.answers = {Result{}};
-    EXPECT_TRUE(place_by_mip({two_points(), problem}, {}, script.function(), {}, {}).solver_failed);
+    EXPECT_TRUE(answer(two_points(), problem, {}, script.function()).solver_failed);
   }
 }
 
-TEST(PlacementMip, NoSolverSelectsTwoUnitsAtAPoint) {
+TEST(SolverAlone, NoSolverSelectsTwoUnitsAtAPoint) {
   for (const Columns& claimed : {Columns{0, 1}, Columns{0, 1, 2}}) {
     Script script;
     std::vector<double> solution(4, 0.0);
     for (const std::uint32_t j : claimed) solution[j] = 1;
     script.answers = {{Termination::optimal, static_cast<double>(claimed.size()), 1, solution}};
-    const MipResult found = place_by_mip({two_points(), count_problem}, {}, script.function(), {}, {});
+    const Found found = answer(two_points(), count_problem, {}, script.function());
     EXPECT_TRUE(found.solver_failed);
     EXPECT_TRUE(found.placement.selected.empty());
     EXPECT_EQ(found.placement.status, Status::stopped);
   }
 }
 
-TEST(PlacementMip, StopsBetweenTheTwoObjectives) {
+TEST(SolverAlone, StopsBetweenTheTwoObjectives) {
   const PlacementProblem problem{CommunicationModel::non_cooperative, Objective::links};
   SignalTable table =
       test::make_table({{1, 1, 0, 1}, {1, 0, 1, 1}, {1, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 1, 1}}, 4);
   // Two units suffice. Links: {0, 2} 7, {0, 3} 7, {1, 2} 5.
   Script count_unproven;
   count_unproven.answers = {{Termination::limit, 2, 1, {1, 0, 0, 1}}};
-  Placement found = answer(table, problem, count_unproven.function()).placement;
+  Placement found = from_greedy(table, problem, count_unproven.function()).placement;
   EXPECT_EQ(count_unproven.asked.size(), 1U);
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_EQ(found.count_lower_bound, 1);
@@ -250,7 +269,7 @@ TEST(PlacementMip, StopsBetweenTheTwoObjectives) {
 
   Script second_unproven;
   second_unproven.answers = {{Termination::optimal, 2, 2, {1, 0, 0, 1}}, {Termination::limit, 7, 4.2, {}}};
-  found = answer(table, problem, second_unproven.function()).placement;
+  found = from_greedy(table, problem, second_unproven.function()).placement;
   EXPECT_EQ(second_unproven.asked.size(), 2U);
   EXPECT_EQ(found.status, Status::stopped);
   EXPECT_EQ(found.count_lower_bound, 2);
@@ -258,16 +277,16 @@ TEST(PlacementMip, StopsBetweenTheTwoObjectives) {
   EXPECT_EQ(found.lower_bound, 5);  // 4.2 rounded up; the two cheapest units, 2 + 3, give the same
   EXPECT_NEAR(found.gap(), 2.0 / 7, 1e-12);
 
-  found = answer(table, problem, real_solver).placement;
+  found = from_greedy(table, problem, real_solver).placement;
   EXPECT_EQ(found.selected, (Columns{1, 2}));
   EXPECT_EQ(found.status, Status::optimal);
 }
 
-TEST(PlacementMip, DropsNegligibleCoefficientsAndStaysExact) {
+TEST(SolverAlone, DropsNegligibleCoefficientsAndStaysExact) {
   // Four entries of 9e-9 are removed from the row, although three of them are needed: 1 - 2e-8 misses 1.9e-8.
   const SignalTable table = test::make_table({{1 - 2e-8, 9e-9, 9e-9, 9e-9, 9e-9}}, 5);
   for (const milp::Backend& backend : milp::backends()) {
-    const MipResult found = answer(table, count_problem, backend.solve);
+    const Found found = from_greedy(table, count_problem, backend.solve);
     EXPECT_EQ(found.placement.status, Status::optimal) << backend.name;
     EXPECT_EQ(found.placement.count(), 4U) << backend.name;
   }
@@ -275,7 +294,7 @@ TEST(PlacementMip, DropsNegligibleCoefficientsAndStaysExact) {
 
 // A cost of 5 beside costs of 1e-8: solvers cannot distinguish the latter unless expensive units are
 // excluded.
-TEST(PlacementMip, DistinguishesSmallCostsBesideLargeOnes) {
+TEST(SolverAlone, DistinguishesSmallCostsBesideLargeOnes) {
   SignalTable table = test::make_table({{0.75, 0.5, 1.0, 0.25, 1.0}, {0.25, 0.25, 0.5, 0.5, 1.0}}, 5);
   for (auto& unit : table.transceivers) unit.cost = 0;
   table.transceivers[4].cost = 5;
@@ -283,8 +302,7 @@ TEST(PlacementMip, DistinguishesSmallCostsBesideLargeOnes) {
   const PlacementProblem problem{CommunicationModel::cooperative, Objective::signal, Combination::weighted};
   const double best = test::BruteForce(table, problem).best_sum;
   for (const milp::Backend& backend : milp::backends()) {
-    const Placement found =
-        place_by_mip({table, problem}, Columns{0, 1, 2, 3}, backend.solve, {}, {}).placement;
+    const Placement found = answer(table, problem, Columns{0, 1, 2, 3}, backend.solve).placement;
     EXPECT_EQ(found.status, Status::optimal) << backend.name;
     EXPECT_NEAR(found.objective_value / best, 1, 1e-9) << backend.name;
     EXPECT_NEAR(found.lower_bound / best, 1, 2e-6) << backend.name;
@@ -293,7 +311,7 @@ TEST(PlacementMip, DistinguishesSmallCostsBesideLargeOnes) {
 
 // For any stopping point of a solver, bounds hold and selections reach all labels; without one, results are
 // exact.
-TEST(PlacementMip, BoundsHoldAtAnyStop) {
+TEST(SolverAlone, BoundsHoldAtAnyStop) {
   test::RandomTables plain(41), with_options(42, {.mounts = true});
   int stopped = 0, optimal = 0, control = 0, empty_handed = 0;
   for (int k = 0; k < 800; ++k) {
@@ -303,7 +321,7 @@ TEST(PlacementMip, BoundsHoldAtAnyStop) {
     const PlacementProblem problem = tables.next_problem();
     const test::BruteForce brute(table, problem);
     if (!brute.feasible) continue;
-    const SolveFunction moody = [&](const auto& model, const auto& options, const auto& run) {
+    const milp::SolveFunction moody = [&](const auto& model, const auto& options, const auto& run) {
       Result result = real_solver(model, options, run);
       if (tables.chance(0.5)) return result;
       result.termination = tables.chance(0.5) ? Termination::limit : Termination::interrupted;
@@ -314,7 +332,7 @@ TEST(PlacementMip, BoundsHoldAtAnyStop) {
     };
     std::optional<Columns> start = greedy_selection({table, problem});
     if (!check_selection(table, problem, *start).met() || (k % 2 == 1 && tables.chance(0.3))) start.reset();
-    const Placement found = place_by_mip({table, problem}, start, moody, {}, {.threads = 1}).placement;
+    const Placement found = answer(table, problem, start, moody).placement;
     const double best = brute.best(problem);
     const double slack = 2e-6 * best;
     const bool has_answer = std::isfinite(found.objective_value);
