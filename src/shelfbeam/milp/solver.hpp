@@ -85,7 +85,7 @@ class LpSession {
   virtual LpResult solve(double time_limit_s, const RunControl& control) = 0;
 };
 
-/// Solves a model; any function in place of a back end's own, as in tests.
+/// Solves a model: that of a back end, or a function in its place, as in tests.
 using SolveFunction = std::function<Result(const Model&, const SolveOptions&, const RunControl&)>;
 
 /// A MIP solver. To add a solver, write `solve_x`, `read_x` and `lp_x` in a new .cpp (the only file that

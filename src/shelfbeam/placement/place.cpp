@@ -120,8 +120,6 @@ Placement placed(const Instance& instance, const PlaceOptions& options, const De
                                    max_share * options.time_limit_s);
   const Deadline end(deadline.seconds_left() - reserved);
   Placement placement = detail::search_placement(instance, known, backends, own, end, control);
-  if (own.solver != SolverChoice::greedy) return placement;
-  placement.solver = {Method::greedy};
   if (is_all && known && !deadline.has_passed() && !control.cancelled()) placement.status = Status::feasible;
   return placement;
 }

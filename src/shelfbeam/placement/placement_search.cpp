@@ -138,7 +138,8 @@ constexpr Step<SearchState> solver_schedule[] = {{"MIP", always, 1, solve_mip_al
 constexpr Step<SearchState> second_solver_schedule[] = {
     {"second objective, MIP", always, 1, solve_mip_for_second}};
 
-// Whether a model of the whole problem is asked for, or the last resort.
+// A MIP back end solves the whole problem: the options ask for it, or no selection is known and the model is
+// small enough.
 bool asks_solver_alone(State state) {
   return !state.searches && state.options.uses(SolverChoice::mip) &&
          (state.options.solver == SolverChoice::mip ||
@@ -150,10 +151,9 @@ Placement answer_of(State state) {
   if (!state.incumbent.has_selection() && state.incumbent.is_closed()) return infeasible_placement();
   Placement placement;
   placement.selected = state.incumbent.selected();
-  placement.objective_value = !state.incumbent.has_selection() ? state.incumbent.value()
-                              : instance.is_weighted() || instance.problem.objective != Objective::count
-                                  ? instance.second_value_of(placement.selected)
-                                  : static_cast<double>(placement.selected.size());
+  const bool is_second = state.second && state.incumbent.has_selection();
+  placement.objective_value =
+      is_second ? instance.second_value_of(placement.selected) : state.incumbent.value();
   placement.lower_bound = std::min(state.bound(), placement.objective_value);
   placement.count_lower_bound =
       instance.is_weighted() ? static_cast<double>(std::max(instance.trivial_count_bound(),
@@ -164,19 +164,19 @@ Placement answer_of(State state) {
 
 Placement search(SearchState& state, const PlacementProblem& problem) {
   const bool asks_solver = asks_solver_alone(state);
-  if (asks_solver) state.last_backend = state.backends.front().full_name();
   if (state.searches) run_steps(opening, state);
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
   if (state.searches && state.options.proves) run_steps(schedule, state);
   if (asks_solver) run_steps(solver_schedule, state);
-  if (state.options.proves && !state.instance.is_weighted() &&
-      state.instance.problem.objective != Objective::count && state.incumbent.bound() < milp::infinity) {
+  if (!state.instance.is_weighted() && state.instance.problem.objective != Objective::count &&
+      state.incumbent.bound() < milp::infinity) {
     const CostBounds& bounds = state.instance.second_bounds;
     const Selection& best = state.incumbent.selected();
     state.second.emplace(bounds, bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound())));
     if (state.incumbent.has_selection()) state.second->replace(best, state.instance.second_value_of(best));
-    if (state.searches && state.incumbent.is_closed()) run_steps(second_schedule, state);
+    if (state.searches && state.options.proves && state.incumbent.is_closed())
+      run_steps(second_schedule, state);
     if (asks_solver && state.incumbent.is_closed()) run_steps(second_solver_schedule, state);
   }
   const bool is_optimal = (state.searches || asks_solver) && state.is_settled();
@@ -186,7 +186,11 @@ Placement search(SearchState& state, const PlacementProblem& problem) {
   if (placement.has_selection()) placement.status = is_optimal ? Status::optimal : Status::stopped;
   placement.ties_settled = settled;
   placement.bound_proof = state.incumbent.proof();
-  placement.solver = {asks_solver ? Method::mip : Method::search, state.last_backend};
+  const bool is_greedy = state.options.solver == SolverChoice::greedy;
+  placement.solver = {asks_solver ? Method::mip
+                      : is_greedy ? Method::greedy
+                                  : Method::search,
+                      state.last_backend};
   placement.steps = std::move(state.steps);
   return placement;
 }
@@ -222,7 +226,7 @@ Placement search_placement(const Instance& instance, const std::optional<Selecti
     for (SignalTable::Label& label : cover.labels) label.single_requirement = label.requirement;
     return search_for({cover, alone});
   };
-  if (!start) return answer(instance);
+  if (!start || !options.uses(SolverChoice::search)) return search_for(instance);
   const Check known = instance.check(*start);
   const double max_cost = 2 * (known.objective + known.transceiver_cost);
   const auto is_too_expensive = [&](const SignalTable::Transceiver& unit) { return unit.cost > max_cost; };

@@ -29,11 +29,12 @@ struct SearchLimits {
 };
 
 /// Solves a placement problem by local search, LP bounds, tree search and, if a gap remains, a MIP on the
-/// remainder of the reductions; or by a MIP back end alone, if the options ask for it or no `start` is known;
-/// or not at all, with the bounds that need no search. `start` is a selection that the checker accepts. The
-/// next of `backends` follows if one fails. The deadline replaces the time limit of the options. If the
-/// search closes the gap, it settles ties (`settle_ties`) within a work limit, so that the result is the same
-/// for any number of threads even if ties stay open. The result has no `problem`, `unit_costs` and `seconds`.
+/// remainder of the reductions; or by a MIP back end alone, if the options ask for it, or allow it and no
+/// `start` is known; otherwise not at all, with the bounds that need no search. `start` is a selection that
+/// the checker accepts. The next of `backends` follows if one fails. The deadline replaces the time limit of
+/// the options. If the search closes the gap, it settles ties (`settle_ties`) within a work limit, so that
+/// the result is the same for any number of threads even if ties stay open. The result has no `problem`,
+/// `unit_costs` and `seconds`.
 Placement search_placement(const Instance& instance, const std::optional<Selection>& start,
                            std::span<const milp::Backend> backends, const PlaceOptions& options,
                            const Deadline& deadline, const RunControl& control,

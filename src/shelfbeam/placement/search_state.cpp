@@ -90,8 +90,8 @@ SelectionSet SearchState::open_selections() {
 }
 
 void SearchState::report(Task stage, double, std::string_view detail) {
-  const std::string below = stage == Task::placing ? "" : fmt::format("; {}", to_text(stage));
   if (!incumbent.has_selection()) return watcher->report(stage, -1, detail);
+  const std::string below = stage == Task::placing ? "" : fmt::format("; {}", to_text(stage));
   watcher->bounds(incumbent.value(), incumbent.bound());
   if (reported_ != incumbent.selected()) {
     reported_ = incumbent.selected();

@@ -37,9 +37,9 @@ struct SearchState final : ProgressSink {
   const PlaceOptions& options;
   const SearchLimits& limits;
   Deadline deadline;
-  bool searches;  ///< by our own methods; otherwise at most by a MIP back end alone
+  bool searches;  ///< our own methods run; otherwise a MIP back end alone, or none
   std::uint32_t seed;
-  std::optional<SearchMatrix> matrix;  ///< all rows, if the memory limit allows
+  std::optional<SearchMatrix> matrix;  ///< all rows, for a search within the memory limit
   std::optional<TreeSearch> tree;      ///< starts with the rows and weights of the last LP
   Incumbent incumbent;                 ///< by the first objective
   /// The incumbent by the second objective, once the first is done. Its bound holds at the minimum count; if
@@ -156,7 +156,7 @@ void raise_bound_by_window_mips(SearchState& state, const Effort& effort);
 /// than the incumbent, without useless columns.
 void solve_mip(SearchState& state, const Effort& effort);
 
-/// MIP on the whole model, as a back end solves it without our knowledge.
+/// MIP on the whole model. It knows only the value of the incumbent.
 void solve_mip_alone(SearchState& state, const Effort& effort);
 
 // The same methods for the second objective, among selections of at most as many units as the incumbent.

@@ -88,17 +88,16 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
     const SignalTable own = table_of(instance, cost, part, blocked, columns);
     const PlacementProblem sum{.model = instance.problem.model, .combination = Combination::weighted};
     // The other parts cost at least their bounds so far, and at least nothing.
-    const Instance whole(own, sum);
-    CoverModel model(whole, solve, effort, control, {.cutoff = cutoff - answer.bound});
-    const Answer best = model.minimise({.cost = whole.first_cost});
+    const Instance own_instance(own, sum);
+    CoverModel model(own_instance, solve, effort, control, {.cutoff = cutoff - answer.bound});
+    const Answer best = model.minimise({.cost = own_instance.first_cost});
     answer.failed = answer.failed || best.failed;
     if (best.infeasible) {
       answer.bound = milp::infinity;
       return answer;
     }
-    const double value = best.selected ? whole.value_of(*best.selected) : milp::infinity;
-    const double bound = std::max(whole.bounds.cheapest(1), whole.bounds.rounded(best.bound));
-    answer.bound += std::min(bound, value);
+    const CostBounds& bounds = own_instance.bounds;
+    answer.bound += std::max(bounds.cheapest(1), bounds.rounded(best.bound));
     is_whole = is_whole && best.selected;
     for (const ColumnId j : best.selected.value_or(Selection{})) selected.push_back(columns[j]);
   }
@@ -173,13 +172,13 @@ std::vector<milp::Row> cuts_of(const SearchState& state) {
   return cuts;
 }
 
-Answer solve_whole(SearchState& state, const Effort& effort) {
-  const MipKnowledge knowledge{cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless,
-                               cuts_of(state)};
+// Asks for the whole model. A bound above the value of `known` is wrong.
+Answer ask_whole(SearchState& state, const Incumbent& known, const MipGoal& goal,
+                 const MipKnowledge& knowledge, const Effort& effort) {
   return ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
     CoverModel model(state.instance, backend.solve, effort, state.control, knowledge);
-    Answer answer = model.minimise({.cost = state.instance.first_cost});
-    answer.bound = answer.infeasible ? milp::infinity : state.instance.bounds.rounded(answer.bound);
+    Answer answer = model.minimise(goal);
+    answer.failed = answer.failed || known.contradicts(answer.bound);
     return answer;
   });
 }
@@ -233,19 +232,21 @@ void branch_on_remainder(SearchState& state, const Effort& effort) {
 
 void solve_mip(SearchState& state, const Effort& effort) {
   if (!state.may_ask_mip()) return;
-  const Answer answer = state.instance.is_cover() ? solve_reduced(state, effort) : solve_whole(state, effort);
+  const MipKnowledge knowledge{cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless,
+                               cuts_of(state)};
+  const Answer answer =
+      state.instance.is_cover()
+          ? solve_reduced(state, effort)
+          : ask_whole(state, state.incumbent, {.cost = state.instance.first_cost}, knowledge, effort);
   state.offer(answer.selected);
-  state.raise_open(answer.bound, BoundProof::solver);
+  state.raise_open(answer.infeasible ? milp::infinity : answer.bound, BoundProof::solver);
 }
 
 void solve_mip_alone(SearchState& state, const Effort& effort) {
-  const Answer answer = ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
-    CoverModel model(state.instance, backend.solve, effort, state.control);
-    return model.minimise({.cost = state.instance.first_cost, .known = state.incumbent.value()});
-  });
+  const MipGoal goal{.cost = state.instance.first_cost, .known = state.incumbent.value()};
+  const Answer answer = ask_whole(state, state.incumbent, goal, {}, effort);
   state.offer(answer.selected);
   state.raise(answer.infeasible ? milp::infinity : answer.bound, BoundProof::solver);
-  if (answer.proven) state.incumbent.close(BoundProof::solver);
 }
 
 void bound_second_by_lp(SearchState& state, const Effort& effort) {
@@ -258,18 +259,13 @@ void bound_second_by_lp(SearchState& state, const Effort& effort) {
 
 void solve_mip_for_second(SearchState& state, const Effort& effort) {
   const Selection& best = state.incumbent.selected();
-  const Answer answer = ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
-    const Incumbent& second = *state.second;
-    CoverModel model(state.instance, backend.solve, effort, state.control,
-                     {.cutoff = cutoff_of(second.steps(), second.value())});
-    const double known = state.instance.check(best).objective;
-    return model.minimise({state.instance.second_cost, known, best.size(), best.size()});
-  });
+  const Incumbent& second = *state.second;
+  const MipGoal goal{state.instance.second_cost, state.instance.check(best).objective, best.size(),
+                     best.size()};
+  const double cutoff = state.searches ? cutoff_of(second.steps(), second.value()) : milp::infinity;
+  const Answer answer = ask_whole(state, second, goal, {.cutoff = cutoff}, effort);
   state.offer_second(answer.selected);
   state.raise_second(answer.bound, BoundProof::solver);
-  if (!answer.proven) return;
-  state.second->close(BoundProof::solver);
-  state.incumbent.rest_on(BoundProof::solver);
 }
 
 }  // namespace shelfbeam::detail

@@ -81,6 +81,7 @@ TEST(Placement, ProvesThatOptionsConflict) {
       EXPECT_TRUE(found.unreachable.empty());
       EXPECT_TRUE(found.selected.empty());
       EXPECT_EQ(found.solver.backend, backend.full_name()) << "who proved it is told";
+      EXPECT_EQ(found.bound_proof, BoundProof::solver);
       // Greedy proves nothing, and without time no solver does.
       found = place(table, {model}, {.solver = SolverChoice::greedy});
       EXPECT_EQ(found.status, Status::stopped);
@@ -111,11 +112,11 @@ TEST(Placement, SearchesIfGreedyIsStuck) {
 }
 
 TEST(Placement, ReportsTheMethod) {
-  const SignalTable table = test::make_table({{1, 1}}, 2);
+  const SignalTable table = test::make_table({{1, 1}}, 2), of_two = test::make_table({{1, 0}, {0, 1}}, 2);
   for (const milp::Backend& backend : milp::backends()) {
-    const Placement found =
-        place(table, {}, {.solver = SolverChoice::mip, .backend = std::string(backend.name)});
-    EXPECT_EQ(found.solver, (SolvedBy{Method::mip, backend.full_name()}));
+    const PlaceOptions by_mip{.solver = SolverChoice::mip, .backend = std::string(backend.name)};
+    EXPECT_EQ(place(of_two, {}, by_mip).solver, (SolvedBy{Method::mip, backend.full_name()}));
+    EXPECT_EQ(place(table, {}, by_mip).solver, SolvedBy{Method::mip}) << "one unit needs no proof";
   }
   for (const auto solver : {SolverChoice::automatic, SolverChoice::search})
     EXPECT_EQ(place(table, {}, {.solver = solver}).solver, SolvedBy{Method::search});

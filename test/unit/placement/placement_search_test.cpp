@@ -185,6 +185,60 @@ TEST(PlacementSearch, AcceptsASolverWithinItsGap) {
   EXPECT_GT(proven, 1);
 }
 
+// Without a proof, a bound on the count is none on the second objective.
+TEST(PlacementSearch, ClaimsNoOptimumWithoutAProof) {
+  const SignalTable table = test::make_table({{5, 1, 0.5}, {5, 1, 0.5}}, 3);
+  const PlacementProblem problem{coop, Objective::signal};
+  for (const auto solver : {SolverChoice::search, SolverChoice::greedy}) {
+    const Placement answer =
+        detail::search_placement({table, problem}, Selection{0}, milp::backends(),
+                                 {.solver = solver, .proves = false}, Deadline(1e8), {.threads = 1});
+    EXPECT_EQ(answer.status, Status::stopped);
+    EXPECT_EQ(answer.lower_bound, 1) << "both signals of the cheapest unit, 0.5 each";
+  }
+}
+
+TEST(PlacementSearch, EndsASolverByEveryLimit) {
+  const SignalTable table =
+      test::make_table({{1, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 1}, {0, 1, 1}, {0, 1, 0}}, 3);
+  CancelToken token;
+  token.request();
+  const milp::Backend& backend = milp::backends().front();
+  const auto run = [&](const PlaceOptions& options, const Deadline& deadline, const RunControl& control) {
+    return detail::search_placement({table, {alone}}, Columns{0, 1, 2}, {&backend, 1}, options, deadline,
+                                    control);
+  };
+  const PlaceOptions by_mip{.solver = SolverChoice::mip};
+  for (const Placement& found :
+       {run(by_mip, Deadline(0), {}), run(by_mip, Deadline(1e8), {.cancel = &token})}) {
+    EXPECT_EQ(found.status, Status::stopped);
+    EXPECT_EQ(found.selected, (Columns{0, 1, 2}));
+    EXPECT_EQ(found.count_lower_bound, 1);
+    EXPECT_TRUE(found.steps.empty());
+  }
+  PlaceOptions with_steps = by_mip;
+  with_steps.step_limit = 1000;
+  EXPECT_EQ(run(with_steps, Deadline(1e8), {}).status, Status::optimal);
+}
+
+TEST(PlacementSearch, ReportsNoSelectionBeforeThereIsOne) {
+  struct Watcher : ProgressSink {
+    void report(Task, double, std::string_view) override { ++reports; }
+    void bounds(double incumbent, double) override { is_finite = is_finite && std::isfinite(incumbent); }
+    int reports = 0;
+    bool is_finite = true;
+  } watcher;
+  SignalTable table = test::make_table({{1, 0, 1, 0}, {0, 1, 0, 1}}, 4);
+  table.mounts = {{0, 1}, {2, 3}};
+  const Placement found =
+      detail::search_placement({table, {}}, {}, milp::backends(), {.solver = SolverChoice::mip},
+                               Deadline(1e8), {.progress = &watcher});
+  EXPECT_EQ(found.count(), 2U);
+  EXPECT_EQ(found.bound_proof, BoundProof::solver);
+  EXPECT_GT(watcher.reports, 0);
+  EXPECT_TRUE(watcher.is_finite);
+}
+
 // A higher cost is not a tie, however small the difference.
 TEST(PlacementSearch, PrefersTheCheaperOfTwoSimilarUnits) {
   SignalTable table = test::make_table({{1, 2}}, 2);

@@ -277,9 +277,45 @@ TEST(SolverAlone, StopsBetweenTheTwoObjectives) {
   EXPECT_EQ(found.lower_bound, 5);  // 4.2 rounded up; the two cheapest units, 2 + 3, give the same
   EXPECT_NEAR(found.gap(), 2.0 / 7, 1e-12);
 
+  Script impossible;
+  impossible.answers = {{Termination::optimal, 2, 2, {1, 0, 0, 1}},
+                        {Termination::infeasible, milp::infinity, milp::infinity, {}}};
+  const Found contradicted = from_greedy(table, problem, impossible.function());
+  EXPECT_TRUE(contradicted.solver_failed) << "the known selection is feasible";
+  EXPECT_EQ(contradicted.placement.status, Status::stopped);
+
   found = from_greedy(table, problem, real_solver).placement;
   EXPECT_EQ(found.selected, (Columns{1, 2}));
   EXPECT_EQ(found.status, Status::optimal);
+  ASSERT_EQ(found.steps.size(), 2U);
+  EXPECT_EQ(found.steps[0].name, "MIP");
+  EXPECT_EQ(found.steps[1].name, "second objective, MIP");
+}
+
+// The bound contradicts a known selection of two units.
+TEST(SolverAlone, IgnoresABoundAboveAKnownSelection) {
+  Script script;
+  script.answers = {{Termination::optimal, 3, 3, {1, 1, 1}}};
+  const Found found =
+      answer(greedy_trap(), {CommunicationModel::non_cooperative}, Columns{0, 1}, script.function());
+  EXPECT_TRUE(found.solver_failed);
+  EXPECT_EQ(found.placement.status, Status::stopped);
+  EXPECT_EQ(found.placement.selected, (Columns{0, 1}));
+  EXPECT_EQ(found.placement.count_lower_bound, 1);
+  EXPECT_EQ(found.placement.bound_proof, BoundProof::trivial);
+}
+
+// Bounds are lowered by more than a step, so that rounding cannot close the gap.
+TEST(SolverAlone, ProvesSumsOfManySteps) {
+  SignalTable table = test::make_table({{1, 0, 1}, {0, 1, 1}}, 3);
+  const double prices[] = {8'000'001, 9'000'003, 16'000'001};
+  for (std::size_t j = 0; j < 3; ++j) table.transceivers[j].cost = prices[j];
+  const PlacementProblem problem{CommunicationModel::cooperative, Objective::count, Combination::weighted};
+  for (const milp::Backend& backend : milp::backends()) {
+    const Placement found = answer(table, problem, Columns{0, 1}, backend.solve).placement;
+    EXPECT_EQ(found.status, Status::optimal) << backend.name;
+    EXPECT_EQ(found.selected, Columns{2}) << backend.name;
+  }
 }
 
 TEST(SolverAlone, DropsNegligibleCoefficientsAndStaysExact) {

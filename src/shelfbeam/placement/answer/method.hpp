@@ -33,8 +33,9 @@ struct SolvedBy {
   bool operator==(const SolvedBy&) const = default;
 };
 
-/// A step of a search, with the value of the incumbent and its bound before and after; infinite: none yet. If
-/// several searches answer a question, the units of measure of their values differ.
+/// A step of a search, with the value of the incumbent and its bound before and after. A value is infinite if
+/// none is known, a bound if no selection exists. If several searches answer a question, the units of measure
+/// of their values differ.
 struct SearchStep {
   std::string_view name;  ///< of a method, static
   double seconds = 0;     ///< wall time

@@ -208,9 +208,6 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
     if (is_wanted && value < best) {
       best = value;
       outcome.selected = selected;
-      const bool is_near = step > 0 ? bounds.rounded(outcome.bound) >= value - bounds.tolerance(value)
-                                    : value - outcome.bound <= 1e-6 * value;
-      outcome.proven = is_optimal && !may_miss() && is_near;
     }
     outcome.failed = !check.allowed();  // a conflict, against the rows of the model
     if (outcome.failed || !is_optimal || (mistaken.empty() && is_wanted)) break;

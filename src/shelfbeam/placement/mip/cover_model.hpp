@@ -56,17 +56,15 @@ class CoverModel {
     /// Ascending; the best one for the goal that the checker accepts.
     std::optional<Selection> selected;
     double bound = -milp::infinity;  ///< no selection costs less, as far as the solver's tolerances tell
-    bool proven = false;             ///< the bound supports that `selected` is optimal; without weights only
     /// No feasible selection exists, or safely none of cost up to the cut-off; `selected` may cost more.
     bool infeasible = false;
     bool failed = false;  ///< the solver failed or its answer contradicts the problem
   };
 
-  /// The selection of minimum cost.
+  /// The selection of minimum cost. A selection that the checker rejects is cut off, and the model is solved
+  /// again. The time of the effort covers all solves; its steps are the nodes of one.
   ///
-  /// Bounds that are not safe are lowered by the tolerance of solvers (milp::objective_slack). `proven`
-  /// requires that the bound, rounded up to CostBounds::step, is the cost of the selection, or without a
-  /// step, that both differ by at most 1e-6 of the cost.
+  /// Bounds that are not safe are lowered by the tolerance of solvers (milp::objective_slack).
   Outcome minimise(const MipGoal& goal);
 
  private:

@@ -82,7 +82,7 @@ double ValueSteps::tolerance(double value) const {
 
 double ValueSteps::solver_tolerance(double value) const {
   constexpr double errors = 2000;  // of sums, because the value is a small part of them
-  return step_ > 0 ? 0 : std::max(solver_gap * value, errors * error_);
+  return step_ > solver_gap * value ? 0 : std::max(solver_gap * value, errors * error_);
 }
 
 double ValueSteps::below(double known) const {

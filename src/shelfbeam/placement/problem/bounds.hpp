@@ -24,7 +24,8 @@ class ValueSteps {
   /// round differently, and less than a step.
   double tolerance(double value) const;
 
-  /// MIP solvers prove optima within this: 1e-6 of the value, or nothing if there is a step.
+  /// MIP solvers prove optima within this: 1e-6 of the value, or nothing if the step is larger, because
+  /// bounds are rounded up to steps.
   double solver_tolerance(double value) const;
 
   /// Whether `below` is a step, and not a rounding error, below a value.

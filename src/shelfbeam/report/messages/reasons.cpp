@@ -42,6 +42,7 @@ std::string shares(const Words& words, const Availability& availability) {
   if (availability.alone.empty()) return {};
   if (causes.empty()) return " " + words.say("reasons.only_together");
   std::vector<std::string> parts;
+  parts.reserve(causes.size());
   for (const CauseAlone& one : causes)
     parts.push_back(words.say(
         "reasons.share", change_name(words, one.cause),
