@@ -205,14 +205,14 @@ TEST(PlacementSearch, EndsASolverByEveryLimit) {
   token.request();
   const milp::Backend& backend = milp::backends().front();
   const auto run = [&](const PlaceOptions& options, const Deadline& deadline, const RunControl& control) {
-    return detail::search_placement({table, {alone}}, Columns{0, 1, 2}, {&backend, 1}, options, deadline,
+    return detail::search_placement({table, {alone}}, Selection{0, 1, 2}, {&backend, 1}, options, deadline,
                                     control);
   };
   const PlaceOptions by_mip{.solver = SolverChoice::mip};
   for (const Placement& found :
        {run(by_mip, Deadline(0), {}), run(by_mip, Deadline(1e8), {.cancel = &token})}) {
     EXPECT_EQ(found.status, Status::stopped);
-    EXPECT_EQ(found.selected, (Columns{0, 1, 2}));
+    EXPECT_EQ(found.selected, (Selection{0, 1, 2}));
     EXPECT_EQ(found.count_lower_bound, 1);
     EXPECT_TRUE(found.steps.empty());
   }
