@@ -193,11 +193,11 @@ TEST_P(RandomQuestionsSlow, EqualBruteForce) {
 
 // 20,000 questions.
 INSTANTIATE_TEST_SUITE_P(Every, RandomQuestionsSlow,
-                         testing::Values(Goal{"Place", &Questions::whole, 7000},
+                         testing::Values(Goal{"Place", &Questions::whole, 7600},
                                          Goal{"AtMost", &Questions::at_most, 4000},
                                          Goal{"Reach", &Questions::reach, 4000},
                                          Goal{"Curve", &Questions::curve, 4000},
-                                         Goal{"OverStates", &Questions::over_states, 1000}),
+                                         Goal{"OverStates", &Questions::over_states, 400}),
                          [](const auto& goal) { return std::string(goal.param.name); });
 
 }  // namespace
