@@ -15,7 +15,7 @@
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/placement/heuristic/greedy.hpp"
 #include "shelfbeam/placement/problem/bounds.hpp"
-#include "shelfbeam/placement/problem/checker.hpp"
+#include "shelfbeam/placement/problem/instance.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
 
 namespace shelfbeam::detail {
@@ -106,18 +106,19 @@ Placement place_by_spend(const SignalTable& table, const PlacementProblem& probl
   sum.combination = Combination::weighted;
   const Effort effort = greedy_effort(options, share_of_greedy * options.time_limit_s);
   const Stopwatch watch;
+  const Instance instance(table, problem);
   double known = unknown_spend;
   const SignalTable priced = SpendOrder(table, known).priced(table);
   Selection start;
   for (const auto& selected : {greedy_selection({priced, sum}, effort, control), options.start})
-    if (!selected.empty() && check_selection(table, problem, selected).met()) {
+    if (!selected.empty() && instance.check(selected).met()) {
       const double price = price_of(table, selected).to_spend;
       if (price >= known) continue;
       known = price;
       start = selected;
     }
   const SpendOrder order(table, known);
-  const bool counts = options.proves && options.uses(SolverChoice::search) && has_one_price(table);
+  const bool counts = options.proves && options.uses(SolverChoice::search) && instance.has_one_price;
   PlaceOptions of_sum = options;
   of_sum.start = start;
   of_sum.time_limit_s = (counts ? share_of_sum : 1) * deadline.seconds_left();

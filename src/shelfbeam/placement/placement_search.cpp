@@ -215,7 +215,7 @@ Placement search_placement(const Instance& instance, const std::optional<Selecti
     return search(state, instance.problem);
   };
   const auto answer = [&](const Instance& priced) {
-    if (!is_cover_of_sums(priced.table, priced.problem)) return search_for(priced);
+    if (!priced.has_covers_of_sums) return search_for(priced);
     const auto needs_rule = [](const SignalTable::Label& label) {
       return label.single_requirement != label.requirement;
     };

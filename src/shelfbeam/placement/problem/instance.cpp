@@ -3,11 +3,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
 
 #include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam::detail {
+
+namespace {
+
+bool have_one_price(const SignalTable& table) {
+  constexpr double nearly_all = 0.9;
+  std::map<double, std::size_t> count;
+  std::size_t all = 0, largest = 0;
+  for (const SignalTable::Transceiver& unit : table.transceivers) {
+    if (unit.installed) continue;
+    largest = std::max(largest, ++count[unit.cost]);
+    ++all;
+  }
+  return all > 0 && static_cast<double>(largest) >= nearly_all * static_cast<double>(all);
+}
+
+}  // namespace
 
 Instance::Instance(const SignalTable& t, const PlacementProblem& q)
     : table(t),
@@ -32,6 +49,8 @@ Instance::Instance(const SignalTable& t, const PlacementProblem& q)
     mounts.for_each_conflict(j, [&](std::uint32_t other) { excludes[j].push_back(other); });
     available[j] = mounts.available(j) && !is_installed(j);
   }
+  has_covers_of_sums = is_cover_of_sums(t, q);
+  has_one_price = have_one_price(t);
 }
 
 double Instance::value_of(std::span<const ColumnId> selected) const {

@@ -61,6 +61,13 @@ struct Instance {
   /// least two if a unit may fail.
   std::size_t trivial_count_bound() const;
 
+  // Structure, recognised when the instance is made.
+
+  /// Signals add up, but each that is not zero reaches its label alone, as in 0/1 matrices
+  /// (is_cover_of_sums).
+  bool has_covers_of_sums = false;
+  /// At least 90 % of the candidates have one price, so that few units and a low spend go together.
+  bool has_one_price = false;
   bool is_cooperative() const { return problem.model == CommunicationModel::cooperative; }
   /// Every label requires one unit that reaches it alone, so that `reduce_cover` applies.
   bool is_cover() const { return !is_cooperative() && !problem.redundant; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numeric>
 
 #include "shelfbeam/placement/problem/bounds.hpp"
@@ -41,18 +40,6 @@ bool has_prices(const SignalTable& table) {
   return !table.currency.empty() ||
          std::any_of(table.transceivers.begin(), table.transceivers.end(),
                      [](const SignalTable::Transceiver& unit) { return unit.cost != 1; });
-}
-
-bool has_one_price(const SignalTable& table) {
-  constexpr double nearly_all = 0.9;
-  std::map<double, std::size_t> count;
-  std::size_t all = 0, largest = 0;
-  for (const SignalTable::Transceiver& unit : table.transceivers) {
-    if (unit.installed) continue;
-    largest = std::max(largest, ++count[unit.cost]);
-    ++all;
-  }
-  return all > 0 && static_cast<double>(largest) >= nearly_all * static_cast<double>(all);
 }
 
 PlacementProblem resolved(const PlacementProblem& problem, const SignalTable& table) {

@@ -24,9 +24,6 @@ std::vector<double> prices_to_spend(const SignalTable& table);
 /// The table names a currency, or some cost is not 1, so that sums of costs mean something to a user.
 bool has_prices(const SignalTable& table);
 
-/// At least 90 % of the candidates have one price, so that few units and a low spend go together.
-bool has_one_price(const SignalTable& table);
-
 /// The problem with the combination that `Combination::automatic` stands for: `spend` if the objective is the
 /// count and the costs of the candidates (installed units apart) differ, otherwise `lexicographic`.
 PlacementProblem resolved(const PlacementProblem& problem, const SignalTable& table);
