@@ -62,8 +62,7 @@ std::optional<Finding> margin_warning(const SignalTable& table, const Placement&
         fmt::format("label_types: no selection reaches {:.0f} % of the labels; a few are typical; check "
                     "thresholds, safety factors and the emission of the transceivers",
                     out_of_reach)};
-  std::vector<bool> chosen(table.columns());
-  for (const std::uint32_t j : placement.selected) chosen[j] = true;
+  const std::vector<bool> chosen = marked(table.columns(), placement.selected);
   std::size_t flooded = 0;
   for (std::size_t i = 0; i < table.rows(); ++i)
     if (received_signal(table.row(i), chosen, placement.problem) >

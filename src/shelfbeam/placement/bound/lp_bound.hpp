@@ -28,7 +28,7 @@ struct LpBound {
   std::vector<LabelId> labels;  ///< labels whose rows are in the LP, in order of addition
   /// `x` violates no label row by more than 1e-6, and the time limit omitted no cut.
   bool complete = false;
-  bool failed = true;  ///< no LP was solved; raise_bound_by_lp omits cases without time
+  bool failed = true;  ///< no LP was solved
 };
 
 /// The label rows of its LP and its cuts with multipliers, as initial rows of a similar LP.

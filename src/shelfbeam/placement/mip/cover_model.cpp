@@ -225,10 +225,9 @@ CoverModel::Outcome CoverModel::minimise(const MipGoal& goal) {
 
 // These labels weigh more than may be missed, though by less than the solver's tolerance.
 void CoverModel::forbid_misses(std::span<const LabelId> labels) {
-  std::vector<std::uint32_t> all;
-  all.reserve(labels.size());
-  for (const LabelId i : labels) all.push_back(missed(i));
-  model_.rows.push_back(milp::sum_row(all, -milp::infinity, static_cast<double>(labels.size()) - 1));
+  milp::Row& row = model_.rows.emplace_back();
+  row.upper = static_cast<double>(labels.size()) - 1;
+  for (const LabelId i : labels) row.entries.push_back({missed(i), 1.0});
 }
 
 // The selection misses the label, and so does every part of it (signals are not negative). It is extended by

@@ -102,8 +102,7 @@ Outcome outcome_of(const SignalMatrix& matrix, const Placement& placement,
   Outcome outcome;
   for (const std::uint32_t column : placement.selected) outcome.units.push_back({column, 0, 0, 0});
   const Mounts mounts(shared_mounts(matrix), matrix.transceivers);
-  std::vector<bool> chosen(matrix.columns(), false);
-  for (const std::uint32_t column : placement.selected) chosen[column] = true;
+  std::vector<bool> chosen = marked(matrix.columns(), placement.selected);
   // A unit is needed where its failure alone leaves the label unmet; a redundant placement has no such unit.
   PlacementProblem nothing_fails = placement.problem;
   nothing_fails.redundant = false;

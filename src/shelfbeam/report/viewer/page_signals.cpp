@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/placement_problem.hpp"
 #include "shelfbeam/report/data/distributions.hpp"
 #include "shelfbeam/report/viewer/page_data.hpp"
@@ -157,8 +158,7 @@ PageSignals page_signals(const SignalMatrix& matrix, const Placement& placement,
   const bool adds_up = placement.problem.model == CommunicationModel::cooperative;
   const std::vector<double> needs = requirements_of(matrix);
   std::vector<float> errors, shown(matrix.columns());
-  std::vector<bool> chosen(matrix.columns(), false);
-  for (const std::uint32_t j : placement.selected) chosen[j] = true;
+  const std::vector<bool> chosen = marked(matrix.columns(), placement.selected);
 
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
     const auto row = matrix.mean_row(i);
