@@ -164,20 +164,22 @@ Placement answer_of(State state) {
 
 Placement search(SearchState& state, const PlacementProblem& problem) {
   const bool asks_solver = asks_solver_alone(state);
+  std::span<const Step<SearchState>> first, second;
+  if (asks_solver)
+    first = solver_schedule, second = second_solver_schedule;
+  else if (state.searches && state.options.proves)
+    first = schedule, second = second_schedule;
   if (state.searches) run_steps(opening, state);
   const Selection of_opening = state.incumbent.selected();
   state.report_state();
-  if (state.searches && state.options.proves) run_steps(schedule, state);
-  if (asks_solver) run_steps(solver_schedule, state);
+  run_steps(first, state);
   if (!state.instance.is_weighted() && state.instance.problem.objective != Objective::count &&
       state.incumbent.bound() < milp::infinity) {
     const CostBounds& bounds = state.instance.second_bounds;
     const Selection& best = state.incumbent.selected();
     state.second.emplace(bounds, bounds.cheapest(static_cast<std::size_t>(state.incumbent.bound())));
     if (state.incumbent.has_selection()) state.second->replace(best, state.instance.second_value_of(best));
-    if (state.searches && state.options.proves && state.incumbent.is_closed())
-      run_steps(second_schedule, state);
-    if (asks_solver && state.incumbent.is_closed()) run_steps(second_solver_schedule, state);
+    if (state.incumbent.is_closed()) run_steps(second, state);
   }
   const bool is_optimal = (state.searches || asks_solver) && state.is_settled();
   const bool settled =

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "shelfbeam/base/deadline.hpp"
@@ -52,8 +53,8 @@ struct Step {
 };
 
 /// Runs the steps that apply in order, until the search ends.
-template <class Search, std::size_t count>
-void run_steps(const Step<Search> (&steps)[count], Search& search) {
+template <class Search>
+void run_steps(std::span<const Step<std::type_identity_t<Search>>> steps, Search& search) {
   for (const Step<Search>& step : steps) {
     if (search.ends()) return;
     if (!step.applies(search)) continue;
