@@ -22,8 +22,10 @@ bool Incumbent::raise(double bound, BoundProof proof, std::string_view step) {
   const bool is_wrong = contradicts(bound);
   bound = steps_.rounded(bound);
   if (proof == BoundProof::solver && has_selection() && !is_closed() && !is_wrong &&
-      value_ - bound <= steps_.solver_tolerance(value_))
-    close(proof);
+      value_ - bound <= steps_.solver_tolerance(value_)) {
+    is_closed_ = true;
+    proof_ = proof;
+  }
   if (!(bound > bound_)) return false;
   if (is_wrong) {
     if (proof == BoundProof::solver) return false;

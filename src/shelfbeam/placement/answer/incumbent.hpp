@@ -47,11 +47,6 @@ class Incumbent {
   /// our own methods throw std::logic_error with the name of the step then. A solver's bound within its
   /// tolerance of the value closes the gap.
   bool raise(double bound, BoundProof proof, std::string_view step);
-  /// Closes the gap by the word of a solver.
-  void close(BoundProof proof) {
-    is_closed_ = true;
-    proof_ = proof;
-  }
   /// Sets the proof to the weaker of this one and `proof`, since the result reports one proof for both
   /// bounds.
   void rest_on(BoundProof proof) { proof_ = std::max(proof_, proof); }

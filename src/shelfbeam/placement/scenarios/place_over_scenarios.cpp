@@ -84,7 +84,6 @@ class Solver {
     best_.selected = incumbent_.selected();
     best_.value = incumbent_.value();
     best_.lower_bound = incumbent_.bound();
-    best_.bound_proof = incumbent_.proof();
     if (incumbent_.has_selection()) best_.misses = misses_of(scenarios_, problem_, best_.selected);
     return std::move(best_);
   }

@@ -17,7 +17,6 @@ struct ScenarioPlacement {
   /// Count or new spend; infinite if no selection was found.
   double value = std::numeric_limits<double>::infinity();
   double lower_bound = 0;  ///< proven for these scenarios; infinite if no selection exists
-  BoundProof bound_proof = BoundProof::trivial;  ///< of the bound over cuts, each of which was judged
   /// Labels that are missed too often even with all candidates, and all options of all mounting points; if
   /// none alone is, the labels that are then missed.
   std::vector<LabelId> unreachable;
