@@ -3,13 +3,10 @@
 #include <span>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "shelfbeam/milp/branching.hpp"
 #include "shelfbeam/placement/mip/cover_model.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/cover_rows.hpp"
-#include "shelfbeam/placement/problem/mounts.hpp"
 #include "shelfbeam/placement/search_state.hpp"
 
 namespace shelfbeam::detail {
@@ -99,7 +96,8 @@ Answer place_reduced(const Instance& instance, std::span<const double> cost, con
     const CostBounds& bounds = own_instance.bounds;
     answer.bound += std::max(bounds.cheapest(1), bounds.rounded(best.bound));
     is_whole = is_whole && best.selected;
-    for (const ColumnId j : best.selected.value_or(Selection{})) selected.push_back(columns[j]);
+    if (best.selected)
+      for (const ColumnId j : *best.selected) selected.push_back(columns[j]);
   }
   std::sort(selected.begin(), selected.end());
   if (is_whole) answer.selected = std::move(selected);
@@ -148,11 +146,10 @@ void raise_bound_by_cutoffs(SearchState& state, const Effort& effort) {
   }
 }
 
-Answer solve_reduced(SearchState& state, const Effort& effort) {
+Answer solve_reduced(SearchState& state, double cutoff, const Effort& effort) {
   return ask_in_turn(state, state.backends, [&](const milp::Backend& backend) {
-    return place_reduced(state.instance, state.instance.first_cost, state.reduction(),
-                         cutoff_of(state.instance.bounds, state.incumbent.value()), backend.solve, effort,
-                         state.control);
+    return place_reduced(state.instance, state.instance.first_cost, state.reduction(), cutoff, backend.solve,
+                         effort, state.control);
   });
 }
 
@@ -197,7 +194,7 @@ void raise_bound_by_lp(SearchState& state, const Effort& effort) {
   if (state.instance.is_cover() && state.reduction().infeasible)
     return state.raise_open(milp::infinity, BoundProof::dual);
   const bool is_large = state.instance.table.entries.size() > state.limits.max_small_lp_entries;
-  const std::vector<milp::Backend> by_clp = clp_first(state);
+  const std::vector<milp::Backend> by_clp = is_large ? clp_first(state) : std::vector<milp::Backend>();
   const LpBoundOptions options{.effort = effort, .selections = open, .rows = state.rows};
   const auto ask = [&](const milp::Backend& backend) {
     LpBound lp;
@@ -232,12 +229,11 @@ void branch_on_remainder(SearchState& state, const Effort& effort) {
 
 void solve_mip(SearchState& state, const Effort& effort) {
   if (!state.may_ask_mip()) return;
-  const MipKnowledge knowledge{cutoff_of(state.instance.bounds, state.incumbent.value()), state.useless,
-                               cuts_of(state)};
-  const Answer answer =
-      state.instance.is_cover()
-          ? solve_reduced(state, effort)
-          : ask_whole(state, state.incumbent, {.cost = state.instance.first_cost}, knowledge, effort);
+  const double cutoff = cutoff_of(state.instance.bounds, state.incumbent.value());
+  const Answer answer = state.instance.is_cover()
+                            ? solve_reduced(state, cutoff, effort)
+                            : ask_whole(state, state.incumbent, {.cost = state.instance.first_cost},
+                                        {cutoff, state.useless, cuts_of(state)}, effort);
   state.offer(answer.selected);
   state.raise_open(answer.infeasible ? milp::infinity : answer.bound, BoundProof::solver);
 }
