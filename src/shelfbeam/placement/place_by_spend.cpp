@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/place_by_spend.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -37,7 +36,7 @@ class Judge {
         // The search's target, which is below the exact rule: near-ties count as in the search.
         relaxed_target_(is_sum_ ? static_cast<double>(static_cast<float>(1 - search_tolerance)) : target_),
         column_(instance.columns()),
-        chosen_(chosen_columns(instance, instance.installed)) {
+        chosen_(marked(instance.columns(), instance.installed)) {
     for (const std::vector<float>& y : proof.multipliers)
       if (y.size() != proof.rows.size() ||
           !std::all_of(y.begin(), y.end(), [](float one) { return one >= 0 && one <= 1; }))

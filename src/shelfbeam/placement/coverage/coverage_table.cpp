@@ -29,7 +29,7 @@ CoverageTable::CoverageTable(const Instance& instance, const LabelWeights& weigh
       cooperative ? static_cast<float>(1 - search_tolerance) : (instance.problem.redundant ? 2.0F : 1.0F);
 
   const Mounts& mounts = instance.mounts;
-  const std::vector<bool> chosen = chosen_columns(instance, instance.installed);
+  const std::vector<bool> chosen = marked(instance.columns(), instance.installed);
   std::vector<bool> helps(instance.columns(), false);
   for (std::uint32_t i = 0; i < instance.rows(); ++i) {
     if (weights[i] <= 0) continue;
@@ -69,7 +69,7 @@ double CoverageTable::weight(std::span<const ColumnId> selected) const {
 
 std::vector<double> CoverageTable::weights_with_one() const {
   std::vector<double> by_column(instance_.columns(), settled_);
-  const std::vector<bool> chosen = chosen_columns(instance_, instance_.installed);
+  const std::vector<bool> chosen = marked(instance_.columns(), instance_.installed);
   std::vector<SignalEntry> present;
   for (const LabelId i : rows_) {
     const auto row = instance_.row(i);

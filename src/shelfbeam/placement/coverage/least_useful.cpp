@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "shelfbeam/math/order.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/label_shares.hpp"
 
@@ -11,7 +12,7 @@ namespace shelfbeam::detail {
 
 std::optional<LeastUseful> least_useful(const Instance& instance, const LabelWeights& weights,
                                         const Selection& selected) {
-  const std::vector<bool> chosen = chosen_columns(instance, selected);
+  const std::vector<bool> chosen = marked(instance.columns(), selected);
   std::vector<double> missed(instance.columns(), 0.0), lost(instance.columns(), 0.0);
   for (std::size_t i = 0; i < instance.rows(); ++i) {
     const double requirement = instance.requirement(i);
@@ -54,10 +55,7 @@ Selection without_useless(const Instance& instance, const LabelWeights& weights,
 }
 
 Selection first_units(std::span<const ColumnId> order, std::size_t units) {
-  const std::span<const ColumnId> first = order.first(std::min(order.size(), units));
-  Selection selected(first.begin(), first.end());
-  std::sort(selected.begin(), selected.end());
-  return selected;
+  return sorted(order.first(std::min(order.size(), units)));
 }
 
 double weight_of(const Instance& instance, const LabelWeights& weights, const Selection& selected) {

@@ -94,7 +94,7 @@ class AnnealingWalk {
  private:
   const float* column(ColumnId j) const { return rows_.matrix().column(j); }
 
-  Selection selection() const { return united(sorted(fixed_), sorted(free_)); }
+  Selection selection() const { return numbers_where<ColumnId>(in_); }
 
   // Within a cooling of the given number of moves, u rises from 0 to 1 and
   //

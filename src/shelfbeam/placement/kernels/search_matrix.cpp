@@ -54,7 +54,7 @@ Margin margin_of(const Instance& instance, const SearchMatrix& all, std::span<co
     SearchKernels::receive(rule, all.column(j), all.padded_rows(), value, best);
   float smallest = std::numeric_limits<float>::infinity();
   for (std::size_t i = 0; i < all.rows(); ++i) smallest = std::min(smallest, received[i]);
-  const std::vector<bool> chosen = chosen_columns(instance, selected);
+  const std::vector<bool> chosen = marked(instance.columns(), selected);
   double of_unmet = std::numeric_limits<double>::infinity();
   // These rows include the smallest margin in double precision, and a missed label if there is any. (Capped
   // ratios cannot be told apart.)

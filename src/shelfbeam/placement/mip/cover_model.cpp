@@ -100,7 +100,7 @@ bool CoverModel::add_failure(std::size_t label, std::uint32_t failed) {
 // Adds the failure rows that the selection violates; false if the model contains them all.
 bool CoverModel::add_failure_rows(const Selection& selected, const std::vector<LabelId>& unmet) {
   if (!fails_by_rows()) return false;
-  const std::vector<bool> chosen = chosen_columns(instance_, selected);
+  const std::vector<bool> chosen = marked(instance_.columns(), selected);
   bool added = false;
   for (const LabelId i : unmet) {
     double sum = 0, largest = 0;
@@ -236,7 +236,7 @@ void CoverModel::forbid_misses(std::span<const LabelId> labels) {
 void CoverModel::cut_off(const Selection& selected, std::size_t unmet_label) {
   std::vector<double> signal(instance_.columns(), 0.0);
   for (const SignalEntry& entry : instance_.row(unmet_label)) signal[entry.transceiver] = entry.signal;
-  std::vector<bool> chosen = chosen_columns(instance_, selected);
+  std::vector<bool> chosen = marked(instance_.columns(), selected);
   Selection outside =
       numbers_where<ColumnId>(instance_.columns(), [&](std::uint32_t j) { return !chosen[j]; });
   std::ranges::stable_sort(outside, {}, [&](ColumnId j) { return signal[j]; });

@@ -85,8 +85,4 @@ bool Instance::is_first_by_id(std::span<const ColumnId> a, std::span<const Colum
   return ids(a) < ids(b);
 }
 
-std::vector<bool> chosen_columns(const Instance& instance, std::span<const ColumnId> selected) {
-  return marked(instance.columns(), selected);
-}
-
 }  // namespace shelfbeam::detail

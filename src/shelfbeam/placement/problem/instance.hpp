@@ -85,7 +85,4 @@ struct Instance {
   bool is_first_by_id(std::span<const ColumnId> a, std::span<const ColumnId> b) const;
 };
 
-/// One element per column: whether it is selected.
-std::vector<bool> chosen_columns(const Instance& instance, std::span<const ColumnId> selected);
-
 }  // namespace shelfbeam::detail

@@ -79,7 +79,7 @@ Margin TreeRun::offer(std::span<const ColumnId> selected, std::vector<float>& me
   count_work(all.padded_rows() * selected.size());
   if (!margin.is_met) return margin;
   const std::lock_guard lock(mutex_);
-  Selection ascending = sorted(Selection(selected.begin(), selected.end()));
+  Selection ascending = sorted(selected);
   switch (goal.kind) {
     case TreeGoal::Kind::any:
       if (found_any()) break;

@@ -1,7 +1,6 @@
 #include "shelfbeam/placement/windows/window_bound.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <set>
 #include <utility>

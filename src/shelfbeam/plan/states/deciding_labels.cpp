@@ -73,9 +73,7 @@ ScenarioMisses DecidingLabels::misses_with(std::span<const LabelId> others, std:
 }
 
 ScenarioMisses DecidingLabels::misses(std::span<const ColumnId> selected) const {
-  std::vector<LabelId> others;
-  for (std::uint32_t i = 0; i < row_of_.size(); ++i)
-    if (!has(i)) others.push_back(i);
+  const auto others = numbers_where<LabelId>(row_of_.size(), [&](LabelId i) { return !has(i); });
   return misses_with(others, sample_.received(others, selected, problem_), selected);
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/math/order.hpp"
 
 namespace shelfbeam {
 
@@ -71,19 +72,17 @@ StateOutcome outcome_of(ScenarioMisses misses, std::size_t units, std::uint32_t 
 }
 
 std::vector<LabelId> most_missed(const StateOutcome& outcome) {
-  std::vector<LabelId> labels;
-  for (std::uint32_t i = 0; i < outcome.missed.size(); ++i)
-    if (outcome.missed[i] > 0) labels.push_back(i);
+  auto labels =
+      numbers_where<LabelId>(outcome.missed.size(), [&](LabelId i) { return outcome.missed[i] > 0; });
   std::stable_sort(labels.begin(), labels.end(),
                    [&](LabelId a, LabelId b) { return outcome.missed[a] > outcome.missed[b]; });
   return labels;
 }
 
 std::vector<LabelId> always_missed(const StateOutcome& outcome) {
-  std::vector<LabelId> labels;
-  for (std::uint32_t i = 0; i < outcome.missed.size(); ++i)
-    if (outcome.states > 0 && outcome.missed[i] == outcome.states) labels.push_back(i);
-  return labels;
+  return numbers_where<LabelId>(outcome.missed.size(), [&](LabelId i) {
+    return outcome.states > 0 && outcome.missed[i] == outcome.states;
+  });
 }
 
 }  // namespace shelfbeam

@@ -25,10 +25,8 @@ Store with_candidates_of(const std::filesystem::path& file, Store store) {
 }
 
 std::vector<ColumnId> chosen_units(const Scene& scene) {
-  std::vector<ColumnId> chosen;
-  for (std::uint32_t j = 0; j < scene.transceivers.size(); ++j)
-    if (scene.transceivers[j].is_chosen()) chosen.push_back(j);
-  return chosen;
+  return numbers_where<ColumnId>(scene.transceivers.size(),
+                                 [&](ColumnId j) { return scene.transceivers[j].is_chosen(); });
 }
 
 Placement given_units(const std::filesystem::path& file, const Scene& scene,
