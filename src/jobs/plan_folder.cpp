@@ -70,7 +70,7 @@ PlanFolder::Found PlanFolder::look() const {
     if (!is_old && !is_recorded && !journal.contains(name) && name != store_name) return false;
     const std::string& hash = found.hashes[name] = hash_of(file, name);
     return is_old || (is_recorded && record->contains(name, hash)) || journal.contains(name, hash) ||
-           (name == store_name && read_file(file) == store_);
+           (name == store_name && hash_of_resolved(read_file(file)) == hash_of_resolved(store_));
   };
   for (const char* name : plan_file_names)
     if (!found.foreign && fs::exists(fs::symlink_status(folder / name)) && !is_ours(name))

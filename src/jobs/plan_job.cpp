@@ -16,6 +16,7 @@
 #include "shelfbeam/signal/checkpoint/checkpoint.hpp"
 
 #include "jobs/plan_files.hpp"
+#include "jobs/plan_values.hpp"
 #include "jobs/run_file.hpp"
 #include "jobs/stored_plan.hpp"
 
@@ -24,12 +25,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The folder must not be that of the store file, unless a plan wrote the file: its text is `resolved`.
-void expect_own_folder(const fs::path& folder, const fs::path& file, const std::string& resolved) {
+// The folder must not be that of the store file, unless a plan wrote the file: its hash is that of the store.
+void expect_own_folder(const fs::path& folder, const fs::path& file, const std::string& hash) {
   std::error_code missing;
   const auto home = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::exists(file)) return;  // a store in memory
-  if (fs::equivalent(folder, home, missing) && read_file(file) != resolved)
+  if (fs::equivalent(folder, home, missing) && hash_of_resolved(read_file(file)) != hash)
     throw InputError(folder.string(), "is the folder of the store file; a plan needs a folder of its own",
                      "choose another folder for the plan");
 }
@@ -148,7 +149,7 @@ PlanEnd run_plan(const PlanJob& job, Store store, const JobWatch& watch, const R
   }
   if (states_of(request, store) == 0) expect_no_goal({}, job.without);
   const std::string resolved = resolved_store_json(store, scene);
-  expect_own_folder(job.folder, job.store, resolved);
+  expect_own_folder(job.folder, job.store, scene.store_hash);
   PlanInputs inputs{.sampled = job.sampled,
                     .checkpoint = job.checkpoint,
                     .states_checkpoint = job.folder / states_checkpoint_name};
@@ -174,11 +175,12 @@ PlanEnd run_plan(const PlanJob& job, Store store, const JobWatch& watch, const R
   store.cancel = nullptr;  // the results of an interrupted run are written, too
   const SimulationSummary& summary = end.plan.simulation.summary;
   end.table = table_of(request, end.plan.simulation.matrix, name);
-  end.answer = plan_json(end.plan, end.table, scene.labels);
+  end.answer = plan_json(end.plan, end.table, scene.labels, false);
   end.is_imprecise = !end.plan.certificate && !end.plan.availability && summary.unmet_error;
   end.is_kept = !end.plan.complete && folder.has_finished_plan();
-  const std::string run = run_json(end.plan, clock.effort(job.threads));
-  const PlanContents contents{store, scene, resolved, end.plan, end.answer, run, job.safe_csv};
+  const std::string run = run_json(end.plan, clock.effort(job.threads), store_from(job.folder, job.store));
+  const std::string answer = plan_json(end.plan, end.table, scene.labels);
+  const PlanContents contents{store, scene, resolved, end.plan, answer, run, job.safe_csv};
   if (!end.is_kept)
     write_plan(folder, job.folder, contents);
   else if (!summary.has_all_in_checkpoint)  // samples would be lost

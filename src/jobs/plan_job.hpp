@@ -59,7 +59,7 @@ struct JobWatch {
 struct PlanEnd {
   Plan plan;
   SignalTable table;
-  std::string answer;    ///< placement.json without its record
+  std::string answer;    ///< placement.json without its record and its values
   bool is_kept = false;  ///< an interrupted run left the finished plan in the folder unchanged
   /// Folder of the interrupted plan if it could not be continued otherwise.
   std::optional<std::filesystem::path> elsewhere;

@@ -60,6 +60,10 @@ std::string recorded_placement(const std::string& answer, bool is_complete, cons
   return std::string(begin) + record.text();
 }
 
+std::string without_record(const std::string& placement, const PlanRecord& record) {
+  return placement.substr(0, placement.size() - record.text().size()).append(answer_end);
+}
+
 std::string recorded_again(const std::string& placement, PlanRecord record, const FileHashes& files) {
   const std::string old = record.text();
   if (!placement.ends_with(old)) return placement;

@@ -32,6 +32,9 @@ std::optional<PlanRecord> read_record(const std::filesystem::path& placement);
 /// The contents of placement.json: `answer` is the object without a record, `files` are all others.
 std::string recorded_placement(const std::string& answer, bool is_complete, const FileHashes& files);
 
+/// The contents of placement.json without its record, as of `answer` above.
+std::string without_record(const std::string& placement, const PlanRecord& record);
+
 /// The contents of placement.json with the hashes of files that were written again.
 std::string recorded_again(const std::string& placement, PlanRecord record, const FileHashes& files);
 

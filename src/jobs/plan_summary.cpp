@@ -32,6 +32,7 @@ PlanSummary summary_of(const PlanEnd& end) {
   summary.selected = detail::ids_of(end.table, placement.selected);
   const PlanText text = plan_text(plan, end.table, false);
   summary.answer = text.open.empty() ? text.answer : text.answer + " " + text.open;
+  summary.basis = text.basis;
   summary.labels = end.table.rows();
   // Without an answer, units and bound are those of the shop as the file gives it.
   if (end.code != answer_is_no) {

@@ -58,21 +58,21 @@ RunEffort RunClock::effort(unsigned threads) const {
   return {wall_now() - wall_, cpu_now() - cpu_, peak_memory(), threads};
 }
 
-std::string run_json(const Plan& plan, const RunEffort& effort) {
+std::string run_json(const Plan& plan, const RunEffort& effort, const std::string& store) {
   Json seconds = {{"simulation", plan.simulation.summary.seconds}, {"placement", plan.placement.seconds}};
   if (plan.certificate) seconds["certificate"] = plan.certificate->seconds;
   if (plan.availability) seconds["states"] = plan.availability->seconds;
   if (plan.sensitivity) seconds["sensitivity"] = plan.sensitivity->seconds;
   seconds["total"] = effort.wall_s;
-  Json json = {{"format", run_format},
-               {"program", program_version()},
-               {"seconds", seconds},
+  Json json = {{"format", run_format}, {"program", program_version()}};
+  if (!store.empty()) json["store"] = store;
+  json.update({{"seconds", seconds},
                {"processor_seconds", effort.cpu_s},
                {"peak_memory", effort.peak_memory},
-               {"threads", effort.threads}};
+               {"threads", effort.threads}});
   if (plan.signals) json["signals"] = to_json(*plan.signals);
   if (plan.certificate) add_effort(json, "seconds_to_decide", plan.certificate->open);
-  const std::string text = json.dump(2);
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
   const std::string values = text.substr(0, text.size() - 2);  // without "\n}"
   return fmt::format("{}{}{}{}", values, hash_begin, content_hash(values), hash_end);
 }

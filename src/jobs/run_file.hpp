@@ -26,8 +26,9 @@ class RunClock {
 };
 
 /// run.json (docs/formats/report.md): the values in which two runs with the same result differ. All other
-/// files of a plan are the same bytes for the same result.
-std::string run_json(const Plan& plan, const RunEffort& effort);
+/// files of a plan are the same bytes for the same result. `store`: the path of the store file from the
+/// folder of the plan; may be empty.
+std::string run_json(const Plan& plan, const RunEffort& effort, const std::string& store);
 
 /// Whether the file is as a run wrote it.
 bool is_run_file(const std::filesystem::path& file);

@@ -58,9 +58,9 @@ py::dict result(const jobs::PlanJob& job, const jobs::PlanEnd& end) {
     std::replace(keyword.begin(), keyword.end(), '-', '_');
     if (!keyword.empty()) remedy.advice += fmt::format(" ({})", keyword);
   }
-  text.details += describe(plan.alternatives, plan.placement, end.table) + describe(plan.curve, end.table);
-  if (plan.sensitivity)
-    text.details += sensitivity_sentence(english(), *plan.sensitivity, end.table.rows()) + '\n';
+  text.details += describe(plan.alternatives, plan.placement, end.table, plan.has_known_thresholds()) +
+                  describe(plan.curve, end.table);
+  if (plan.sensitivity) text.details += sensitivity_sentence(english(), plan, end.table.rows()) + '\n';
   const SimulationSummary& summary = plan.simulation.summary;
   std::string given;
   if (plan.signals)
@@ -176,7 +176,8 @@ py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options,
 void bind_plan(py::module_& module) {
   module.def("plan", planned);
   module.def("verify", verified);
-  module.def("rebuild_report", jobs::rebuild_report, py::call_guard<py::gil_scoped_release>());
+  module.def("rebuild_report", jobs::rebuild_report, arg("folder"), arg("safe_csv"),
+             arg("store") = py::none(), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace shelfbeam::python

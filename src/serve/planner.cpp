@@ -31,6 +31,7 @@
 #include "serve/project/project.hpp"
 #include "serve/project/project_file.hpp"
 #include "serve/project/starter.hpp"
+#include "serve/project/vendor_catalogue.hpp"
 #include "serve/request.hpp"
 #include "serve/text/edit.hpp"
 
@@ -71,7 +72,7 @@ ProjectOptions project_options() {
 
 struct Planner::State {
   State(const fs::path& given, http::Options options, const CancelToken& token,
-        std::function<void(std::string_view)> log, bool has_light)
+        std::function<void(std::string_view)> log, bool has_light, const std::vector<fs::path>& catalogues)
       : cancel(token),
         folder(with_store(given)),
         folder_name(fs::weakly_canonical(folder).filename().string()),
@@ -82,6 +83,7 @@ struct Planner::State {
         planning(folder),
         errands(folder),
         server(with_page(std::move(options)), handlers(std::move(log))) {
+    for (const fs::path& catalogue : catalogues) add_catalogue(catalogue, folder, project);
     resolve();
     steps = project.steps();
     problems = shop.problems();
@@ -374,8 +376,10 @@ bool has_page() {
 }
 
 Planner::Planner(const fs::path& folder, http::Options options, const CancelToken& cancel,
-                 std::function<void(std::string_view)> log, bool has_light)
-    : state_(std::make_unique<State>(folder, std::move(options), cancel, std::move(log), has_light)) {}
+                 std::function<void(std::string_view)> log, bool has_light,
+                 const std::vector<fs::path>& catalogues)
+    : state_(std::make_unique<State>(folder, std::move(options), cancel, std::move(log), has_light,
+                                     catalogues)) {}
 
 Planner::~Planner() = default;
 

@@ -21,10 +21,12 @@ bool has_page();
 class Planner {
  public:
   /// Creates a shop in an empty folder. `cancel` ends it, and must outlive it. `log` is told of errors of the
-  /// program while it serves. `has_light`: signals are computed while the shop is drawn. Throws InputError,
-  /// for example if another planner uses the folder, OutputError, and Interrupted.
+  /// program while it serves. `has_light`: signals are computed while the shop is drawn. `catalogues` are
+  /// added to the project (add_catalogue). Throws InputError, for example if another planner uses the folder,
+  /// OutputError, and Interrupted.
   Planner(const std::filesystem::path& folder, http::Options options, const CancelToken& cancel,
-          std::function<void(std::string_view)> log = {}, bool has_light = true);
+          std::function<void(std::string_view)> log = {}, bool has_light = true,
+          const std::vector<std::filesystem::path>& catalogues = {});
   ~Planner();
   Planner(const Planner&) = delete;
   Planner& operator=(const Planner&) = delete;

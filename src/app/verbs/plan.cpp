@@ -44,14 +44,14 @@ struct PlanArguments {
 std::string additions(const PlanJob& job, const Plan& plan, const SignalTable& table) {
   const Placement& placement = plan.placement;
   if (plan.availability) return {};
-  std::string text = describe(plan.alternatives, placement, table) + describe(plan.curve, table);
+  std::string text = describe(plan.alternatives, placement, table, plan.has_known_thresholds()) +
+                     describe(plan.curve, table);
   if (job.plan.curve && !placement.has_selection())
     text +=
         fmt::format("  {}; 'place {} --at-most K' reports the number of labels that K transceivers reach\n",
                     no_curve, (job.folder / signal_name).string());
   if (plan.sensitivity)
-    text +=
-        fmt::format("sensitivity: {}\n", sensitivity_sentence(english(), *plan.sensitivity, table.rows()));
+    text += fmt::format("sensitivity: {}\n", sensitivity_sentence(english(), plan, table.rows()));
   else if (!job.plan.reflectance_error && placement.has_selection() && !job.selection)
     text += "  darker or lighter surfaces were not examined; '--sensitivity' examines them\n";
   else if (job.plan.reflectance_error)
@@ -70,7 +70,8 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
   Remedy remedy = remedy_for(english(), plan);
   remedy.advice = with_flags(remedy.advice, remedy.settings);
   text.open = remedy.after(text.open);
-  if (!text.open.empty()) text.open += '\n';
+  for (std::string* line : {&text.basis, &text.open})
+    if (!line->empty()) *line += '\n';
   const SimulationSummary& summary = plan.simulation.summary;
   std::string simulated;
   if (plan.signals)
@@ -83,8 +84,8 @@ std::string result(const PlanJob& job, const PlanEnd& end) {
     simulated.insert(at, "  ");
   const std::string report =
       end.is_kept ? "" : fmt::format("report: {}\n", (job.folder / report_name).string());
-  return fmt::format("{}\n{}{}{}{}simulation: {}", styled(Style::answer, text.answer), text.open, report,
-                     text.details, additions(job, plan, table), simulated);
+  return fmt::format("{}\n{}{}{}{}{}simulation: {}", styled(Style::answer, text.answer), text.basis,
+                     text.open, report, text.details, additions(job, plan, table), simulated);
 }
 
 std::string remark_on_interruption(const PlanJob& job, const PlanEnd& end) {

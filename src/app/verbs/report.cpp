@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -16,11 +17,12 @@ namespace {
 struct ReportArguments {
   CommonOptions common;
   std::filesystem::path folder;
+  std::optional<std::filesystem::path> store;
   bool safe_csv = false;
 };
 
 int run_report(const ReportArguments& options) {
-  const std::string report = jobs::rebuild_report(options.folder, options.safe_csv).string();
+  const std::string report = jobs::rebuild_report(options.folder, options.safe_csv, options.store).string();
   if (options.common.json)
     print_json({{"report", report}});
   else if (!options.common.quiet)
@@ -34,10 +36,16 @@ void add_report(CLI::App& app, ChosenVerb& chosen) {
   CLI::App* verb =
       app.add_subcommand("report", "Rebuild the report, the mounting files and the tables of a plan");
   auto options = std::make_shared<ReportArguments>();
-  OptionGroup(*verb).require("DIR", options->folder, a_path(),
-                             "Folder written by 'shelfbeam plan', from a trusted source (HDF5)");
+  const OptionGroup first(*verb);
+  first.require("DIR", options->folder, a_path(),
+                "Folder written by 'shelfbeam plan', from a trusted source (HDF5)");
+  first.add(
+      "--store", options->store, a_path(),
+      "Store file whose confirmed values count as confirmed in the report; default: the file from which "
+      "the plan was made");
   add_safe_csv(*verb, options->safe_csv);
-  finish_verb(*verb, chosen, options, run_report, "Example:\n  shelfbeam report plan");
+  finish_verb(*verb, chosen, options, run_report,
+              "Examples:\n  shelfbeam report plan\n  shelfbeam report plan --store store.json");
 }
 
 }  // namespace shelfbeam::app

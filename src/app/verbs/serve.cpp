@@ -36,6 +36,7 @@ struct ServeArguments {
   std::uint16_t port = 0;
   std::string address = "127.0.0.1";
   std::vector<std::string> hosts;
+  std::vector<fs::path> catalogues;
   bool no_browser = false, no_light = false, demo = false;
 };
 
@@ -106,12 +107,14 @@ int run_serve(const ServeArguments& options) {
   http.port = options.port;
   http.hosts = options.hosts;
   // Names of files in messages are then relative to the folder, which other programs may rename.
+  std::vector<fs::path> catalogues;
+  for (const fs::path& catalogue : options.catalogues) catalogues.push_back(fs::absolute(catalogue));
   make_output_folder(folder.path());
   fs::current_path(folder.path());
   serve::Planner planner(
       ".", std::move(http), cancel,
-      [](std::string_view what) { print_message("internal error: {}\n", one_line(what)); },
-      !options.no_light);
+      [](std::string_view what) { print_message("internal error: {}\n", one_line(what)); }, !options.no_light,
+      catalogues);
   if (!options.address.starts_with("127.") && options.address != "::1")
     print_message(
         "Other computers can reach this planner at {}; by a name only with --allow-host NAME. Anyone with "
@@ -136,6 +139,8 @@ void add_serve(CLI::App& app, ChosenVerb& chosen) {
   first.add_flag(
       "--demo", options->demo,
       "Work on a copy of the example grocery, which is removed at the end unless a FOLDER is given");
+  first.add("--catalogue", options->catalogues, a_path("FILE"),
+            "Catalogue with products of a vendor, which is copied into the project and remembered there");
   first.add_flag("--no-light", options->no_light,
                  "Compute no signals while the shop is drawn, for slow computers");
   const OptionGroup network(*verb, "Network");
@@ -150,6 +155,7 @@ void add_serve(CLI::App& app, ChosenVerb& chosen) {
               "Examples:\n"
               "  shelfbeam serve --demo\n"
               "  shelfbeam serve my-shop\n"
+              "  shelfbeam serve my-shop --catalogue vendor.json\n"
               "  shelfbeam serve my-shop --no-browser --port 8080");
   // It has one thread and no random numbers. The address is what it is for.
   verb->remove_option(verb->get_option("--seed"));

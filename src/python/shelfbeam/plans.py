@@ -90,9 +90,9 @@ class Plan(Result):
         """The resolved store."""
         return Store.read(self.folder / "store.json")
 
-    def rebuild_report(self, safe_csv: bool = False) -> FilePath:
+    def rebuild_report(self, safe_csv: bool = False, store: Path | None = None) -> FilePath:
         """Writes the report, the mounting files and the tables again (`shelfbeam report`)."""
-        return _core.rebuild_report(self.folder, safe_csv)
+        return _core.rebuild_report(self.folder, safe_csv, None if store is None else FilePath(store))
 
     def save(self, folder: Path) -> Plan:
         """A copy of the plan in a new folder."""

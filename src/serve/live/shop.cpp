@@ -72,8 +72,9 @@ Resolved resolve(const JsonCursor& document, const std::filesystem::path& folder
 }
 
 // Keys of a store on which no light of its units depends.
-constexpr auto without_light = std::to_array<std::string_view>(
-    {"name", "language", "currency", "drawing", "variation", "ignore", "transceivers"});
+constexpr auto without_light =
+    std::to_array<std::string_view>({"name", "language", "currency", "source", "confirmed", "assumed",
+                                     "drawing", "variation", "ignore", "transceivers"});
 
 bool changes_light(const Json& before, const Json& after) {
   const auto has_other = [](const Json& one, const Json& other) {

@@ -100,6 +100,7 @@ Json result_in(const std::filesystem::path& folder) {
 
 std::string shop_hash(const Json& store) {
   Json shop = store;
+  shop.erase("confirmed");
   if (const auto units = shop.find("transceivers"); units != shop.end() && units->is_object())
     units->erase("selected");
   return content_hash(shop.dump(-1, ' ', false, Json::error_handler_t::replace));

@@ -96,7 +96,8 @@ Json placement_in(const std::filesystem::path& folder);
 /// that is none.
 Json result_in(const std::filesystem::path& folder);
 
-/// A hash of a store without its selection of units, which every plan changes.
+/// A hash of a store without its selection of units, which every plan changes, and without the values that
+/// it confirms.
 std::string shop_hash(const Json& store);
 
 }  // namespace shelfbeam::serve

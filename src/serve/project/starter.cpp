@@ -1,15 +1,9 @@
 #include "serve/project/starter.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 #include "shelfbeam/base/file.hpp"
-
-namespace shelfbeam::embedded {
-
-extern const std::string_view starter_store, starter_catalogue;
-
-}  // namespace shelfbeam::embedded
+#include "shelfbeam/scene/build/decisive_values.hpp"
 
 namespace shelfbeam::serve {
 
@@ -22,15 +16,15 @@ void start_project(const fs::path& folder) {
   const auto is_own = [&](const fs::directory_entry& entry) {
     return entry.path().filename() == ".shelfbeam" ||
            (entry.path().filename() == catalogue && fs::is_regular_file(entry.symlink_status()) &&
-            entry.file_size() == embedded::starter_catalogue.size() &&
-            read_file(entry.path()) == embedded::starter_catalogue);
+            entry.file_size() == starter_catalogue().size() &&
+            read_file(entry.path()) == starter_catalogue());
   };
   if (!std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), is_own) ||
       fs::exists(folder / ".shelfbeam" / "history.jsonl"))
     return;
   AtomicFolder files(folder);
-  files.add(catalogue).write(embedded::starter_catalogue);
-  files.add("store.json").write(embedded::starter_store);
+  files.add(catalogue).write(starter_catalogue());
+  files.add("store.json").write(starter_store());
   files.commit({});
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
+#include "shelfbeam/base/decisive_value.hpp"
 #include "shelfbeam/device/emission.hpp"
 #include "shelfbeam/device/responsivity.hpp"
 
@@ -20,6 +22,12 @@ struct LabelType {
   double availability = 0.95;    ///< least share of the states of a shop in which a label is reached
   /// Distance at which the unit that gives the threshold is just heard ("hears ... at_m"), m; 0 for a number.
   double range_m = 0;
+  std::string range_of{};  ///< name of the type of this unit
+  // For people and for choosing a product; no result depends on them, and they are not part of store_hash.
+  TypeOrigin origin{};
+  std::string order_number{};
+  std::string picture{};          ///< a data URI (device/picture.hpp)
+  std::optional<double> price{};  ///< of one label
 
   double requirement() const { return safety_factor * threshold; }
 };
@@ -29,10 +37,12 @@ struct LabelType {
 struct TransceiverType {
   std::string name;
   Emission emission;
-  double radius = 0;   ///< radius of the disc about the axis, m; 0: a point
-  double cost = 1;     ///< c^T (3.3)
-  std::string file{};  ///< name of the photometric file of the emission; empty without such a file
-  // For reports; no result depends on them, and they are not part of store_hash. Empty if not given.
+  double radius = 0;      ///< radius of the disc about the axis, m; 0: a point
+  double cost = 1;        ///< c^T (3.3)
+  bool has_cost = false;  ///< `cost` is not the default
+  std::string file{};     ///< name of the photometric file of the emission; empty without such a file
+  // For people; no result depends on them, and they are not part of store_hash. Empty if not given.
+  TypeOrigin origin{};
   std::string order_number{};
   std::string fixing{};   ///< "magnet on the T-bar"
   std::string picture{};  ///< a data URI (device/picture.hpp)

@@ -178,6 +178,8 @@ Plan make_plan(const Scene& scene, PlanOptions options, const RunControl& contro
     plan.alternatives = alternatives_to(plan.placement, last, control);
   if (options.sensitivity && plan.simulation.summary.complete && plan.placement.has_selection())
     plan.sensitivity = sensitivity_of(scene, plan, *options.sensitivity, fresh, control);
+  plan.values = scene.values;
+  plan.is_example = scene.source == ValueSource::example;
   plan.warnings = scene.warnings;
   if (auto warning = margin_warning(last, plan.placement)) plan.warnings.push_back(*std::move(warning));
   plan.complete = plan.simulation.summary.complete && !control.cancelled();

@@ -65,6 +65,11 @@ struct TriangleMesh {
   std::vector<Vec3> vertices;  ///< m
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<MaterialId> materials;  ///< one per triangle
+
+  double area_of(std::size_t triangle) const {
+    const auto& [a, b, c] = triangles[triangle];
+    return length(cross(vertices[b] - vertices[a], vertices[c] - vertices[a])) / 2;
+  }
 };
 
 enum class PartKind { shell, panel, board, kick_plate, goods, tub, casing, door, solid, mesh };
@@ -112,9 +117,12 @@ struct Scene {
   Language language = Language::english;  ///< of reports
   double wavelength_nm = 940;
   std::string currency;  ///< of the costs of transceivers; empty: not given
+  std::optional<ValueSource> source = {};
+  std::vector<DecisiveValue> values = {};  ///< the most influential first
   std::optional<RoomShape> room;
   Vec3 lower, upper;  ///< bounds of all triangles
   std::vector<NamedMaterial> materials;
+  std::vector<double> areas;  ///< m^2, of the surfaces of each material, with goods of their mean height
   std::vector<LabelType> label_types;
   std::vector<TransceiverType> transceiver_types;
   TriangleMesh mesh;

@@ -197,10 +197,11 @@ TEST_F(Workflow, EveryProblemHasAPlacement) {
 TEST_F(Workflow, PlanLeavesEveryFileOfTheContract) {
   const std::string out = told("plan @store.json -o @plan --samples 2000");
   EXPECT_TRUE(std::regex_search(
-      out,
-      std::regex("^[0-9]+ transceivers reach all 17 labels, .* with 99 % confidence\\. This [^\n]*\nreport: "
-                 "[^\n]*"
-                 "/plan/report\\.html\non the simulated signals: (.*\n)+simulation: 17 labels x")))
+      out, std::regex("^[0-9]+ transceivers reach all 17 labels, .* with 99 % confidence\\. This "
+                      "[^\n]*\nVerified for assumed "
+                      "values\\. [^\n]*\nreport: "
+                      "[^\n]*"
+                      "/plan/report\\.html\non the simulated signals: (.*\n)+simulation: 17 labels x")))
       << out;
   auto plan = contents(folder / "plan");
   EXPECT_EQ(names(folder / "plan"), std::set<std::string>(of_a_plan.begin(), of_a_plan.end()));

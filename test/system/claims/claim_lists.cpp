@@ -46,7 +46,9 @@ std::vector<Claim> terminal() {
   }
   add("one more ({5})", more,
       "the weakest label receives {2} times its requirement, {3} of {4} labels survive any failure",
-      {"~ " + more + " weakest", more + " secure", "labels", "?"});
+      {"~ " + more + " weakest", more + " secure", "labels", "?"}, fails("threshold assumed"));
+  add("one more ({4})", more, "{2} of {3} labels survive any failure", {more + " secure", "labels", "?"},
+      holds("threshold assumed"));
   add("every failure survived", survivor, "proven minimum", {}, holds("Survives any one failure proven"));
   add("every failure survived", survivor, "not proven to be the minimum", {},
       fails("Survives any one failure proven"));

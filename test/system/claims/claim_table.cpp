@@ -154,14 +154,14 @@ std::vector<Claim> headlines() {
       {"headline.unverified", {"@"}, fails("certificate"), {signals}},
       {"headline.errors", {"?", "?", "?"}},
       {"headline.flagged", {"?", "?"}},
+      {"sensitivity.margin", {"~ weakest dark", "~ weakest light"}, fails("threshold assumed")},
+      {"sensitivity.largest", {"?"}},
       {"sensitivity.all",
-       {"reached dark", "labels", "@", "~ weakest dark", "~ weakest light", "?", "missed dark",
-        "undecided dark"},
+       {"reached dark", "labels", "@", "@", "@", "missed dark", "undecided dark"},
        [](T t) { return t("lost dark") == 0; },
        {reflectances}},
       {"sensitivity.not_all",
-       {"reached dark", "labels", "@", "~ weakest dark", "~ weakest light", "?", "missed dark",
-        "undecided dark"},
+       {"reached dark", "labels", "@", "@", "@", "missed dark", "undecided dark"},
        [](T t) { return t("lost dark") > 0; },
        {reflectances}},
   };
@@ -179,10 +179,25 @@ std::vector<Claim> first_page() {
   };
   const auto all = [](T t) { return t("confirmed") == t("labels"); };
   const auto some = [](T t) { return t("confirmed") < t("labels"); };
+  const auto is_certified_yes = [](T t) {
+    return is(t, is(t, "over states") ? "certified states" : "all reached");
+  };
+  const auto known = fails("threshold assumed");  // so that a reserve has a meaning
   std::vector<Claim> claims{
-      {"verdict.certified.yes",
+      {"verdict.certified.yes.assumed", {}, [=](T t) { return is_certified_yes(t) && is(t, "any assumed"); }},
+      {"verdict.certified.yes.given",
        {},
-       [](T t) { return is(t, is(t, "over states") ? "certified states" : "all reached"); }},
+       [=](T t) { return is_certified_yes(t) && !is(t, "any assumed") && is(t, "any given"); }},
+      {"verdict.certified.yes.confirmed",
+       {},
+       [=](T t) { return is_certified_yes(t) && !is(t, "any assumed") && !is(t, "any given"); }},
+      {"values.assumed", {"?"}, [](T t) { return is(t, "any assumed") && !is(t, "example"); }},
+      {"values.invented", {"?"}, [](T t) { return is(t, "any assumed") && is(t, "example"); }},
+      {"recommendation.ample", {"~ weakest"}, known},
+      {"recommendation.only", {"~ weakest"}, known},
+      {"recommendation.this", {"~ weakest", "~ One unit more weakest"}, known},
+      {"recommendation.more", {"One unit more units", "?", "~ weakest", "~ One unit more weakest"}, known},
+      {"recommendation.confirm", {}, holds("threshold assumed")},
       {"verdict.certified.open",
        {},
        [](T t) {
@@ -237,14 +252,16 @@ std::vector<Claim> first_page() {
       {"summary.none.remedies", {}},
       {"summary.none.undecided", {}, [](T t) { return is(t, "verified") && t("missed") == 0; }},
       {"summary.none.checked", {"missed", "confidence"}, [](T t) { return t("missed") > 0; }},
-      {"summary.achieves.weakest", {"?", "~ weakest"}},
-      {"summary.achieves.weakest_short", {"?", "# weakest percent"}},
+      {"summary.achieves.weakest", {"?", "~ weakest"}, known},
+      {"summary.achieves.weakest_short", {"?", "# weakest percent"}, known},
+      {"summary.achieves.unknown", {}, holds("threshold assumed")},
+      {"summary.risks.threshold", {}, holds("threshold assumed")},
       {"summary.achieves.secure_all", {"labels"}, [](T t) { return t("secure") == t("labels"); }},
       {"summary.achieves.secure", {"single", "secure"}},
       {"summary.risks.missed", {"missed", "?"}},
       {"summary.risks.undecided", {"undecided", "?"}},
       {"summary.risks.unverified", {"unverified"}},
-      {"summary.risks.close", {"close"}},
+      {"summary.risks.close", {"close"}, known},
       {"summary.risks.unit", {"most lost", "?"}},
       {"summary.risks.darker_holds", {}, [](T t) { return t("lost dark") == 0; }},
       {"summary.risks.darker", {"lost dark"}},

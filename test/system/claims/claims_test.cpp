@@ -117,8 +117,9 @@ std::string relation_of(const PlannedStore& store) {
 // Texts of the catalogue that name a bound, a count or a confidence are in the table, or they are words,
 // titles and columns without a claim.
 TEST(Claims, ListAllTextsOfResults) {
-  const std::set<std::string> groups{"verdict", "summary",     "headline",     "reach",       "objective",
-                                     "proof",   "certificate", "availability", "sensitivity", "open"};
+  const std::set<std::string> groups{"verdict",     "summary", "headline",    "reach",
+                                     "objective",   "proof",   "certificate", "availability",
+                                     "sensitivity", "open",    "values",      "recommendation"};
   // Beginnings of keys without a claim. The table of alternatives is read cell by cell.
   const std::vector<std::string> without_claim{
       "summary.store", "summary.kicker", "summary.and_others", "summary.buy.", "summary.alternatives.",
@@ -130,9 +131,10 @@ TEST(Claims, ListAllTextsOfResults) {
       "sensitivity.range", "sensitivity.figure", "sensitivity.description", "sensitivity.bar",
       "sensitivity.together", "sensitivity.one", "sensitivity.as_given", "sensitivity.limit", "sensitivity.x",
       "sensitivity.key", "sensitivity.shown", "sensitivity.column.", "sensitivity.note",
-      "sensitivity.watched", "sensitivity.assumed", "sensitivity.kept", "sensitivity.largest",
-      "sensitivity.missed", "sensitivity.undecided",
+      "sensitivity.watched", "sensitivity.assumed", "sensitivity.kept", "sensitivity.missed",
+      "sensitivity.undecided",
       // With other numbers than {0}: in the table in their own words.
+      "values.value", "values.kind.", "values.amount.", "recommendation.price", "recommendation.states.",
       "availability.addition", "certificate.fewer", "certificate.none", "proof.fewer"};
   std::set<std::string> listed;
   for (const test::Claim& claim : test::claims()) listed.insert(claim.key);

@@ -103,7 +103,27 @@ PlannedStore planned_store(std::uint32_t number) {
     planned.plan = std::move(plan);
   }
   planned.table = options.table(planned.matrix);
+  know_values(number / 4 % 4, planned.plan);
   return planned;
+}
+
+void know_values(std::uint32_t way, CertifiedPlan& plan) {
+  using enum ValueState;
+  const auto values = [](ValueState threshold, ValueState others) -> std::vector<DecisiveValue> {
+    return {{ValueKind::threshold, "standard", threshold, 0.05},
+            {ValueKind::power, "ceiling", others, 4.19},
+            {ValueKind::reflectance, "paper", others, 0.7}};
+  };
+  const std::vector<DecisiveValue> ways[] = {{},
+                                             values(given, given),
+                                             values(assumed, given),
+                                             values(confirmed, confirmed),
+                                             values(given, confirmed),
+                                             values(confirmed, given),
+                                             values(given, assumed),
+                                             values(assumed, confirmed)};
+  plan.values = ways[way];
+  plan.is_example = way == 7;
 }
 
 PlannedStore planned_for_states() {

@@ -13,6 +13,10 @@ namespace shelfbeam::test {
 /// the later searches find, so that the certified bound may be above that of the final matrix.
 PlannedStore planned_store(std::uint32_t number);
 
+/// Gives the values of a plan states in one of 8 ways: none, as up to version 0.4, or assumed, given and
+/// confirmed ones. In the ways 2 and 7, a threshold is assumed.
+void know_values(std::uint32_t way, CertifiedPlan& plan);
+
 /// A plan for a shop that changes.
 PlannedStore planned_for_states();
 

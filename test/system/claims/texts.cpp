@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "shelfbeam/report/messages/headline.hpp"
+#include "shelfbeam/report/messages/known_values.hpp"
 #include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
+#include "shelfbeam/report/messages/recommendation.hpp"
 #include "shelfbeam/report/messages/summary.hpp"
 #include "shelfbeam/report/page/sections.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
@@ -77,10 +79,11 @@ std::vector<Text> alternatives_of(const ReportInput& input) {
 std::vector<Text> texts_of(const PlannedStore& store) {
   const CertifiedPlan& plan = store.plan;
   const Subject examined = plan.certificate ? Subject::certificate : Subject::signals;
-  std::vector<Text> texts{{certificate_sentence(english(), plan), Subject::certificate},
-                          {open_bound(english(), plan)},
-                          {remedy_for(english(), plan).after("")},
-                          {describe(plan.alternatives, plan.placement, store.table)}};
+  std::vector<Text> texts{
+      {certificate_sentence(english(), plan), Subject::certificate},
+      {open_bound(english(), plan)},
+      {remedy_for(english(), plan).after("")},
+      {describe(plan.alternatives, plan.placement, store.table, plan.has_known_thresholds())}};
   if (plan.availability) {
     texts.push_back({availability_answer(*plan.availability, plan.placement, store.table)});
     texts.push_back({availability_details(*plan.availability, plan.placement, store.table)});
@@ -94,6 +97,9 @@ std::vector<Text> texts_of(const PlannedStore& store) {
   for (const std::string& remark : line.remarks) texts.push_back({remark});
   const Summary summary = summary_of(data);
   texts.push_back({summary.verdict});
+  texts.push_back({summary.assumed});
+  texts.push_back({basis_of(english(), plan)});
+  texts.push_back({recommendation(data)});
   texts.push_back({summary.answer});
   for (const auto& list : {summary.remarks, summary.achieves, summary.risks})
     for (const std::string& sentence : list) texts.push_back({sentence});

@@ -47,6 +47,19 @@ Truth::Truth(const PlannedStore& store) {
   add_alternatives(store.plan.alternatives);
   if (store.plan.sensitivity) add_sensitivity(*store.plan.sensitivity);
   if (store.plan.availability) add_availability(store);
+  add_values(store.plan);
+}
+
+void Truth::add_values(const CertifiedPlan& plan) {
+  values_["any assumed"] = values_["any given"] = values_["threshold assumed"] = 0;
+  for (const DecisiveValue& value : plan.values) {
+    if (value.state == ValueState::assumed) values_["any assumed"] = 1;
+    if (value.state == ValueState::given) values_["any given"] = 1;
+    if (value.state == ValueState::assumed && value.kind == ValueKind::threshold)
+      values_["threshold assumed"] = 1;
+  }
+  if (plan.values.empty()) values_["any given"] = 1;
+  values_["example"] = plan.is_example;
 }
 
 double Truth::operator()(const std::string& name, Subject subject) const {

@@ -42,6 +42,7 @@ class Truth {
   void add_alternatives(const Alternatives& alternatives);
   void add_sensitivity(const Sensitivity& sensitivity);
   void add_availability(const PlannedStore& store);
+  void add_values(const CertifiedPlan& plan);
   void add_outcome(const std::string& name, const Availability& found, const StateOutcome& outcome,
                    std::optional<Subject> subject = {});
 

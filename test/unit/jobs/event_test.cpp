@@ -14,6 +14,7 @@ namespace {
 
 TEST(JobEvents, EndsAreReadBack) {
   const PlanSummary summary{{"4 transceivers\nreach \"all\"",
+                             "Verified.",
                              686,
                              4,
                              std::nullopt,

@@ -16,8 +16,9 @@ TEST(RunFile, IsRecognisedUntilItIsChanged) {
   plan.placement.seconds = 0.25;
   plan.certificate.emplace();
   plan.certificate->open = {.cause = EndCause::labels_cost, .labels = 3, .seconds = 40};
-  const std::string text = run_json(plan, {2.5, 4, 1 << 20, 2});
+  const std::string text = run_json(plan, {2.5, 4, 1 << 20, 2}, "../store.json");
   const auto json = nlohmann::ordered_json::parse(text);
+  EXPECT_EQ(json["store"], "../store.json");
   EXPECT_EQ(json["seconds"]["placement"], 0.25);
   EXPECT_FALSE(json["seconds"].contains("states"));
   EXPECT_EQ(json["seconds"]["total"], 2.5);

@@ -52,7 +52,7 @@ TEST(Documentation, EveryExampleIsTested) {
   std::map<std::string, std::size_t> tested{{index_page, 1}};
   for (const std::string& page : pages_of_types) tested[page] = 1;
   tested["store/variation.md"] = tested["store/fixtures.md"] = tested["store/drawing.md"] = 1;
-  tested["store/room.md"] = 2;
+  tested["store/room.md"] = tested["store/values.md"] = 2;
   tested["store/transceivers.md"] = 3;
   tested["store/labels.md"] = 4;
   EXPECT_EQ(stores, tested);
@@ -97,6 +97,16 @@ TEST(Documentation, ExamplesOfTypesAreAccepted) {
   const Store measured = with_types({"{" + fenced_blocks("photometry.md", "jsonc").at(0) + "}"});
   ASSERT_EQ(measured.transceiver_types.size(), 1u + 2);
   EXPECT_NEAR(power(measured.transceiver_types[2].emission), 0.8, 1e-14);
+}
+
+TEST(Documentation, ExamplesOfKnownValuesAreAccepted) {
+  Json store = Json::parse(example_store(), nullptr, true, true);
+  store.update(Json::parse(fenced_blocks("store/values.md", "jsonc").at(0), nullptr, true, true));
+  EXPECT_EQ(test::read_text(store.dump()).marks.size(), 7u);
+  const test::TempFolder folder;
+  folder.write("vendor.json", R"({"label_types": {"ESL 29": {"threshold": 0.03, "source": "datasheet"}}})");
+  store.update(Json::parse(fenced_blocks("store/values.md", "jsonc").at(1), nullptr, true, true));
+  EXPECT_EQ(test::scene_of(store, folder.path()).label_types.back().requirement(), 0.03 * 1.25);
 }
 
 TEST(Documentation, CsvExamplesAreAccepted) {
@@ -339,6 +349,7 @@ TEST(Documentation, EveryKeyOfTheSchemaIsOnItsPage) {
       {"material", materials},
       {"smooth", materials},
       {"facets", materials},
+      {"marks", {"store/values.md"}},
       {"label_type", label_types},
       {"responsivity", label_types},
       {"transceiver_type", transceiver_types},

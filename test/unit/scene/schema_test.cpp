@@ -167,7 +167,7 @@ TEST_F(Schema, AcceptsTheCatalogue) {
   const auto parse = [](const char* file) {
     return Json::parse(read_file(std::string(SHELFBEAM_SOURCE_DIR) + file), nullptr, true, true);
   };
-  Json store = parse("/src/serve/project/starter.json");
+  Json store = parse("/data/starter.json");
   const Json catalogue = parse("/data/catalogue.json");
   store.erase("catalogues");
   store["presets"] = catalogue["presets"];

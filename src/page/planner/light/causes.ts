@@ -5,7 +5,18 @@ import type { Part } from "../document/messages";
 import type { Preview } from "../document/preview";
 
 /** Units have values of their own; the others are no matter of light. As in src/serve/live/shop.cpp. */
-const others = ["name", "language", "currency", "drawing", "variation", "ignore", "transceivers"];
+const others = [
+  "name",
+  "language",
+  "currency",
+  "source",
+  "confirmed",
+  "assumed",
+  "drawing",
+  "variation",
+  "ignore",
+  "transceivers",
+];
 const dark: ReadonlySet<Part["kind"]> = new Set(["area", "rail", "grid", "faces", "keep_out"]);
 
 export const changesLight = (path: string): boolean => !others.includes(path.split("/")[1] ?? "");

@@ -196,7 +196,8 @@ void describe(Record& record, Placement& placement) {
   record.note("critical", [&] { return critical(placement, ids); });
   if (record.has("price", placement.price.has_value())) record.nullable("price", placement.price);
   record.ignore({"curve", "curve_complete", "certificate", "alternatives", "sensitivity", "states",
-                 "warnings", "label_names", "seed", "complete", "files", "total_weight", "steps", "seconds"});
+                 "warnings", "label_names", "values", "example", "seed", "complete", "files", "total_weight",
+                 "steps", "seconds"});
 }
 
 void describe(Record& record, CoverageCurve& curve) {

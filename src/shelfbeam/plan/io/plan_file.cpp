@@ -61,6 +61,13 @@ void describe(Record& record, Certificate& certificate) {
     stated.fail("is not the number of labels that none of the lists names", "correct one of them");
 }
 
+void describe(Record& record, DecisiveValue& value) {
+  record.name("value", value.kind);
+  record.text("of", value.of);
+  record.name("state", value.state);
+  record.non_negative("amount", value.amount);
+}
+
 void describe(Record& record, CertifiedPlan& plan) {
   describe(record, plan.placement);
   if (record.has("seed", plan.seed.has_value()))
@@ -77,6 +84,8 @@ void describe(Record& record, CertifiedPlan& plan) {
     record.custom(
         "warnings", [&] { return to_json(plan.warnings); },
         [&](const JsonCursor& json) { plan.warnings = read_findings(json); });
+  if (record.has("values", !plan.values.empty())) record.list("values", plan.values);
+  if (record.has("example", plan.is_example)) record.boolean("example", plan.is_example);
 }
 
 }  // namespace detail
@@ -118,8 +127,11 @@ class NamesOfLabels {
 
 }  // namespace
 
-std::string plan_json(const CertifiedPlan& plan, const SignalTable& table, std::span<const Label> labels) {
+std::string plan_json(const CertifiedPlan& plan, const SignalTable& table, std::span<const Label> labels,
+                      bool has_values) {
   Json file = Record::write(plan, {table});
+  if (!has_values)
+    for (const char* key : {"values", "example"}) file.erase(key);
   if (plan.availability && plan.availability->has_answer())
     file["verification"] = "states";
   else if (plan.has_verdicts())
@@ -128,6 +140,15 @@ std::string plan_json(const CertifiedPlan& plan, const SignalTable& table, std::
   of_labels.add_from(file);
   if (!of_labels.names().empty()) file["label_names"] = of_labels.names();
   return detail::file_text(file);
+}
+
+std::string with_values(const std::string& file, const CertifiedPlan& plan) {
+  Json json = Json::parse(file);
+  const SignalTable none;
+  Json values = Json::array();
+  for (const DecisiveValue& value : plan.values) values.push_back(Record::write(value, {none}));
+  json["values"] = std::move(values);
+  return detail::file_text(json);
 }
 
 std::string certificate_json(const Certificate& certificate, const SignalTable& table) {

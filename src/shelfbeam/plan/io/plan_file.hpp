@@ -12,9 +12,12 @@ namespace shelfbeam {
 
 /// The placement.json of a plan (docs/formats/placement.md): that of the placement, then certificate,
 /// states and sensitivity if present, then the warnings, and the descriptions that `labels` give to labels in
-/// it.
-std::string plan_json(const CertifiedPlan& plan, const SignalTable& table,
-                      std::span<const Label> labels = {});
+/// it. `has_values`: and how well the values are known on which the plan rests.
+std::string plan_json(const CertifiedPlan& plan, const SignalTable& table, std::span<const Label> labels = {},
+                      bool has_values = true);
+
+/// A file of plan_json with the values of a plan instead of its own.
+std::string with_values(const std::string& file, const CertifiedPlan& plan);
 
 /// The object under `states` alone.
 std::string availability_text(const Availability& availability, const SignalTable& table);

@@ -124,6 +124,7 @@ std::string need_section(const Words& words, Results results, std::string_view n
     if (need_of(result) != need) continue;
     ++count;
     std::string answer = result.answer;
+    if (!result.basis.empty()) answer += " " + result.basis;
     for (const Finding& warning : result.warnings)
       answer += " " + words.say("batch.warning", warning.sentence);
     const bool has_run = result.effort.runs > 0;

@@ -14,10 +14,15 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const PlanNumbers& numbers) {
   const auto optional = [](const auto& value) { return value ? Json(*value) : Json(); };
-  return {{"answer", numbers.answer},         {"labels", numbers.labels},
-          {"units", optional(numbers.units)}, {"lower_bound", optional(numbers.lower_bound)},
-          {"price", optional(numbers.price)}, {"price_lower_bound", optional(numbers.price_lower_bound)},
-          {"currency", numbers.currency},     {"warnings", to_json(numbers.warnings)}};
+  return {{"answer", numbers.answer},
+          {"basis", numbers.basis},
+          {"labels", numbers.labels},
+          {"units", optional(numbers.units)},
+          {"lower_bound", optional(numbers.lower_bound)},
+          {"price", optional(numbers.price)},
+          {"price_lower_bound", optional(numbers.price_lower_bound)},
+          {"currency", numbers.currency},
+          {"warnings", to_json(numbers.warnings)}};
 }
 
 PlanNumbers read_numbers(const Json& json) {
@@ -27,6 +32,7 @@ PlanNumbers read_numbers(const Json& json) {
       value = json.at(key).get<typename std::decay_t<decltype(value)>::value_type>();
   };
   numbers.answer = json.at("answer");
+  numbers.basis = json.value("basis", "");  // earlier versions do not write it
   numbers.labels = json.at("labels");
   read("units", numbers.units);
   read("lower_bound", numbers.lower_bound);

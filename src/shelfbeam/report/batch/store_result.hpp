@@ -41,6 +41,7 @@ struct PlanEffort {
 /// A plan in a few values.
 struct PlanNumbers {
   std::string answer = {};  ///< one sentence, without the scope of its confidence; or the error
+  std::string basis = {};   ///< how well the values are known on which it rests; may be empty
   std::uint64_t labels = 0;
   std::optional<std::uint64_t> units = {}, lower_bound = {};  ///< of a placement
   std::optional<double> price = {};                           ///< of the new units

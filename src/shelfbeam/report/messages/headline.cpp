@@ -157,8 +157,7 @@ Headline headline(const ReportData& data) {
   if (!plan.availability) remark(proof_sentence(data.words, placement));
   if (!plan.certificate && !plan.availability) remark(sampling_remark(data));
   if (plan.sensitivity)
-    remark(
-        with_joined_percent(sensitivity_sentence(data.words, *plan.sensitivity, data.outcome.labels.size())));
+    remark(with_joined_percent(sensitivity_sentence(data.words, plan, data.outcome.labels.size())));
   return result;
 }
 

@@ -234,17 +234,21 @@ std::string certificate_sentence(const Words& words, const CertifiedPlan& plan, 
          (certificate.open ? " " + words.say("certificate.ended", end_text(words, *certificate.open)) : "");
 }
 
-std::string sensitivity_sentence(const Words& words, const Sensitivity& sensitivity, std::size_t labels) {
+std::string sensitivity_sentence(const Words& words, const CertifiedPlan& plan, std::size_t labels) {
+  const Sensitivity& sensitivity = *plan.sensitivity;
   const std::size_t missed = sensitivity.low.missed.size(), open = sensitivity.low.undecided.size();
   std::string largest;
   if (!sensitivity.materials.empty() &&
       sensitivity.materials.front().at_lower.min_margin.ratio < sensitivity.as_given.ratio)
     largest = words.say("sensitivity.largest", sensitivity.materials.front().material);
-  return words.say(
-      missed + open == 0 ? "sensitivity.all" : "sensitivity.not_all", words.grouped(labels - missed - open),
-      words.grouped(labels), joint_confidence(words, sensitivity.confidence),
-      words.plain(sensitivity.low.min_margin.ratio, 3), words.plain(sensitivity.high.min_margin.ratio, 3),
-      largest, words.grouped(missed), words.grouped(open));
+  std::string margin;
+  if (plan.has_known_thresholds())
+    margin = words.say("sensitivity.margin", words.plain(sensitivity.low.min_margin.ratio, 3),
+                       words.plain(sensitivity.high.min_margin.ratio, 3));
+  return words.say(missed + open == 0 ? "sensitivity.all" : "sensitivity.not_all",
+                   words.grouped(labels - missed - open), words.grouped(labels),
+                   joint_confidence(words, sensitivity.confidence), margin, largest, words.grouped(missed),
+                   words.grouped(open));
 }
 
 }  // namespace shelfbeam

@@ -69,6 +69,7 @@ std::string certificate_sentence(const Words& words, const CertifiedPlan& plan, 
 
 /// "390 of 390 labels are reached for all reflectances within their ranges, with 99 % confidence; ...":
 /// the result of the simulations at the ends of the ranges, as one sentence.
-std::string sensitivity_sentence(const Words& words, const Sensitivity& sensitivity, std::size_t labels);
+/// Precondition: the plan has them.
+std::string sensitivity_sentence(const Words& words, const CertifiedPlan& plan, std::size_t labels);
 
 }  // namespace shelfbeam

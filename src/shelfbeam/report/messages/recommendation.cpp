@@ -18,6 +18,7 @@ std::string recommendation(const ReportData& data) {
   const Words& words = data.words;
   const LabelOutcome& weakest = data.outcome.labels[data.outcome.by_margin.front()];
   if (!(weakest.requirement > 0)) return {};
+  if (!plan.has_known_thresholds()) return words.say("recommendation.confirm");
   const double margin = weakest.ratio();
   const std::string now = words.significant(margin);
   if (margin * (1 - close_share) >= 1) return words.say("recommendation.ample", now);

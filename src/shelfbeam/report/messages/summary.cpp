@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "shelfbeam/report/messages/availability.hpp"
+#include "shelfbeam/report/messages/known_values.hpp"
 #include "shelfbeam/report/messages/open_bound.hpp"
 #include "shelfbeam/report/messages/partial.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
@@ -24,7 +25,8 @@ using Tone = Headline::Tone;
 
 std::string verdict_of(const ReportData& data, Tone tone) {
   if ((data.input.plan.certificate && data.has_selection()) || data.input.plan.availability)
-    return data.words.say(fmt::format("verdict.certified.{}", key_of(tone)));
+    return tone == Tone::yes ? verified_words(data.words, data.input.plan)
+                             : data.words.say(fmt::format("verdict.certified.{}", key_of(tone)));
   if (tone == Tone::yes && data.uncertain > 0)
     return data.words.say_count("verdict.uncertified.uncertain", data.uncertain);
   const Tone shown = tone == Tone::open && data.has_selection() ? Tone::yes : tone;
@@ -167,7 +169,9 @@ class SummaryWriter {
     if (labels() == 0) return;
     const LabelId weakest = data_.outcome.by_margin.front();
     const LabelOutcome& label = data_.outcome.labels[weakest];
-    if (label.met)
+    if (!plan_.has_known_thresholds())
+      summary_.achieves.push_back(words_.say("summary.achieves.unknown"));
+    else if (label.met)
       summary_.achieves.push_back(words_.say("summary.achieves.weakest", data_.names.name(weakest),
                                              words_.significant(label.ratio())));
     else
@@ -195,8 +199,11 @@ class SummaryWriter {
     const auto is_close = [](const LabelOutcome& label) {
       return label.met && label.signal * (1 - close_share) < label.requirement;
     };
-    risk("summary.risks.close", static_cast<std::size_t>(std::count_if(
-                                    data_.outcome.labels.begin(), data_.outcome.labels.end(), is_close)));
+    if (plan_.has_known_thresholds())
+      risk("summary.risks.close",
+           static_cast<std::size_t>(std::ranges::count_if(data_.outcome.labels, is_close)));
+    else
+      summary_.risks.push_back(words_.say("summary.risks.threshold"));
     const auto& units = data_.outcome.units;
     const auto most = std::max_element(
         units.begin(), units.end(),
@@ -234,6 +241,7 @@ Summary summary_of(const ReportData& data) {
   Summary summary = data.has_selection() ? writer.with_selection() : writer.without_selection();
   summary.tone = headline(data).tone;
   summary.verdict = verdict_of(data, summary.tone);
+  summary.assumed = assumed_sentence(data.words, data.input.plan);
   return summary;
 }
 

@@ -14,6 +14,7 @@ struct Summary {
   Headline::Tone tone = Headline::Tone::open;
   std::string verdict;                ///< a few words
   std::string answer;                 ///< one sentence
+  std::string assumed;                ///< assumed_sentence
   std::vector<std::string> remarks;   ///< price, proof, and whether a second simulation confirms it
   std::vector<std::string> achieves;  ///< coverage and reserve; empty without a selection
   std::vector<std::string> risks;     ///< empty without a selection

@@ -124,7 +124,7 @@ std::string sensitivity_section(const ReportData& data) {
                              labels(data, sensitivity->low.undecided, "sensitivity.undecided");
   return html_section("sensitivity", data.words.say("sensitivity.title"),
                       paragraph(with_joined_percent(
-                          sensitivity_sentence(data.words, *sensitivity, data.outcome.labels.size()))) +
+                          sensitivity_sentence(data.words, data.input.plan, data.outcome.labels.size()))) +
                           fmt::format("<div class=\"pair\">\n{}<div>\n{}</div>\n</div>\n",
                                       tornado(data, *sensitivity), beside) +
                           material_table(data, *sensitivity));

@@ -70,8 +70,10 @@ std::string alternatives_table(const ReportData& data) {
   std::vector<HtmlTable::Column> columns{{data.words.say("summary.alternatives.choice"), false, true},
                                          {data.words.say("summary.alternatives.units")}};
   if (has_prices) columns.push_back({data.words.say("summary.alternatives.new_price")});
-  for (const char* key : {"reached", "weakest", "secure"})
-    columns.push_back({data.words.say(fmt::format("summary.alternatives.{}", key))});
+  const bool has_reserve = plan.has_known_thresholds();
+  columns.push_back({data.words.say("summary.alternatives.reached")});
+  if (has_reserve) columns.push_back({data.words.say("summary.alternatives.weakest")});
+  columns.push_back({data.words.say("summary.alternatives.secure")});
   HtmlTable table(columns, HtmlTable::Narrow::cards);
   const auto price_of = [&](const Alternative& one) {
     return one.price ? money(data.words, one.price->to_spend, one.price) : "–";
@@ -80,8 +82,9 @@ std::string alternatives_table(const ReportData& data) {
                        const std::string& price, const std::string& reached) {
     std::vector<std::string> cells{name, units};
     if (has_prices) cells.push_back(price);
-    cells.insert(cells.end(),
-                 {reached, times(data.words, one.smallest_margin), data.words.grouped(one.secure)});
+    cells.push_back(reached);
+    if (has_reserve) cells.push_back(times(data.words, one.smallest_margin));
+    cells.push_back(data.words.grouped(one.secure));
     table.add_row(cells);
   };
   const auto units = [&](const Alternative& one) { return data.words.grouped(one.selected.size()); };
@@ -117,7 +120,9 @@ std::string alternatives_table(const ReportData& data) {
                                   data.words("summary.alternatives.cannot")),
                       "note");
   return fmt::format("<h2>{}</h2>\n{}{}", escape(data.words("summary.alternatives.title")), html,
-                     paragraph(data.words.say("summary.alternatives.note"), "note"));
+                     paragraph(data.words.say(has_reserve ? "summary.alternatives.note"
+                                                          : "summary.alternatives.note_without_reserve"),
+                               "note"));
 }
 
 // What each change requires, between the plan for the shop as in the store file and this one.
@@ -143,12 +148,16 @@ std::string summary_section(const ReportData& data, const Maps& maps) {
                    fmt::format("{} <span class=\"verdict\">{}</span>", escape(data.words("summary.kicker")),
                                escape(summary.verdict)),
                    name.empty() ? data.words.say("summary.store") : name, summary.answer, summary.remarks});
+  if (!summary.assumed.empty()) html += paragraph(summary.assumed, "assumed");
   if (const std::string advice = recommendation(data); !advice.empty())
     html += paragraph(advice, "recommended");
   if (data.has_selection())
     html += "<div class=\"pair\">\n" + shopping_list(data) +
-            list(data.words, "summary.achieves.title", summary.achieves) + "</div>\n" +
-            list(data.words, "summary.risks.title", summary.risks) + alternatives_table(data);
+            list(data.words,
+                 data.input.plan.has_known_thresholds() ? "summary.achieves.title"
+                                                        : "summary.achieves.title_without_reserve",
+                 summary.achieves) +
+            "</div>\n" + list(data.words, "summary.risks.title", summary.risks) + alternatives_table(data);
   html += reasons_table(data);
   html += maps.overview(data.words.say(data.has_selection() ? "summary.drawing" : "summary.drawing_none"));
   return "<div class=\"first-page\">\n" + html + "</div>\n";

@@ -183,7 +183,8 @@ std::string describe(const Placement& placement, const SignalTable& table) {
                                 : "");
 }
 
-std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table) {
+std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table,
+                     bool has_reserve) {
   if (alternatives.empty()) return {};
   std::string text = "  alternatives on the simulated signals:\n";
   const auto add = [&](const std::string& choice, const Alternative& one, const std::string& effect) {
@@ -198,9 +199,11 @@ std::string describe(const Alternatives& alternatives, const Placement& placemen
   if (const auto& one = alternatives.one_more)
     add(fmt::format("one more ({})", fmt::join(added_to(placement.selected, one->selected, table), ", ")),
         *one,
-        fmt::format(
-            "the weakest label receives {:.3g} times its requirement, {} of {} labels survive any failure",
-            one->smallest_margin, english().grouped(one->secure), english().grouped(table.rows())));
+        fmt::format("{}{} of {} labels survive any failure",
+                    has_reserve ? fmt::format("the weakest label receives {:.3g} times its requirement, ",
+                                              one->smallest_margin)
+                                : std::string(),
+                    english().grouped(one->secure), english().grouped(table.rows())));
   if (const auto& one = alternatives.survives_failure)
     add("every failure survived", *one, one->is_proven ? "proven minimum" : "not proven to be the minimum");
   if (alternatives.cannot_survive) text += "    every failure survived: not possible with these candidates\n";

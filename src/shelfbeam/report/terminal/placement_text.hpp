@@ -24,6 +24,8 @@ std::string availability_answer(const Availability& availability, const Placemen
 /// The remarks on it, one per line.
 std::string availability_details(const Availability& availability, const Placement& placement,
                                  const SignalTable& table);
-/// One line per alternative; empty without any.
-std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table);
+/// One line per alternative; empty without any. `has_reserve`: thresholds are known well enough to state
+/// multiples of them.
+std::string describe(const Alternatives& alternatives, const Placement& placement, const SignalTable& table,
+                     bool has_reserve);
 }  // namespace shelfbeam

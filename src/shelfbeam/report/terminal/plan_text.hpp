@@ -10,6 +10,7 @@ namespace shelfbeam {
 /// A plan in a few lines for a terminal.
 struct PlanText {
   std::string answer;   ///< one line
+  std::string basis;    ///< basis_of(); may be empty
   std::string open;     ///< open_bound()
   std::string details;  ///< lines about the placement
 };

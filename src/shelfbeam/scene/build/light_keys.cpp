@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -26,6 +27,21 @@ std::string text_of(Described value) {
   return json.dump();
 }
 
+LabelType without_notes(LabelType type) {
+  type.origin = {};
+  type.order_number.clear();
+  type.picture.clear();
+  type.price.reset();
+  return type;
+}
+TransceiverType without_notes(TransceiverType type) {
+  type.origin = {};
+  type.order_number.clear();
+  type.fixing.clear();
+  type.picture.clear();
+  return type;
+}
+
 // The types without the values that do not affect light, so that any new value does.
 std::string light_of(LabelType type) {
   const LabelType plain;
@@ -34,14 +50,11 @@ std::string light_of(LabelType type) {
   type.link_cost = plain.link_cost;
   type.signal_cost = plain.signal_cost;
   type.availability = plain.availability;
-  return text_of(type);
+  return text_of(without_notes(std::move(type)));
 }
 std::string light_of(TransceiverType type) {
   type.cost = TransceiverType{}.cost;
-  type.order_number.clear();
-  type.fixing.clear();
-  type.picture.clear();
-  return text_of(type);
+  return text_of(without_notes(std::move(type)));
 }
 
 template <class Type>
@@ -111,8 +124,11 @@ std::string scene_hash(const Scene& scene) {
   ContentBytes bytes;
   bytes.add(keys.light_hash);
   for (const NamedMaterial& material : scene.materials) bytes.add(material.name).add(text_of(material));
-  for (const LabelType& type : scene.label_types) bytes.add(type.name).add(text_of(type));
-  for (const TransceiverType& type : scene.transceiver_types) bytes.add(type.name).add(text_of(type));
+  const auto add_types = [&](const auto& types) {
+    for (const auto& type : types) bytes.add(type.name).add(text_of(without_notes(type)));
+  };
+  add_types(scene.label_types);
+  add_types(scene.transceiver_types);
   for (std::size_t i = 0; i < scene.labels.size(); ++i)
     bytes.add(scene.labels[i].id)
         .add(scene.labels[i].type.value)

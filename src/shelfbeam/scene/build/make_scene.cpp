@@ -14,6 +14,7 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/math/box_index.hpp"
 #include "shelfbeam/math/polygon.hpp"
+#include "shelfbeam/scene/build/decisive_values.hpp"
 #include "shelfbeam/scene/build/draft.hpp"
 #include "shelfbeam/scene/build/given_units.hpp"
 #include "shelfbeam/scene/build/label_places.hpp"
@@ -76,8 +77,11 @@ class SceneMaker {
     scene_.name = store_.name;
     scene_.language = store_.language;
     scene_.wavelength_nm = store_.wavelength_nm;
-    scene_.currency = store_.currency;
+    // Without any price, a plan has none.
+    if (std::ranges::any_of(store_.transceiver_types, &TransceiverType::has_cost))
+      scene_.currency = store_.currency;
     scene_.materials = store_.materials;
+    scene_.areas.assign(scene_.materials.size(), 0);
     scene_.label_types = store_.label_types;
     scene_.transceiver_types = store_.transceiver_types;
     for (const Finding& warning : store_.warnings) warnings_.add(warning);
@@ -94,6 +98,8 @@ class SceneMaker {
     add_labels();
     attempt([&] { add_transceivers(); });
     attempt([&] { mark_given_units(store_, kept_out_ids_, scene_, sources_); });
+    scene_.source = store_.source;
+    scene_.values = decisive_values(store_, scene_);
   }
 
   void check() {
@@ -165,6 +171,8 @@ class SceneMaker {
     attempt([&] { expect_outer_panes(*store_.room, scene_.materials, store_.file); });
     scene_.room = store_.room->shape;
     wall_surfaces_ = add_shell(*store_.room, scene_.mesh);
+    for (std::size_t t = 0; t < scene_.mesh.triangles.size(); ++t)
+      scene_.areas[scene_.mesh.materials[t].value] += scene_.mesh.area_of(t);
   }
 
   void add_fixtures() {

@@ -11,6 +11,7 @@
 #include "shelfbeam/scene/read_values.hpp"
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
+#include "shelfbeam/scene/store/value_marks.hpp"
 
 namespace shelfbeam {
 
@@ -59,23 +60,31 @@ constexpr auto end_of_store = "\n }\n}\n";
 }  // namespace
 
 std::string hash_of_resolved(std::string_view text) {
-  // A line of the store, lines of its types of transceivers, and a line of a label. Elsewhere, these levels
-  // of nesting have no keys of these names. Types come before fixtures, and these before labels.
+  // Lines and sections of the store, lines of its types, and a line of a label. Elsewhere, these levels of
+  // nesting have no keys of these names. Types come before fixtures, and these before labels.
   constexpr std::string_view description = "\n   \"description\": ", fixtures = "\n \"fixtures\": ";
   constexpr std::string_view of_head[] = {
-      "\n \"language\": ", "\n   \"order_number\": ", "\n   \"fixing\": ", "\n   \"picture\": "};
+      "\n \"language\": ",       "\n \"source\": ",   "\n   \"name\": ",    "\n   \"source\": ",
+      "\n   \"order_number\": ", "\n   \"fixing\": ", "\n   \"picture\": ", "\n   \"price\": "};
+  constexpr std::string_view sections[] = {"\n \"confirmed\": ", "\n \"assumed\": "}, end = "\n },";
   std::string kept;
   std::size_t begin = 0;
-  const auto leave_out_line = [&](std::size_t at) {
+  // Up to the end of the line that begins behind `from`.
+  const auto leave_out = [&](std::size_t at, std::size_t from) {
     kept.append(text.substr(begin, at - begin));
-    begin = std::min(text.find('\n', at + 1), text.size());
+    begin = std::min(text.find('\n', std::min(from, text.size()) + 1), text.size());
   };
   const std::size_t head = std::min(text.find(fixtures), text.size());
-  for (std::size_t at = text.find('\n'); at < head; at = text.find('\n', at + 1))
-    for (const std::string_view line : of_head)
-      if (text.substr(at).starts_with(line)) leave_out_line(at);
+  for (std::size_t at = text.find('\n'); at < head; at = text.find('\n', at + 1)) {
+    const auto starts = [line = text.substr(at)](std::string_view key) { return line.starts_with(key); };
+    if (std::ranges::any_of(of_head, starts)) leave_out(at, at);
+    if (std::ranges::any_of(sections, starts)) {
+      leave_out(at, text.find(end, at));
+      at = begin - 1;
+    }
+  }
   for (std::size_t at; (at = text.find(description, std::max(begin, head))) != std::string_view::npos;)
-    leave_out_line(at);
+    leave_out(at, at);
   const std::size_t choice = text.rfind(key_of("selected"));
   if (begin == 0 && choice == std::string_view::npos) return content_hash(text);
   kept.append(text.substr(begin, choice - begin));  // all if there is none
@@ -89,8 +98,12 @@ std::string resolved_store_json(const Store& store, const Scene& scene) {
   json["format"] = store_format_version;
   json["name"] = store.name;
   if (store.language != Language::english) json["language"] = to_text(store.language);
+  if (store.source) json["source"] = to_text(*store.source);
+  for (const ValueState state : {ValueState::confirmed, ValueState::assumed})
+    if (Json section = marks_section(scene.values, state); !section.is_null())
+      json[to_text(state)] = std::move(section);
   json["wavelength_nm"] = store.wavelength_nm;
-  if (!store.currency.empty()) json["currency"] = store.currency;
+  if (!scene.currency.empty()) json["currency"] = scene.currency;
   if (store.room) json["room"] = resolved(*store.room, lists);
   for (const NamedMaterial& one : store.materials) json["materials"][one.name] = resolved(one, lists);
   for (const LabelType& type : store.label_types) json["label_types"][type.name] = resolved(type, lists);

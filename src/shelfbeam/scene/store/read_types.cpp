@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/fields/describe_choice.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/device/photometry/photometry.hpp"
 #include "shelfbeam/device/picture.hpp"
@@ -212,6 +213,35 @@ double read_range(const JsonCursor& cursor, const TypeSource& source, const Resp
   return threshold;
 }
 
+void describe_origin(Fields& f, TypeOrigin& origin) {
+  std::string product;
+  f.text("product", product,
+         {.says = "[product](values.md#products) of a catalogue, whose keys the type has unless it has them "
+                  "itself",
+          .is_name = true,
+          .is_optional = true,
+          .otherwise = "none",
+          .is_written = false});
+  describe_note(f, "name", origin.name, "name for reports; of a product its name");
+  ValueSource source = origin.source.value_or(ValueSource::datasheet);
+  const bool is_known = source == ValueSource::datasheet || source == ValueSource::measured;
+  // The resolved store marks assumed values one by one.
+  if (describe_choice<ValueSource>(f, "source", source, names_of<ValueSource>,
+                                   {.says = "[origin](values.md) of the values",
+                                    .is_optional = true,
+                                    .otherwise = "none",
+                                    .is_written = origin.source.has_value() && is_known}))
+    origin.source = source;
+}
+
+void describe_picture(Fields& f, std::string& picture, const TypeSource* source, std::string_view says) {
+  const std::string meaning = fmt::format("{}the name of a PNG, JPEG or SVG file", says);
+  f.custom("picture",
+           {[&](const JsonCursor& json) { picture = read_picture(json, source->folder); },
+            [&] { return Json(picture); }, R"({"type": "string", "minLength": 1})"},
+           {.says = meaning, .is_optional = true, .otherwise = "none", .is_written = !picture.empty()});
+}
+
 }  // namespace
 
 Emission read_emission(const JsonCursor& cursor, const StoreFolder& folder) {
@@ -246,6 +276,7 @@ void describe(LabelType& type, Fields& f, const TypeSource* source) {
                                 if (json.is_object()) {
                                   type.threshold = read_range(json, *source, type.responsivity);
                                   type.range_m = json["at_m"].number();
+                                  type.range_of = json["hears"].text();
                                 } else {
                                   type.threshold = read_quantity(json);
                                 }
@@ -257,13 +288,26 @@ void describe(LabelType& type, Fields& f, const TypeSource* source) {
       {.says =
            "activation threshold: a signal, or a [distance](#threshold-by-distance) at which the label is "
            "reached",
-       .unit = "W/m²"});
+       .unit = "W/m²",
+       .otherwise = "*required*, or `product`"});
   f.scalar("safety_factor", Scalar::quantity, type.safety_factor,
            {.says = "the requirement is `safety_factor` x `threshold`",
             .usual_least = 1,
             .usual_most = 10,
             .usual = "1 to 4 are typical; below 1, labels count as reached below their threshold",
             .is_optional = true});
+  // These and the notes of a transceiver type stand before keys that are always written (hash_of_resolved).
+  describe_origin(f, type.origin);
+  describe_note(f, "order_number", type.order_number, "order number, for the choice of a product");
+  describe_picture(f, type.picture, source, "picture, for the choice of a product: ");
+  double price = type.price.value_or(0);
+  if (f.scalar("price", Scalar::amount, price,
+               {.says = "price of one label; no plan depends on it",
+                .unit = "cost",
+                .is_optional = true,
+                .otherwise = "none",
+                .is_written = type.price.has_value()}))
+    type.price = price;
   f.scalar(
       "link_cost", Scalar::amount, type.link_cost,
       {.says = "cost of a link to a label of this type, for the objectives `links` and `effective-links`",
@@ -290,48 +334,89 @@ void describe(TransceiverType& type, Fields& f, const TypeSource* source) {
                                  type.file = std::filesystem::path(file->text()).filename().string();
                              },
                              [&] { return with_type(type.emission); }, R"({"$ref": "#/$defs/emission"})"};
-  f.custom("emission", emission, {.says = "radiant intensity by [direction](#emission)"});
+  f.custom("emission", emission,
+           {.says = "radiant intensity by [direction](#emission)", .otherwise = "*required*, or `product`"});
   f.scalar("radius", Scalar::extent, type.radius,
            {.says = "radius of a flat disc about the axis, 0.0001 to 10; 0 is a point",
             .usual_most = 0.3,
             .usual = "up to 0.1 m is typical; correct it",
             .is_optional = true});
-  // Before a key that is always written (hash_of_resolved).
+  describe_origin(f, type.origin);
   describe_note(f, "order_number", type.order_number, "order number, for the report");
   describe_note(f, "fixing", type.fixing,
                 "how a unit is fixed, such as with a magnet on the T-bar; for the mounting sheet");
-  const CustomValue picture{
-      [&](const JsonCursor& json) { type.picture = read_picture(json, source->folder); },
-      [&] { return nlohmann::ordered_json(type.picture); }, R"({"type": "string", "minLength": 1})"};
-  f.custom("picture", picture,
-           {.says = "[picture](#picture) for the mounting sheet: the name of a PNG, JPEG or SVG file",
-            .is_optional = true,
-            .otherwise = "none",
-            .is_written = !type.picture.empty()});
-  f.scalar("cost", Scalar::amount, type.cost,
-           {.says = "price of one unit. Where the prices of the candidates differ, `plan` and `place` "
-                    "minimise the new "
-                    "spend first ([rules](../../methods/placement.md#prices))",
-            .unit = "cost",
-            .is_optional = true});
+  describe_picture(f, type.picture, source, "[picture](#picture) for the mounting sheet: ");
+  if (f.scalar("cost", Scalar::amount, type.cost,
+               {.says = "price of one unit. Where the prices of the candidates differ, `plan` and `place` "
+                        "minimise the new "
+                        "spend first ([rules](../../methods/placement.md#prices))",
+                .unit = "cost",
+                .is_optional = true}))
+    type.has_cost = true;
 }
 
-void read_label_types(const JsonCursor& section, const StoreFolder& folder, Store& store,
-                      Problems& problems) {
+void Products::add(const JsonCursor& catalogue) {
+  if (const auto section = catalogue.find(list_); section && section->is_object())
+    for (const auto& [name, product] : section->members()) products_.emplace(name, product);
+}
+
+JsonCursor Products::complete(const JsonCursor& type, TypeOrigin& origin) const {
+  const auto reference = type.find("product");
+  if (!reference) return type;
+  const std::string name = reference->text();
+  const auto found = products_.find(name);
+  if (found == products_.end()) {
+    std::vector<std::string_view> known;
+    for (const auto& [key, product] : products_) known.push_back(key);
+    reference->fail(
+        fmt::format("names the unknown product {}", in_quotes(name)),
+        known.empty() ? fmt::format("define it in '{}' of a catalogue", list_) : suggest(name, known));
+  }
+  const JsonCursor& product = found->second;
+  if (const auto other = product.find("product"))
+    other->fail("is a product of another product", "give its values instead");
+  const JsonCursor::Origin place{fmt::format("product {} of {}", in_quotes(name), product.file()),
+                                 product.unit()};
+  Json whole = type.value();
+  JsonCursor::Origins origins;
+  for (const auto& [key, value] : type.members()) origins[key] = {"", type.unit()};
+  for (const auto& [key, value] : product.members())
+    if (!whole.contains(key)) {
+      whole[key] = value.value();
+      origins[key] = place;
+    }
+  if (!whole.contains("name")) whole["name"] = name;
+  for (const auto& [kind, key] : {std::pair{ValueKind::threshold, "threshold"},
+                                  {ValueKind::responsivity, "responsivity"},
+                                  {ValueKind::power, "emission"},
+                                  {ValueKind::price, "cost"}})
+    if (type.find(key)) origin.own.push_back(kind);
+  return type.replaced(std::move(whole), origins);
+}
+
+void read_label_types(const JsonCursor& section, const StoreFolder& folder, const Products& products,
+                      Store& store, Problems& problems) {
   const StoreNames names(store, &problems);
   const TypeSource source{store, names, folder, problems};
   read_named(section, store.label_types, problems, [&](const JsonCursor& json, LabelType& type) {
-    read_object(json, names, problems, [&](Fields& f) { describe(type, f, &source); });
+    problems.collect([&] {
+      const JsonCursor whole = products.complete(json, type.origin);
+      read_object(whole, names, problems, [&](Fields& f) { describe(type, f, &source); });
+    });
   });
 }
 
-void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store,
-                            Problems& problems) {
+void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, const Products& products,
+                            Store& store, Problems& problems) {
   const StoreNames names(store, &problems);
   const TypeSource source{store, names, folder, problems};
   read_named(section, store.transceiver_types, problems, [&](const JsonCursor& json, TransceiverType& type) {
-    if (!read_object(json, names, problems, [&](Fields& f) { describe(type, f, &source); }))
-      problems.mark("transceiver type " + type.name);
+    bool is_read = false;
+    problems.collect([&] {
+      const JsonCursor whole = products.complete(json, type.origin);
+      is_read = read_object(whole, names, problems, [&](Fields& f) { describe(type, f, &source); });
+    });
+    if (!is_read) problems.mark("transceiver type " + type.name);
   });
 }
 

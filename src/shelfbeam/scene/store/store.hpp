@@ -55,7 +55,9 @@ struct Store {
   std::string name;
   Language language = Language::english;  ///< of reports
   double wavelength_nm = 940;
-  std::string currency;  ///< of the costs of transceivers; empty: not given
+  std::string currency;               ///< of the costs of transceivers; empty: not given
+  std::optional<ValueSource> source;  ///< of all values without another one
+  std::vector<DecisiveValue> marks;   ///< confirmed and assumed values, which may have changed since
   std::optional<Room> room;
   std::vector<NamedMaterial> materials;
   std::vector<LabelType> label_types;
@@ -98,6 +100,9 @@ Store parse_store(const std::string& text, const std::string& name, const std::f
                   const StoreLimits& trust = {}, Problems* problems = nullptr);
 Store parse_store(const JsonCursor& document, const std::filesystem::path& folder,
                   const StoreLimits& trust = {}, Problems* problems = nullptr);
+
+/// Throws InputError for keys that a catalogue does not have, and for a value that is no object.
+void expect_catalogue(const JsonCursor& file);
 
 /// The locations in the store file of a scene's fixtures, labels, transceivers and excluded candidates, in
 /// their order, for messages. A generated device has the location of its fixture or grid.

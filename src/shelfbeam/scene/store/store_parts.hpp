@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,10 +24,28 @@ namespace shelfbeam {
 // Readers of the sections of a store file. They collect the problems of all members, and throw InputError
 // with the JSON path for a section as a whole.
 
-void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, Store& store,
-                            Problems& problems);
+/// The types of catalogues from which those of a store can be made.
+class Products {
+ public:
+  /// `list`: the section of a file that has them.
+  explicit Products(std::string_view list) : list_(list) {}
+
+  void add(const JsonCursor& catalogue);
+
+  /// The keys of a type with those of its product that it lacks; its own deciding values are noted in
+  /// `origin`. Errors in a key of a product name the product. Throws InputError for an unknown product.
+  JsonCursor complete(const JsonCursor& type, TypeOrigin& origin) const;
+
+ private:
+  std::string_view list_;
+  std::map<std::string, JsonCursor, std::less<>> products_;
+};
+
+void read_transceiver_types(const JsonCursor& section, const StoreFolder& folder, const Products& products,
+                            Store& store, Problems& problems);
 /// Requires the transceiver types to be read already, because a threshold may name them.
-void read_label_types(const JsonCursor& section, const StoreFolder& folder, Store& store, Problems& problems);
+void read_label_types(const JsonCursor& section, const StoreFolder& folder, const Products& products,
+                      Store& store, Problems& problems);
 /// Completes presets, expands repeats, and places fixtures against walls and others. Requires the room.
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                    Presets& presets, Store& store, Problems& problems);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "shelfbeam/scene/store/device_fields.hpp"
 #include "shelfbeam/scene/store/store.hpp"
 #include "shelfbeam/scene/store/store_parts.hpp"
+#include "shelfbeam/scene/store/value_marks.hpp"
 
 namespace shelfbeam {
 
@@ -59,8 +62,7 @@ std::vector<JsonCursor> read_catalogues(const JsonCursor& root, const StoreFolde
       const InputFile file = folder.find(name);
       files.push_back(
           in_its_unit(JsonCursor::parse(file.read(), file.name(), folder.memory() / names->size())));
-      files.back().expect_keys(
-          {"$schema", "units", "presets", "materials", "label_types", "transceiver_types"});
+      expect_catalogue(files.back());
     }
   }
   return files;
@@ -138,26 +140,12 @@ class StoreReader {
   }
 
  private:
-  static constexpr auto keys = std::to_array<std::string_view>({"$schema",
-                                                                "format",
-                                                                "units",
-                                                                "currency",
-                                                                "name",
-                                                                "language",
-                                                                "wavelength_nm",
-                                                                "catalogues",
-                                                                "presets",
-                                                                "room",
-                                                                "materials",
-                                                                "label_types",
-                                                                "transceiver_types",
-                                                                "fixtures",
-                                                                "labels",
-                                                                "measuring_planes",
-                                                                "planogram",
-                                                                "transceivers",
-                                                                "variation",
-                                                                "drawing"});
+  static constexpr auto keys = std::to_array<std::string_view>(
+      {"$schema",           "format",    "units",     "currency",         "name",
+       "language",          "source",    "confirmed", "assumed",          "wavelength_nm",
+       "catalogues",        "presets",   "room",      "materials",        "label_types",
+       "transceiver_types", "fixtures",  "labels",    "measuring_planes", "planogram",
+       "transceivers",      "variation", "drawing"});
 
   // Returns whether the section is omitted or could be read as a whole.
   template <class Read>
@@ -177,6 +165,11 @@ class StoreReader {
     section(root, "wavelength_nm",
             [&](const JsonCursor& json) { store_.wavelength_nm = json.number(100, 1e5); });
     section(root, "currency", [&](const JsonCursor& json) { store_.currency = read_currency(json); });
+    section(root, "source", [&](const JsonCursor& json) { store_.source = json.choice<ValueSource>(); });
+    for (const ValueState state : {ValueState::confirmed, ValueState::assumed})
+      section(root, to_text(state), [&](const JsonCursor& json) {
+        std::ranges::move(read_marks(json, state, problems_), std::back_inserter(store_.marks));
+      });
   }
 
   void read_lists(const JsonCursor& root) {
@@ -189,16 +182,21 @@ class StoreReader {
         problems_.mark("preset");
     presets_.check(problems_);
     store_.presets = presets_.names();
+    Products units("transceiver_types"), labels("label_types");
+    for (const JsonCursor& file : std::span(files).first(files.size() - 1)) {
+      units.add(file);
+      labels.add(file);
+    }
     each_section(files, "materials", "material", [&](const JsonCursor& json, bool is_shared) {
       read_materials(json, folder_.cache(), store_, problems_);
       if (is_shared) store_.shared.materials = store_.materials.size();
     });
     each_section(files, "transceiver_types", "transceiver type", [&](const JsonCursor& json, bool is_shared) {
-      read_transceiver_types(json, folder_, store_, problems_);
+      read_transceiver_types(json, folder_, units, store_, problems_);
       if (is_shared) store_.shared.transceiver_types = store_.transceiver_types.size();
     });
     each_section(files, "label_types", "label type", [&](const JsonCursor& json, bool is_shared) {
-      read_label_types(json, folder_, store_, problems_);
+      read_label_types(json, folder_, labels, store_, problems_);
       if (is_shared) store_.shared.label_types = store_.label_types.size();
     });
   }
@@ -261,14 +259,13 @@ namespace {
 class Completer {
  public:
   Completer(const JsonCursor& document, const std::filesystem::path& folder, const StoreLimits& limits)
-      : root_(in_its_unit(document)) {
+      : root_(in_its_unit(document)), problems_(document.file()) {
     const StoreFolder files(folder, limits);
-    Problems problems(document.file());
     for (const JsonCursor& file : read_catalogues(root_, files))
-      if (const auto section = file.find("presets")) presets_.add(*section, problems);
-    if (const auto section = root_.find("presets")) presets_.add(*section, problems);
-    presets_.check(problems);
-    problems.throw_first();
+      if (const auto section = file.find("presets")) presets_.add(*section, problems_);
+    if (const auto section = root_.find("presets")) presets_.add(*section, problems_);
+    presets_.check(problems_);
+    problems_.throw_first();
   }
 
   const JsonCursor& root() const { return root_; }
@@ -284,7 +281,8 @@ class Completer {
 
  private:
   JsonCursor root_;
-  Presets presets_;
+  Problems problems_;
+  Presets presets_;  // refers to the problems
 };
 
 }  // namespace
@@ -308,6 +306,10 @@ std::map<std::string, FixtureKeys> completed_presets(const JsonCursor& document,
   for (const std::string& name : completer.names())
     presets.emplace(name, completer.complete(completer.root().replaced({{"preset", name}})));
   return presets;
+}
+
+void expect_catalogue(const JsonCursor& file) {
+  file.expect_keys({"$schema", "units", "presets", "materials", "label_types", "transceiver_types"});
 }
 
 Store read_store(const std::filesystem::path& path, const StoreLimits& trust, Problems* problems) {

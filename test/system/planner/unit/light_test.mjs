@@ -198,7 +198,12 @@ test("edits without an answer, and gestures on what reflects or holds labels, ma
 test("the page and the server agree on the keys that change no light", () => {
   const shop = readFileSync(`${process.env.EXAMPLES}/../src/serve/live/shop.cpp`, "utf8");
   const [, listed] = /without_light[^;]*\{([^}]*)\}/.exec(shop);
-  const keys = ["name", "language", "currency", "drawing", "variation", "ignore", "transceivers"];
+  const keys = ["name", "language", "currency", "source", "confirmed", "assumed"].concat([
+    "drawing",
+    "variation",
+    "ignore",
+    "transceivers",
+  ]);
   assert.deepEqual(JSON.parse(`[${listed}]`), keys);
   for (const key of keys) assert.ok(!changesLight(`/${key}`) && !changesLight(`/${key}/0/id`), key);
   for (const key of ["fixtures", "labels", "materials", "room", "transceiver_types", "units"])

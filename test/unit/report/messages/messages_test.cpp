@@ -187,17 +187,21 @@ void say_certificates(Sentences& to) {
   say(nothing, 0, {1, 1, 2}, EndReason{EndCause::interrupted});
   say(nothing, 0, {0, 0, 4});
   to.heading("sensitivity");
-  Sensitivity sensitivity;
+  CertifiedPlan plan;
+  Sensitivity& sensitivity = plan.sensitivity.emplace();
   sensitivity.as_given = {1.25, 0.0125, 3};
   sensitivity.low.min_margin.ratio = 1.0625;
   sensitivity.high.min_margin.ratio = 1.75;
-  to.say(sensitivity_sentence(en, sensitivity, 1200));
+  to.say(sensitivity_sentence(en, plan, 1200));
+  plan.values = {{ValueKind::threshold, "standard", ValueState::assumed}};
+  to.say(sensitivity_sentence(en, plan, 1200));
+  plan.values.clear();
   sensitivity.low.missed = {7, 8, 9};
   sensitivity.low.undecided = {21};
   sensitivity.materials = {{"tiles <grey>", 0.6, 0.45, 0.75, true, {}, {}}};
   for (const double ratio : {1.25, 1.2}) {  // the first as if it had no range
     sensitivity.materials[0].at_lower.min_margin.ratio = ratio;
-    to.say(sensitivity_sentence(en, sensitivity, 926));
+    to.say(sensitivity_sentence(en, plan, 926));
   }
 }
 

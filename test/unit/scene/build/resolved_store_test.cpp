@@ -213,7 +213,10 @@ TEST(ResolvedStore, ComparisonAndHashDetectEveryChange) {
 TEST(ResolvedStore, HasTheHashOfTheScene) {
   const Store store = test::read_text(sample_store().dump());
   Scene scene = make_scene(store);
-  EXPECT_EQ(scene.store_hash, content_hash(resolved_store_json(store, scene)));
+  // Marks, which earlier versions do not have, are not part of it.
+  Json resolved = Json::parse(resolved_store_json(store, scene));
+  EXPECT_EQ(resolved.erase("assumed"), 1U);
+  EXPECT_EQ(scene.store_hash, content_hash(resolved.dump(1) + "\n"));
   EXPECT_EQ(scene_hash(scene), scene.store_hash);
   const std::string own = hash_without_store(scene);
   EXPECT_NE(own, scene.store_hash);

@@ -1,6 +1,7 @@
 #include <cstdlib>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -109,6 +110,12 @@ TEST(Description, SchemaIsUpToDate) {
   }
   set("label_type", LabelType{});
   set("transceiver_type", TransceiverType{});
+  for (const auto& [type, key] : {std::pair{"label_type", "threshold"}, {"transceiver_type", "emission"}}) {
+    Json& form = schema["$defs"][type];
+    form["anyOf"] = {{{"required", form["required"]}}, {{"required", {"product"}}}};
+    EXPECT_EQ(form["required"], Json::array({key}));
+    form.erase("required");
+  }
   set("planogram", ArticleLabels{});
   set("label", Label{});
   set("transceiver", Transceiver{});
