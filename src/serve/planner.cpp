@@ -26,6 +26,7 @@
 #include "serve/live/file_facts.hpp"
 #include "serve/live/shop.hpp"
 #include "serve/live/unit_edits.hpp"
+#include "serve/live/values.hpp"
 #include "serve/live/warning_finder.hpp"
 #include "serve/planning/planning.hpp"
 #include "serve/project/project.hpp"
@@ -88,6 +89,8 @@ struct Planner::State {
     steps = project.steps();
     problems = shop.problems();
     names = shop.names();
+    values = values_of(shop.draft());
+    products = products_of(shop.draft());
   }
 
   static http::Options with_page(http::Options options) {
@@ -135,6 +138,8 @@ struct Planner::State {
               {"parts", shop.parts()}};
     json["problems"] = shop.problems();
     json["shared"] = shop.names();
+    json["values"] = values_of(shop.draft());
+    json["products"] = products_of(shop.draft());
     add_state(json, project, project.steps());
     server.send(tab, http::Message::text(with_document(json, shop.json())));
     if (shop.label_count() > 0) server.send(tab, http::Message::binary(shop.labels(project.revision())));
@@ -265,6 +270,8 @@ struct Planner::State {
     };
     add_new("problems", shop.problems(), problems);
     add_new("shared", shop.names(), names);
+    add_new("values", values_of(shop.draft()), values);
+    add_new("products", products_of(shop.draft()), products);
     std::vector<Step> all = project.steps();
     add_state(json, project, all,
               static_cast<std::size_t>(std::ranges::mismatch(steps, all).in1 - steps.begin()));
@@ -360,7 +367,7 @@ struct Planner::State {
   // As the pages know them.
   std::optional<std::string> locked;
   std::vector<Step> steps;
-  Json problems, names;
+  Json problems, names, values, products;
 
   std::optional<std::vector<EditOp>> ops;  // of the edit that is being answered
   std::optional<Json> found;               // warnings about the present text

@@ -21,6 +21,7 @@ Errands::Errands(fs::path folder, const std::string& program)
     : folder_(std::move(folder)),
       comparison_(program, "comparison", "the comparison with measurements"),
       difference_(program, "difference", "the comparison of two plans"),
+      report_(program, "report", "the report"),
       archive_(program, "archive", "the archive") {
   remove_archives();
 }
@@ -48,6 +49,9 @@ bool Errands::begin(const Request& request, const PlanRuns& plans) {
     };
     difference_.start(request,
                       {"diff", plan("before"), plan("after"), "-o", own_file(difference_name).string()});
+  } else if (verb == "plan_report") {
+    report_.start(request, {"report", (folder_ / plans.at(request.number("plan")).folder).string(), "--store",
+                            (folder_ / "store.json").string()});
   } else if (verb == "archive") {
     archive_.start(request, {"archive", folder_.string(), "-o", own_file(archive_name).string()});
   } else {
@@ -58,7 +62,7 @@ bool Errands::begin(const Request& request, const PlanRuns& plans) {
 
 std::vector<LateReply> Errands::poll() {
   std::vector<LateReply> replies;
-  for (Errand* errand : {&comparison_, &difference_, &archive_})
+  for (Errand* errand : {&comparison_, &difference_, &report_, &archive_})
     if (auto reply = errand->poll()) replies.push_back(std::move(*reply));
   return replies;
 }

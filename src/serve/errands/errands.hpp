@@ -14,7 +14,7 @@
 namespace shelfbeam::serve {
 
 /// The requests of pages whose answers take a process, and the files that they leave for a page
-/// (docs/formats/planner.md): `compare`, `difference` and `archive`.
+/// (docs/formats/planner.md): `compare`, `difference`, `plan_report` and `archive`.
 class Errands {
  public:
   /// `folder`: of the project. `program`: shelfbeam.
@@ -34,7 +34,7 @@ class Errands {
   std::filesystem::path own_file(const char* name) const { return folder_ / ".shelfbeam" / name; }
 
   const std::filesystem::path folder_;
-  Errand comparison_, difference_, archive_;
+  Errand comparison_, difference_, report_, archive_;
 };
 
 }  // namespace shelfbeam::serve

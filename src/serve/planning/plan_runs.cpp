@@ -1,6 +1,7 @@
 #include "serve/planning/plan_runs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <exception>
 #include <system_error>
@@ -35,6 +36,14 @@ std::int64_t written_in(const fs::path& folder) {
 
 std::string present_time() {
   return utc_text(std::chrono::system_clock::now());
+}
+
+// Whether two events `result` are of the same plan, whatever they say of it.
+bool has_same_numbers(const Json& one, const Json& other) {
+  if (!one.is_object() || !other.is_object()) return false;
+  constexpr std::array keys{"complete", "labels", "units", "lower_bound", "price", "currency", "selected"};
+  return std::ranges::all_of(
+      keys, [&](const char* key) { return one.value(key, Json()) == other.value(key, Json()); });
 }
 
 }  // namespace
@@ -243,6 +252,13 @@ void PlanRuns::look() {
       }
       known = runs_.insert(runs_.end(), {.id = ++last_id_, .folder = name});
     }
+    has_found = true;
+    changed_.push_back(known->id);
+    // A renewed report is of the same plan.
+    if (has_same_numbers(known->result, result)) {
+      known->written = written;
+      continue;
+    }
     known->plan = nullptr;
     known->shop.clear();
     known->state = RunState::done;
@@ -250,8 +266,6 @@ void PlanRuns::look() {
     known->written = written;
     known->begun = known->ended = utc_text(
         fs::file_time_type::clock::to_sys(fs::last_write_time(entry.path() / jobs::placement_name, error)));
-    changed_.push_back(known->id);
-    has_found = true;
     if (Clock::now() - looked_ > longest_look) break;
   }
   if (has_found) return save();

@@ -9,6 +9,8 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/report/messages/known_values.hpp"
+#include "shelfbeam/report/text/words.hpp"
 
 #include "jobs/plan_folder.hpp"
 #include "serve/file_document.hpp"
@@ -87,6 +89,24 @@ Json Planning::placement_of(const PlanRun& run) const {
   }
 }
 
+// How well the values of a plan are known, by its placement.json.
+std::string basis_in(const Json& placement) {
+  CertifiedPlan plan;
+  for (const Json& value : placement.value("values", Json::array()))
+    plan.values.push_back({from_text<ValueKind>(value.at("value").get<std::string>()).value(), value.at("of"),
+                           from_text<ValueState>(value.at("state").get<std::string>()).value(),
+                           value.at("amount")});
+  plan.is_example = placement.value("example", false);
+  bool is_certified = placement.at("count") != 0;
+  if (const auto states = placement.find("states"); states != placement.end())
+    is_certified = is_certified && states->at("certified") == true;
+  else if (const auto found = placement.find("certificate"); found != placement.end())
+    is_certified = is_certified && found->at("reached") == placement.at("labels");
+  else
+    is_certified = false;
+  return basis_of(english(), plan, is_certified);
+}
+
 // Its placement.json, and the numbers of the labels in its lists, as far as the shop has them now.
 Json Planning::details(const PlanRun& run, const Draft& draft) const {
   Json plan = placement_of(run);
@@ -107,7 +127,8 @@ Json Planning::details(const PlanRun& run, const Draft& draft) const {
     for (const char* key : {"missed", "undecided", "not_verified_yet"}) add(*found, key);
   if (const auto found = plan.find("states"); found != plan.end())
     for (const char* key : {"lost", "responsible"}) add(*found, key);
-  return {{"details", std::move(plan)}, {"labels", std::move(labels)}};
+  std::string basis = basis_in(plan);
+  return {{"details", std::move(plan)}, {"labels", std::move(labels)}, {"basis", std::move(basis)}};
 }
 
 Planning::Selection Planning::selection(std::uint64_t id, const std::string& alternative, const Json& store,

@@ -23,11 +23,13 @@ import type {
   ChangedEvent,
   DevicesAbout,
   History,
+  KnownValue,
   LightAbout,
   LightEvent,
   Locked,
   PlansEvent,
   Problem,
+  Products,
   ProjectEvent,
   Refusal,
   ServerEvent,
@@ -73,6 +75,8 @@ export class StoreDocument {
   history: History = { steps: [], position: 0 };
   locked: Locked | null = null;
   shared: SharedNames = {};
+  values: KnownValue[] = [];
+  products: Products = { label_types: [], transceiver_types: [] };
   revision = -1;
   isReady = false;
 
@@ -373,9 +377,11 @@ export class StoreDocument {
 
   private take({ locked, history, ...given }: ProjectEvent | ChangedEvent): void {
     const { problems = this.problems, shared = this.shared } = given;
+    const { values = this.values, products = this.products } = given;
     const earlier = "from" in history ? this.history.steps.slice(0, history.from) : [];
     const { position, steps } = history;
-    Object.assign(this, { problems, shared, locked, history: { position, steps: [...earlier, ...steps] } });
+    const all = [...earlier, ...steps];
+    Object.assign(this, { problems, shared, values, products, locked, history: { position, steps: all } });
   }
 
   private receiveFrame(frame: PageData<DevicesAbout | LightAbout>): void {

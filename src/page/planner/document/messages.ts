@@ -78,6 +78,34 @@ export interface Locked {
 /** Names that the catalogues of the store define. */
 export type SharedNames = Partial<Record<"presets" | "materials" | "label_types" | "transceiver_types", string[]>>;
 
+/** A value on which plans rest. */
+export interface KnownValue {
+  kind: "threshold" | "power" | "responsivity" | "height" | "reflectance" | "price";
+  /** Its type or material. */
+  of: string;
+  state: "assumed" | "given" | "confirmed";
+  words: string;
+  /** W/m², W, m, a share or a price; 0 without one. */
+  amount: number;
+  /** The pointer of its mark below `confirmed`, and the value there. */
+  mark: string;
+  value: Json;
+}
+
+/** A type of labels or transceivers in a catalogue. */
+export interface Product {
+  name: string;
+  source: "datasheet" | "measured" | "assumption" | "example" | null;
+  order_number: string;
+  /** A data URI; may be empty. */
+  picture: string;
+  /** W/m² or W. */
+  amount: number;
+  price: number | null;
+}
+
+export type Products = Record<"label_types" | "transceiver_types", Product[]>;
+
 export interface ProjectEvent {
   event: "project";
   name: string;
@@ -92,6 +120,8 @@ export interface ProjectEvent {
   history: History;
   locked: Locked | null;
   shared?: SharedNames;
+  values?: KnownValue[];
+  products?: Products;
 }
 
 export interface ChangedEvent {
@@ -108,6 +138,8 @@ export interface ChangedEvent {
   history: History & { from: number };
   locked: Locked | null;
   shared?: SharedNames;
+  values?: KnownValue[];
+  products?: Products;
 }
 
 export interface WarningsEvent {
@@ -210,6 +242,8 @@ export interface PlanProgress {
 export interface PlanResult {
   event: "result";
   answer: string;
+  /** How well the values are known on which it rests; earlier versions do not write it. */
+  basis?: string;
   complete: boolean;
   labels: number;
   units: number | null;
@@ -276,6 +310,8 @@ export interface PlanDetails {
   details: {
     count: number;
     labels: number;
+    /** Since version 0.5. */
+    values?: { value: KnownValue["kind"]; of: string; state: KnownValue["state"]; amount: number }[];
     alternatives?: {
       one_fewer?: PlanAlternative;
       one_more?: PlanAlternative;
@@ -293,6 +329,8 @@ export interface PlanDetails {
     };
   };
   /** Indices and ids of labels, by the list that has them. */
+  /** How well its values are known, in words. */
+  basis: string;
   labels: Partial<
     Record<"missed" | "undecided" | "unreachable" | "not_verified_yet" | "responsible" | "lost", [number, string][]>
   >;

@@ -35,6 +35,20 @@ export function typesNamedBy(values: readonly Json[], json: Json): Types {
   return found;
 }
 
+/** Whether an element or another type of the store names a type. */
+export function isNamed(json: Json, list: TypeList, name: string): boolean {
+  if (!isObject(json)) return false;
+  const lists: string[] = ["presets", "materials", "label_types", "transceiver_types"];
+  const others = Object.entries(json).flatMap(([key, value]) =>
+    key === "confirmed" || key === "assumed"
+      ? []
+      : lists.includes(key) && isObject(value)
+        ? Object.values(value)
+        : [value],
+  );
+  return typesNamedBy(others, json)[list]?.[name] !== undefined;
+}
+
 /** Adds the types that a store lacks. */
 export function addTypes(builder: EditBuilder, types: Types, shared: SharedNames): void {
   for (const [list, named] of Object.entries(types) as [TypeList, JsonObject][])

@@ -9,11 +9,13 @@ import { PlanList } from "./list";
 import { Question } from "./question";
 import { Result } from "./result";
 import { Running } from "./running";
+import { Values } from "./values";
 import { Variation } from "./variation";
 
 export class PlanPanel {
   private readonly question = new Question();
   private readonly variation: Variation;
+  private readonly values: Values;
   private readonly start: HTMLButtonElement;
   private readonly why = element("p", { class: "note", role: "status" });
   private readonly running: Running;
@@ -32,6 +34,7 @@ export class PlanPanel {
       "data-key": "plan-start",
     });
     this.variation = new Variation(planner);
+    this.values = new Values(planner);
     this.running = new Running(planner);
     this.result = new Result(planner, address);
     this.list = new PlanList(planner, address);
@@ -42,6 +45,7 @@ export class PlanPanel {
       this.variation.root,
       this.start,
       this.why,
+      this.values.root,
       this.running.root,
       this.result.root,
       this.list.root,
@@ -53,6 +57,7 @@ export class PlanPanel {
   update(): void {
     this.question.update(this.varies);
     this.variation.update();
+    this.values.update();
     const why = this.whyNot;
     this.start.disabled = why !== "";
     this.why.textContent = why;

@@ -113,6 +113,11 @@ export class Plans {
     return this.document.ask("plan_forget", { plan: id }, label);
   }
 
+  /** Writes its report again, with the states that its values have now. */
+  renew({ id }: PlanRun, label: string): Promise<unknown> {
+    return this.document.ask("plan_report", { plan: id }, label);
+  }
+
   /** Selects its units in the store, or those of one of its alternatives. */
   enter({ id }: PlanRun, label: string, alternative?: string): Promise<unknown> {
     return this.document.ask("plan_enter", { plan: id, ...(alternative ? { alternative } : {}) }, label);

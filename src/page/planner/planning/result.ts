@@ -46,7 +46,7 @@ export class Result {
     if (!run) return;
     const onPlan = this.planner.light.units.map(({ id }) => id);
     const states = [plans.states?.shown.length, plans.stateNumber];
-    const version = JSON.stringify([run, plans.shop, document.locked, onPlan, states]);
+    const version = JSON.stringify([run, plans.shop, document.locked, onPlan, states, document.values]);
     if (version === this.version) return;
     this.version = version;
     this.show(run, null);
@@ -71,6 +71,7 @@ export class Result {
       element("h3", { text: run.folder }),
       element("p", { class: "note", text: questionText(run.plan) }),
       ...answerOf(answer),
+      ...this.basis(run, details),
       ...this.remarks(run).map((remark) => element("p", { class: "note", text: remark })),
       ...this.buttons(run),
       ...(details ? [...this.states(run, details), ...this.alternatives(run, details), ...this.labels(details)] : []),
@@ -86,6 +87,23 @@ export class Result {
       ...(result?.event !== "result" && run.first ? [say(text.plans.first, summaryOf(run.first))] : []),
       ...(isSame === false ? [text.plans.shop_changed] : []),
       ...(isSame === null && run.result?.event === "result" ? [text.plans.shop_unknown] : []),
+    ];
+  }
+
+  /** How well its values are known, and whether its report says so. */
+  private basis(run: PlanRun, details: PlanDetails | null): HTMLElement[] {
+    const words = details?.basis ?? (run.result?.event === "result" ? run.result.basis : "") ?? "";
+    const { values } = this.planner.document;
+    const isStale = (details?.details.values ?? []).some(({ value, of, state, amount }) =>
+      values.some((now) => now.kind === value && now.of === of && now.amount === amount && now.state !== state),
+    );
+    const renew = button(text.plans.renew, () => void this.planner.plans.renew(run, text.plans.renew), {
+      title: text.plans.renew_says,
+      "data-key": "plan-renew",
+    });
+    return [
+      ...(words === "" ? [] : [element("p", { class: "basis", text: words })]),
+      ...(isStale ? [element("p", { class: "note", text: text.plans.renewed }), renew] : []),
     ];
   }
 

@@ -71,7 +71,7 @@ interface WhatIf {
 }
 
 export function alternativesOf({ details }: PlanDetails): WhatIf[] {
-  const { alternatives = {}, labels, count } = details;
+  const { alternatives = {}, labels, count, values = [] } = details;
   const { one_fewer, one_more, survives_failure, cannot_survive } = alternatives;
   const rows: WhatIf[] = [];
   const withPrice = (sentence: string, of: PlanAlternative) =>
@@ -89,7 +89,10 @@ export function alternativesOf({ details }: PlanDetails): WhatIf[] {
   }
   if (one_more) {
     const margin = one_more.smallest_margin === null ? "–" : significant(one_more.smallest_margin);
-    const sentence = say(text.plans.more_gain, margin, grouped(one_more.secure), grouped(labels));
+    const secure = [grouped(one_more.secure), grouped(labels)];
+    // A multiple of an assumed threshold says nothing about the reserve.
+    const isAssumed = values.some(({ value, state }) => value === "threshold" && state === "assumed");
+    const sentence = isAssumed ? say(text.plans.more_safe, ...secure) : say(text.plans.more_gain, margin, ...secure);
     rows.push({ question: text.plans.one_more, answer: withPrice(sentence, one_more), key: "one_more" });
   }
   if (survives_failure) {

@@ -34,7 +34,7 @@ import { LabelLight } from "./label_light";
 import { placeRows } from "./place";
 import { ProfilePicture } from "./profile_picture";
 import { basesFor, typeGroup } from "./type_group";
-import { deleteType, duplicateType } from "./type_list";
+import { deleteType, duplicateType, nameField } from "./type_list";
 
 /** More elements are shown without the values of their presets. */
 const mostDetails = 60;
@@ -340,7 +340,7 @@ export class Properties {
     );
     const target: Target = { path, own: value, effective: value, details: null };
     return [
-      this.header(name, text.types.singular[kind], actions),
+      this.header(name, text.types.singular[kind], actions, nameField(this.planner, path)),
       element("div", { class: "whole", "data-field": "" }),
       ...(kind === "transceiver_types" ? this.profile.content(value) : []),
       ...(group ? [this.form([target], [group], name, { presets: basesFor(this.planner, name, value) })] : []),

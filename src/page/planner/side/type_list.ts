@@ -6,7 +6,7 @@ import { pointerTo, splitPointer, valueAt, type Json } from "../document/json";
 import { assignedTypes } from "../actions/assign";
 import { nextId } from "../elements/copies";
 import { namesIn } from "../form/initial";
-import type { TypeList } from "../elements/types";
+import { isNamed, type TypeList } from "../elements/types";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
 
@@ -80,6 +80,38 @@ export function duplicateType(planner: Planner, path: string): void {
   builder.set(pointerTo(list, next), valueAt(document.json, path) as Json);
   void document.edit({ label: say(text.edits.duplicate, name), ops: builder.ops });
   planner.openType(pointerTo(list, next));
+}
+
+/** The name of a type that nothing names yet, such as a copy; null for another type. */
+export function nameField(planner: Planner, path: string): HTMLElement | null {
+  const { document } = planner;
+  const [parent, name] = splitPointer(path);
+  const list = parent.slice(1) as TypeList;
+  if (isNamed(document.json, list, name)) return null;
+  const rename = (typed: string) => {
+    if (typed === "" || typed === name) return;
+    if (namesIn(document.json, list, document.shared).includes(typed)) {
+      planner.say(say(text.types.taken, typed), true);
+      return;
+    }
+    const builder = new EditBuilder(document.json);
+    builder.set(pointerTo(parent, typed), valueAt(document.json, path) as Json);
+    builder.set(path, undefined);
+    void document.edit({ label: say(text.types.rename, name, typed), ops: builder.ops });
+    planner.openType(pointerTo(parent, typed));
+  };
+  return element(
+    "label",
+    { class: "row" },
+    element("span", { text: text.fields.name }),
+    element("input", {
+      type: "text",
+      value: name,
+      disabled: document.locked !== null,
+      "data-key": "type-name",
+      on: { change: ({ target }) => rename((target as HTMLInputElement).value.trim()) },
+    }),
+  );
 }
 
 export function deleteType(planner: Planner, path: string): void {

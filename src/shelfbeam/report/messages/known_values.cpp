@@ -30,15 +30,19 @@ std::string assumed_sentence(const Words& words, const CertifiedPlan& plan) {
                    fmt::format("{}", fmt::join(assumed, ", ")));
 }
 
+std::string basis_of(const Words& words, const CertifiedPlan& plan, bool is_certified) {
+  std::string basis = is_certified ? verified_words(words, plan) + "." : "";
+  if (const std::string assumed = assumed_sentence(words, plan); !assumed.empty())
+    basis += (basis.empty() ? "" : " ") + assumed;
+  return basis;
+}
+
 std::string basis_of(const Words& words, const CertifiedPlan& plan) {
   const bool is_certified =
       plan.availability
           ? plan.availability->certified && !plan.availability->is_impossible()
           : plan.certificate && plan.placement.has_selection() && plan.certificate->all_reached();
-  std::string basis = is_certified ? verified_words(words, plan) + "." : "";
-  if (const std::string assumed = assumed_sentence(words, plan); !assumed.empty())
-    basis += (basis.empty() ? "" : " ") + assumed;
-  return basis;
+  return basis_of(words, plan, is_certified);
 }
 
 }  // namespace shelfbeam

@@ -20,7 +20,8 @@ std::string value_words(const Words& words, const DecisiveValue& value);
 /// The assumed values, the most influential first; empty if nothing is assumed.
 std::string assumed_sentence(const Words& words, const CertifiedPlan& plan);
 
-/// Both, for outputs without a badge.
+/// Both, for outputs without a badge. `is_certified`: the answer of the plan is.
+std::string basis_of(const Words& words, const CertifiedPlan& plan, bool is_certified);
 std::string basis_of(const Words& words, const CertifiedPlan& plan);
 
 }  // namespace shelfbeam

@@ -1,0 +1,53 @@
+#include "serve/live/values.hpp"
+
+#include "shelfbeam/report/messages/known_values.hpp"
+#include "shelfbeam/report/text/words.hpp"
+#include "shelfbeam/scene/store/value_marks.hpp"
+
+namespace shelfbeam::serve {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Type>
+Json product(const Type& type, double amount, const std::optional<double>& price) {
+  return {{"name", type.name},
+          {"source", type.origin.source ? Json(to_text(*type.origin.source)) : Json()},
+          {"order_number", type.order_number},
+          {"picture", type.picture},
+          {"amount", amount},
+          {"price", price ? Json(*price) : Json()}};
+}
+
+}  // namespace
+
+Json values_of(const Draft& draft) {
+  Json all = Json::array();
+  for (const DecisiveValue& value : draft.scene.values)
+    all.push_back({{"kind", to_text(value.kind)},
+                   {"of", value.of},
+                   {"state", to_text(value.state)},
+                   {"amount", value.amount},
+                   {"words", value_words(english(), value)},
+                   {"mark", mark_pointer(value)},
+                   {"value", mark_json(value, draft.store.unit)}});
+  return all;
+}
+
+Json products_of(const Draft& draft) {
+  const Store& store = draft.store;
+  Json labels = Json::array(), units = Json::array();
+  for (std::size_t k = 0; k < store.shared.label_types; ++k) {
+    const LabelType& type = store.label_types[k];
+    labels.push_back(product(type, type.threshold, type.price));
+  }
+  for (std::size_t k = 0; k < store.shared.transceiver_types; ++k) {
+    const TransceiverType& type = store.transceiver_types[k];
+    const auto price = type.has_cost ? std::optional(type.cost) : std::nullopt;
+    units.push_back(product(type, power(type.emission), price));
+  }
+  return {{"label_types", std::move(labels)}, {"transceiver_types", std::move(units)}};
+}
+
+}  // namespace shelfbeam::serve
