@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,8 +19,11 @@
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/inspection/plausibility.hpp"
 #include "shelfbeam/report/data/report.hpp"
+#include "shelfbeam/report/messages/known_values.hpp"
+#include "shelfbeam/report/text/words.hpp"
 #include "shelfbeam/scene/glb/scene_glb.hpp"
 #include "shelfbeam/scene/states/store_states.hpp"
+#include "shelfbeam/scene/store/value_marks.hpp"
 
 #include "app/options/arguments.hpp"
 #include "app/text/store_summary.hpp"
@@ -73,6 +77,14 @@ int print_problems(const Problems& problems, bool json) {
   return wrong_input;
 }
 
+/// "threshold of standard (0.03 W/m²): given"
+std::vector<std::string> value_lines(const Scene& scene) {
+  std::vector<std::string> lines;
+  for (const DecisiveValue& value : scene.values)
+    lines.push_back(fmt::format("{}: {}", value_words(english(), value), to_text(value.state)));
+  return lines;
+}
+
 int run_inspect(const InspectArguments& options) {
   const std::filesystem::path& drawing = options.drawing;
   protect_input(drawing, options.store);
@@ -93,10 +105,12 @@ int run_inspect(const InspectArguments& options) {
   if (format != nullptr) write_file(drawing, format->draw(store, scene, options.ids));
   if (options.common.json) {
     nlohmann::ordered_json json = summary_json(scene);
+    for (const DecisiveValue& value : scene.values) json["values"].push_back(to_json(value, store.unit));
     if (store.variation) json["variation"] = variation_lines(store);
     print_json(json);
   } else if (!options.common.quiet) {
     print_summary(scene, format == nullptr ? "" : fmt::format("{}: {}", format->name, drawing.string()));
+    print_list("known", value_lines(scene));
     print_list("varies", variation_lines(store));
   }
   jobs::expect_no_warnings(nominal, options.strict);

@@ -24,14 +24,10 @@ Json product(const Type& type, double amount, const std::optional<double>& price
 
 Json values_of(const Draft& draft) {
   Json all = Json::array();
-  for (const DecisiveValue& value : draft.scene.values)
-    all.push_back({{"kind", to_text(value.kind)},
-                   {"of", value.of},
-                   {"state", to_text(value.state)},
-                   {"amount", value.amount},
-                   {"words", value_words(english(), value)},
-                   {"mark", mark_pointer(value)},
-                   {"value", mark_json(value, draft.store.unit)}});
+  for (const DecisiveValue& value : draft.scene.values) {
+    all.push_back(to_json(value, draft.store.unit));
+    all.back()["words"] = value_words(english(), value);
+  }
   return all;
 }
 

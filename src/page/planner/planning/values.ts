@@ -4,7 +4,7 @@
 import { button, element, replaceChildren } from "../../panel/dom";
 import { counted, plain } from "../../data/format";
 import { EditBuilder } from "../document/edit";
-import { isObject, pointerTo, valueAt } from "../document/json";
+import { isObject, pointerTo, splitPointer, valueAt } from "../document/json";
 import type { KnownValue, Product } from "../document/messages";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
@@ -48,6 +48,9 @@ export class Values {
     const unconfirmed = [...open, ...rest];
     replaceChildren(this.body, [
       element("p", { class: "note", text: text.values.lead }),
+      ...(Object.values(document.products).every((list) => list.length === 0)
+        ? [element("p", { class: "note", text: text.values.no_products })]
+        : []),
       ...this.types("label_types", "threshold"),
       ...this.types("transceiver_types", "power"),
       ...this.prices(),
@@ -82,6 +85,11 @@ export class Values {
     box.input.checked = isConfirmed;
     box.input.disabled = this.planner.document.locked !== null;
     box.input.dataset.key = `confirm-${value.mark}`;
+    const place = this.placeOf(value);
+    if (place !== null)
+      box.root.append(
+        button(text.values.change, () => this.go(place), { class: "plain", "data-key": `change-${value.mark}` }),
+      );
     box.root.append(element("small", { class: `state ${value.state}`, text: text.values.states[value.state] }));
     box.input.addEventListener("change", () => {
       if (isConfirmed)
@@ -91,6 +99,18 @@ export class Values {
       else this.confirm([value], say(text.values.confirm, value.words));
     });
     return box.root;
+  }
+
+  /** Where the store has the value; null: in a catalogue. */
+  private placeOf({ kind, mark }: KnownValue): string | null {
+    const path = kind === "height" ? "/room" : splitPointer(mark)[0];
+    return valueAt(this.planner.document.json, path) === undefined ? null : path;
+  }
+
+  private go(path: string): void {
+    const { selection } = this.planner;
+    if (path === "/room") selection.setPaths([path]);
+    else this.planner.openType(path);
   }
 
   /** The types in use, and the products of which they can be made. */

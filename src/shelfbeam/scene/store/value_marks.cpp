@@ -121,6 +121,12 @@ Json mark_json(const DecisiveValue& value, LengthUnit unit) {
   return value.kind == ValueKind::height ? scaled(std::move(json), 1 / to_metres(1, unit)) : json;
 }
 
+Json to_json(const DecisiveValue& value, LengthUnit unit) {
+  return {{"kind", to_text(value.kind)},   {"of", value.of},
+          {"state", to_text(value.state)}, {"amount", value.amount},
+          {"mark", mark_pointer(value)},   {"value", mark_json(value, unit)}};
+}
+
 Json marks_section(std::span<const DecisiveValue> values, ValueState state) {
   Json section;
   for (const DecisiveValue& value : values)

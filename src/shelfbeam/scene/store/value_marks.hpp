@@ -24,6 +24,8 @@ std::vector<DecisiveValue> read_marks(const JsonCursor& section, ValueState stat
 std::string mark_pointer(const DecisiveValue& value);
 /// The value of its mark, in a store with this unit of length.
 nlohmann::ordered_json mark_json(const DecisiveValue& value, LengthUnit unit);
+/// The value with its state, and the place and value of its mark.
+nlohmann::ordered_json to_json(const DecisiveValue& value, LengthUnit unit);
 /// The section that holds all values with this state, in m; null if there are none.
 nlohmann::ordered_json marks_section(std::span<const DecisiveValue> values, ValueState state);
 
