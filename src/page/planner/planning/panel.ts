@@ -82,6 +82,7 @@ export class PlanPanel {
   }
 
   private begin(): void {
+    this.values.close();
     void this.planner.plans.start(this.question.request(this.varies), text.plans.start);
   }
 }

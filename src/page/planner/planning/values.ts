@@ -8,7 +8,6 @@ import { isObject, pointerTo, splitPointer, valueAt } from "../document/json";
 import type { KnownValue, Product } from "../document/messages";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
-import { CheckBox } from "./fields";
 
 type List = "label_types" | "transceiver_types";
 
@@ -80,25 +79,40 @@ export class Values {
   }
 
   private row(value: KnownValue): HTMLElement {
-    const box = new CheckBox(value.words, text.values.confirm_says);
-    const isConfirmed = value.state === "confirmed";
-    box.input.checked = isConfirmed;
-    box.input.disabled = this.planner.document.locked !== null;
-    box.input.dataset.key = `confirm-${value.mark}`;
-    const place = this.placeOf(value);
-    if (place !== null)
-      box.root.append(
-        button(text.values.change, () => this.go(place), { class: "plain", "data-key": `change-${value.mark}` }),
-      );
-    box.root.append(element("small", { class: `state ${value.state}`, text: text.values.states[value.state] }));
-    box.input.addEventListener("change", () => {
+    const { words, mark, state } = value;
+    const isConfirmed = state === "confirmed";
+    const change = () => {
       if (isConfirmed)
-        this.edit(say(text.values.take_back, value.words), (builder) =>
-          builder.set(`/confirmed${value.mark}`, undefined),
-        );
-      else this.confirm([value], say(text.values.confirm, value.words));
-    });
-    return box.root;
+        this.edit(say(text.values.take_back, words), (builder) => builder.set(`/confirmed${mark}`, undefined));
+      else this.confirm([value], say(text.values.confirm, words));
+    };
+    const place = this.placeOf(value);
+    return element(
+      "div",
+      { class: "value" },
+      element("input", {
+        type: "checkbox",
+        checked: isConfirmed,
+        disabled: this.planner.document.locked !== null,
+        title: text.values.confirm_says,
+        "aria-label": say(text.values.confirm, words),
+        "data-key": `confirm-${mark}`,
+        on: { change },
+      }),
+      place === null
+        ? element("span", { text: words })
+        : button(words, () => this.go(place), {
+            class: "plain",
+            title: text.values.change,
+            "data-key": `change-${mark}`,
+          }),
+      element("small", { class: `state ${state}`, text: text.values.states[state] }),
+    );
+  }
+
+  /** Leaves its place to the plan that begins. */
+  close(): void {
+    this.root.open = false;
   }
 
   /** Where the store has the value; null: in a catalogue. */
