@@ -62,12 +62,14 @@ void replace(const std::filesystem::path& folder, AtomicFolder& files, const Cer
 // Whether the states of its values were renewed.
 bool renewed(const std::filesystem::path& folder, const std::optional<std::filesystem::path>& store_file,
              StoredPlan& stored) {
-  if (store_file) return renew_values(stored, read_scene(*store_file));
   const auto own = store_of_plan(folder);
-  if (!own) return false;
+  if (store_file) return renew_values(stored, read_scene(*store_file), !own);
+  // The folder may have come from elsewhere: another shop may lie there now.
+  if (!own || own->empty() || std::filesystem::path(*own).is_absolute()) return false;
   try {
-    return renew_values(stored, read_scene(*own));
-  } catch (const InputError&) {  // it is being changed; the plan keeps the states that it has
+    const Scene now = read_scene(folder / *own);
+    return now.store_hash == stored.scene.store_hash && renew_values(stored, now, false);
+  } catch (const InputError&) {  // it is gone, or is being changed; the plan keeps the states that it has
     return false;
   }
 }

@@ -64,12 +64,10 @@ std::string run_json(const Plan& plan, const RunEffort& effort, const std::strin
   if (plan.availability) seconds["states"] = plan.availability->seconds;
   if (plan.sensitivity) seconds["sensitivity"] = plan.sensitivity->seconds;
   seconds["total"] = effort.wall_s;
-  Json json = {{"format", run_format}, {"program", program_version()}};
-  if (!store.empty()) json["store"] = store;
-  json.update({{"seconds", seconds},
-               {"processor_seconds", effort.cpu_s},
-               {"peak_memory", effort.peak_memory},
-               {"threads", effort.threads}});
+  Json json = {
+      {"format", run_format},     {"program", program_version()},      {"store", store},
+      {"seconds", seconds},       {"processor_seconds", effort.cpu_s}, {"peak_memory", effort.peak_memory},
+      {"threads", effort.threads}};
   if (plan.signals) json["signals"] = to_json(*plan.signals);
   if (plan.certificate) add_effort(json, "seconds_to_decide", plan.certificate->open);
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);

@@ -58,6 +58,7 @@ py::dict result(const jobs::PlanJob& job, const jobs::PlanEnd& end) {
     std::replace(keyword.begin(), keyword.end(), '-', '_');
     if (!keyword.empty()) remedy.advice += fmt::format(" ({})", keyword);
   }
+  if (!text.basis.empty()) text.details.insert(0, text.basis + '\n');
   text.details += describe(plan.alternatives, plan.placement, end.table, plan.has_known_thresholds()) +
                   describe(plan.curve, end.table);
   if (plan.sensitivity) text.details += sensitivity_sentence(english(), plan, end.table.rows()) + '\n';

@@ -169,7 +169,10 @@ struct Planner::State {
     Json reply{{"id", request.json["id"]}};
     bool is_done = false;
     try {
-      if (errands.begin(request, planning.runs())) return;  // the answer comes later
+      if (errands.begin(request, planning.runs())) {  // the answer comes later
+        if (request.text("do") == "plan_report") planning.note_renewed(request.number("plan"));
+        return;
+      }
       if (request.text("do") == "drag") return server.send(tab, light.drag(request.json, shop.draft()));
       reply.update(result_of(request));
       is_done = true;

@@ -17,6 +17,7 @@
 #include "shelfbeam/plan/states/goal_rules.hpp"
 #include "shelfbeam/plan/states/verify_states.hpp"
 #include "shelfbeam/report/messages/end_reason.hpp"
+#include "shelfbeam/report/messages/known_values.hpp"
 #include "shelfbeam/report/messages/proof.hpp"
 #include "shelfbeam/report/terminal/placement_text.hpp"
 #include "shelfbeam/report/text/words.hpp"
@@ -168,11 +169,16 @@ int run_verify(const VerifyArguments& options) {
   const Certificate& certificate = *verified.certificate;
   if (!options.output.empty())
     write_file(options.output, verification_csv(certificate, installation.scene, options.safe_csv));
-  if (options.common.json)
+  if (options.common.json) {
     fmt::print("{}", certificate_json(certificate, table_without_signals(installation.scene)));
-  else if (!options.common.quiet)
+  } else if (!options.common.quiet) {
     fmt::print("{}\n", styled(Style::answer, with_effort(english(), certificate_sentence(english(), verified),
                                                          certificate.open)));
+    verified.values = installation.scene.values;
+    verified.is_example = installation.scene.source == ValueSource::example;
+    if (const std::string basis = basis_of(english(), verified, certificate.all_reached()); !basis.empty())
+      fmt::print("{}\n", basis);
+  }
   return jobs::exit_code_of(certificate);
 }
 

@@ -24,6 +24,8 @@ Json product(const Type& type, double amount, const std::optional<double>& price
 
 Json values_of(const Draft& draft) {
   Json all = Json::array();
+  // Elements with problems have defaults, which nobody should confirm.
+  if (!draft.problems.empty()) return all;
   for (const DecisiveValue& value : draft.scene.values) {
     all.push_back(to_json(value, draft.store.unit));
     all.back()["words"] = value_words(english(), value);

@@ -255,7 +255,7 @@ void PlanRuns::look() {
     has_found = true;
     changed_.push_back(known->id);
     // A renewed report is of the same plan.
-    if (has_same_numbers(known->result, result)) {
+    if (renewed_.erase(known->id) > 0 && has_same_numbers(known->result, result)) {
       known->written = written;
       continue;
     }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <list>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -36,6 +37,8 @@ class PlanRuns {
   void forget(std::uint64_t id);
   /// Its units were selected in the store.
   void note_entered(std::uint64_t id);
+  /// Its report is written again.
+  void note_renewed(std::uint64_t id) { renewed_.insert(id); }
 
   /// To be called often. `shop`: that of the store file now. Returns the numbers of the runs that have
   /// changed, or are no longer in the list.
@@ -69,6 +72,7 @@ class PlanRuns {
   PlanRun* active_ = nullptr;
   std::optional<RunProcess> process_;
   std::vector<std::uint64_t> changed_, finished_;
+  std::set<std::uint64_t> renewed_;
   std::unordered_map<std::string, std::int64_t> refused_;  // folders that are no plans, and their times
   Clock::time_point looked_{};
 };

@@ -89,8 +89,10 @@ Json Planning::placement_of(const PlanRun& run) const {
   }
 }
 
-// How well the values of a plan are known, by its placement.json.
-std::string basis_in(const Json& placement) {
+namespace {
+
+// How well the values of a plan are known, by its placement.json; empty for a file of another version.
+std::string basis_in(const Json& placement) try {
   CertifiedPlan plan;
   for (const Json& value : placement.value("values", Json::array()))
     plan.values.push_back({from_text<ValueKind>(value.at("value").get<std::string>()).value(), value.at("of"),
@@ -105,7 +107,11 @@ std::string basis_in(const Json& placement) {
   else
     is_certified = false;
   return basis_of(english(), plan, is_certified);
+} catch (const std::exception&) {
+  return {};
 }
+
+}  // namespace
 
 // Its placement.json, and the numbers of the labels in its lists, as far as the shop has them now.
 Json Planning::details(const PlanRun& run, const Draft& draft) const {

@@ -47,6 +47,7 @@ class Planning {
   /// To be called often. `revision`: of the store.
   News poll(const Json& store, const Draft& draft, std::uint64_t revision);
   void note_entered(std::uint64_t id) { runs_.note_entered(id); }
+  void note_renewed(std::uint64_t id) { runs_.note_renewed(id); }
   const PlanRuns& runs() const { return runs_; }
 
   /// A file of a plan, `plans/ID/FILE`.

@@ -58,7 +58,7 @@ struct DecisiveValue {
 struct TypeOrigin {
   std::string name = {};  ///< for reports; of a type made from a product, that of the product
   std::optional<ValueSource> source = {};
-  std::vector<ValueKind> own = {};  ///< values that the type has instead of those of its product
+  std::vector<ValueKind> sourced = {};  ///< values that the product or type with the source has itself
 };
 
 }  // namespace shelfbeam

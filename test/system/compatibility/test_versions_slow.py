@@ -74,6 +74,30 @@ class Kept(unittest.TestCase):
             for unit in json.loads((kept / "plan/placement.json").read_text())["selected"]:
                 self.assertIn(unit, page)
 
+    def test_values_count_as_given_until_they_are_confirmed(self):
+        badges = set()
+        for _, kept in self.each_version():
+
+            def badge(*options, plan=kept / "plan"):
+                reported = run("report", plan, *options)
+                self.assertEqual(reported.returncode, 0, reported.stderr)
+                return re.search(r'class="verdict">([^<]*)<', (plan / "report.html").read_text(encoding="utf-8"))[1]
+
+            badges.add(badge())
+            self.assertNotIn("values", json.loads((kept / "plan/placement.json").read_text()))
+            store = json.loads((kept / "plan/store.json").read_text())
+            known = json.loads(run("inspect", kept / "plan/store.json", "--json").stdout)["values"]
+            for value in known:
+                *way, key = value["mark"].split("/")[1:]
+                inner = store.setdefault("confirmed", {})
+                for part in way:
+                    inner = inner.setdefault(part, {})
+                inner[key] = value["value"]
+            (kept / "confirmed.json").write_text(json.dumps(store))
+            badges.add(badge("--store", kept / "confirmed.json"))
+        verified = {one for one in badges if one.startswith("Verified")}
+        self.assertEqual(verified, {"Verified for the values of the store file", "Verified"})
+
     def test_plans_are_compared(self):
         present = HERE / present_version() / "plan"
         for version, kept in self.each_version():

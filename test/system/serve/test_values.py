@@ -110,8 +110,13 @@ class Values(ServeTest):
     def test_a_catalogue_is_added_once_and_remembered(self):
         self.write(plain_store())
         vendor = self.scratch / "vendor.json"
-        vendor.write_text(json.dumps(VENDOR), encoding="utf-8")
+        picture = '<svg xmlns="http://www.w3.org/2000/svg"/>'
+        (self.scratch / "esl.svg").write_text(picture, encoding="utf-8")
+        content = json.loads(json.dumps(VENDOR))
+        content["label_types"]['ESL 2.9"']["picture"] = "esl.svg"
+        vendor.write_text(json.dumps(content), encoding="utf-8")
         server = self.start("--catalogue", vendor)
+        self.assertEqual((self.folder / "esl.svg").read_text(encoding="utf-8"), picture)
         tab = self.open(server)
         self.assertEqual(tab.json["catalogues"], ["vendor.json"])
         self.assertEqual([step["label"] for step in tab.history["steps"]], ["Catalogue vendor.json"])
@@ -143,6 +148,16 @@ class Values(ServeTest):
         self.write(plain_store())
         (self.folder / "vendor.json").write_text("{}", encoding="utf-8")
         vendor = self.scratch / "vendor.json"
+        wrong_type, clash = {"label_types": 5}, {"materials": {"w": {"type": "lambertian", "reflectance": 0.1}}}
+        no_picture = {"label_types": {"E": {"threshold": 0.1, "picture": "missing.svg"}}}
+        for content in (wrong_type, clash, no_picture):
+            other = self.scratch / "other.json"
+            other.write_text(json.dumps(content), encoding="utf-8")
+            with self.assertRaises(NotStarted) as failure:
+                self.start("--catalogue", other)
+            self.assertEqual(failure.exception.code, 2, failure.exception.err)
+            self.assertFalse((self.folder / "other.json").exists())
+            self.assertEqual(self.document(), plain_store())
         for content in (json.dumps(VENDOR), "{", '{"fixtures": []}', "[]"):
             vendor.write_text(content, encoding="utf-8")
             before = self.store.read_bytes()

@@ -66,10 +66,13 @@ function answerIs({ summary, facts, factor, units, weakest }, plan) {
     );
   const share = reached === labels.length ? `all ${reached}` : `${reached} of ${labels.length}`;
   const receive = certificate && reached < labels.length ? "are confirmed to receive" : "receive";
+  const isAssumed = placement.values.some(({ value, state }) => value === "threshold" && state === "assumed");
   says(
     summary,
     `Mount ${count} new transceivers: ${share} labels ${receive} enough signal`,
-    `The weakest label, ${weakest[0][0]}, receives ${(10 ** (byMargin[0].margin_db / 10)).toPrecision(3)} times`,
+    isAssumed
+      ? "because a threshold is assumed"
+      : `The weakest label, ${weakest[0][0]}, receives ${(10 ** (byMargin[0].margin_db / 10)).toPrecision(3)} times`,
   );
   equal(units.length, chosen.length, "rows of units");
   chosen.forEach((row, k) => {

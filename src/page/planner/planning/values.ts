@@ -4,7 +4,7 @@
 import { button, element, replaceChildren } from "../../panel/dom";
 import { counted, plain } from "../../data/format";
 import { EditBuilder } from "../document/edit";
-import { isObject, pointerTo, splitPointer, valueAt } from "../document/json";
+import { equal, isObject, pointerTo, splitPointer, valueAt } from "../document/json";
 import type { KnownValue, Product } from "../document/messages";
 import type { Planner } from "../planner";
 import { say, text } from "../text";
@@ -22,6 +22,7 @@ export class Values {
   private readonly summary = element("summary");
   private readonly body = element("div");
   private wasAsked = false;
+  private version = "";
 
   constructor(private readonly planner: Planner) {
     this.root.append(this.summary, this.body);
@@ -44,6 +45,10 @@ export class Values {
       this.wasAsked = true;
       this.root.open = true;
     }
+    // A price that is being typed stays until the values change.
+    const version = JSON.stringify([values, document.products, document.locked, valueAt(document.json, "/currency")]);
+    if (version === this.version) return;
+    this.version = version;
     const unconfirmed = [...open, ...rest];
     replaceChildren(this.body, [
       element("p", { class: "note", text: text.values.lead }),
@@ -80,7 +85,9 @@ export class Values {
 
   private row(value: KnownValue): HTMLElement {
     const { words, mark, state } = value;
-    const isConfirmed = state === "confirmed";
+    // A confirmed distance of a label is only as well known as the power of its unit.
+    const held = valueAt(this.planner.document.json, `/confirmed${mark}`);
+    const isConfirmed = state === "confirmed" || (held !== undefined && equal(held, value.value));
     const change = () => {
       if (isConfirmed)
         this.edit(say(text.values.take_back, words), (builder) => builder.set(`/confirmed${mark}`, undefined));
@@ -187,9 +194,7 @@ export class Values {
         element("input", {
           type,
           value,
-          min: 0,
-          step: "any",
-          maxlength: 8,
+          ...(type === "number" ? { min: 0, step: "any" } : { maxlength: 8 }),
           disabled: isLocked,
           placeholder: type === "number" ? text.values.no_price : "",
           "data-key": key,

@@ -37,7 +37,9 @@ std::string shopping_list(const ReportData& data) {
   }
   HtmlTable table(columns);
   const auto add = [&](const BillLine& line, const std::string& each, double amount) {
-    std::vector<std::string> cells{line.type};
+    const TransceiverType* type = unit_type(data.input.scene, line.type);
+    const bool is_product = type != nullptr && !type->origin.name.empty();
+    std::vector<std::string> cells{is_product ? type->origin.name : line.type};
     if (has_orders) cells.push_back(line.order_number);
     cells.push_back(line.pinned > 0 ? data.words.say("summary.buy.pinned", data.words.grouped(line.fresh),
                                                      data.words.grouped(line.pinned))

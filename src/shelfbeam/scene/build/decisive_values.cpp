@@ -170,11 +170,13 @@ class ValueStates {
       if (mark.is(value) && same_value(mark.value, value.value))
         marked = std::max(mark.state, marked.value_or(mark.state));
     if (marked) return *marked;
-    std::optional<ValueSource> source = store_.source;
-    if (origin != nullptr && origin->source && std::ranges::count(origin->own, value.kind) == 0)
-      source = origin->source;
-    if (source == ValueSource::datasheet || source == ValueSource::measured) return ValueState::given;
-    if (source) return ValueState::assumed;
+    const auto is_known = [](ValueSource source) {
+      return source == ValueSource::datasheet || source == ValueSource::measured;
+    };
+    // A source does not speak for defaults.
+    if (origin != nullptr && origin->source && std::ranges::count(origin->sourced, value.kind) > 0)
+      return is_known(*origin->source) ? ValueState::given : ValueState::assumed;
+    if (store_.source && !is_known(*store_.source)) return ValueState::assumed;
     const std::string usual = starter_value();
     return !usual.empty() && same_value(usual, value.value) ? ValueState::assumed : ValueState::given;
   }

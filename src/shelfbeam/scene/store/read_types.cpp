@@ -361,8 +361,16 @@ void Products::add(const JsonCursor& catalogue) {
 }
 
 JsonCursor Products::complete(const JsonCursor& type, TypeOrigin& origin) const {
+  constexpr std::pair<ValueKind, std::string_view> keys[] = {{ValueKind::threshold, "threshold"},
+                                                             {ValueKind::responsivity, "responsivity"},
+                                                             {ValueKind::power, "emission"},
+                                                             {ValueKind::price, "cost"}};
   const auto reference = type.find("product");
-  if (!reference) return type;
+  if (!reference) {
+    for (const auto& [kind, key] : keys)
+      if (type.find(key)) origin.sourced.push_back(kind);
+    return type;
+  }
   const std::string name = reference->text();
   const auto found = products_.find(name);
   if (found == products_.end()) {
@@ -386,11 +394,10 @@ JsonCursor Products::complete(const JsonCursor& type, TypeOrigin& origin) const 
       origins[key] = place;
     }
   if (!whole.contains("name")) whole["name"] = name;
-  for (const auto& [kind, key] : {std::pair{ValueKind::threshold, "threshold"},
-                                  {ValueKind::responsivity, "responsivity"},
-                                  {ValueKind::power, "emission"},
-                                  {ValueKind::price, "cost"}})
-    if (type.find(key)) origin.own.push_back(kind);
+  const bool has_own_source = type.find("source").has_value();
+  for (const auto& [kind, key] : keys)
+    if (has_own_source ? type.find(key).has_value() : product.find(key) && !type.find(key))
+      origin.sourced.push_back(kind);
   return type.replaced(std::move(whole), origins);
 }
 

@@ -32,8 +32,8 @@ class Products {
 
   void add(const JsonCursor& catalogue);
 
-  /// The keys of a type with those of its product that it lacks; its own deciding values are noted in
-  /// `origin`. Errors in a key of a product name the product. Throws InputError for an unknown product.
+  /// The keys of a type with those of its product that it lacks; `origin` notes to which values the source
+  /// applies. Errors in a key of a product name the product. Throws InputError for an unknown product.
   JsonCursor complete(const JsonCursor& type, TypeOrigin& origin) const;
 
  private:

@@ -129,9 +129,13 @@ Json to_json(const DecisiveValue& value, LengthUnit unit) {
 
 Json marks_section(std::span<const DecisiveValue> values, ValueState state) {
   Json section;
-  for (const DecisiveValue& value : values)
-    if (value.state == state)
-      section[Json::json_pointer(mark_pointer(value))] = mark_json(value, LengthUnit::m);
+  for (const DecisiveValue& value : values) {
+    if (value.state != state) continue;
+    const Place& place = place_of(value.kind);
+    Json& list = section[std::string(place.list)];
+    Json& element = value.of.empty() ? list : list[value.of];
+    element[std::string(place.key)] = mark_json(value, LengthUnit::m);
+  }
   return section;
 }
 

@@ -189,6 +189,19 @@ TEST(KnownValues, OfTheResolvedStoreAreTheSame) {
   }
 }
 
+TEST(KnownValues, OfTypesWithOddNamesAreMarkedByTheirNames) {
+  for (const char* name : {"29", "0", "-", "900000000", "a/b~c", " \"x\""}) {
+    Json store = new_shop();
+    store["transceiver_types"][name] = store["transceiver_types"]["ceiling"];
+    for (Json& area : store["transceivers"]["areas"]) area["type"] = name;
+    const Scene scene = scene_of(store);
+    const std::string text = resolved_store_json(test::read_text(store.dump()), scene);
+    EXPECT_EQ(Json::parse(text)["assumed"]["transceiver_types"].items().begin().key(), name);
+    EXPECT_EQ(state_of(fmt::format("power {}", name), make_scene(test::read_text(text))),
+              ValueState::assumed);
+  }
+}
+
 TEST(KnownValues, ThresholdByRangeIsAsWellKnownAsThePower) {
   Json store = new_shop();
   store["label_types"]["standard"]["threshold"] = {{"hears", "ceiling"}, {"at_m", 6}, {"angle_deg", 45}};
@@ -310,6 +323,9 @@ TEST_F(Products, SayHowWellTheirValuesAreKnown) {
   EXPECT_THAT(with(ValueState::given, scene()), ElementsAre("threshold standard", "responsivity standard"));
   EXPECT_EQ(state_of("power ceiling", scene()), ValueState::assumed);
   EXPECT_EQ(state_of("price ceiling", scene()), ValueState::assumed);
+  catalogue_["label_types"]["ESL 29"].erase("responsivity");
+  EXPECT_EQ(state_of("responsivity standard", scene()), ValueState::assumed) << "a default";
+  EXPECT_EQ(state_of("threshold standard", scene()), ValueState::given);
   store_["transceiver_types"]["ceiling"]["cost"] = 80;
   EXPECT_EQ(state_of("price ceiling", scene()), ValueState::given) << "a value of the store itself";
   EXPECT_EQ(state_of("power ceiling", scene()), ValueState::assumed);
