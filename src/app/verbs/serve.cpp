@@ -106,9 +106,9 @@ int run_serve(const ServeArguments& options) {
   http.address = options.address;
   http.port = options.port;
   http.hosts = options.hosts;
-  // Names of files in messages are then relative to the folder, which other programs may rename.
   std::vector<fs::path> catalogues;
   for (const fs::path& catalogue : options.catalogues) catalogues.push_back(fs::absolute(catalogue));
+  // Names of files in messages are then relative to the folder, which other programs may rename.
   make_output_folder(folder.path());
   fs::current_path(folder.path());
   serve::Planner planner(
