@@ -15,7 +15,8 @@ function makeStore(shelfbeam, work, name) {
 
 /** Its thresholds are confirmed. */
 function confirmed(store) {
-  const types = '"standard": { "threshold": 0.007 }, "freezer": { "threshold": 0.007 }, "large": { "threshold": 0.006 }';
+  const types =
+    '"standard": { "threshold": 0.007 }, "freezer": { "threshold": 0.007 }, "large": { "threshold": 0.006 }';
   const marks = `"confirmed": { "label_types": { ${types} } },`;
   writeFileSync(store, readFileSync(store, "utf8").replace('"source": "example",', marks));
   return store;
