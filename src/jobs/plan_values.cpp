@@ -45,7 +45,8 @@ bool renew_values(StoredPlan& stored, const Scene& now, bool is_old) {
     value.state = state;
   }
   if (differs) stored.plan.values = std::move(values);
-  return differs;
+  const bool is_example = now.source == ValueSource::example;
+  return std::exchange(stored.plan.is_example, is_example) != is_example || differs;
 }
 
 }  // namespace shelfbeam::jobs

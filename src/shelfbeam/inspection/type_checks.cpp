@@ -192,6 +192,10 @@ class TypeChecks {
       warnings_.add(FindingCode::unit_free, at("transceiver_types", type.name, ".cost"),
                     "is 0, so a plan may have many of them; a price above 0 is typical; "
                     "give a price");
+    if (!type.has_cost && !scene_.currency.empty() && new_units_[k] > 0)
+      warnings_.add(FindingCode::unit_free, at("transceiver_types", type.name),
+                    "has no price and counts as 1 {}, because other types have prices; give a price",
+                    scene_.currency);
   }
 
   // The smallest and the largest value of the used types.

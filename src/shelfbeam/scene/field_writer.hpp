@@ -90,4 +90,16 @@ class FieldWriter final : public Fields {
   const StoreLists& lists_;
 };
 
+/// A described value as an object of the resolved store.
+template <class Described>
+nlohmann::ordered_json resolved(Described value, const StoreLists& lists) {
+  nlohmann::ordered_json json;
+  FieldWriter writer(json, lists);
+  if constexpr (requires { value.fields(writer); })
+    value.fields(writer);
+  else
+    describe(value, writer);
+  return json;
+}
+
 }  // namespace shelfbeam

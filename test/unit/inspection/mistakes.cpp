@@ -203,6 +203,12 @@ std::vector<Mistake> other_mistakes() {
        }},
       {"an aisle of 20 cm", [](Json& s) { fixture(s, "A2")["at"] = {2, 4.2}; }},
       {"units that cost nothing", [](Json& s) { s["transceiver_types"]["spot"]["cost"] = 0; }},
+      {"units without a price beside others with one",
+       [](Json& s) {
+         s["currency"] = "EUR";
+         for (Json& type : s["transceiver_types"]) type["cost"] = 25;
+         s["transceiver_types"]["spot"].erase("cost");
+       }},
       {"reflectances in per cent of per cent",
        [](Json& s) { s["materials"]["wall"]["reflectance"] = 0.008; }},
       {"a counter that floats 1 m above the floor",

@@ -181,7 +181,7 @@ export class Values {
     });
   }
 
-  /** A missing price is no price. */
+  /** An empty field: the type has no price. */
   private prices(): HTMLElement[] {
     const { document } = this.planner;
     const isLocked = document.locked !== null;

@@ -148,6 +148,8 @@ std::string with_values(const std::string& file, const CertifiedPlan& plan) {
   Json values = Json::array();
   for (const DecisiveValue& value : plan.values) values.push_back(Record::write(value, {none}));
   json["values"] = std::move(values);
+  json.erase("example");
+  if (plan.is_example) json["example"] = true;
   return detail::file_text(json);
 }
 

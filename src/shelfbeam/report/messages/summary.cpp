@@ -241,7 +241,7 @@ Summary summary_of(const ReportData& data) {
   Summary summary = data.has_selection() ? writer.with_selection() : writer.without_selection();
   summary.tone = headline(data).tone;
   summary.verdict = verdict_of(data, summary.tone);
-  // The badge of assumed values is no plain yes.
+  // The badge of assumed values does not have the colour of success.
   if (summary.tone == Tone::yes && data.input.plan.weakest_state() == ValueState::assumed)
     summary.tone = Tone::open;
   summary.assumed = assumed_sentence(data.words, data.input.plan);

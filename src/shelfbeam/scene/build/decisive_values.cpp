@@ -38,13 +38,9 @@ using Json = nlohmann::ordered_json;
 template <class Described>
 std::string value_of(Described described, const StoreLists& lists, const char* key) {
   constexpr std::size_t longest = 400;
-  Json json;
-  FieldWriter writer(json, lists);
-  if constexpr (requires { described.fields(writer); })
-    described.fields(writer);
-  else
-    describe(described, writer);
-  const Json value = key == std::string_view("height") && json.contains("size") ? json["size"][2] : json[key];
+  const Json json = resolved(std::move(described), lists);
+  const Json value =
+      key == std::string_view("height") && json.contains("size") ? json["size"][2] : json.value(key, Json());
   std::string text = value.dump();
   if (text.size() <= longest) return text;
   return Json{{"type", value["type"]}, {"content", content_hash(text)}}.dump();
@@ -86,13 +82,7 @@ class ValuesOf {
             value_of(*store_.room, lists_, "height")};
   }
   // A material without its name.
-  std::string whole(const NamedMaterial& material) const {
-    Json json;
-    FieldWriter writer(json, lists_);
-    NamedMaterial copy = material;
-    describe(copy, writer);
-    return json.dump();
-  }
+  std::string whole(const NamedMaterial& material) const { return resolved(material, lists_).dump(); }
 
  private:
   const Store& store_;

@@ -20,11 +20,7 @@ std::string text_of(Described value) {
   const std::vector<NamedMaterial> materials;
   const std::vector<LabelType> label_types;
   const std::vector<TransceiverType> unit_types;
-  const StoreLists lists{materials, label_types, unit_types};
-  nlohmann::ordered_json json;
-  FieldWriter writer(json, lists);
-  describe(value, writer);
-  return json.dump();
+  return resolved(std::move(value), {materials, label_types, unit_types}).dump();
 }
 
 LabelType without_notes(LabelType type) {

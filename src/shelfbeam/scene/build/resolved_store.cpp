@@ -19,17 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class Described>
-Json resolved(Described value, const StoreLists& lists) {
-  Json json;
-  FieldWriter writer(json, lists);
-  if constexpr (requires { value.fields(writer); })
-    value.fields(writer);
-  else
-    describe(value, writer);
-  return json;
-}
-
 // Appends a list at this level of nesting as Json::dump(1) writes it. The list never exists as Json, which
 // would take several times the memory of the scene.
 template <class Items, class ToJson>
