@@ -86,7 +86,7 @@ class Prints(unittest.TestCase):
         for paper in ("A4", "Letter"):
             for folder in (self.few, self.many):
                 pages = pages_of(folder, paper)
-                self.assertIn("Coverage and reserve", pages[0], paper)
+                self.assertIn("Coverage", pages[0], paper)
                 self.assertNotIn("Mounting sheet", pages[0], paper)
                 self.assertRegex(pages[1].strip(), "^Mounting sheet", paper)
 
