@@ -32,24 +32,6 @@ std::optional<char> stated_separator(std::string_view text) {
   return line.back();
 }
 
-// A number of the form "1.500" or "1,500", which may be one and a half, or 1500 with a thousands separator.
-bool may_be_grouped(std::string_view number) {
-  if (!number.empty() && (number[0] == '+' || number[0] == '-')) number.remove_prefix(1);
-  const std::size_t mark = number.find_first_of(".,");
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  return mark != std::string_view::npos && mark >= 1 && mark <= 3 && number[0] != '0' &&
-         number.size() == mark + 4 && std::all_of(number.begin(), number.begin() + mark, is_digit) &&
-         std::all_of(number.begin() + mark + 1, number.end(), is_digit);
-}
-
-std::optional<double> with_decimal_comma(std::string_view field) {
-  const std::size_t comma = field.find(',');
-  if (comma == std::string_view::npos || field.find('.') != std::string_view::npos) return std::nullopt;
-  std::string number(field);
-  number[comma] = '.';
-  return to_number(number);
-}
-
 // Whether the text is a formula for a spreadsheet, possibly behind apostrophes.
 bool is_formula(std::string_view text) {
   const std::size_t first = text.find_first_not_of('\'');
@@ -149,14 +131,14 @@ bool CsvReader::next() {
   const std::string_view blanks = separator_ == '\t' ? " " : " \t";
   do {
     if (position_ >= text_.size()) {
-      if (grouped_.line == 0 || has_decimals_) return false;
-      line_ = grouped_.line;
-      std::string whole = grouped_.number;
-      std::erase_if(whole, [](char c) { return c == '.' || c == ','; });
-      fail(grouped_.field,
+      if (unclear_.line == 0 || decimal_.line != 0) return false;
+      line_ = unclear_.line;
+      std::string whole = unclear_.number;
+      std::erase(whole, unclear_.mark);
+      fail(unclear_.field,
            fmt::format("is '{}', which may have a thousands separator; no other number of the file decides",
-                       grouped_.number),
-           fmt::format("write '{}' or '{}0'", whole, grouped_.number));
+                       unclear_.number),
+           fmt::format("write '{}' or '{}0'", whole, unclear_.number));
     }
     line_ = next_line_;
     fields_.clear();
@@ -199,49 +181,56 @@ void CsvReader::expect_fields(std::size_t least, std::size_t most, std::string_v
 }
 
 bool CsvReader::is_number(std::size_t field) const {
-  return to_number(fields_[field]) || with_decimal_comma(fields_[field]);
+  const auto number = written_number(fields_[field]);
+  return number && !number->unit;
 }
 
-void CsvReader::note_mark(std::size_t field, char mark) {
-  Example& same = mark == ',' ? comma_ : point_;
-  const Example& other = mark == ',' ? point_ : comma_;
-  if (other.line != 0)
-    fail(field,
-         fmt::format("is {}, but line {} has {}", in_quotes(fields_[field]), other.line,
-                     in_quotes(other.number)),
-         "use the same decimal mark in the whole file, and no thousands separators");
-  if (same.line == 0) same = {line_, field, std::string(fields_[field])};
+void CsvReader::note_mark(std::size_t field, const WrittenNumber& number) {
+  const char mark = number.mark;
+  for (const Example& other : {decimal_, unclear_})
+    if (other.line != 0 && other.mark != mark)
+      fail(field,
+           fmt::format("is {}, but line {} has {}", in_quotes(fields_[field]), other.line,
+                       in_quotes(other.number)),
+           "use the same decimal mark in the whole file, and no thousands separators");
   // Programs that separate by commas write decimal points, spreadsheets that separate by semicolons commas.
   const bool is_usual = (separator_ == ',' && mark == '.') || (separator_ == ';' && mark == ',');
-  if (is_usual || has_decimals_) return;
-  if (!may_be_grouped(fields_[field]))
-    has_decimals_ = true;
-  else if (grouped_.line == 0)
-    grouped_ = {line_, field, std::string(fields_[field])};
+  Example& example = number.grouped && !is_usual ? unclear_ : decimal_;
+  if (example.line == 0) example = {line_, field, std::string(fields_[field]), mark};
 }
 
-double CsvReader::number(std::size_t field) {
+WrittenNumber CsvReader::quantity(std::size_t field, std::optional<LengthUnit> unit) {
   const std::string_view content = fields_[field];
-  auto value = to_number(content);
-  if (value) {
-    // In files separated by commas, only the first point matters, unless there are decimal commas.
-    const bool is_searched = separator_ != ',' || point_.line == 0 || comma_.line != 0;
-    if (is_searched && content.find('.') != std::string_view::npos) note_mark(field, '.');
+  WrittenNumber number;
+  // Most numbers of matrices need no closer look.
+  const auto plain = to_number(content);
+  if (plain &&
+      (!std::isfinite(*plain) || decimal_.mark == '.' || content.find('.') == std::string_view::npos)) {
+    number.value = *plain;
+  } else if (auto written = written_number(content)) {
+    number = *written;
+    if (number.mark != 0) note_mark(field, number);
   } else {
-    value = with_decimal_comma(content);
-    if (value) note_mark(field, ',');
-  }
-  if (!value) {
     if (content.empty()) fail(field, "is empty", "a number is expected");
     const bool is_grouped = content.find_first_not_of("+-0123456789., '") == std::string_view::npos &&
                             content.find_first_of("0123456789") != std::string_view::npos;
     fail(field, fmt::format("is {}", in_quotes(content)),
          is_grouped ? "a number without thousands separators is expected" : "a number is expected");
   }
-  if (const auto problem = amount_problem(std::abs(*value)); !problem.empty())
-    fail(field, *value < -max_amount && std::isfinite(*value) ? "is less than -1e18" : std::string(problem),
+  if (number.unit && !unit)
+    fail(field, fmt::format("is {}", in_quotes(content)), "a number without a unit is expected");
+  if (const auto problem = amount_problem(std::abs(number.value)); !problem.empty())
+    fail(field,
+         number.value < -max_amount && std::isfinite(number.value) ? "is less than -1e18"
+                                                                   : std::string(problem),
          "a finite number is expected");
-  return *value;
+  if (!number.unit) number.unit = unit;
+  return number;
+}
+
+CsvReader::Length CsvReader::length(std::size_t field, LengthUnit unit) {
+  const WrittenNumber number = quantity(field, unit);
+  return {number.value, *number.unit};
 }
 
 double CsvReader::amount(std::size_t field) {

@@ -12,14 +12,15 @@
 #include <vector>
 
 #include "shelfbeam/base/changed_ids.hpp"
+#include "shelfbeam/base/written_number.hpp"
 
 namespace shelfbeam {
 
 /// Reads records (RFC 4180: fields may be quoted, and a quote inside them is doubled) as spreadsheets write
 /// them. Fields are separated by commas, semicolons or tabs; in the first line either `sep=;` or the first
-/// separator decides. A number has a decimal point or a decimal comma, the same in the whole file. Lines end
-/// with LF, CR LF or CR. Blanks around unquoted fields and records of empty fields are ignored. There is no
-/// comment syntax.
+/// separator decides. Numbers are WrittenNumbers with decimal points or with decimal commas, the same in the
+/// whole file. Lines end with LF, CR LF or CR. Blanks around unquoted fields and records of empty fields are
+/// ignored. There is no comment syntax.
 class CsvReader {
  public:
   /// Errors name the file as `name`. The text must outlive the reader. `separator` overrides the header's.
@@ -37,7 +38,13 @@ class CsvReader {
 
   bool is_number(std::size_t field) const;
   /// The field as a number; throws InputError unless it is finite.
-  double number(std::size_t field);
+  double number(std::size_t field) { return quantity(field, {}).value; }
+  struct Length {
+    double value;
+    LengthUnit unit;
+  };
+  /// The field as a length, in its own unit if it names one, and otherwise in `unit`; as `number`.
+  Length length(std::size_t field, LengthUnit unit);
   /// The field as a number; throws InputError unless it is finite and not negative.
   double amount(std::size_t field);
   /// The field as text: the text that `csv_field` was given.
@@ -60,11 +67,13 @@ class CsvReader {
   struct Example {
     std::size_t line = 0, field = 0;  ///< line 0: there is none
     std::string number;
+    char mark = 0;  ///< its decimal mark
   };
 
   std::string_view quoted_field();
   void end_line();
-  void note_mark(std::size_t field, char mark);
+  WrittenNumber quantity(std::size_t field, std::optional<LengthUnit> unit);
+  void note_mark(std::size_t field, const WrittenNumber& number);
 
   std::string_view text_;
   std::string name_;
@@ -74,9 +83,8 @@ class CsvReader {
   std::size_t next_line_ = 1;  ///< of `position_`
   std::vector<std::string_view> fields_;
   std::deque<std::string> unescaped_;  ///< fields that had doubled quotes
-  Example point_, comma_;              ///< numbers with these decimal marks
-  Example grouped_;                    ///< a number whose mark may separate thousands
-  bool has_decimals_ = false;          ///< whether another number shows that it does not
+  Example decimal_;                    ///< shows the decimal mark of the file
+  Example unclear_;                    ///< read as a decimal, before any number shows the mark
   ChangedIds ids_;
 };
 

@@ -1,10 +1,16 @@
 #include "shelfbeam/base/csv.hpp"
 
+#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 
 #include "support/expect_input_error.hpp"
 
@@ -82,9 +88,11 @@ TEST(Csv, ReadsDecimalCommas) {
 }
 
 TEST(Csv, RefusesAmbiguousNumbers) {
-  expect_refused("a;b\n1;1.234,5\n", {"line 2, field 2", "'1.234,5'", "thousands"});
-  expect_refused("a;b\n1;1.234.567\n", {"'1.234.567'", "thousands"});
-  expect_refused("a;b\n1;1 234,5\n", {"'1 234,5'", "thousands"});
+  expect_refused("a;b\n1;1.234,56,7\n", {"line 2, field 2", "'1.234,56,7'", "thousands"});
+  expect_refused("a;b\n1;1.23.567\n", {"'1.23.567'", "thousands"});
+  expect_refused("a;b\n1;12 34,5\n", {"'12 34,5'", "thousands"});
+  expect_refused("a;b\n1.250;2\n0,5;1\n", {"line 3, field 1", "'0,5'", "line 2", "'1.250'"});
+  expect_refused("a;b\n1;25 cm\n", {"'25 cm'", "without a unit"});
   expect_refused("a;b\n1;2,5\n3;2.5\n", {"line 3, field 2", "'2.5'", "line 2", "'2,5'"});
   expect_refused("a;b\n1;2.5\n3;2,5\n", {"line 3, field 2", "'2,5'", "line 2", "'2.5'"});
   expect_refused("a,b\n1,2.5\n3,\"2,5\"\n", {"line 3, field 2", "line 2"});
@@ -95,6 +103,54 @@ TEST(Csv, RefusesAmbiguousNumbers) {
   expect_refused("a;b\n1;2,5x\n", {"'2,5x'", "a number is expected"});
   expect_refused("a;b\n1;,\n", {"','"});
   EXPECT_EQ(test::input_error([] { numbers_of("a;b\n1;2,5x\n"); }).find("thousands"), std::string::npos);
+}
+
+TEST(Csv, ReadsThousandsThatShowTheirMark) {
+  EXPECT_EQ(numbers_of("a;b;c;d\n1.234,5;1.234.567;1 234,5;-1'250\n"),
+            (std::vector<double>{1234.5, 1234567, 1234.5, -1250}));
+  EXPECT_EQ(numbers_of("a;b\n1,234.5;1,234,567\n"), (std::vector<double>{1234.5, 1234567}));
+}
+
+// The number of a case of written_numbers.tsv, of lengths in m, in a table between tabs.
+std::optional<double> read_case(std::string_view text, std::string_view unit, std::string_view shown) {
+  std::string table = "a\tb\n";
+  if (shown != "-") table += std::string(shown) + "\t0\n";
+  table += std::string(text) + "\t0\n";
+  try {
+    CsvReader csv(table, "f.csv");
+    std::optional<double> number;
+    csv.next();
+    while (csv.next()) {
+      if (unit == "-") {
+        number = csv.number(0);
+      } else {
+        const auto length = csv.length(0, from_text<LengthUnit>(unit).value());
+        number = to_metres(length.value, length.unit);
+      }
+    }
+    return number;
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+TEST(Csv, ReadsNumbersAsPeopleWriteThem) {
+  const std::string file = read_file(SHELFBEAM_SOURCE_DIR "/test/data/written_numbers.tsv");
+  std::size_t count = 0, refused = 0;
+  for (const std::string_view line : split(file, '\n')) {
+    if (line.empty()) continue;
+    const std::vector<std::string_view> fields = split(line, '\t');
+    const double right = to_number(fields[3]).value();
+    const auto read = read_case(fields[0], fields[1], fields[2]);
+    EXPECT_EQ(read.has_value(), fields[4] == "read") << line;
+    if (read) {
+      EXPECT_NEAR(*read, right, 1e-12 * std::abs(right)) << line;
+    }
+    ++count;
+    refused += read ? 0 : 1;
+  }
+  EXPECT_GE(count, 2000u);
+  EXPECT_LT(refused, count / 5);
 }
 
 TEST(Csv, CountsFields) {

@@ -182,9 +182,11 @@ export class PicturePanel {
       placeholder: numbersText([0, 0, ...size]),
       unit: "",
       read: (typed) => {
-        const numbers = numbersFrom(typed, "none", this.planner.document.unit);
-        if (numbers.length !== 4) throw new Unreadable(text.picture.not_crop);
-        return numbers;
+        try {
+          return numbersFrom(typed, "none", this.planner.document.unit, 4);
+        } catch {
+          throw new Unreadable(text.picture.not_crop);
+        }
       },
       commit: (value) =>
         this.write(text.picture.crop, (drawing) => {

@@ -60,7 +60,7 @@ export class ToolFields {
     return this.typed(key, {
       shown: String(this.now[key]),
       unit: "°",
-      read: (typed) => within(numberFrom(typed, "degrees", this.planner.document.unit), least, most),
+      read: (typed) => within(numberFrom(typed, "degrees", this.planner.document.unit, { least, most }), least, most),
       commit: (value) => this.set({ [key]: Number(value) }),
     });
   }

@@ -134,7 +134,7 @@ function numberInput(
     placeholder: mixedOr(shown, numberText(shown.base)),
     unit: unitText(measure, unit),
     read: (typed) => {
-      const value = numberFrom(typed, measure, unit);
+      const value = numberFrom(typed, measure, unit, { least, most });
       if (isInteger && !Number.isInteger(value)) throw new Unreadable(text.form.not_whole);
       if (value < least) throw new Unreadable(say(text.form.too_small, least));
       if (value > most) throw new Unreadable(say(text.form.too_large, most));

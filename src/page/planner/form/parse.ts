@@ -1,7 +1,8 @@
 // Texts in fields, and the values that they stand for.
 
 import type { Json } from "../document/json";
-import { parseLength, parseNumber } from "../geometry/lengths";
+import { say } from "../../data/text";
+import { lengthsOf, numbersOf } from "../geometry/lengths";
 import type { LengthUnit } from "../geometry/units";
 import { text } from "../text";
 import type { Measure } from "./field";
@@ -9,21 +10,54 @@ import type { Measure } from "./field";
 /** A text that stands for no value; the message says what is expected. */
 export class Unreadable extends Error {}
 
-export function numberFrom(typed: string, measure: Measure, unit: LengthUnit): number {
-  const value = measure === "length" ? parseLength(typed, unit.factor) : parseNumber(typed);
-  if (value === null) throw new Unreadable(measure === "length" ? text.form.not_length : text.form.not_number);
-  return Number(value.toPrecision(12));
+export interface Limits {
+  least: number;
+  most: number;
+}
+const anyNumber: Limits = { least: -Infinity, most: Infinity };
+
+const readings = (typed: string, measure: Measure, unit: LengthUnit): number[] =>
+  measure === "length" ? lengthsOf(typed, unit.factor) : numbersOf(typed);
+
+/** Of two values that an unclear number may stand for, the one within the limits. */
+export function numberFrom(typed: string, measure: Measure, unit: LengthUnit, limits = anyNumber): number {
+  const found = readings(typed, measure, unit);
+  if (found.length === 0) throw new Unreadable(measure === "length" ? text.form.not_length : text.form.not_number);
+  const possible = found.filter((value) => value >= limits.least && value <= limits.most);
+  if (possible.length > 1) throw new Unreadable(say(text.form.unclear, ...possible));
+  return Number((possible.at(0) ?? found[0]).toPrecision(12));
 }
 
 export const numberText = (value: Json | undefined): string =>
   typeof value === "number" ? String(Number(value.toPrecision(9))) : "";
 
-/** Numbers with commas, semicolons or spaces between them. */
-export function numbersFrom(typed: string, measure: Measure, unit: LengthUnit): number[] {
-  return typed
-    .split(/[,;\s]+/)
-    .filter((word) => word !== "")
-    .map((word) => numberFrom(word, measure, unit));
+/** The ways to part a list into numbers: a comma separates numbers, or is their decimal mark. */
+function partings(typed: string): string[][] {
+  const at = (separator: RegExp) => typed.split(separator).map((word) => word.trim());
+  const hasDecimalComma = /\d,\d/.test(typed);
+  if (typed.includes(";")) return [at(/[;\n]/)];
+  const pairs = typed.match(/[^,\s]+,[^,\s]+(?=,|$)/g) ?? [];
+  if (hasDecimalComma) return [at(/[,\s]+/), at(/,\s+|\s+(?!,)/), at(/,\s+/), pairs.join() === typed ? pairs : [""]];
+  return typed.includes(",") ? [at(/,/)] : [at(/\s+/), [typed]];
+}
+
+/** Numbers with semicolons, commas or spaces between them; of lists with different readings, those of a size count. */
+export function numbersFrom(typed: string, measure: Measure, unit: LengthUnit, size?: number): number[] {
+  if (typed.trim() === "") return [];
+  const lists = new Map<string, number[]>();
+  for (const words of partings(typed.trim())) {
+    while (words.at(-1) === "") words.pop();
+    const found = words.map((word) => readings(word, measure, unit));
+    if (found.some((values) => values.length === 0) || (size !== undefined && words.length !== size)) continue;
+    if (found.some((values) => values.length > 1)) throw new Unreadable(text.form.unclear_list);
+    const list = found.map(([value]) => Number(value.toPrecision(12)));
+    lists.set(list.join(" "), list);
+  }
+  if (lists.size > 1) throw new Unreadable(text.form.unclear_list);
+  const [list] = lists.values();
+  if (list) return list;
+  if (size !== undefined) throw new Unreadable(text.form.not_point);
+  throw new Unreadable(measure === "length" ? text.form.not_length : text.form.not_number);
 }
 
 export const numbersText = (value: Json | undefined): string => (Array.isArray(value) ? value.join(", ") : "");
@@ -33,11 +67,7 @@ export function pointsFrom(typed: string, size: number, measure: Measure, unit: 
   return typed
     .split("\n")
     .filter((line) => line.trim() !== "")
-    .map((line) => {
-      const numbers = numbersFrom(line, measure, unit);
-      if (numbers.length !== size) throw new Unreadable(text.form.not_point);
-      return numbers;
-    });
+    .map((line) => numbersFrom(line, measure, unit, size));
 }
 
 export const pointsText = (value: Json | undefined): string =>

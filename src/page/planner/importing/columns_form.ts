@@ -1,12 +1,13 @@
 // Which column is what, and how places are counted.
 
 import { say } from "../../data/text";
-import { element } from "../../panel/dom";
 import { inForm } from "../planogram/guess";
 import {
   faces,
+  hasMergedCells,
   isRequired,
   lengthUnits,
+  numericColumns,
   rolesOf,
   type Face,
   type Form,
@@ -15,8 +16,10 @@ import {
   type Role,
 } from "../planogram/mapping";
 import type { Shop } from "../planogram/shop";
+import { markOf } from "../table/numbers";
 import type { Table } from "../table/table";
 import { columnName, roleName } from "./names";
+import { choiceRow } from "./source_form";
 import { text } from "./text";
 
 type Option = [value: string, name: string];
@@ -31,10 +34,12 @@ export class ColumnsForm {
   rows(mapping: Mapping): HTMLElement[] {
     const set = (changed: Partial<Mapping>) => this.change({ ...mapping, ...changed });
     return [
-      this.row("form", text.planogram.form, Object.entries(text.planogram.forms), mapping.form, (form) =>
+      choiceRow("form", text.planogram.form, Object.entries(text.planogram.forms), mapping.form, (form) =>
         this.change(inForm(this.table, mapping, form as Form)),
       ),
       ...rolesOf(mapping.form).flatMap((role) => [this.roleRow(mapping, role), ...this.below(mapping, role, set)]),
+      ...this.markRow(mapping, set),
+      ...this.mergedRow(mapping, set),
     ];
   }
 
@@ -44,7 +49,7 @@ export class ColumnsForm {
     const none =
       role === "place" && !needed ? text.planogram.by_order : needed ? text.planogram.choose : text.form.none;
     const options = this.table.header.map((_, column): Option => [String(column), columnName(this.table, column)]);
-    return this.row(
+    return choiceRow(
       role,
       roleName(form, role),
       [["", none], ...options],
@@ -65,7 +70,7 @@ export class ColumnsForm {
     const counts: Option[] = [0, 1, 2].map((first) => [String(first), String(first)]);
     if (role === "planogram" && columns.planogram !== undefined)
       return [
-        this.row(
+        choiceRow(
           "holder",
           text.planogram.holder,
           Object.entries(text.planogram.holders),
@@ -75,7 +80,7 @@ export class ColumnsForm {
       ];
     if (role === "face" && columns.face === undefined)
       return [
-        this.row(
+        choiceRow(
           "one-face",
           text.planogram.one_face,
           faces.map((face) => [face, text.planogram.faces[face]]),
@@ -85,14 +90,14 @@ export class ColumnsForm {
       ];
     if (role === "level")
       return [
-        this.row(
+        choiceRow(
           "from-top",
           text.planogram.from_top,
           Object.entries(text.planogram.directions),
           mapping.fromTop ? "top" : "bottom",
           (value) => set({ fromTop: value === "top" }),
         ),
-        this.row(
+        choiceRow(
           "first",
           mapping.fromTop ? text.planogram.highest : text.planogram.lowest,
           counts,
@@ -103,7 +108,14 @@ export class ColumnsForm {
     if (role === "place" && form === "fixtures")
       return [
         ...(columns.place === undefined ? [] : [this.measureRow(mapping, set)]),
-        this.row(
+        ...(columns.place === undefined || mapping.measure !== "position"
+          ? []
+          : [
+              choiceRow("first-place", text.planogram.first_place, counts, String(mapping.firstPlace), (value) =>
+                set({ firstPlace: Number(value) }),
+              ),
+            ]),
+        choiceRow(
           "from-left",
           text.planogram.from_left,
           Object.entries(text.planogram.begins),
@@ -113,7 +125,7 @@ export class ColumnsForm {
       ];
     if (role === "type")
       return [
-        this.row(
+        choiceRow(
           "one-type",
           text.planogram.one_type,
           this.shop.types.map((type) => [type, type]),
@@ -124,34 +136,33 @@ export class ColumnsForm {
     return [];
   }
 
+  /** Asks for the decimal mark where the numbers do not show it. */
+  private markRow(mapping: Mapping, set: (changed: Partial<Mapping>) => void): HTMLElement[] {
+    if (markOf(this.table, numericColumns(mapping)) !== null) return [];
+    const marks = Object.entries(text.planogram.marks);
+    const options: Option[] = [["", text.planogram.choose], ...marks];
+    const chosen = (mark: string) => set({ mark: mark as Mapping["mark"] });
+    return [choiceRow("mark", text.planogram.mark, options, mapping.mark, chosen, mapping.mark === "")];
+  }
+
+  private mergedRow(mapping: Mapping, set: (changed: Partial<Mapping>) => void): HTMLElement[] {
+    if (!hasMergedCells(this.table, mapping)) return [];
+    const options = Object.entries(text.planogram.empty_cells);
+    return [
+      choiceRow("merged", text.planogram.merged, options, mapping.fillsDown ? "above" : "empty", (value) =>
+        set({ fillsDown: value === "above" }),
+      ),
+    ];
+  }
+
   private measureRow(mapping: Mapping, set: (changed: Partial<Mapping>) => void): HTMLElement {
     const distances = lengthUnits.map((unit): Option => [unit, say(text.planogram.distance_in, unit)]);
-    return this.row(
+    return choiceRow(
       "measure",
       text.planogram.measure,
       [["position", text.planogram.position], ...distances],
       mapping.measure,
       (measure) => set({ measure: measure as Measure }),
     );
-  }
-
-  private row(
-    key: string,
-    name: string,
-    options: readonly (readonly [string, string])[],
-    value: string,
-    chosen: (value: string) => void,
-    isMissing = false,
-  ): HTMLElement {
-    const id = `table-${key}`;
-    const select = element("select", {
-      id,
-      "data-key": id,
-      "aria-invalid": isMissing ? "true" : undefined,
-      on: { change: () => chosen(select.value) },
-    });
-    for (const [own, words] of options) select.append(element("option", { value: own, text: words }));
-    select.value = value;
-    return element("div", { class: "row" }, element("label", { for: id, text: name }), select);
   }
 }

@@ -25,7 +25,14 @@ function presentText(present: Json | undefined, kind: "label" | "unit"): string 
   return isObject(present) ? String(present.csv) : "";
 }
 
-export function openList(host: Host, name: string, table: Table, kind: ListKind): void {
+/** `source`: rows about the file itself. */
+export function openList(
+  host: Host,
+  name: string,
+  table: Table,
+  kind: ListKind,
+  source: readonly HTMLElement[],
+): HTMLDialogElement {
   const { planner } = host;
   const { document } = planner;
   const { path, types, counted: what } = places[kind];
@@ -61,8 +68,9 @@ export function openList(host: Host, name: string, table: Table, kind: ListKind)
     say(text.planogram.list_titles[kind], name),
     "planogram list",
     element("p", { class: "lead", text: present === "" ? words : say(text.planogram.replaces_list, words, present) }),
-    element("div", { class: "content" }, badLines.root),
+    element("div", { class: "content" }, ...source, badLines.root),
     element("footer", {}, says, add),
   );
   badLines.show(bad);
+  return dialog;
 }

@@ -1,9 +1,10 @@
 // The entry of the module that imports tables, emission profiles and meshes, which the page loads with the first of them.
 
+import { isColumnName } from "../planogram/guess";
 import { listKindOf } from "../planogram/list";
 import { shopOf } from "../planogram/shop";
 import { textOf } from "../table/decode";
-import { readTable } from "../table/table";
+import { readTable, type Reading } from "../table/table";
 import { hasMeasurements, openComparison } from "./comparison_dialog";
 import type { Host } from "./host";
 import { openList } from "./list_dialog";
@@ -11,6 +12,7 @@ import { openMesh, type MeshFacts } from "./mesh_dialog";
 import { openPlanogram } from "./planogram_dialog";
 import type { Photometry } from "./polar";
 import { openProfile } from "./profile_dialog";
+import { sourceRows } from "./source_form";
 import { useTexts } from "./text";
 
 export interface DeviceFacts {
@@ -27,13 +29,18 @@ export function openDevice(host: Host, file: string, facts: DeviceFacts): void {
 
 /** Throws NotATable. */
 export async function openTable(host: Host, name: string, bytes: Uint8Array): Promise<void> {
-  const table = readTable(bytes);
+  const shop = await shopOf(host.planner.document);
+  const open = (reading: Reading): HTMLDialogElement | Promise<unknown> => {
+    const table = readTable(bytes, isColumnName, reading);
+    if (hasMeasurements(table)) return openComparison(host, name, table, textOf(bytes, table.encoding).text);
+    const kind = listKindOf(table);
+    const rows = sourceRows(table, reading, (other) => {
+      dialog.close();
+      open(other);
+    });
+    const dialog = kind ? openList(host, name, table, kind, rows) : openPlanogram(host, name, table, shop, rows);
+    return dialog;
+  };
   useTexts(host.text);
-  if (hasMeasurements(table)) {
-    await openComparison(host, name, table, textOf(bytes));
-    return;
-  }
-  const kind = listKindOf(table);
-  if (kind) openList(host, name, table, kind);
-  else openPlanogram(host, name, table, await shopOf(host.planner.document));
+  await open({});
 }

@@ -51,7 +51,7 @@ class PlanogramDialog {
   private readonly clearsText = element("span");
   private readonly clearsRow = element("label", { class: "clears" }, this.clears, this.clearsText);
   private readonly add = button("", () => void this.finish(), { class: "primary", "data-key": "add-labels" });
-  private readonly dialog: HTMLDialogElement;
+  readonly dialog: HTMLDialogElement;
   private readonly project: string;
 
   constructor(
@@ -59,6 +59,7 @@ class PlanogramDialog {
     private readonly name: string,
     private readonly table: Table,
     private readonly shop: Shop,
+    private readonly source: readonly HTMLElement[],
   ) {
     const { document } = host.planner;
     this.project = `${document.name}/${document.file}`;
@@ -132,7 +133,7 @@ class PlanogramDialog {
     const { mapping, table, shop } = this;
     const missing = missingRoles(mapping);
     this.checked = missing.length === 0 ? checkPlanogram(table, mapping, shop) : null;
-    replaceChildren(this.columns, this.form.rows(mapping));
+    replaceChildren(this.columns, [...this.source, ...this.form.rows(mapping)]);
     this.rows.replaceChildren(preview(table, mapping));
     for (const kind of wordKinds)
       this.lists[kind].show([...(this.checked?.words[kind].values() ?? [])], this.choices(kind));
@@ -193,6 +194,13 @@ class PlanogramDialog {
   }
 }
 
-export function openPlanogram(host: Host, name: string, table: Table, shop: Shop): void {
-  new PlanogramDialog(host, name, table, shop);
+/** `source`: rows about the file itself. */
+export function openPlanogram(
+  host: Host,
+  name: string,
+  table: Table,
+  shop: Shop,
+  source: readonly HTMLElement[],
+): HTMLDialogElement {
+  return new PlanogramDialog(host, name, table, shop, source).dialog;
 }

@@ -1,10 +1,11 @@
 // Checks the lines of a planogram by the rules of the program (src/shelfbeam/scene/planogram).
 
 import { factorOf } from "../geometry/units";
-import { countIn, markOf, numberIn } from "../table/numbers";
+import type { Mark } from "../geometry/written_number";
+import { countIn, markOf, numberIn, unclear } from "../table/numbers";
 import type { LineFault, Row, Table } from "../table/table";
 import { isPrintable, lineOf } from "../table/write";
-import { fixtureMeant, type Face, type Mapping, type Role } from "./mapping";
+import { fixtureMeant, meantRows, numericColumns, type Face, type Mapping, type Role } from "./mapping";
 import { wordIn, wordsOf, type Words } from "./meanings";
 import { boardsOf, lengthOf, type Holder, type Shop } from "./shop";
 
@@ -29,6 +30,7 @@ export interface Reason {
     | "position"
     | "distance"
     | "number"
+    | "unclear"
     | "hook"
     | "tilt"
     | "no_planogram"
@@ -93,7 +95,7 @@ const isShortened = (article: string): boolean => /^\d([.,]\d+)?E\+?\d{2}$/i.tes
 
 class Check {
   readonly words: Words;
-  private readonly mark: "." | ",";
+  private readonly mark: Mark | null;
   private readonly orders = new Map<string, number>();
 
   constructor(
@@ -101,12 +103,7 @@ class Check {
     private readonly mapping: Mapping,
     private readonly shop: Shop,
   ) {
-    const { columns } = mapping;
-    const numeric: (keyof typeof columns)[] = ["place", "hook", "tilt", "width", "facings"];
-    this.mark = markOf(
-      table,
-      numeric.flatMap((role) => columns[role] ?? []),
-    );
+    this.mark = mapping.mark === "" ? markOf(table, numericColumns(mapping)) : mapping.mark;
     this.words = wordsOf(table, mapping, shop);
   }
 
@@ -123,7 +120,7 @@ class Check {
     const type = this.meaning(fields, "type", "type");
     const isOfSegments = form === "segments";
     const level = this.level(text("level"), holder, face);
-    const tilt = this.number(text("tilt"), "tilt");
+    const tilt = this.plainNumber(text("tilt").replace(/\s*(°|deg\.?|grad)$/i, ""), "tilt");
     if (tilt !== undefined && Math.abs(tilt) > 89) fail("tilt", text("tilt"));
     const planogram = lineOf(text("planogram"));
     if (isOfSegments && columns.planogram !== undefined && planogram === "") fail("no_planogram");
@@ -189,33 +186,46 @@ class Check {
     }
     if (text === "") fail("no_place");
     if (measure === "position") {
-      const position = countIn(text) ?? fail("number", text);
+      const position = (countIn(text) ?? fail("number", text)) - this.mapping.firstPlace + 1;
       if (position < 1 || position > mostPositions) fail("position", text);
       return position;
     }
-    const metres = (this.number(text, "number") as number) * factorOf(measure);
+    const metres = this.metres(text, "number", factorOf(measure)) as number;
     const length = lengthOf(holder, face);
     if (metres < 0 || metres > length + rounding) fail("distance", text, (length / factorOf(measure)).toFixed(2));
     return Math.min(metres, length);
   }
 
+  private number(text: string, code: "number" | "tilt" | "hook"): ReturnType<typeof numberIn> & object {
+    const number = numberIn(text, this.mark) ?? fail(code, text);
+    return number === unclear ? fail("unclear", text) : number;
+  }
+
   /** Undefined for an empty field. */
-  private number(text: string, code: "number" | "tilt" | "hook"): number | undefined {
-    return text === "" ? undefined : (numberIn(text, this.mark) ?? fail(code, text));
+  private plainNumber(text: string, code: "number" | "tilt"): number | undefined {
+    if (text === "") return undefined;
+    const { value, unit } = this.number(text, code);
+    return unit === undefined ? value : fail(code, text);
+  }
+
+  /** A length; undefined for an empty field. `factor`: of numbers without a unit. */
+  private metres(text: string, code: "number" | "hook", factor: number): number | undefined {
+    if (text === "") return undefined;
+    const { value, unit } = this.number(text, code);
+    return value * (unit === undefined ? factor : factorOf(unit));
   }
 
   private amount(text: string, missing: "no_place" | "number" = "number"): number {
     if (text === "") fail(missing);
-    const value = numberIn(text, this.mark) ?? countIn(text) ?? fail("number", text);
-    return value >= 0 ? value : fail("number", text);
+    const value = numberIn(text, this.mark) === null ? countIn(text) : this.plainNumber(text, "number");
+    return value !== null && value !== undefined && value >= 0 ? value : fail("number", text);
   }
 
   /** In the unit of the distances, or of the store. */
   private hook(text: string): number | undefined {
     const { measure } = this.mapping;
-    const hook = this.number(text, "hook");
-    if (hook === undefined || hook === 0) return undefined;
-    const metres = hook * (measure === "position" ? this.shop.unit.factor : factorOf(measure));
+    const metres = this.metres(text, "hook", measure === "position" ? this.shop.unit.factor : factorOf(measure));
+    if (metres === undefined || metres === 0) return undefined;
     return metres >= 1e-3 && metres <= 1e3 ? metres : fail("hook", text);
   }
 
@@ -251,10 +261,11 @@ function duplicates(places: readonly Place[]): Set<Place> {
 
 /** Lines that can be planned, and the others with the reasons. All required columns are known. */
 export function checkPlanogram(table: Table, mapping: Mapping, shop: Shop): Checked {
-  const check = new Check(table, mapping, shop);
+  const meant = { ...table, rows: [...meantRows(table, mapping)] };
+  const check = new Check(meant, mapping, shop);
   const rows = new Map<Place, Row>();
   const bad: BadLine[] = [];
-  for (const row of table.rows)
+  for (const row of meant.rows)
     try {
       rows.set(check.place(row), row);
     } catch (error) {

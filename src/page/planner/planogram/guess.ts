@@ -1,7 +1,7 @@
 // What the columns of a file probably mean, by their names and contents.
 
 import { factorOf } from "../geometry/units";
-import { countIn, markOf, numberIn } from "../table/numbers";
+import { countIn, markOf, numberIn, unclear } from "../table/numbers";
 import { isArticleNumber, type Table } from "../table/table";
 import { headerWords, unitInHeader } from "./header_words";
 import { lengthUnits, rolesOf, type Form, type Mapping, type Measure, type Role } from "./mapping";
@@ -65,8 +65,12 @@ function measureOf(table: Table, column: number | undefined, unit: string, longe
   const name = table.header[column];
   const stated = lengthUnits.find((known) => known === unitInHeader(name));
   if (stated) return stated;
-  const mark = markOf(table, [column]);
-  const numbers = valuesOf(table, column).flatMap((value) => numberIn(value, mark) ?? []);
+  const mark = markOf(table, [column]) ?? ".";
+  const read = valuesOf(table, column).map((value) => numberIn(value, mark));
+  const found = read.flatMap((number) => (number === null || number === unclear ? [] : number));
+  const named = found.find((number) => number.unit !== undefined)?.unit;
+  if (named) return named;
+  const numbers = found.map(({ value }) => value);
   const isDistance = /^x|abstand|dist|afstand|offset/.test(squashed(name)) || numbers.some((value) => value % 1 !== 0);
   if (!isDistance || numbers.length === 0) return "position";
   const sorted = [...numbers].sort((a, b) => a - b);
@@ -92,6 +96,20 @@ export interface Setting {
   type: string;
 }
 
+/** 0 or 1. Single zeros are mistakes. */
+function firstOf(table: Table, column: number | undefined): number {
+  const counts = column === undefined ? [] : valuesOf(table, column).flatMap((value) => countIn(value) ?? []);
+  return counts.filter((count) => count === 0).length > 0.02 * counts.length ? 0 : 1;
+}
+
+/** "Boden (von oben)". */
+const countsFromTop = (name: string): boolean =>
+  /von oben|from (the )?top|from above|top[ -]?down|haut|arriba|dall'?alto|van boven/.test(plain(name));
+
+/** Whether a field of a first line is the name of a column. */
+export const isColumnName = (field: string): boolean =>
+  (Object.keys(headerWords) as Role[]).some((role) => fitOf(field, role) >= 500);
+
 export function guessedMapping(table: Table, setting: Setting): Mapping {
   const bySegments = columnsOf(table, "segments");
   const byFixtures = columnsOf(table, "fixtures");
@@ -99,16 +117,16 @@ export function guessedMapping(table: Table, setting: Setting): Mapping {
     byFixtures.fixture === undefined && bySegments.segment !== undefined && bySegments.level !== undefined;
   const form = isOfSegments ? "segments" : "fixtures";
   const columns = isOfSegments ? bySegments : byFixtures;
-  const levels =
-    columns.level === undefined ? [] : valuesOf(table, columns.level).flatMap((value) => countIn(value) ?? []);
   return {
     form,
     columns,
     measure: measureOf(table, columns.place, setting.unit, setting.longest),
     fromLeft: !isOurs(table),
-    fromTop: false,
-    // Single zeros are mistakes.
-    first: levels.filter((level) => level === 0).length > 0.02 * levels.length ? 0 : 1,
+    fromTop: columns.level !== undefined && countsFromTop(table.header[columns.level]),
+    first: firstOf(table, columns.level),
+    firstPlace: firstOf(table, columns.place),
+    mark: "",
+    fillsDown: false,
     face: "front",
     type: setting.type,
     bySegment: false,

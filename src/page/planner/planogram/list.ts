@@ -1,6 +1,7 @@
 // Lists of labels and of candidates, as the program reads and writes them (docs/formats/store/csv.md).
 
-import { markOf, numberIn } from "../table/numbers";
+import { factorOf } from "../geometry/units";
+import { markOf, numberIn, unclear } from "../table/numbers";
 import type { Row, Table } from "../table/table";
 import { csvText, isPrintable, lineOf } from "../table/write";
 import type { Reason } from "./check";
@@ -52,14 +53,23 @@ export function checkList(table: Table, kind: ListKind, types: readonly string[]
   const bad: CheckedList["bad"] = [];
   const rows: (string | number)[][] = [];
 
-  const reasonFor = ({ fields, fault }: Row, numbers: (number | null)[]): Reason | null => {
+  /** Coordinates in the unit of the store, or of the program's own files in m; directions have none. */
+  const read = (field: string, isLength: boolean): number | typeof unclear | null => {
+    const number = numberIn(field, mark);
+    if (number === null || number === unclear) return number;
+    if (number.unit === undefined) return isLength ? number.value * scale : number.value;
+    return isLength ? (number.value * factorOf(number.unit)) / factor : null;
+  };
+  const reasonFor = ({ fields, fault }: Row, numbers: ReturnType<typeof read>[]): Reason | null => {
     if (fault) return { code: fault };
     const [id, type] = [fields[0], fields[own.length - 1]];
     if (id === "") return { code: "no_id" };
     if (!isPrintable(id)) return { code: "article", value: lineOf(id) };
     const wrong = numbers.indexOf(null);
     if (wrong >= 0) return { code: "number", value: fields[wrong + 1] };
-    if (numbers.slice(0, 3).some((value) => Math.abs(value as number) * scale > farthest))
+    const either = numbers.indexOf(unclear);
+    if (either >= 0) return { code: "unclear", value: fields[either + 1] };
+    if (numbers.slice(0, 3).some((value) => Math.abs(value as number) > farthest))
       return { code: "far", value: fields.slice(1, 4).join(" ") };
     if (numbers.slice(3, 6).every((value) => value === 0)) return { code: "direction" };
     if (!types.includes(type)) return { code: kind === "labels" ? "type" : "unit_type", value: type };
@@ -68,7 +78,7 @@ export function checkList(table: Table, kind: ListKind, types: readonly string[]
 
   for (const row of table.rows) {
     const { fields } = row;
-    const numbers = own.slice(1, -1).map((_, k) => numberIn(fields[k + 1] ?? "", mark));
+    const numbers = own.slice(1, -1).map((_, k) => read(fields[k + 1] ?? "", k < 3));
     const reason = reasonFor(row, numbers);
     if (reason) {
       bad.push({ row, reason });
@@ -77,7 +87,7 @@ export function checkList(table: Table, kind: ListKind, types: readonly string[]
     seen.add(fields[0]);
     rows.push([
       fields[0],
-      ...numbers.map((value, k) => (k < 3 ? (value as number) * scale : (value as number))),
+      ...(numbers as number[]),
       fields[own.length - 1],
       ...(described < 0 ? [] : [lineOf(fields[described])]),
     ]);

@@ -1,5 +1,8 @@
 // How the columns and words of a file are meant.
 
+import type { Mark } from "../geometry/written_number";
+import type { Row, Table } from "../table/table";
+
 export const faces = ["front", "back", "left", "right", "top"] as const;
 export type Face = (typeof faces)[number];
 
@@ -59,6 +62,12 @@ export interface Mapping {
   fromTop: boolean;
   /** The number of the first board. */
   first: number;
+  /** The number of the first place on a board. */
+  firstPlace: number;
+  /** The decimal mark, where the numbers of the file do not show it; empty: not chosen. */
+  mark: Mark | "";
+  /** Whether empty cells mean the cell above, as merged cells are exported. */
+  fillsDown: boolean;
   /** Of lines without one. */
   face: Face;
   type: string;
@@ -79,3 +88,34 @@ export function fixtureMeant(meaning: string): { id: string; face?: Face } {
 
 export const missingRoles = ({ form, columns }: Mapping): Role[] =>
   rolesOf(form).filter((role) => isRequired(form, role) && columns[role] === undefined);
+
+/** Columns that numbers are in. */
+export const numericColumns = ({ columns }: Mapping): number[] =>
+  (["place", "hook", "tilt", "width", "facings"] as const).flatMap((role) => columns[role] ?? []);
+
+const repeated = ["planogram", "fixture", "face", "segment", "level", "type"] as const;
+const repeatedColumns = ({ columns }: Mapping): number[] => repeated.flatMap((role) => columns[role] ?? []);
+
+/** Whether some lines have empty cells in columns that others of the same kind have filled. */
+export function hasMergedCells({ rows }: Table, mapping: Mapping): boolean {
+  const columns = repeatedColumns(mapping);
+  return rows.some(
+    ({ fields, fault }, k) => k > 0 && !fault && columns.some((at) => fields[at] === "" && rows[0].fields[at] !== ""),
+  );
+}
+
+/** The rows, with the cells above for empty ones where the mapping says so. */
+export function meantRows({ rows }: Table, mapping: Mapping): readonly Row[] {
+  if (!mapping.fillsDown) return rows;
+  const above = new Map<number, string>();
+  const columns = repeatedColumns(mapping);
+  return rows.map((row) => {
+    if (row.fault) return row;
+    const fields = [...row.fields];
+    for (const at of columns) {
+      if (fields[at] === "") fields[at] = above.get(at) ?? "";
+      above.set(at, fields[at]);
+    }
+    return { ...row, fields };
+  });
+}

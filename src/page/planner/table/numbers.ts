@@ -1,45 +1,45 @@
-// Numbers as spreadsheets of all countries write them: with a decimal point or comma, and thousands separators.
+// Numbers in the fields of a table: with a decimal point or comma, marks of thousands, and units of length.
 
+import { writtenNumber, type Mark, type WrittenNumber } from "../geometry/written_number";
 import type { Table } from "./table";
 
-type Mark = "." | ",";
+/** Programs that separate by commas write decimal points, spreadsheets that separate by semicolons decimal commas. */
+const usualMarks: Record<string, Mark | undefined> = { ",": ".", ";": "," };
 
-const otherOf = (mark: Mark): Mark => (mark === "." ? "," : ".");
-
-/** What the number shows about the decimal mark; "maybe": 1.500 is one and a half, or 1500. */
-function shownBy(number: string): { mark: Mark; isCertain: boolean } | null {
-  const marks = number.replace(/[^.,]/g, "");
-  if (marks === "") return null;
-  const last = marks.at(-1) as Mark;
-  if (marks.includes(otherOf(last))) return { mark: last, isCertain: true };
-  if (marks.length > 1) return { mark: otherOf(last), isCertain: true };
-  return { mark: last, isCertain: !/^[+-]?[1-9]\d{0,2}[.,]\d{3}$/.test(number) };
-}
-
-/** The decimal mark of the numbers in some columns. */
-export function markOf({ rows }: Table, columns: readonly number[]): Mark {
-  let likely: Mark | null = null;
+/** The decimal mark of the numbers in some columns; null if they do not show it, or show both. */
+export function markOf({ rows, separator }: Table, columns: readonly number[]): Mark | null {
+  const certain = new Set<Mark>();
+  const unclear = new Set<Mark>();
   for (const { fields, fault } of rows)
     for (const column of fault ? [] : columns) {
-      const field = fields[column].replace(/\s/g, "");
-      const shown = /^[+-]?[\d.,]+$/.test(field) ? shownBy(field) : null;
-      if (shown?.isCertain) return shown.mark;
-      likely ??= shown?.mark ?? null;
+      const number = writtenNumber(fields[column]);
+      if (number?.mark) (number.grouped === undefined ? certain : unclear).add(number.mark);
     }
-  return likely ?? ".";
+  const [usual] = [usualMarks[separator]];
+  if (certain.size === 0 && usual && unclear.has(usual)) certain.add(usual);
+  const all = new Set([...certain, ...unclear]);
+  if (all.size === 0) return ".";
+  return all.size === 1 && certain.size === 1 ? [...certain][0] : null;
 }
 
-/** Null if it is not a number. */
-export function numberIn(field: string, mark: Mark): number | null {
-  const plain = field.replace(/(?<=\d)[\s'’](?=\d{3}(\D|$))/g, "");
-  const groups = otherOf(mark) === "." ? /^[+-]?\d{1,3}(\.\d{3})+(,\d+)?$/ : /^[+-]?\d{1,3}(,\d{3})+(\.\d+)?$/;
-  const joined = groups.test(plain) ? plain.replaceAll(otherOf(mark), "") : plain;
-  const number = joined.replace(",", ".");
-  return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(number) ? Number(number) : null;
+/** A number whose mark may be one of thousands, while the decimal mark is not known. */
+export const unclear = "unclear";
+
+/** In its own unit of length, if it names one; null if it is not a number, or has another decimal mark. */
+export function numberIn(
+  field: string,
+  mark: Mark | null,
+): { value: number; unit?: WrittenNumber["unit"] } | typeof unclear | null {
+  const number = writtenNumber(field);
+  if (!number) return null;
+  const { value, grouped, unit } = number;
+  if (grouped !== undefined) return mark === null ? unclear : { value: number.mark === mark ? value : grouped, unit };
+  return number.mark !== undefined && mark !== null && number.mark !== mark ? null : { value, unit };
 }
 
-/** A whole number that may have words around it: "Boden 3". */
+/** A whole number that may have words around it: "Boden 3", but not "25 cm". */
 export function countIn(field: string): number | null {
-  const digits = /^[^\d]*?(-?\d{1,6})(?:[.,]0+)?[^\d]*$/.exec(field)?.[1];
+  if (writtenNumber(field)?.unit) return null;
+  const digits = /^[^\d]*?(-?\d{1,6})(?:[.,]0{1,2})?[^\d.,]*$/.exec(field)?.[1];
   return digits === undefined ? null : Number(digits);
 }

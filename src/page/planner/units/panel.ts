@@ -106,7 +106,7 @@ export class UnitPanel {
       read: (typed) => {
         const wind = key === "heading" ? winds.indexOf(typed.toLowerCase()) : -1;
         if (wind >= 0) return 45 * wind;
-        return within(numberFrom(typed, "degrees", this.planner.document.unit), least, most);
+        return within(numberFrom(typed, "degrees", this.planner.document.unit, { least, most }), least, most);
       },
       commit: (value) =>
         void changeUnits(this.planner, [index], label, (at) => valuesOf(aimOf(this.planner, at), Number(value))),

@@ -29,7 +29,8 @@ void PlanogramRecord::read_mounting(OwnStyle& style, bool on_top) const {
     const std::size_t field = *columns_.hook;
     if (on_top) csv_.fail(field, "does not apply to labels on the top", "leave it empty");
     constexpr double least = 1e-3, most = 1e3;  // m, as for lengths in the store file
-    const double hook = to_metres(csv_.number(field), unit_);
+    const auto [length, unit] = csv_.length(field, unit_);
+    const double hook = to_metres(length, unit);
     if (!(hook >= least && hook <= most))
       csv_.fail(field, fmt::format("is {}", length_text(hook, unit_)),
                 fmt::format("use {} to {}", length_text(least, unit_), length_text(most, unit_)));
@@ -53,7 +54,8 @@ int PlanogramRecord::whole(std::size_t field, int most) const {
 }
 
 double PlanogramRecord::distance(std::size_t field, double longest, std::string_view what) const {
-  const double value = read_coordinate(csv_.number(field), unit_, csv_.where());
+  const auto [length, unit] = csv_.length(field, unit_);
+  const double value = read_coordinate(length, unit, csv_.where());
   if (!(value >= 0 && value <= longest))
     csv_.fail(field, fmt::format("is {}", length_text(value, unit_)),
               fmt::format("the {} extends from 0 to {}", what, length_text(longest, unit_)));

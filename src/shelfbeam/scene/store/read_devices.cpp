@@ -87,7 +87,8 @@ struct Record {
   }
   Vec3 point(std::size_t first) {
     const auto coordinate = [&](std::size_t field) {
-      const double value = read_coordinate(csv.number(field), unit, csv.where());
+      const auto [length, own] = csv.length(field, unit);
+      const double value = read_coordinate(length, own, csv.where());
       farthest = std::max(farthest, std::abs(value));
       return value;
     };

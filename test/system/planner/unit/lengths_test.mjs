@@ -3,7 +3,9 @@ import { test } from "node:test";
 
 import fc from "fast-check";
 
+import { numberFrom, numbersFrom, Unreadable } from "../../../../src/page/planner/form/parse";
 import { parseLength, parseNumber } from "../../../../src/page/planner/geometry/lengths";
+import { metre, unitNamed } from "../../../../src/page/planner/geometry/units";
 
 const inMetres = (typed) => parseLength(typed, 1);
 
@@ -29,6 +31,14 @@ test("lengths as people type them", () => {
     "-1.5": -1.5,
     "−1.5": -1.5,
     "4 - 40cm": 3.6,
+    "12'-6\"": 3.81,
+    "12' 6 1/2\"": 3.8227,
+    '5 1/2"': 0.1397,
+    "12ft - 30cm": 3.3576,
+    "1.250": 1.25,
+    "1,250": 1.25,
+    "1 250 mm": 1.25,
+    "1,200.5mm": 1.2005,
     "1e3": 1000,
   };
   for (const [typed, metres] of Object.entries(lengths))
@@ -55,6 +65,11 @@ test("other texts are no lengths", () => {
     "1)",
     "5 6",
     "6ft 3",
+    "12'-6",
+    "12' - 6\"",
+    "1,200mm",
+    "1.200cm",
+    '5-1/2" x',
     "1;2",
     "m",
     "--",
@@ -85,4 +100,28 @@ test("any number is read as it is written, and no text throws", () => {
       assert.ok(found === null || Number.isFinite(found));
     }),
   );
+});
+
+test("of two readings of a number, the limits decide", () => {
+  const mm = unitNamed("mm");
+  assert.throws(() => numberFrom("1,200", "length", mm), /1.2 or 1200/);
+  assert.equal(numberFrom("1,200", "length", mm, { least: 100, most: 1e5 }), 1200);
+  assert.equal(numberFrom("1.525", "none", metre, { least: 1, most: 4 }), 1.525);
+  assert.throws(() => numberFrom("1.525", "none", metre), Unreadable);
+  assert.equal(numberFrom("1.525", "degrees", metre, { least: -360, most: 360 }), 1.525);
+});
+
+test("lists with decimal commas are read, or refused", () => {
+  const list = (typed, size) => numbersFrom(typed, "length", metre, size);
+  assert.deepEqual(list("0,3; 0,7; 1,1"), [0.3, 0.7, 1.1]);
+  assert.deepEqual(list("0.3, 0.7, 1.1"), [0.3, 0.7, 1.1]);
+  assert.deepEqual(list("0.3 0.7 1.1"), [0.3, 0.7, 1.1]);
+  assert.deepEqual(list("30 cm; 70cm"), [0.3, 0.7]);
+  assert.deepEqual(list("30 cm, 70cm"), [0.3, 0.7]);
+  assert.deepEqual(list("1,2", 2), [1, 2], "the coordinates of a point");
+  assert.deepEqual(list("1.5,2", 2), [1.5, 2]);
+  assert.deepEqual(list(""), []);
+  for (const typed of ["0,3 0,7", "0,3, 0,7", "1,2", "0,3,0,7", "a; b", "1;;2"])
+    assert.throws(() => list(typed), Unreadable, typed);
+  assert.throws(() => list("0,3 0,7", 3), Unreadable);
 });

@@ -1,12 +1,13 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { articles, names, planogramFile, types } from "../../../data/planogram_file.mjs";
 import { checkPlanogram } from "../../../../src/page/planner/planogram/check";
 import { faceNamed } from "../../../../src/page/planner/planogram/face_words";
-import { guessedMapping, inForm } from "../../../../src/page/planner/planogram/guess";
+import { guessedMapping, inForm, isColumnName } from "../../../../src/page/planner/planogram/guess";
 import { checkList, listKindOf } from "../../../../src/page/planner/planogram/list";
-import { faceOfFixture, missingRoles } from "../../../../src/page/planner/planogram/mapping";
+import { faceOfFixture, hasMergedCells, missingRoles } from "../../../../src/page/planner/planogram/mapping";
 import { recalled, remember } from "../../../../src/page/planner/planogram/memory";
 import { fileOf, ownLabels, sectionOf } from "../../../../src/page/planner/planogram/output";
 import { holderOf } from "../../../../src/page/planner/planogram/shop";
@@ -362,7 +363,7 @@ test("lists of labels and candidates are recognised, and checked by line", () =>
   const { file, count, bad } = checkList(labels, "labels", ["standard"], 1);
   assert.deepEqual(
     bad.map(({ reason }) => reason.code),
-    ["same_id", "direction", "number", "type", "number", "far", "no_id"],
+    ["same_id", "direction", "number", "type", "far", "far", "no_id"],
   );
   assert.deepEqual([file, count], ["id,x,y,z,nx,ny,nz,type,description\na,1,2,3,0,1,0,standard,Rye\n", 1]);
   const units = read(
@@ -374,4 +375,57 @@ test("lists of labels and candidates are recognised, and checked by line", () =>
     "id,x,y,z,ax,ay,az,roll_deg,type\na,150,200,300,0,0,-1,0,ceiling\n",
   );
   assert.equal(listKindOf(read("EAN;Regal\n1;2\n")), null);
+});
+
+const shopOfTables = { ...shop, holders: new Map(["A1", "A2", "A3"].map((id) => [id, holder(id)])) };
+const tableFile = (name) =>
+  readTable(readFileSync(`${process.env.EXAMPLES}/../test/data/field4/${name}.csv`), isColumnName);
+const checkedFile = (name, changed = {}) => {
+  const table = tableFile(name);
+  return checkPlanogram(table, mapped(table, changed), shopOfTables);
+};
+const placesOf = ({ good }) => good.slice(0, 4).map(({ place }) => place);
+
+test("distances with marks of thousands are refused, until a person names the decimal mark", () => {
+  for (const [name, mark] of [
+    ["thousands_mm", ","],
+    ["thousands_quoted", "."],
+  ]) {
+    const asked = checkedFile(name);
+    assert.ok(asked.bad.length > 0 && asked.bad.every(({ reason }) => reason.code === "unclear"), name);
+    const chosen = checkedFile(name, { mark });
+    assert.deepEqual([placesOf(chosen), chosen.bad.length], [[0.25, 0.75, 1.25, 1.75], 0], name);
+    assert.equal(checkedFile(name, { mark: mark === "." ? "," : "." }).good[2].place, 0.00125, "the other choice");
+  }
+});
+
+test("cells with units are distances", () => {
+  assert.deepEqual(placesOf(checkedFile("units_in_cells")), [0.25, 0.25, 0.25, 0.75]);
+  assert.deepEqual(placesOf(checkedFile("units_m")), [0.25, 0.75, 1.25, 1.75]);
+  const inches = checkedFile("units_inch");
+  assert.ok(Math.abs(inches.good[0].place - 0.254) < 1e-9);
+  const positions = checkedFile("units_in_cells", { measure: "position" });
+  assert.deepEqual([positions.good.length, positions.bad[0].reason.code], [0, "number"]);
+});
+
+test("merged cells are filled down if a person says so", () => {
+  const table = tableFile("merged_cells");
+  assert.ok(hasMergedCells(table, mapped(table)));
+  assert.ok(!hasMergedCells(tableFile("meta_lines"), mapped(tableFile("meta_lines"))));
+  const [empty, filled] = [checkedFile("merged_cells"), checkedFile("merged_cells", { fillsDown: true })];
+  assert.equal(filled.bad.length, 0);
+  assert.deepEqual([empty.good.length, filled.good.length], [empty.good.length, table.rows.length]);
+  assert.ok(empty.good.length < filled.good.length / 2);
+  assert.deepEqual(
+    filled.good.slice(0, 6).map(({ holder: { id }, face, level, place }) => [id, face, level, place].join(" ")),
+    ["A1 front 1 1", "A1 front 1 2", "A1 front 2 1", "A1 front 2 2", "A1 front 3 1", "A1 front 3 2"],
+  );
+});
+
+test("places from 0 and boards from above are recognised", () => {
+  const { good, bad } = checkedFile("places_from_zero");
+  assert.deepEqual([bad.length, good.slice(0, 4).map(({ place }) => place)], [0, [1, 1, 1, 2]]);
+  assert.equal(checkedFile("places_from_zero", { firstPlace: 1 }).bad[0].reason.code, "position");
+  assert.ok(mapped(tableFile("boards_from_top")).fromTop);
+  assert.ok(!mapped(tableFile("meta_lines")).fromTop);
 });

@@ -1,8 +1,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { readFileSync } from "node:fs";
+
 import fc from "fast-check";
 
+import { lengthsOf, numbersOf } from "../../../../src/page/planner/geometry/lengths";
+import { factorOf } from "../../../../src/page/planner/geometry/units";
+import { isColumnName } from "../../../../src/page/planner/planogram/guess";
+import { textOf } from "../../../../src/page/planner/table/decode";
 import { NotATable } from "../../../../src/page/planner/table/fault";
 import { countIn, markOf, numberIn } from "../../../../src/page/planner/table/numbers";
 import { isTable, isTableText } from "../../../../src/page/planner/table/sniff";
@@ -191,8 +197,8 @@ test("reading never fails in another way, and accounts for every line", () => {
 });
 
 test("numbers of all countries", () => {
-  const table = (...fields) => ({ rows: fields.map((field) => ({ fields: [field] })) });
-  const value = (field, ...others) => numberIn(field, markOf(table(field, ...others), [0]));
+  const table = (...fields) => ({ separator: "\t", rows: fields.map((field) => ({ fields: [field] })) });
+  const value = (field, ...others) => numberIn(field, markOf(table(field, ...others), [0]))?.value;
   assert.deepEqual(
     [
       value("1.5"),
@@ -203,23 +209,90 @@ test("numbers of all countries", () => {
       value("1 234,5"),
       value("-0,25"),
       value("+3"),
-      value("1.500", "0,5"),
       value("1.500", "0.5"),
       value("1.234.567"),
     ],
-    [1.5, 1.5, 1234.5, 1234.5, 1234.5, 1234.5, -0.25, 3, 1500, 1.5, 1234567],
+    [1.5, 1.5, 1234.5, 1234.5, 1234.5, 1234.5, -0.25, 3, 1.5, 1234567],
   );
-  for (const wrong of ["", "x", "1,2,3", "1e5", "--1", "1 cm"]) assert.equal(numberIn(wrong, "."), null, wrong);
-  assert.deepEqual(["3", "Boden 3", "F03", "3,0", "-1", "3a", "drei", "1 und 2"].map(countIn), [
-    3,
-    3,
-    3,
-    3,
-    -1,
-    3,
-    null,
-    null,
+  assert.equal(numberIn("1.500", markOf(table("1.500", "0,5"), [0])), "unclear");
+  assert.equal(numberIn("1.500", ",").value, 1500, "a person has chosen the comma");
+  for (const wrong of ["", "x", "1,2,3", "1e", "--1", "1 km"]) assert.equal(numberIn(wrong, "."), null, wrong);
+  assert.deepEqual(
+    ["3", "Boden 3", "F03", "3,0", "-1", "3a", "drei", "1 und 2", "25 cm", '10"', "1.000"].map(countIn),
+    [3, 3, 3, 3, -1, 3, null, null, null, null, null],
+  );
+});
+
+/** The cases of test/data/written_numbers.tsv, which the program reads in the same way (test/unit/base/csv_test.cpp). */
+const written = readFileSync(`${process.env.EXAMPLES}/../test/data/written_numbers.tsv`, "utf8")
+  .split("\n")
+  .filter((line) => line !== "")
+  .map((line) => line.split("\t"))
+  .map(([spelling, unit, shown, right, outcome]) => ({ spelling, unit, shown, right: Number(right), outcome }));
+const isNear = (value, right) => Math.abs(value - right) <= 1e-9 * Math.max(1, Math.abs(right));
+
+test("numbers in tables are read as the program reads them", () => {
+  assert.ok(written.length >= 2000);
+  for (const one of written) {
+    const rows = [one.shown, one.spelling].filter((field) => field !== "-").map((field) => ({ fields: [field] }));
+    const number = numberIn(one.spelling, markOf({ separator: "\t", rows }, [0]));
+    const isRead = number !== null && number !== "unclear" && (one.unit !== "-" || number.unit === undefined);
+    assert.equal(isRead, one.outcome === "read", JSON.stringify(one));
+    if (!isRead) continue;
+    const metres = one.unit === "-" ? number.value : number.value * factorOf(number.unit ?? one.unit);
+    assert.ok(isNear(metres, one.right), JSON.stringify([one, metres]));
+  }
+});
+
+test("typed numbers are right, or have two readings", () => {
+  let refused = 0;
+  for (const one of written) {
+    const factor = one.unit === "-" ? 1 : factorOf(one.unit);
+    const found = one.unit === "-" ? numbersOf(one.spelling) : lengthsOf(one.spelling, factor);
+    const values = found.map((value) => value * factor);
+    // Lengths of 1 km and more are not typed with marks of thousands; products and sums are not numbers of tables.
+    if (Math.abs(one.right) >= 1000) continue;
+    assert.ok(values.length === 0 || values.some((value) => isNear(value, one.right)), JSON.stringify([one, values]));
+    if (values.length !== 1) ++refused;
+  }
+  assert.ok(refused > 0 && refused < written.length / 5, String(refused));
+});
+
+const fieldFile = (name) => readFileSync(`${process.env.EXAMPLES}/../test/data/field4/${name}.csv`);
+
+test("older encodings are guessed", () => {
+  const names = { shift_jis: ["shift_jis", "処理牛乳"], 1251: ["windows-1251", "Молоко"], 850: ["cp850", "Käse"] };
+  for (const [file, [encoding, name]] of Object.entries(names)) {
+    const table = readTable(fieldFile(`names_${file}`));
+    assert.deepEqual([table.encoding, table.rows[0].fields[1]], [encoding, name]);
+  }
+  const letters = {
+    "windows-1252": "Käse;Brötchen;Müsli;Crème brûlée;Jalapeño;Weißbrot",
+    "windows-1250": "Żółty ser;Śmietana;Świeży chleb;Jabłka z Łącka",
+    "windows-1253": "Γάλα;Ψωμί;Τυρί φέτα;Ελαιόλαδο",
+  };
+  const tableOf = (encoding) =>
+    new Map([...Array(128).keys()].map((k) => [new TextDecoder(encoding).decode(Uint8Array.of(k + 128)), k + 128]));
+  for (const [encoding, text] of Object.entries(letters)) {
+    const codes = tableOf(encoding);
+    const file = Uint8Array.from([...text], (letter) => codes.get(letter) ?? letter.charCodeAt(0));
+    assert.deepEqual([textOf(file).encoding, textOf(file).text], [encoding, text]);
+  }
+  assert.equal(readTable(fieldFile("names_1251"), undefined, { encoding: "windows-1252" }).rows[0].fields[1], "Ìîëîêî");
+  assert.equal(readTable(bytes("a;b\nä;1\n")).encoding, undefined);
+});
+
+test("the names of columns are found below other lines", () => {
+  const header = (name) => readTable(fieldFile(name), isColumnName).header.slice(0, 3);
+  assert.deepEqual(header("meta_lines"), ["EAN", "Artikel", "Regal"]);
+  assert.deepEqual(header("two_headers"), ["EAN", "Name", "Regal"]);
+  assert.deepEqual(readTable(fieldFile("two_headers"), isColumnName, { headerAt: 0 }).header.slice(0, 3), [
+    "Artikel",
+    "",
+    "Ort",
   ]);
+  assert.deepEqual(read("EAN;Regal\n0;1;A1\n1;2;A2\n").header, ["", "EAN", "Regal"]);
+  assert.deepEqual(read("EAN;Regal\n7;1;A1\n1;2;A2\n").rows[0].fault, "many");
 });
 
 test("texts for the program have no characters that it refuses", () => {
