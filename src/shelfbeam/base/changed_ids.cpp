@@ -121,6 +121,19 @@ void ChangedIds::add(std::vector<Id>& ids, std::string_view id, std::size_t line
   if (++found->count <= most_shown) found->lines.push_back(line);
 }
 
+// 12345678905 beside 012345678905.
+void ChangedIds::note_zeros(std::string_view id, std::size_t line) {
+  constexpr std::size_t least_digits = 7;  // shorter numbers may be those of shelves
+  const std::size_t zeros = std::min(id.find_first_not_of('0'), id.size());
+  if (id.size() - zeros < least_digits || !are_digits(id)) return;
+  const std::string digits(id.substr(zeros));
+  const auto [other, is_new] = zeros_.try_emplace(digits, zeros, line);
+  if (is_new || other->second.first == zeros) return;
+  const auto [other_zeros, other_line] = other->second;
+  add(without_zeros_, std::string(std::min(zeros, other_zeros), '0') + digits,
+      zeros < other_zeros ? line : other_line);
+}
+
 void ChangedIds::note(std::string_view id, std::size_t line) {
   const std::size_t mark = id.find_first_of(".,");
   const bool is_decimal =
@@ -130,6 +143,7 @@ void ChangedIds::note(std::string_view id, std::size_t line) {
   if (is_whole) add(whole_, id, line);
   has_long_ = has_long_ || (is_long(id) && !is_rounded(id));
   if (is_rounded(id)) add(rounded_, id, line);
+  note_zeros(id, line);
   if (is_changed(id)) add(changed_, id, line);
 }
 
@@ -137,6 +151,7 @@ std::optional<Finding> ChangedIds::warning(const std::string& file) const {
   std::vector<Id> ids = changed_;
   if (!has_fractions_) ids.insert(ids.end(), whole_.begin(), whole_.end());
   if (!has_long_) ids.insert(ids.end(), rounded_.begin(), rounded_.end());
+  ids.insert(ids.end(), without_zeros_.begin(), without_zeros_.end());
   if (ids.empty()) return {};
   std::vector<std::string> shown;
   FindingValues values;

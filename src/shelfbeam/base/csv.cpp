@@ -181,6 +181,7 @@ void CsvReader::expect_fields(std::size_t least, std::size_t most, std::string_v
 }
 
 bool CsvReader::is_number(std::size_t field) const {
+  if (to_number(fields_[field])) return true;
   const auto number = written_number(fields_[field]);
   return number && !number->unit;
 }

@@ -79,6 +79,12 @@ ROWS = [
         refuses("CSV or sparse text", "'signals' or 'sparse'", "(--read-as)"),
     ),
     Row("decimals between tabs", "read", place_text("0.5\t0.2\t0.1\n0.3\t0.6\t0.2\n"), says("2 labels")),
+    Row(
+        "numbers as ids without a field above the labels",
+        "read",
+        place_text("7,8\nL1,0.5,0.25\nL2,0,0.5\n"),
+        says("2 labels"),
+    ),
     Row("an empty last column", "read", place_text("label,T1,\nA,0.5,\nB,0.5,\n"), says("2 labels")),
     Row(
         "both_forms.scp",

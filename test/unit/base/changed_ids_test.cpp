@@ -19,6 +19,14 @@ std::string warning_about(std::initializer_list<const char*> ids) {
   return sentence_of(changed);
 }
 
+TEST(ChangedIds, LostZerosShowInTheOtherSpelling) {
+  EXPECT_NE(warning_about({"12345678905", "X", "012345678905"}).find("'12345678905' in line 2"),
+            std::string::npos);
+  EXPECT_NE(warning_about({"012345678905", "12345678905"}).find("'12345678905' in line 3"),
+            std::string::npos);
+  EXPECT_EQ(warning_about({"012345678905", "012345678905", "12345678912", "01", "1"}), "");
+}
+
 TEST(ChangedIds, AreRecognised) {
   for (const char* id : {"4,00638E+12",
                          "4.00638E+12",

@@ -47,7 +47,7 @@ class Planogram {
 
   void read(const InputFile& file, const JsonCursor& section) {
     const std::string text = file.read();
-    CsvReader csv(text, file.name());
+    CsvReader csv = planogram_reader(text, file.name());
     if (labels_.segments.empty()) {
       const FixtureColumns columns = read_fixture_columns(csv, file.name());
       FixturePlaces places(columns, names_, store_, problems_);

@@ -100,6 +100,33 @@ class PlanogramHeader {
 
 }  // namespace
 
+namespace {
+
+// The number of records above the one with an article column, if they are separated so.
+std::optional<int> records_above(std::string_view text, const std::string& file, char separator) try {
+  constexpr int most = 20;
+  CsvReader csv(text, file, separator);
+  for (int above = 0; above <= most && csv.next(); ++above) {
+    const std::vector<std::string> names = column_keys(csv);
+    if (names.size() > 1 && std::ranges::find_first_of(names, article_names) != names.end()) return above;
+  }
+  return {};
+} catch (const InputError&) {  // it may have another separator
+  return {};
+}
+
+}  // namespace
+
+CsvReader planogram_reader(std::string_view text, const std::string& file) {
+  for (const char separator : {',', ';', '\t'})
+    if (const auto above = records_above(text, file, separator); above.value_or(0) > 0) {
+      CsvReader csv(text, file, separator);
+      for (int k = 0; k < *above; ++k) csv.next();
+      return csv;
+    }
+  return CsvReader(text, file);
+}
+
 FixtureColumns read_fixture_columns(CsvReader& csv, std::string_view file) {
   const PlanogramHeader header(csv, file, expected_by_fixture);
   if (!header.optional("fixture") && header.optional(segment_names) && header.optional(shelf_names))

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "shelfbeam/base/csv.hpp"
@@ -28,6 +29,10 @@ struct SegmentColumns : PlanogramColumns {
   std::size_t segment = 0, shelf = 0, sequence = 0;
   std::optional<std::size_t> planogram, product_width, facings;
 };
+
+/// A reader of the text, before the line that names the columns: titles and dates may stand above it.
+/// Throws InputError.
+CsvReader planogram_reader(std::string_view text, const std::string& file);
 
 // Readers of the header of a file with this name. Throw InputError.
 

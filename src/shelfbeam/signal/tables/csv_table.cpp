@@ -111,6 +111,14 @@ bool separates(std::string_view text, const std::string& name, char separator) {
          has_numbers_from(1);
 }
 
+// Whether the first record names transceivers by numbers, and has no field above the ids of labels.
+bool lacks_corner(std::string_view text, const std::string& name, std::optional<char> separator) {
+  CsvReader csv(text, name, separator);
+  if (!csv.next()) return false;
+  const std::size_t header = csv.fields().size();
+  return csv.next() && csv.fields().size() == header + 1 && !csv.is_number(0) && csv.is_number(1);
+}
+
 // The ids in a header may contain further separators.
 std::optional<char> separator_of(std::string_view text, const std::string& name) {
   const std::string separators = csv_separators(text);
@@ -149,7 +157,8 @@ void for_each_line(CsvReader& csv, Rows& rows, std::string_view kind, const Appl
 
 ReadTable read_csv_table(std::string_view text, const std::string& name, TableReading reading) {
   text = without_mark(text, name, save_table_as_utf8);
-  CsvReader csv(text, name, separator_of(text, name));
+  const std::optional<char> separator = separator_of(text, name);
+  CsvReader csv(text, name, separator);
   SignalTable table;
   table.row_begin = {0};
   if (!csv.next()) csv.fail("is empty", "name a file with a signal matrix");
@@ -160,7 +169,9 @@ ReadTable read_csv_table(std::string_view text, const std::string& name, TableRe
   };
   const bool is_chosen = reading != TableReading::automatic;
   // The first field of a header is not a number: it is an id or the title of the ids.
-  if (!is_chosen) reading = csv.is_number(0) ? TableReading::signals : TableReading::ids;
+  if (!is_chosen)
+    reading =
+        csv.is_number(0) && !lacks_corner(text, name, separator) ? TableReading::signals : TableReading::ids;
   const std::vector<std::string> first = filled_fields(csv);
   if (reading == TableReading::signals) {
     number_transceivers(table, first.size());

@@ -138,6 +138,25 @@ TEST(Planogram, ComesFromSpreadsheets) {
                            std::string_view("several columns 'article'"));
 }
 
+TEST(Planogram, HasOtherLinesAboveItsColumnsAndUnitsInItsCells) {
+  const TempFolder folder;
+  Json store =
+      store_with(R"([{"type": "gondola", "id": "A", "at": [5, 5], "length": 3, "depth": 0.9, "height": 1.8,
+    "material": "steel", "shelves": [0.4, 0.9], "faces": ["front"]}])");
+  store["labels"] = Json::array();
+  store["planogram"] = {{"file", "p.csv"}, {"type", "small"}};
+  for (const std::string rows :
+       {"1;A;front;1;0,25 m;20 cm", "1;A;front;1;25 cm;200mm", "1;A;front;1;0,25;0,2"}) {
+    folder.write("p.csv",
+                 "Shop, of two\nDate;01.02.2026\n\narticle;fixture;face;level;x;hook\n" + rows + "\n");
+    const Scene scene = make_scene(read(store, folder.path()));
+    ASSERT_EQ(scene.labels.size(), 1U);
+    EXPECT_NEAR(length(scene.labels[0].position - Vec3{5.25, 4.8, 0.4}), 0, 1e-12) << rows;
+  }
+  folder.write("p.csv", "Shop\narticle;fixture;face;level;x\n1;A;front;1;25 kg\n");
+  test::expect_input_error([&] { read(store, folder.path()); }, std::string_view("p.csv: line 3, field 5"));
+}
+
 TEST(Planogram, LabelsHaveTheirTypeHookAndTilt) {
   const TempFolder folder;
   Json store =
