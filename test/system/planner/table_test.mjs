@@ -279,7 +279,7 @@ testPlanner("table: the list of bad lines is copied", { alone: true, permissions
   await person.open("planogram.csv", ["EAN;Regal;Boden", ...rows].join("\n"));
   equal((await badLines(tab)).length, 200);
   says(await tab.text(".bad-lines"), "250 lines are left out", "The first 200 are shown");
-  equal(await tab.page.evaluate(() => document.querySelector(".primary").disabled), true, "nothing to add");
+  equal(await tab.page.evaluate(() => document.querySelector("dialog .primary").disabled), true, "nothing to add");
   await person.push("copy-bad-lines");
   equal(await tab.text('[data-key="copy-bad-lines"]'), "Copied");
   const copied = (await tab.page.evaluate(() => navigator.clipboard.readText())).split("\n");
@@ -298,7 +298,7 @@ testPlanner("table: cells of a spreadsheet are pasted, and chosen by keys", {}, 
   });
   await tab.until(() => document.activeElement?.dataset.key === "word/fixture/Halle");
   await tab.page.keyboard.type("A2");
-  await tab.until(() => document.querySelector(".primary").textContent === "Add 2 labels");
+  await tab.until(() => document.querySelector("dialog .primary").textContent === "Add 2 labels");
   await tab.page.focus('[data-key="table-from-top"]');
   await tab.page.keyboard.type("from above");
   equal(await tab.page.evaluate(() => document.activeElement.dataset.key), "table-from-top", "the focus stays");

@@ -111,7 +111,7 @@ function partAt(text: string, at: number): Scanned | null {
  */
 export function numberAt(text: string, at: number): Scanned | null {
   const feet = partAt(text, at);
-  if (!feet || feet.number.unit !== "ft") return feet;
+  if (feet?.number.unit !== "ft") return feet;
   const dash = text[feet.end] === "-" ? 1 : 0;
   const inches = partAt(text, feet.end + (dash || Number(text[feet.end] === " ")));
   if (!inches || (inches.number.unit !== "in" && inches.number.unit !== undefined)) return feet;
@@ -127,7 +127,7 @@ export function writtenNumber(text: string): WrittenNumber | null {
   const sign = plain.startsWith("-") ? -1 : 1;
   const from = plain.startsWith("-") || plain.startsWith("+") ? 1 : 0;
   const found = numberAt(plain, from);
-  if (!found || found.end !== plain.length) return null;
+  if (found?.end !== plain.length) return null;
   const { value, grouped, ...others } = found.number;
   return { value: sign * value, ...(grouped === undefined ? {} : { grouped: sign * grouped }), ...others };
 }

@@ -139,8 +139,12 @@ export class ColumnsForm {
   /** Asks for the decimal mark where the numbers do not show it. */
   private markRow(mapping: Mapping, set: (changed: Partial<Mapping>) => void): HTMLElement[] {
     if (markOf(this.table, numericColumns(mapping)) !== null) return [];
-    const marks = Object.entries(text.planogram.marks);
-    const options: Option[] = [["", text.planogram.choose], ...marks];
+    const { point, comma } = text.planogram.decimals;
+    const options: Option[] = [
+      ["", text.planogram.choose],
+      [".", point],
+      [",", comma],
+    ];
     const chosen = (mark: string) => set({ mark: mark as Mapping["mark"] });
     return [choiceRow("mark", text.planogram.mark, options, mapping.mark, chosen, mapping.mark === "")];
   }

@@ -51,7 +51,7 @@ const isUpper = (letter: string): boolean => letter !== letter.toLowerCase();
 /** How likely a text is one that people wrote, by its letters that are not ASCII. */
 function likelihoodOf(text: string): number {
   let sum = 0;
-  for (const word of text.match(/[^\s\d;,|"()/.:_-]*[^\0-\x7f][^\s\d;,|"()/.:_-]*/g) ?? []) {
+  for (const word of text.match(/[^\s\d;,|"()/.:_-]*[\u0080-\uffff][^\s\d;,|"()/.:_-]*/g) ?? []) {
     const letters = [...word];
     const known = new Set(letters.filter((letter) => /\p{L}/u.test(letter)).map(scriptOf));
     letters.forEach((letter, k) => {
@@ -67,7 +67,7 @@ function likelihoodOf(text: string): number {
     });
     // Kana are in Japanese texts alone, and half of them in other encodings' misreadings.
     if (/[\u3040-\u30ff]/.test(word)) sum += 1;
-    if (/[\uff61-\uff9f\ufffd\0-\x08]/.test(word)) sum -= 3;
+    if (/[\uff61-\uff9f\ufffd]/.test(word)) sum -= 3;
   }
   return sum;
 }
