@@ -123,6 +123,7 @@ export function numberAt(text: string, at: number): Scanned | null {
 
 /** Null for a text that is not a number. */
 export function writtenNumber(text: string): WrittenNumber | null {
+  if (/^\d+$/.test(text)) return { value: Number(text) };
   const plain = plainSigned(text);
   const sign = plain.startsWith("-") ? -1 : 1;
   const from = plain.startsWith("-") || plain.startsWith("+") ? 1 : 0;
