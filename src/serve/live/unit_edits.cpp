@@ -14,6 +14,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/length_unit.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 
 #include "serve/live/place.hpp"
 
@@ -340,12 +341,7 @@ void change_unit(const Json& request, const Draft& draft, Transceiver& unit) {
   }
   if (unit.type.value >= types.size())
     throw InputError("transceiver_types", "has no type", "define a type of transceivers first");
-  if (request.contains("axis")) {
-    const Vec3 axis = vector_of(request, "axis");
-    if (!(length(axis) > 0) || !std::isfinite(length(axis)))
-      throw InputError("axis", "has no length between 0 and infinity");
-    unit.axis = normalized(axis);
-  }
+  if (request.contains("axis")) unit.axis = unit_direction(vector_of(request, "axis"), "axis");
   unit.roll_deg = request.value("roll_deg", unit.roll_deg);
   if (!(std::abs(unit.roll_deg) <= 360)) throw InputError("roll_deg", "is beyond 360 degrees");
   unit.relative_power = request.value("power", unit.relative_power);

@@ -200,7 +200,7 @@ void CsvReader::note_mark(std::size_t field, const WrittenNumber& number) {
   if (example.line == 0) example = {line_, field, std::string(fields_[field]), mark};
 }
 
-WrittenNumber CsvReader::quantity(std::size_t field, std::optional<LengthUnit> unit) {
+WrittenNumber CsvReader::quantity(std::size_t field, std::optional<LengthUnit> unit, double most) {
   const std::string_view content = fields_[field];
   WrittenNumber number;
   // Most numbers of matrices need no closer look.
@@ -220,10 +220,11 @@ WrittenNumber CsvReader::quantity(std::size_t field, std::optional<LengthUnit> u
   }
   if (number.unit && !unit)
     fail(field, fmt::format("is {}", in_quotes(content)), "a number without a unit is expected");
-  if (const auto problem = amount_problem(std::abs(number.value)); !problem.empty())
+  if (!(std::abs(number.value) <= most))
     fail(field,
-         number.value < -max_amount && std::isfinite(number.value) ? "is less than -1e18"
-                                                                   : std::string(problem),
+         number.value < -max_amount && std::isfinite(number.value)
+             ? "is less than -1e18"
+             : std::string(amount_problem(std::abs(number.value))),
          "a finite number is expected");
   if (!number.unit) number.unit = unit;
   return number;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "shelfbeam/base/changed_ids.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/base/written_number.hpp"
 
 namespace shelfbeam {
@@ -37,8 +39,12 @@ class CsvReader {
   void expect_fields(std::size_t least, std::size_t most, std::string_view meaning = {}) const;
 
   bool is_number(std::size_t field) const;
-  /// The field as a number; throws InputError unless it is finite.
+  /// The field as a number; throws InputError unless its magnitude is at most `max_amount`.
   double number(std::size_t field) { return quantity(field, {}).value; }
+  /// The same for any finite number, such as those of a direction.
+  double finite_number(std::size_t field) {
+    return quantity(field, {}, std::numeric_limits<double>::max()).value;
+  }
   struct Length {
     double value;
     LengthUnit unit;
@@ -72,7 +78,7 @@ class CsvReader {
 
   std::string_view quoted_field();
   void end_line();
-  WrittenNumber quantity(std::size_t field, std::optional<LengthUnit> unit);
+  WrittenNumber quantity(std::size_t field, std::optional<LengthUnit> unit, double most = max_amount);
   void note_mark(std::size_t field, const WrittenNumber& number);
 
   std::string_view text_;

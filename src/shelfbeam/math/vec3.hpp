@@ -49,6 +49,7 @@ constexpr double length_squared(const Vec3& a) {
 inline double length(const Vec3& a) {
   return std::sqrt(length_squared(a));
 }
+/// For usual lengths; directions from outside go through `unit_direction` (scene/read_values.hpp).
 inline Vec3 normalized(const Vec3& a) {
   return a / length(a);
 }

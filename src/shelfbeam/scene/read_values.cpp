@@ -186,6 +186,7 @@ double degrees_of(double angle) {
 Vec3 unit_direction(const Vec3& v, const std::string& where) {
   // Scales first, so that the squares neither underflow nor overflow.
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!is_finite(v)) throw InputError(where, "is not finite", "give a direction of finite numbers");
   if (!(largest > 0)) throw InputError(where, "is a zero vector", "give a direction");
   return std::abs(length_squared(v) - 1) < 1e-12 ? v
                                                  : normalized({v.x / largest, v.y / largest, v.z / largest});

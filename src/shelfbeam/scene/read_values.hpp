@@ -55,7 +55,9 @@ std::vector<double> read_angles_from_zero(const JsonCursor& cursor, double last_
 /// that was converted from degrees; otherwise the next larger angle is returned.
 double degrees_of(double angle);
 
-/// Normalizes the vector unless its length is 1 within rounding. Throws for the zero vector.
+/// The direction of a vector from outside, whose squares may overflow or vanish: every such vector comes
+/// through here. All finite vectors but zero are taken, and those whose length is 1 within rounding stay as
+/// they are.
 Vec3 read_direction(const JsonCursor& cursor);
 Vec3 unit_direction(const Vec3& v, const std::string& where);
 

@@ -87,11 +87,24 @@ TEST_F(Preview, FollowsTheProblemOfThePlan) {
   EXPECT_GT(json["labels_lost"], 0);
 }
 
+// The squares of such axes overflow or vanish.
+TEST_F(Preview, TakesAnAxisOfAnyLength) {
+  const auto signals = [&](const std::string& unit, const std::string& axis) {
+    return previewed(unit + "2,1.5,2.9," + axis + " --coarse")["labels"];
+  };
+  for (const std::string& unit : {std::string("--unit "), "--from @plan --move " + chosen() + ","}) {
+    const Json usual = signals(unit, "0,0.3,-1");
+    EXPECT_EQ(signals(unit, "0,0.3e200,-1e200"), usual) << unit;
+    EXPECT_EQ(signals(unit, "0,0.3e-170,-1e-170"), usual) << unit;
+    EXPECT_NE(signals(unit, "0,1e200,-1e200"), usual) << "the control";
+  }
+}
+
 TEST_F(Preview, RefusesWhatItCannotRead) {
   for (const auto& [options, part] : std::vector<std::pair<std::string, std::string>>{
            {"--unit 2,1.5", "2 numbers"},
            {"--unit 2,1.5,29", "outside the room"},
-           {"--unit 2,1.5,2.9,0,0,0", "axis of length 0"},
+           {"--unit 2,1.5,2.9,0,0,0", "zero vector"},
            {"--unit 2,1.5,2.9,lamp", "unknown type"},
            {"--unit 2,1.5,2.9,ceiling,more", "more than a type"},
            {"", "selects no unit"},

@@ -180,6 +180,19 @@ TEST_F(StoreCsv, EqualsTheListInTheStoreFile) {
   EXPECT_EQ(test::fingerprint(from_csv), test::fingerprint(from_list));
 }
 
+// Also beyond the limit of the other numbers of a table, and where squares overflow or vanish.
+TEST_F(StoreCsv, TakesDirectionsOfAnyLength) {
+  folder.write("lists/units.csv", units);
+  const auto normal_of = [&](const std::string& direction) {
+    folder.write("labels.csv", "id,x,y,z,nx,ny,nz,type\nL1,5,2,1," + direction + ",large\n");
+    return scene().labels.back().normal;
+  };
+  const Vec3 usual = normal_of("0,-1,1");
+  for (const std::string direction : {"0,-1e308,1e308", "0,-1e19,1e19", "0,-1e-170,1e-170"})
+    EXPECT_EQ(normal_of(direction), usual) << direction;
+  EXPECT_NE(normal_of("0,-1e308,1e307"), usual) << "the control";
+}
+
 TEST_F(StoreCsv, IsReadAsSpreadsheetsWriteIt) {
   folder.write("lists/units.csv", "\xEF\xBB\xBF" + units);
   folder.write("labels.csv",

@@ -12,6 +12,7 @@
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/text.hpp"
 #include "shelfbeam/scene/build/misplaced.hpp"
+#include "shelfbeam/scene/read_values.hpp"
 
 namespace shelfbeam {
 
@@ -73,8 +74,7 @@ void read(std::string_view text, const UnitFields& fields, std::size_t first, co
   unit.position = {numbers[0], numbers[1], numbers[2]};
   if (numbers.size() == 6) {
     const Vec3 axis{numbers[3], numbers[4], numbers[5]};
-    if (!(length(axis) > 0)) refuse(text, "has an axis of length 0");
-    unit.axis = normalized(axis);
+    unit.axis = unit_direction(axis, fmt::format("axis of unit {}", in_quotes(text)));
   }
   if (k < fields.size()) unit.type = type_named(text, fields[k], scene);
   if (const std::string where = beyond_room(scene, unit.position); !where.empty())

@@ -10,7 +10,16 @@ GltfPlacement GltfPlacement::from(const Vec3& translation, const std::array<doub
                                   const Vec3& scale) {
   auto [x, y, z, w] = rotation;
   constexpr double rounding = 1e-5;  // beyond that of single precision
-  if (const double square = x * x + y * y + z * z + w * w; std::abs(square - 1) > rounding) {
+  double square = x * x + y * y + z * z + w * w;
+  if (!std::isnormal(square)) {  // overflow or underflow
+    const double largest = std::max({std::abs(x), std::abs(y), std::abs(z), std::abs(w)});
+    x /= largest;
+    y /= largest;
+    z /= largest;
+    w /= largest;
+    square = x * x + y * y + z * z + w * w;
+  }
+  if (std::abs(square - 1) > rounding) {
     const double factor = 1 / std::sqrt(square);
     x *= factor;
     y *= factor;

@@ -181,6 +181,7 @@ class GltfReader {
       };
       std::array<double, 4> turn{0, 0, 0, 1};
       for (std::size_t c = 0; c < turn.size() && !turns.empty(); ++c) turn[c] = turns[4 * k + c];
+      if (turn == std::array<double, 4>{}) attributes.fail("have a zero quaternion", "export the file again");
       copies.push_back(node.of(GltfPlacement::from(vector_at(shifts, 0), turn, vector_at(scales, 1))));
     }
     return copies;

@@ -83,7 +83,7 @@ struct Record {
   double farthest = 0;                     // the largest coordinate of the file so far, m
 
   Vec3 vector(std::size_t first) const {
-    return {csv.number(first), csv.number(first + 1), csv.number(first + 2)};
+    return {csv.finite_number(first), csv.finite_number(first + 1), csv.finite_number(first + 2)};
   }
   Vec3 point(std::size_t first) {
     const auto coordinate = [&](std::size_t field) {

@@ -63,6 +63,10 @@ TEST(Gltf, QuaternionsAreNormalized) {
   GltfMaker maker;
   maker.node(0)["rotation"] = {0, 0, 2, 2};  // a quarter turn about z
   expect_bounds(maker.scene(), {-2, -3, 0}, {0, 0, 1});
+  for (const double scale : {1e200, 1e-170}) {  // whose squares overflow or vanish
+    maker.node(0)["rotation"] = {0, 0, scale, scale};
+    expect_bounds(maker.scene(), {-2, -3, 0}, {0, 0, 1});
+  }
   maker.node(0)["rotation"] = {0, 0, 0, 0};
   expect_input_error([&] { maker.scene(); }, "nodes[0].rotation", "zero quaternion");
 }
@@ -171,6 +175,8 @@ TEST(Gltf, InstancesAreCopies) {
   // 90 degrees about x in bytes, whose length is not quite 1.
   attributes["ROTATION"] = maker.add("VEC4", 4, std::vector<std::int8_t>{0, 0, 0, 127, 90, 0, 0, 90}, true);
   expect_bounds(maker.scene(), {0, -6, -3}, {5, 0, 2});
+  attributes["ROTATION"] = maker.add("VEC4", 4, std::vector<std::int8_t>{0, 0, 0, 127, 0, 0, 0, 0}, true);
+  expect_input_error([&] { maker.scene(); }, "EXT_mesh_gpu_instancing", "zero quaternion");
   attributes["SCALE"] = maker.add("VEC3", 3, std::vector<float>{1, 1, 1});
   expect_input_error([&] { maker.scene(); }, "different numbers");
   maker = skinned();
