@@ -3,6 +3,7 @@
 #include "shelfbeam/base/provenance.hpp"
 
 #include "python/bind.hpp"
+#include "python/calls.hpp"
 
 PYBIND11_MODULE(_core, module) {
   using namespace shelfbeam::python;
@@ -16,4 +17,5 @@ PYBIND11_MODULE(_core, module) {
   bind_plan(module);
   bind_preview(module);
   bind_comparison(module);
+  pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(end_calls));
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -9,15 +8,18 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/placement/answer/names.hpp"
 #include "shelfbeam/placement/io/placement_file.hpp"
 #include "shelfbeam/placement/problem/checker.hpp"
 #include "shelfbeam/placement/problem/spend.hpp"
+#include "shelfbeam/scene/expect_running.hpp"
 #include "shelfbeam/signal/tables/table_reading.hpp"
 
 #include "jobs/plan_job_json.hpp"
@@ -36,42 +38,43 @@ namespace {
 
 using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// Entries that are not finite or negative are refused as in a file.
+// Values that a file may not have are refused in arrays, too.
 SignalTable table_of(const Values& signals, const std::vector<std::string>& labels,
                      const std::vector<std::string>& units) {
+  const auto at = signals.unchecked<2>();
+  if (static_cast<std::size_t>(at.shape(0)) != labels.size() ||
+      static_cast<std::size_t>(at.shape(1)) != units.size() || labels.empty() || units.empty())
+    throw InputError("signals", "has another shape than labels x units, or is empty", "correct it");
   SignalTable table;
   for (const std::string& id : labels) table.labels.push_back({.id = id});
   for (const std::string& id : units) table.transceivers.push_back({.id = id});
-  const auto at = signals.unchecked<2>();
-  const py::gil_scoped_release unlocked;
   table.row_begin = {0};
-  for (py::ssize_t i = 0; i < at.shape(0); ++i) {
-    for (py::ssize_t j = 0; j < at.shape(1); ++j) {
-      const double signal = at(i, j);
-      if (!std::isfinite(signal) || signal < 0)
-        throw InputError("signals[" + std::to_string(i) + ", " + std::to_string(j) + "]",
-                         "is not a finite number from 0 on", "correct it");
-      if (signal > 0) table.entries.push_back({static_cast<std::uint32_t>(j), signal});
+  return watched(0, py::none(), [&](const RunControl& control) {
+    for (py::ssize_t i = 0; i < at.shape(0); ++i) {
+      expect_running(control.cancel);
+      for (py::ssize_t j = 0; j < at.shape(1); ++j) {
+        const double signal = at(i, j);
+        if (const auto problem = amount_problem(signal); !problem.empty())
+          throw InputError(fmt::format("signals[{}, {}]", i, j), std::string(problem), "correct it");
+        if (signal > 0) table.entries.push_back({static_cast<std::uint32_t>(j), signal});
+      }
+      table.row_begin.push_back(table.entries.size());
     }
-    table.row_begin.push_back(table.entries.size());
-  }
-  return table;
+    return std::move(table);
+  });
 }
 
 // One value per member of a list of the table.
 template <class Members, class Set>
-void set_each(Members& members, const Values& values, const char* name, double least, const Set& set) {
+void set_each(Members& members, const Values& values, const char* name, const Set& set) {
   const auto at = values.unchecked<1>();
   if (static_cast<std::size_t>(at.shape(0)) != members.size())
-    throw InputError(
-        name, "has " + std::to_string(at.shape(0)) + " values instead of " + std::to_string(members.size()),
-        "give one for each");
+    throw InputError(name, fmt::format("has {} values instead of {}", at.shape(0), members.size()),
+                     "give one for each");
   for (py::ssize_t k = 0; k < at.shape(0); ++k) {
-    const double value = at(k);
-    if (!std::isfinite(value) || value < least)
-      throw InputError(name + ("[" + std::to_string(k) + "]"), "is negative or not a finite number",
-                       "correct it");
-    set(members[static_cast<std::size_t>(k)], value);
+    if (const auto problem = amount_problem(at(k)); !problem.empty())
+      throw InputError(fmt::format("{}[{}]", name, k), std::string(problem), "correct it");
+    set(members[static_cast<std::size_t>(k)], at(k));
   }
 }
 
@@ -149,8 +152,9 @@ void bind_placement(py::module_& module) {
       .def_static("of_array", table_of)
       .def_static("of_signals",
                   [](const std::shared_ptr<StoredSignals>& signals) {
-                    const py::gil_scoped_release unlocked;
-                    return make_signal_table(*signals, "signals");
+                    return watched(0, py::none(), [&](const RunControl&) {
+                      return make_signal_table(*signals, "signals");
+                    });
                   })
       .def_static("read",
                   [](const std::vector<fs::path>& files, const std::string& reading) {
@@ -164,18 +168,18 @@ void bind_placement(py::module_& module) {
       .def_property_readonly("units", [](const SignalTable& table) { return ids_of(table.transceivers); })
       .def("set_requirement",
            [](SignalTable& table, const Values& values) {
-             set_each(table.labels, values, "requirement", 0, [](SignalTable::Label& label, double value) {
+             set_each(table.labels, values, "requirement", [](SignalTable::Label& label, double value) {
                label.requirement = label.single_requirement = value;
              });
            })
       .def("set_costs",
            [](SignalTable& table, const Values& values) {
-             set_each(table.transceivers, values, "costs", 0,
+             set_each(table.transceivers, values, "costs",
                       [](SignalTable::Transceiver& unit, double value) { unit.cost = value; });
            })
       .def("set_weights",
            [](SignalTable& table, const Values& values) {
-             set_each(table.labels, values, "weights", 0,
+             set_each(table.labels, values, "weights",
                       [](SignalTable::Label& label, double value) { label.weight = value; });
            })
       .def("read_weights", [](SignalTable& table, const fs::path& path) { apply_weights(table, path); })

@@ -177,8 +177,10 @@ py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options,
 void bind_plan(py::module_& module) {
   module.def("plan", planned);
   module.def("verify", verified);
-  module.def("rebuild_report", jobs::rebuild_report, arg("folder"), arg("safe_csv"),
-             arg("store") = py::none(), py::call_guard<py::gil_scoped_release>());
+  module.def("rebuild_report", [](const fs::path& folder, bool safe_csv, const std::optional<fs::path>& store) {
+    return watched(0, py::none(),
+                   [&](const RunControl&) { return jobs::rebuild_report(folder, safe_csv, store); });
+  });
 }
 
 }  // namespace shelfbeam::python

@@ -123,7 +123,6 @@ py::list materials_of(const Scene& scene) {
 }  // namespace
 
 void bind_scene(py::module_& module) {
-  const py::call_guard<py::gil_scoped_release> unlocked;
   py::class_<Shop, std::shared_ptr<Shop>>(module, "Scene", "A store, checked and frozen.")
       .def_static("parse", parsed)
       .def_property_readonly("name", [](const Shop& shop) { return shop.scene.name; })
@@ -162,12 +161,18 @@ void bind_scene(py::module_& module) {
                                return view_of(reinterpret_cast<const std::uint32_t*>(materials.data()),
                                               {static_cast<py::ssize_t>(materials.size())}, self);
                              })
-      .def(
-          "resolved", [](const Shop& shop) { return resolved_store_json(shop.store, shop.scene); }, unlocked)
+      .def("resolved",
+           [](const Shop& shop) {
+             return watched(0, py::none(), [&](const RunControl&) {
+               return resolved_store_json(shop.store, shop.scene);
+             });
+           })
       .def("state", state_of)
-      .def(
-          "svg", [](const Shop& shop, bool with_ids) { return floor_plan_svg(shop.scene, with_ids); },
-          unlocked)
+      .def("svg",
+           [](const Shop& shop, bool with_ids) {
+             return watched(0, py::none(),
+                            [&](const RunControl&) { return floor_plan_svg(shop.scene, with_ids); });
+           })
       .def("glb", [](const Shop& shop) { return py::bytes(scene_glb(shop.scene)); });
   module.def("problems_of", problems_of);
   module.def("plain_json",

@@ -1,18 +1,20 @@
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/text.hpp"
 #include "shelfbeam/signal/hdf5/signal_file.hpp"
 #include "shelfbeam/signal/tables/matrix_export.hpp"
 
 #include "jobs/stored_plan.hpp"
 #include "python/arrays.hpp"
 #include "python/bind.hpp"
+#include "python/work.hpp"
 
 namespace py = pybind11;
 
@@ -83,8 +85,8 @@ std::shared_ptr<StoredSignals> with_mean(
   auto copy = std::make_shared<StoredSignals>(signals);
   copy->mean.assign(mean.data(), mean.data() + mean.size());
   for (const float value : copy->mean)
-    if (!std::isfinite(value) || value < 0)
-      throw InputError("mean", "has a value that is negative or not finite", "correct it");
+    if (const auto problem = amount_problem(value); !problem.empty())
+      throw InputError("mean", fmt::format("has a value that {}", problem), "correct it");
   return copy;
 }
 
@@ -114,13 +116,13 @@ void bind_signals(py::module_& module) {
   py::class_<Signals, std::shared_ptr<Signals>>(module, "Signals", "The signal matrix of a scene.")
       .def_static("read",
                   [](const std::filesystem::path& path) {
-                    const py::gil_scoped_release unlocked;
-                    return std::make_shared<Signals>(jobs::read_given_signals(path));
+                    return watched(0, py::none(), [&](const RunControl&) {
+                      return std::make_shared<Signals>(jobs::read_given_signals(path));
+                    });
                   })
       .def("write",
            [](const Signals& signals, const std::filesystem::path& path) {
-             const py::gil_scoped_release unlocked;
-             write_signal_file(signals, path);
+             do_watched(0, py::none(), [&](const RunControl&) { write_signal_file(signals, path); });
            })
       .def("with_mean", with_mean)
       .def_property_readonly("rows", [](const Signals& signals) { return signals.rows(); })

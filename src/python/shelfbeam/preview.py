@@ -16,7 +16,7 @@ from .errors import expect
 from .options import Path, ProgressOption, as_list, lines_of, options
 from .plans import Plan
 from .signals import Signals
-from .tables import Result
+from .tables import Result, floats
 from .scene import Scene
 from .store import Store, name_of, scene_of
 
@@ -100,5 +100,10 @@ def what_if(shop: Store | Scene | Path, *, plan: Plan | Path | None = None,
 
 def unit_text(position: Sequence[float], axis: Sequence[float] = (0, 0, -1), type: str = "") -> str:
     """A unit as the command line takes it."""
-    numbers = ",".join(repr(float(value)) for value in (*position, *axis))
-    return f"{numbers},{type}" if type else numbers
+    numbers: list[float] = []
+    for name, values in (("position", position), ("axis", axis)):
+        three = floats(values, name)
+        expect(three.shape == (3,) and bool(np.isfinite(three).all()), "is not three finite numbers", name)
+        numbers += three.tolist()
+    text = ",".join(map(repr, numbers))
+    return f"{text},{type}" if type else text
