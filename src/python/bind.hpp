@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include <pybind11/pybind11.h>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/ids.hpp"
 
 /// Numbers of labels and columns are whole numbers in Python.
@@ -23,6 +25,13 @@ struct pybind11::detail::type_caster<shelfbeam::Number<Tag>> {
 };
 
 namespace shelfbeam::python {
+
+/// Throws InputError unless all numbers are those of members of a list.
+template <class Numbers>
+void expect_numbers(const Numbers& numbers, std::size_t members, const char* name) {
+  for (const auto number : numbers)
+    if (number >= members) throw InputError(name, "has a number without a member", "correct it");
+}
 
 // Each function adds the classes and functions of one subject to the module. docs/python.md and the package
 // shelfbeam document them; _core.pyi has their types.

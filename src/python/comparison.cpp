@@ -1,7 +1,6 @@
 #include "shelfbeam/report/messages/comparison.hpp"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,25 +28,26 @@ namespace {
 
 using py::arg;
 
-py::dict compared(const std::shared_ptr<StoredSignals>& signals, const fs::path& measured,
+py::dict compared(const StoredSignals& signals, const fs::path& measured,
                   const std::vector<ColumnId>& units, double confidence) {
   struct Found {
     std::vector<ComparedPair> pairs;
     Comparison comparison;
   };
+  expect_numbers(units, signals.columns(), "placement");
   const Found found = watched(0, py::none(), [&](const RunControl&) {
-    const Measurements measurements = read_measurements(measured, *signals);
+    const Measurements measurements = read_measurements(measured, signals);
     if (measurements.of_pairs && !units.empty())
       throw InputError(measured.string(), "names a transceiver for every signal, so no units apply",
                        "remove the units, or the column 'transceiver'");
     if (!measurements.of_pairs && units.empty())
       throw InputError(measured.string(), "has no column 'transceiver', so several units were on at once",
                        "name these units");
-    std::vector<ComparedPair> pairs = compared_pairs(*signals, measurements, units);
+    std::vector<ComparedPair> pairs = compared_pairs(signals, measurements, units);
     Comparison comparison = compare_signals(pairs, confidence, measured.string());
     return Found{std::move(pairs), std::move(comparison)};
   });
-  const ComparisonInput input{*signals, found.pairs, found.comparison, measured.filename().string(),
+  const ComparisonInput input{signals, found.pairs, found.comparison, measured.filename().string(),
                               "signals"};
   constexpr std::size_t listed = 5;  // as the command line
   return py::dict(arg("json") = comparison_json(input, listed).dump(),

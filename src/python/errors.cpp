@@ -1,4 +1,5 @@
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <utility>
@@ -14,12 +15,19 @@ namespace shelfbeam::python {
 
 namespace {
 
+// Names of files may have bytes that are not UTF-8, as those of Python itself.
+py::object text_of(const std::string& text) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));
+}
+
 // The class and its attributes are those of shelfbeam/errors.py.
 void raise(const std::exception& error, const std::string& kind, const std::string& where, Setting setting) {
   const jobs::JobError end = jobs::error_of(error);
   const py::object made =
       py::module_::import("shelfbeam.errors")
-          .attr("make")(kind, end.message, static_cast<int>(end.code), where, std::string(to_text(setting)));
+          .attr("make")(kind, text_of(end.message), static_cast<int>(end.code), text_of(where),
+                       std::string(to_text(setting)));
   PyErr_SetObject(py::type::of(made).ptr(), made.ptr());
 }
 
@@ -32,6 +40,9 @@ void translate(std::exception_ptr thrown) {
     raise(error, "input", error.where(), error.setting());
   } catch (const Interrupted& stop) {
     raise(stop, "interrupted", "", stop.setting());
+  } catch (const std::filesystem::filesystem_error& error) {
+    raise(InputError(error.path1().string(), "cannot be used (" + error.code().message() + ")", "check the path"),
+          "input", error.path1().string(), Setting::none);
   } catch (const std::bad_alloc& error) {
     raise(error, "memory", "", Setting::memory);
   } catch (const py::error_already_set&) {

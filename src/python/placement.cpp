@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +40,7 @@ using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 // Values that a file may not have are refused in arrays, too.
 SignalTable table_of(const Values& signals, const std::vector<std::string>& labels,
                      const std::vector<std::string>& units) {
+  if (signals.ndim() != 2) throw InputError("signals", "has another shape than labels x units", "correct it");
   const auto at = signals.unchecked<2>();
   if (static_cast<std::size_t>(at.shape(0)) != labels.size() ||
       static_cast<std::size_t>(at.shape(1)) != units.size() || labels.empty() || units.empty())
@@ -67,6 +67,7 @@ SignalTable table_of(const Values& signals, const std::vector<std::string>& labe
 // One value per member of a list of the table.
 template <class Members, class Set>
 void set_each(Members& members, const Values& values, const char* name, const Set& set) {
+  if (values.ndim() != 1) throw InputError(name, "is not a list of numbers", "give one for each");
   const auto at = values.unchecked<1>();
   if (static_cast<std::size_t>(at.shape(0)) != members.size())
     throw InputError(name, fmt::format("has {} values instead of {}", at.shape(0), members.size()),
@@ -134,6 +135,7 @@ py::dict placed(const SignalTable& table, const std::string& options, const py::
 py::dict checked(const SignalTable& table, const std::string& options, const Selection& selected) {
   const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   const PlacementProblem problem = problem_of(job, table);
+  expect_numbers(selected, table.columns(), "selection");
   const Check check =
       watched(0, py::none(), [&](const RunControl&) { return check_selection(table, problem, selected); });
   std::vector<double> requirement;
@@ -151,9 +153,9 @@ void bind_placement(py::module_& module) {
   py::class_<SignalTable>(module, "Table", "Signals with requirements and costs, the input of a placement.")
       .def_static("of_array", table_of)
       .def_static("of_signals",
-                  [](const std::shared_ptr<StoredSignals>& signals) {
+                  [](const StoredSignals& signals) {
                     return watched(0, py::none(), [&](const RunControl&) {
-                      return make_signal_table(*signals, "signals");
+                      return make_signal_table(signals, "signals");
                     });
                   })
       .def_static("read",

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -73,12 +72,12 @@ py::dict result(const jobs::PlanJob& job, const jobs::PlanEnd& end) {
 }
 
 // Cancelled, the results so far are in the folder, as those of the command line.
-py::dict planned(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress) {
+py::dict planned(const Shop& shop, const std::string& options, const py::object& progress) {
   const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   jobs::PlanEnd end;
   try {
     do_watched(job.threads, progress, [&](const RunControl& control) {
-      Store store = jobs::with_choice(shop->store, job);
+      Store store = jobs::with_choice(shop.store, job);
       store.cancel = control.cancel;
       end =
           jobs::run_plan(job, std::move(store), {.cancel = control.cancel, .progress = control.progress}, {});
@@ -99,6 +98,7 @@ jobs::Installation installation(const Shop& shop, const jobs::PlanJob& job,
   store.cancel = cancel;
   leave_out(store, job.without);
   if (units) {
+    expect_numbers(*units, shop.scene.transceivers.size(), "selection");
     // The question is that of a file with these units, and so are its random numbers.
     PlacementProblem problem;
     problem.model = job.model.value_or(problem.model);
@@ -136,16 +136,16 @@ py::dict verdicts(const Certificate& certificate, const CertifiedPlan& verified,
       arg("standard_error") = copy_of(error), arg("lower") = copy_of(lower), arg("upper") = copy_of(upper));
 }
 
-py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
+py::dict verified(const Shop& shop, const std::string& options, const py::object& progress,
                   const std::optional<Selection>& units) {
   const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   const SimulationOptions simulation = job.plan.simulation.options(job.plan.seed);
   if (job.plan.states.value_or(0) > 0) {
     const auto [found, mounted] = watched(job.threads, progress, [&](const RunControl& control) {
-      jobs::Installation units_of_store = installation(*shop, job, units, control.cancel);
+      jobs::Installation units_of_store = installation(shop, job, units, control.cancel);
       expect_variation(units_of_store.store);
       const VerifyStatesOptions how{*job.plan.states, job.plan.goal, job.plan.confidence, simulation};
-      ResultLog log = log_of_states("", shop->scene.store_hash, simulation);
+      ResultLog log = log_of_states("", shop.scene.store_hash, simulation);
       Availability availability = jobs::verify_in_states(units_of_store, how, log, control);
       return std::pair(std::move(availability), std::move(units_of_store));
     });
@@ -161,7 +161,7 @@ py::dict verified(const std::shared_ptr<Shop>& shop, const std::string& options,
   }
   expect_no_goal(job.plan.goal, job.without);
   const auto [found, scene] = watched(job.threads, progress, [&](const RunControl& control) {
-    jobs::Installation mounted = installation(*shop, job, units, control.cancel);
+    jobs::Installation mounted = installation(shop, job, units, control.cancel);
     CertifyOptions how;
     how.confidence = job.plan.confidence;
     how.budget.seconds = job.plan.budget_s;

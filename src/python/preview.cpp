@@ -87,20 +87,22 @@ std::shared_ptr<StoredSignals> matrix_of(const ShopLight& light, unsigned thread
   });
 }
 
-py::dict what_if_of(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
-                    const py::dict& change) {
+py::dict what_if_of(const Shop& shop, const std::string& options, const py::object& progress,
+                    const fs::path& plan, const std::vector<std::string>& added,
+                    const std::vector<std::string>& moved, const std::vector<std::string>& removed,
+                    std::optional<double> refine_s, bool coarse) {
   const jobs::PlanJob request = jobs::parse_plan_job(options, "options");
   jobs::PreviewJob job;
   job.store = request.store;
   job.seed = request.plan.seed;
-  job.plan = change["plan"].cast<fs::path>();
-  job.added = change["unit"].cast<std::vector<std::string>>();
-  job.moved = change["move"].cast<std::vector<std::string>>();
-  job.removed = change["remove"].cast<std::vector<std::string>>();
-  job.refine_s = change["refine"].cast<std::optional<double>>();
-  job.coarse = change["coarse"].cast<bool>();
+  job.plan = plan;
+  job.added = added;
+  job.moved = moved;
+  job.removed = removed;
+  job.refine_s = refine_s;
+  job.coarse = coarse;
   const jobs::PreviewResult found = watched(request.threads, progress, [&](const RunControl& control) {
-    return jobs::run_preview(job, shop->scene, control);
+    return jobs::run_preview(job, shop.scene, control);
   });
   return py::dict(arg("json") = preview_json(found.what_if, found.scene).dump(),
                   arg("answer") = preview_answer(found.what_if), arg("not_kept") = found.not_kept,
@@ -112,7 +114,7 @@ py::dict what_if_of(const std::shared_ptr<Shop>& shop, const std::string& option
 void bind_preview(py::module_& module) {
   py::class_<ShopLight, std::shared_ptr<ShopLight>>(module, "LightOperator",
                                                     "The light of a scene, for any unit.")
-      .def_static("make", make_light)
+      .def_static("make", make_light, arg("shop").none(false), arg("options"), arg("coarse"), arg("progress"))
       .def("column", column_of)
       .def("matrix", matrix_of)
       .def_property_readonly("bytes", [](const ShopLight& light) { return light.light().bytes(); });

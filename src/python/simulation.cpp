@@ -116,6 +116,7 @@ Simulated simulate_shop(const Shop& shop, const jobs::PlanJob& job, const Extras
   SimulationResult result;
   if (extras.labels || extras.units) {
     const auto or_all = [](const auto& chosen, std::size_t count) {
+      if (chosen) expect_numbers(*chosen, count, "the simulation");
       if (chosen && chosen->empty())
         throw InputError("the simulation", "has no labels or no units", "choose some");
       using Number = typename std::decay_t<decltype(*chosen)>::value_type;
@@ -131,12 +132,12 @@ Simulated simulate_shop(const Shop& shop, const jobs::PlanJob& job, const Extras
           jobs::to_json(result.summary).dump()};
 }
 
-py::tuple simulated(const std::shared_ptr<Shop>& shop, const std::string& options, const py::object& progress,
+py::tuple simulated(const Shop& shop, const std::string& options, const py::object& progress,
                     const py::dict& more, const fs::path& output) {
   const jobs::PlanJob job = jobs::parse_plan_job(options, "options");
   const Extras extras(more);
   Simulated result = watched(job.threads, progress, [&](const RunControl& control) {
-    return simulate_shop(*shop, job, extras, output, control);
+    return simulate_shop(shop, job, extras, output, control);
   });
   return py::make_tuple(std::move(result.signals), std::move(result.summary));
 }

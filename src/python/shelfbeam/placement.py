@@ -159,7 +159,6 @@ def place(signals: Source, *, requirement: ArrayLike | None = None, threshold: f
         table.set_weights(np.atleast_1d(floats(weights, "weights")))
     prices = None if costs is None or _are_paths(costs) else floats(costs, "costs")
     if prices is not None:
-        expect(prices.ndim == 1, "is not a list of numbers", "costs")
         table.set_costs(prices)
     begin = [] if start is None else [table.units[number] for number in columns_of(start, table)]
     with pair_files(forbid) as files, lines_of(progress) as lines:

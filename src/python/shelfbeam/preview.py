@@ -91,11 +91,10 @@ def what_if(shop: Store | Scene | Path, *, plan: Plan | Path | None = None,
     expect(refine is None or math.isfinite(refine) and refine > 0, "is not a time above 0", "refine")
     for name, texts in (("unit", unit), ("move", move), ("remove", remove)):
         expect(all(isinstance(one, str) for one in as_list(texts)), "is not a text such as x,y,z", name)
-    change = {"plan": folder or "", "unit": as_list(unit), "move": as_list(move), "remove": as_list(remove),
-              "refine": refine, "coarse": coarse}  # fmt: skip
     job = options(name_of(shop), seed=seed, threads=threads or None)
     with lines_of(progress) as lines:
-        return WhatIf(_core.what_if(scene_of(shop)._core, job, lines, change))
+        return WhatIf(_core.what_if(scene_of(shop)._core, job, lines, folder or "", as_list(unit), as_list(move),
+                                    as_list(remove), refine, coarse))  # fmt: skip
 
 
 def unit_text(position: Sequence[float], axis: Sequence[float] = (0, 0, -1), type: str = "") -> str:

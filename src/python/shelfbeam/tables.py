@@ -46,6 +46,8 @@ def ids_of(table: Records) -> list[str]:
 
 def numbers(chosen: Chosen, ids: Sequence[str], kind: str) -> list[int]:
     """The numbers of chosen members of a table, in their order."""
+    names = chosen.dtype.names if isinstance(chosen, (np.void, np.ndarray)) else None
+    expect(names is None and not isinstance(chosen, np.void) or "id" in (names or ()), "has no field 'id'", kind)
     if isinstance(chosen, np.void):
         chosen = [str(chosen["id"])]
     elif isinstance(chosen, (str, int, np.integer)):
