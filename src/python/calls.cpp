@@ -1,12 +1,12 @@
 #include "python/calls.hpp"
 
-#include <pthread.h>
-
 #include <chrono>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
+
+#include <pthread.h>
 
 #include "python/bind.hpp"
 
@@ -70,9 +70,10 @@ RunningCall::~RunningCall() {
 }
 
 void refuse_fork() {
-  PyErr_SetString(PyExc_RuntimeError,
-                  "this process was forked while another thread was in a call of shelfbeam, so its calls could "
-                  "hang: start workers by multiprocessing.get_context(\"spawn\"), or before such calls");
+  PyErr_SetString(
+      PyExc_RuntimeError,
+      "this process was forked while another thread was in a call of shelfbeam, so its calls could "
+      "hang: start workers by multiprocessing.get_context(\"spawn\"), or before such calls");
   throw py::error_already_set();
 }
 

@@ -25,8 +25,8 @@ class RunningCall {
 /// Raises the RuntimeError of such a process.
 [[noreturn]] void refuse_fork();
 
-/// Registered with atexit: cancels all calls, and waits for the end of their work, but not for ever. Later calls
-/// of other threads wait for the end of the process.
+/// Registered with atexit: cancels all calls, and waits for the end of their work, but not for ever. Later
+/// calls of other threads wait for the end of the process.
 void end_calls();
 /// Whether `end_calls` was called on another thread.
 bool are_over();
@@ -34,8 +34,8 @@ bool are_over();
 /// Waits for the end of the process.
 [[noreturn]] void wait_for_exit();
 
-/// `work` of the interpreter. While it ends, it ends a thread that takes its lock by unwinding the stack, which
-/// frames of C++ do not survive: the thread waits for the end of the process instead.
+/// `work` of the interpreter. While it ends, it ends a thread that takes its lock by unwinding the stack,
+/// which frames of C++ do not survive: the thread waits for the end of the process instead.
 template <class Work>
 auto in_interpreter(const Work& work) {
   try {

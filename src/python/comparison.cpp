@@ -28,8 +28,8 @@ namespace {
 
 using py::arg;
 
-py::dict compared(const StoredSignals& signals, const fs::path& measured,
-                  const std::vector<ColumnId>& units, double confidence) {
+py::dict compared(const StoredSignals& signals, const fs::path& measured, const std::vector<ColumnId>& units,
+                  double confidence) {
   struct Found {
     std::vector<ComparedPair> pairs;
     Comparison comparison;

@@ -24,10 +24,9 @@ py::object text_of(const std::string& text) {
 // The class and its attributes are those of shelfbeam/errors.py.
 void raise(const std::exception& error, const std::string& kind, const std::string& where, Setting setting) {
   const jobs::JobError end = jobs::error_of(error);
-  const py::object made =
-      py::module_::import("shelfbeam.errors")
-          .attr("make")(kind, text_of(end.message), static_cast<int>(end.code), text_of(where),
-                       std::string(to_text(setting)));
+  const py::object made = py::module_::import("shelfbeam.errors")
+                              .attr("make")(kind, text_of(end.message), static_cast<int>(end.code),
+                                            text_of(where), std::string(to_text(setting)));
   PyErr_SetObject(py::type::of(made).ptr(), made.ptr());
 }
 
@@ -41,7 +40,8 @@ void translate(std::exception_ptr thrown) {
   } catch (const Interrupted& stop) {
     raise(stop, "interrupted", "", stop.setting());
   } catch (const std::filesystem::filesystem_error& error) {
-    raise(InputError(error.path1().string(), "cannot be used (" + error.code().message() + ")", "check the path"),
+    raise(InputError(error.path1().string(), "cannot be used (" + error.code().message() + ")",
+                     "check the path"),
           "input", error.path1().string(), Setting::none);
   } catch (const std::bad_alloc& error) {
     raise(error, "memory", "", Setting::memory);

@@ -154,9 +154,8 @@ void bind_placement(py::module_& module) {
       .def_static("of_array", table_of)
       .def_static("of_signals",
                   [](const StoredSignals& signals) {
-                    return watched(0, py::none(), [&](const RunControl&) {
-                      return make_signal_table(signals, "signals");
-                    });
+                    return watched(0, py::none(),
+                                   [&](const RunControl&) { return make_signal_table(signals, "signals"); });
                   })
       .def_static("read",
                   [](const std::vector<fs::path>& files, const std::string& reading) {

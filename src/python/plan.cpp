@@ -177,10 +177,11 @@ py::dict verified(const Shop& shop, const std::string& options, const py::object
 void bind_plan(py::module_& module) {
   module.def("plan", planned);
   module.def("verify", verified);
-  module.def("rebuild_report", [](const fs::path& folder, bool safe_csv, const std::optional<fs::path>& store) {
-    return watched(0, py::none(),
-                   [&](const RunControl&) { return jobs::rebuild_report(folder, safe_csv, store); });
-  });
+  module.def(
+      "rebuild_report", [](const fs::path& folder, bool safe_csv, const std::optional<fs::path>& store) {
+        return watched(0, py::none(),
+                       [&](const RunControl&) { return jobs::rebuild_report(folder, safe_csv, store); });
+      });
 }
 
 }  // namespace shelfbeam::python

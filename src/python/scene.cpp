@@ -163,9 +163,8 @@ void bind_scene(py::module_& module) {
                              })
       .def("resolved",
            [](const Shop& shop) {
-             return watched(0, py::none(), [&](const RunControl&) {
-               return resolved_store_json(shop.store, shop.scene);
-             });
+             return watched(0, py::none(),
+                            [&](const RunControl&) { return resolved_store_json(shop.store, shop.scene); });
            })
       .def("state", state_of)
       .def("svg",

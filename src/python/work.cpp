@@ -1,7 +1,5 @@
 #include "python/work.hpp"
 
-#include <unistd.h>
-
 #include <chrono>
 #include <exception>
 #include <future>
@@ -9,6 +7,8 @@
 #include <mutex>
 #include <string>
 #include <utility>
+
+#include <unistd.h>
 
 #include "jobs/event.hpp"
 #include "python/calls.hpp"

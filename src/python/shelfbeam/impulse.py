@@ -100,9 +100,9 @@ def impulse_response(shop: Store | Scene | Path, labels: Chosen | None = None,
     if max_length is None:
         low, high = scene.bounds
         max_length = float((max_bounces + 1) * np.linalg.norm(high - low))
-    bins = math.ceil(max_length / step)
-    least = max_length / _MOST_STEPS
-    expect(1 <= bins <= _MOST_STEPS, f"makes {bins} bins: use a step from {least:.3g} m on, or a max_length", "step")
+    count, least = max_length / step, max_length / _MOST_STEPS
+    expect(count <= _MOST_STEPS, f"makes {count:.6g} bins: use a step from {least:.3g} m on, or a max_length", "step")
+    bins = max(1, math.ceil(count))
     signals = simulate(scene, labels=labels, units=units, by_length=step, lengths=bins, max_bounces=max_bounces,
                        samples=samples, **keywords)  # fmt: skip
     mean, error = (np.stack(layers, axis=2) for layers in zip(*signals.by_length))
