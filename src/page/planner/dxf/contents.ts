@@ -97,14 +97,17 @@ export class Contents {
     const flags = entity.number(70);
     const isMesh = (flags & (16 | 64)) !== 0;
     if (isShown && isMesh) notes.add("unsupported", (flags & 16) !== 0 ? "POLYMESH" : "POLYFACE");
-    const polyline = isShown && !isMesh ? new Polyline(lines) : null;
-    if (polyline) lines.begin(this.layers.index(entity.layer), (flags & 8) !== 0 ? identity : this.plane());
+    const isSpatial = (flags & 8) !== 0;
+    const usual: [number, number] = isSpatial ? [0, 0] : [entity.number(40), entity.number(41)];
+    const polyline = isShown && !isMesh ? new Polyline(lines, usual) : null;
+    if (polyline) lines.begin(this.layers.index(entity.layer), isSpatial ? identity : this.plane());
     while (groups.isAt("VERTEX")) {
       entity.read(groups, polyline !== null);
       // The frame of a curve is not part of it.
       if (!polyline || (entity.number(70) & 16) !== 0) continue;
       polyline.add(entity.number(10), entity.number(20));
       polyline.bend(entity.number(42));
+      if (!isSpatial) for (const end of [0, 1] as const) polyline.widen(end, entity.number(40 + end, usual[end]));
     }
     polyline?.finishOutline((flags & 1) !== 0);
   }

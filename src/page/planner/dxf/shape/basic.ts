@@ -8,13 +8,16 @@ import { drawPolyline, Polyline } from "./polyline";
 import { drawSpline } from "./spline";
 
 function drawLightPolyline(lines: Lines, entity: Entity): void {
-  const polyline = new Polyline(lines);
+  const width = entity.number(43);
+  const polyline = new Polyline(lines, [width, width]);
   const { codes, numbers, count } = entity;
   let x = 0;
   for (let k = 0; k < count; ++k)
     if (codes[k] === 10) x = numbers[k];
     else if (codes[k] === 20) polyline.add(x, numbers[k]);
     else if (codes[k] === 42) polyline.bend(numbers[k]);
+    else if (codes[k] === 40) polyline.widen(0, numbers[k]);
+    else if (codes[k] === 41) polyline.widen(1, numbers[k]);
   polyline.finishOutline((entity.number(70) & 1) !== 0);
 }
 

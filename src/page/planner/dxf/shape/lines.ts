@@ -9,6 +9,12 @@ function longer<T extends Float64Array | Uint16Array>(array: T, size: number): T
   return copy;
 }
 
+/** Of the arc from point to point with a bulge. */
+export function centreOf(x0: number, y0: number, x1: number, y1: number, bulge: number): [number, number] {
+  const ratio = (1 - bulge * bulge) / (4 * bulge);
+  return [0.5 * (x0 + x1) - (y1 - y0) * ratio, 0.5 * (y0 + y1) + (x1 - x0) * ratio];
+}
+
 export class Lines {
   /** x0, y0, x1, y1 of each line. */
   positions = new Float64Array(4096);
@@ -49,7 +55,7 @@ export class Lines {
     const { x: x0, y: y0 } = this;
     this.move(x, y);
     if (x0 === this.x && y0 === this.y) return;
-    if (this.count >= this.limit) throw new DxfError("too_many", { block: this.block, limit: this.limit });
+    this.expect(1);
     let at = 4 * this.count;
     if (at === this.positions.length) {
       this.positions = longer(this.positions, 2 * at);
@@ -61,6 +67,11 @@ export class Lines {
     positions[at++] = y0;
     positions[at++] = this.x;
     positions[at] = this.y;
+  }
+
+  /** So many lines follow. */
+  expect(more: number): void {
+    if (this.count + more > this.limit) throw new DxfError("too_many", { block: this.block, limit: this.limit });
   }
 
   /**
@@ -95,8 +106,7 @@ export class Lines {
   bulge(x0: number, y0: number, x1: number, y1: number, bulge: number): void {
     this.move(x0, y0);
     if (Math.abs(bulge) > 1e-6 && (x0 !== x1 || y0 !== y1)) {
-      const ratio = (1 - bulge * bulge) / (4 * bulge);
-      const centre = [0.5 * (x0 + x1) - (y1 - y0) * ratio, 0.5 * (y0 + y1) + (x1 - x0) * ratio];
+      const centre = centreOf(x0, y0, x1, y1, bulge);
       const [dx, dy] = [x0 - centre[0], y0 - centre[1]];
       this.arc(centre, [dx, dy], [-dy, dx], 0, 4 * Math.atan(bulge), [x1, y1]);
     } else this.line(x1, y1);
