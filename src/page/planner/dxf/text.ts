@@ -4,7 +4,7 @@ const special: Readonly<Record<string, string>> = { d: "°", c: "Ø", p: "±", "
 const pages: Readonly<Record<string, string>> = { 1: "shift_jis", 2: "big5", 3: "euc-kr", 5: "gbk" };
 
 /** Characters that the code page lacks: \U+XXXX of Unicode, \M+nXXXX of another code page. */
-function characters(text: string): string {
+export function characters(text: string): string {
   if (!text.includes("\\")) return text;
   return text
     .replace(/\\U\+([0-9a-f]{4})/gi, (_, code: string) => String.fromCharCode(Number.parseInt(code, 16)))
@@ -30,8 +30,11 @@ const carets = (text: string): string =>
 
 export const plainText = (text: string): string => characters(symbols(carets(text)));
 
-/** Commands: of one letter; up to a semicolon; fractions; characters that are escaped; braces of groups. */
-const formatting = /\\[PNX]|\\[LlOoKk]|\\S([^;]*);?|\\[ACcFfHQTWp][^;]*;|\\~|\\([\\{}])|[{}]/g;
+/**
+ * Commands: of one letter; up to a semicolon; fractions; characters that are escaped; braces of groups. A command that
+ * never ends is none, and is not searched beyond the next one: in a text of many, each would read the rest of the text.
+ */
+const formatting = /\\[PNX]|\\[LlOoKk]|\\S([^;]*);?|\\[ACcFfHQTWp][^;\\]*;|\\~|\\([\\{}])|[{}]/g;
 
 export const plainParagraphs = (text: string): string =>
   symbols(

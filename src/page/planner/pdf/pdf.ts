@@ -5,7 +5,7 @@ import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist/legacy/build/pdf
 
 import type { Point } from "../document/messages";
 import type { Matrix } from "../dxf/shape/matrix";
-import { wholeOf, type Lines, type Region, type Sheet } from "../sheet/sheet";
+import { inTime, wholeOf, type Lines, type Region, type Sheet } from "../sheet/sheet";
 import { linesOf, type Operations } from "./paths";
 
 /** Why a file cannot be opened: a key of the texts. */
@@ -17,23 +17,15 @@ export class PdfError extends Error {
   }
 }
 
-/** A file that a browser needs longer for is no floor plan, or it was made to stop the reader, ms. */
-const patience = 60_000;
 const mostImagePixels = 100e6;
 
 /** The result, or the fault that the reader names. */
 async function within<Value>(work: Promise<Value>): Promise<Value> {
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  const late = new Promise<never>((_, fail) => {
-    timer = setTimeout(() => fail(new PdfError("slow")), patience);
-  });
   try {
-    return await Promise.race([work, late]);
+    return await inTime(work, () => new PdfError("slow"));
   } catch (error) {
     if (error instanceof PdfError) throw error;
     throw new PdfError(error instanceof Error && error.name === "PasswordException" ? "password" : "broken");
-  } finally {
-    clearTimeout(timer);
   }
 }
 

@@ -47,4 +47,16 @@ export interface Sheet {
   close(): void;
 }
 
+/** A drawing that a browser needs longer for is no floor plan, or it was made to stop the reader, ms. */
+const patience = 60_000;
+
+/** The result of a step of a reader, or what `late` makes of one that takes too long. */
+export async function inTime<Value>(work: Promise<Value>, late: () => Error): Promise<Value> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const tooLate = new Promise<never>((_, fail) => {
+    timer = setTimeout(() => fail(late()), patience);
+  });
+  return Promise.race([work, tooLate]).finally(() => clearTimeout(timer));
+}
+
 export const wholeOf = ([width, height]: Point): Region => ({ left: 0, upper: 0, width, height });

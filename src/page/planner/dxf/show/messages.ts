@@ -25,4 +25,4 @@ export type Answer =
   | { facts: DxfFacts }
   | { bitmap: ImageBitmap }
   | { lines: Lines }
-  | { fault: DxfErrorCode | "memory" | "stopped"; values: Readonly<Record<string, string | number>> };
+  | { fault: DxfErrorCode | "memory" | "slow" | "stopped"; values: Readonly<Record<string, string | number>> };

@@ -1,7 +1,7 @@
 // A DXF drawing, which a worker reads and draws.
 
 import type { Point } from "../../document/messages";
-import type { Lines, Region, Sheet, SheetLayer } from "../../sheet/sheet";
+import { inTime, type Lines, type Region, type Sheet, type SheetLayer } from "../../sheet/sheet";
 import type { Answer, DxfFacts, Request } from "./messages";
 
 type Fault = Extract<Answer, { fault: unknown }>;
@@ -13,9 +13,10 @@ export class DxfFault extends Error {
   }
 }
 
-/** Questions are answered one after the other. */
+/** Questions are answered one after the other, until one takes too long. */
 class Reader {
   private readonly worker: Worker;
+  private isLate = false;
   private last: Promise<unknown> = Promise.resolve();
 
   constructor(address: string) {
@@ -23,17 +24,25 @@ class Reader {
   }
 
   ask<Kind extends Exclude<Answer, Fault>>(request: Request, transferred: Transferable[] = []): Promise<Kind> {
-    const answer = this.last.then(
-      () =>
-        new Promise<Kind>((done, failed) => {
-          this.worker.onmessage = ({ data }: MessageEvent<Answer>) =>
-            "fault" in data ? failed(new DxfFault(data)) : done(data as Kind);
-          this.worker.onerror = () => failed(new DxfFault({ fault: "stopped", values: {} }));
-          this.worker.postMessage(request, transferred);
-        }),
-    );
+    const given = (): Promise<Kind> =>
+      new Promise<Kind>((done, failed) => {
+        this.worker.onmessage = ({ data }: MessageEvent<Answer>) =>
+          "fault" in data ? failed(new DxfFault(data)) : done(data as Kind);
+        this.worker.onerror = () => failed(new DxfFault({ fault: "stopped", values: {} }));
+        this.worker.postMessage(request, transferred);
+      });
+    const answer = this.last.then(() => {
+      if (this.isLate) throw this.late();
+      return inTime(given(), () => this.late());
+    });
     this.last = answer.catch(() => {});
     return answer;
+  }
+
+  private late(): DxfFault {
+    this.isLate = true;
+    this.close();
+    return new DxfFault({ fault: "slow", values: {} });
   }
 
   close(): void {
