@@ -111,7 +111,7 @@ def write_layers(corpus):
     for entity in [e for e in doc.modelspace() if e.dxftype() in ("RAY", "POLYLINE", "INSERT")]:
         doc.modelspace().delete_entity(entity)
     corpus.expected["xref.dxf"] = facts(
-        doc, notes={"xref": ["C:\\plans\\walls.dwg"], "unsupported": ["POLYMESH", "RAY"]}
+        doc, notes={"xref": ["C:\\plans\\walls.dwg"], "solid": ["POLYMESH"], "unsupported": ["RAY"]}
     )
 
 

@@ -87,7 +87,7 @@ def write_blocks(corpus):
         "proxies.dxf",
         section("CLASSES", *classes) + section("ENTITIES", sides, proxy, proxy, solid) + END,
         **plain,
-        notes={"proxy": ["AEC_WALL"], "unsupported": ["3DSOLID"]},
+        notes={"aec": ["AEC_WALL"], "solid": ["3DSOLID"]},
     )
     ten = "".join(insert("B{}", 41, k + 1) for k in range(10))
     bomb = [block("B0", *[line(k, 0, k, 1) for k in range(10)])]

@@ -1,5 +1,7 @@
 // Tests floor plans from DXF files.
 
+import { readFileSync } from "node:fs";
+
 import { columns, outline } from "../../data/drawn_shop.mjs";
 import { pixelIn, shopDxf } from "../../data/shop_dxf.mjs";
 import { check, equal, says } from "../viewer/check.mjs";
@@ -98,6 +100,19 @@ testPlanner("dxf: outlines become the room, columns, zones and fixtures", { stor
   await tab.picture("dxf-taken");
 });
 
+testPlanner("dxf: the inner edges of wide walls become the room", { store: null, keeps: true }, async (tab) => {
+  await opened(tab, "wide.dxf", readFileSync(new URL("../../data/field4/wide_walls.dxf", import.meta.url)));
+  const { size, origin } = tab.json.drawing;
+  const person = new Tracer(tab, ([x, y]) => [1000 * x - origin[0], size[1] - (1000 * y - origin[1])]);
+  await use(tab, person, [7, 3], "outline_room");
+  await tab.steps(2);
+  const sides = [0, 1].map((axis) => {
+    const places = tab.json.room.outline.map((corner) => corner[axis]);
+    return Number((Math.max(...places) - Math.min(...places)).toFixed(3));
+  });
+  equal(sides, [19.7, 13.7]);
+});
+
 testPlanner(
   "dxf: layers are switched one by one, and attract only while they are shown",
   { store: null, keeps: true },
@@ -153,7 +168,11 @@ testPlanner(
       [whole.subarray(0, 900), "plan.dxf: The file ends early, at line"],
       [
         Buffer.from("  0\nSECTION\n  2\nENTITIES\n  0\nENDSEC\n  0\nEOF\n"),
-        "plan.dxf: Model space is empty; paper space has 0 objects",
+        "plan.dxf: Model space has neither lines nor texts; paper space has 0 objects",
+      ],
+      [
+        Buffer.from("  0\nSECTION\n  2\nENTITIES\n  0\nAEC_WALL\n  8\nWALLS\n  0\nENDSEC\n  0\nEOF\n"),
+        "plan.dxf: Model space has no object that the planner shows. Not shown: objects of AutoCAD Architecture (AEC_WALL): 1.",
       ],
       [
         Buffer.from(whole.toString("latin1").replace("\n100\nAcDbEntity", "\nhundred\nAcDbEntity"), "latin1"),
@@ -168,7 +187,15 @@ testPlanner(
     await drop(tab, "solid.dxf", bound);
     await dialog(tab);
     await tab.push(".dialog summary");
-    says(await tab.text(".dialog .notes"), "Not shown: objects of the kind 3DSOLID: 1");
+    says(await tab.text(".dialog .notes"), "Not shown: solids, surfaces or meshes (3DSOLID): 1");
+    await tab.press("Escape");
+    await drop(tab, "inches.dxf", readFileSync(new URL("../../data/field4/inches_in_name_only.dxf", import.meta.url)));
+    await dialog(tab);
+    says(
+      await tab.text(".dialog .problem"),
+      "it says inches ($INSUNITS), which would make 50.8 m × 35.6 m, but metric",
+    );
+    equal(await tab.page.evaluate(() => document.querySelector('[data-key="unit-choice"]').value), "cm");
     await tab.press("Escape");
   },
 );

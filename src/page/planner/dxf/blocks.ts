@@ -28,6 +28,8 @@ export interface Insert {
   /** The steps from column to column and from row to row. */
   column: [number, number];
   row: [number, number];
+  /** Of a dimension: it has no other picture than its block. */
+  isDimension: boolean;
   block?: Block;
 }
 
@@ -40,6 +42,8 @@ export interface Block {
   outlines: [number, number];
   texts: BlockText[];
   inserts: Insert[];
+  /** Its entities, also those that are not shown. */
+  objects: number;
   /** With all that stands in it. */
   content: number;
   levels: number;
@@ -52,6 +56,7 @@ export const emptyBlock = (name: string): Block => ({
   outlines: [0, 0],
   texts: [],
   inserts: [],
+  objects: 0,
   content: 0,
   levels: 0,
 });
@@ -62,11 +67,12 @@ const mostLevels = 32;
 const copiesOf = ({ columns, rows }: Insert): number => columns * rows;
 
 /** Counts what a block shows. Its blocks are counted. */
-function count(block: Block, limits: DxfLimits): void {
+function count(block: Block, limits: DxfLimits, notes: Notes): void {
   const shares = new Map<string, number>();
   block.content = block.lines[1] - block.lines[0] + block.texts.length;
   block.levels = 1;
   for (const insert of block.inserts) {
+    if (insert.isDimension && !insert.block?.content) notes.add("dimension");
     if (!insert.block) continue;
     const share = copiesOf(insert) * insert.block.content;
     shares.set(insert.block.name, (shares.get(insert.block.name) ?? 0) + share);
@@ -91,15 +97,16 @@ export function linkBlocks(model: Block, blocks: ReadonlyMap<string, Block>, lim
     const place = path[path.length - 1];
     const { block } = place;
     if (place.next === block.inserts.length) {
-      count(block, limits);
+      count(block, limits, notes);
       isOpen.set(block, false);
       path.pop();
       continue;
     }
     const insert = block.inserts[place.next++];
     const target = blocks.get(insert.name.toUpperCase());
-    if (!target) notes.add("missing_block", insert.name);
-    else if (isOpen.get(target)) notes.add("recursive_block", target.name);
+    if (!target) {
+      if (!insert.isDimension) notes.add("missing_block", insert.name);
+    } else if (isOpen.get(target)) notes.add("recursive_block", target.name);
     else {
       insert.block = target;
       if (!isOpen.has(target)) {

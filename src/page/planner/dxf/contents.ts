@@ -1,7 +1,7 @@
 // Reads the entities of model space or of a block.
 
 import type { Block } from "./blocks";
-import type { DxfLimits } from "./drawing";
+import type { DxfLimits, DxfNoteCode } from "./drawing";
 import { DxfError } from "./error";
 import type { Entity } from "./file/entity";
 import type { Groups } from "./file/groups";
@@ -18,12 +18,19 @@ export const sectionEnds: ReadonlySet<string> = new Set(["ENDSEC", "EOF"]);
 export const blockEnds: ReadonlySet<string> = new Set([...sectionEnds, "ENDBLK", "BLOCK"]);
 /** Neither drawn nor worth a note. */
 const silent: ReadonlySet<string> = new Set(["SEQEND", "POINT", "VERTEX"]);
+/** Three-dimensional, as most objects of these kinds are. */
+const solids = /^(3DSOLID|BODY|REGION|MESH|\w*SURFACE)$/;
 const dimensions: ReadonlySet<string> = new Set(["DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION"]);
 const proxies: ReadonlySet<string> = new Set(["ACAD_PROXY_ENTITY", "ACAD_PROXY_GRAPHIC"]);
 const others: ReadonlySet<string> = new Set(["POLYLINE", "INSERT", "TEXT", "MTEXT", "ATTRIB", "ATTDEF"]);
 /** The classes of a file are counted from here. */
 const firstClass = 500;
 const mostInserts = 500_000;
+
+function noteOf(kind: string, otherwise: DxfNoteCode = "unsupported"): DxfNoteCode {
+  if (kind.startsWith("AEC")) return "aec";
+  return solids.test(kind) ? "solid" : otherwise;
+}
 
 const isDrawn = (type: string): boolean =>
   basicShapes.has(type) || others.has(type) || dimensions.has(type) || proxies.has(type);
@@ -58,6 +65,7 @@ export class Contents {
     const { groups, entity, notes } = this;
     entity.read(groups, isDrawn(type));
     if (silent.has(type)) return;
+    if (!entity.isInPaperSpace) ++block.objects;
     const isShown = this.isShown();
     const shape = basicShapes.get(type);
     if (type === "POLYLINE") this.addPolyline(isShown);
@@ -72,8 +80,10 @@ export class Contents {
     else if (type === "ATTDEF") {
       // What an insert shows of it is an ATTRIB, unless it is constant.
       if ((entity.number(70) & 2) !== 0) this.addText(block, letteringOf(entity));
-    } else if (proxies.has(type)) notes.add("proxy", this.classes[entity.number(91) - firstClass] ?? type);
-    else notes.add("unsupported", type);
+    } else if (proxies.has(type)) {
+      const kind = this.classes[entity.number(91) - firstClass] ?? type;
+      notes.add(noteOf(kind, "proxy"), kind);
+    } else notes.add(noteOf(type), type);
   }
 
   private isShown(): boolean {
@@ -96,7 +106,7 @@ export class Contents {
     const { groups, entity, lines, notes } = this;
     const flags = entity.number(70);
     const isMesh = (flags & (16 | 64)) !== 0;
-    if (isShown && isMesh) notes.add("unsupported", (flags & 16) !== 0 ? "POLYMESH" : "POLYFACE");
+    if (isShown && isMesh) notes.add("solid", (flags & 16) !== 0 ? "POLYMESH" : "POLYFACE");
     const isSpatial = (flags & 8) !== 0;
     const usual: [number, number] = isSpatial ? [0, 0] : [entity.number(40), entity.number(41)];
     const polyline = isShown && !isMesh ? new Polyline(lines, usual) : null;
@@ -123,6 +133,7 @@ export class Contents {
       rows: Math.max(1, Math.trunc(entity.number(71, 1))),
       column: directed(turned, [entity.number(44), 0]),
       row: directed(turned, [0, entity.number(45)]),
+      isDimension: false,
     });
   }
 
@@ -130,13 +141,9 @@ export class Contents {
   private addDimension(block: Block): void {
     const { entity } = this;
     const name = entity.text(2);
-    if (name === "") {
-      this.notes.add("unsupported", entity.type);
-      return;
-    }
     const layer = this.layers.index(entity.layer);
     const at = placed(entity.point(12), 0);
-    this.insert(block, { name, layer, at, columns: 1, rows: 1, column: [0, 0], row: [0, 0] });
+    this.insert(block, { name, layer, at, columns: 1, rows: 1, column: [0, 0], row: [0, 0], isDimension: true });
   }
 
   private insert(block: Block, insert: Block["inserts"][number]): void {

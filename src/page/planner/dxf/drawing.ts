@@ -24,7 +24,15 @@ export type DxfNoteCode =
   | "code_page"
   /** Texts of a file that should be UTF-8 and are not, read by the code page. */
   | "not_utf8"
+  /** A code page, in a file that is UTF-8 and is read so. */
+  | "utf8"
   | "proxy"
+  /** Objects of AutoCAD Architecture and its relatives. */
+  | "aec"
+  /** Solids, surfaces, regions and meshes. */
+  | "solid"
+  /** Dimensions without a block that shows them. */
+  | "dimension"
   /** A block of another file, by the name of that file. */
   | "xref"
   /** By the type of the entity. */

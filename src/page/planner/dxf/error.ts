@@ -1,5 +1,7 @@
 // Why a file is refused. The page has the sentences.
 
+import type { DxfNote } from "./drawing";
+
 export type DxfErrorCode =
   /** A binary DXF file. */
   | "binary"
@@ -21,12 +23,15 @@ export type DxfErrorCode =
   /** More than `limit` layers. */
   | "too_many_layers"
   /** Nothing in model space; `paper` counts the entities of paper space. */
-  | "empty";
+  | "empty"
+  /** Model space has only what cannot be shown; the notes name it. */
+  | "unshown";
 
 export class DxfError extends Error {
   constructor(
     readonly code: DxfErrorCode,
     readonly values: Readonly<Record<string, string | number>> = {},
+    readonly notes: readonly DxfNote[] = [],
   ) {
     super(code);
     this.name = "DxfError";

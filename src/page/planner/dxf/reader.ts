@@ -3,7 +3,7 @@
 import { assemble } from "./assembly";
 import { type Block, emptyBlock, linkBlocks, modelSpace } from "./blocks";
 import { blockEnds, Contents, sectionEnds } from "./contents";
-import { type DxfDrawing, type DxfLimits, dxfLimits } from "./drawing";
+import { type DxfDrawing, type DxfLimits, dxfLimits, type DxfNoteCode } from "./drawing";
 import { DxfError } from "./error";
 import { charsetOf } from "./file/charset";
 import { Entity } from "./file/entity";
@@ -12,6 +12,7 @@ import { type Header, readHeader } from "./header";
 import { Layers } from "./layers";
 import { Notes } from "./notes";
 import { Lines } from "./shape/lines";
+import { characters } from "./text";
 
 /** A circle of 158, 50 or 16 lines. */
 const shares: readonly number[] = [5000, 500, 50];
@@ -20,6 +21,12 @@ const mostReadAgain = 500_000;
 /** Files of old programs name no version. */
 const oldest = "AC1009";
 const unicode = "AC1021";
+/** Blocks of layouts, and none. */
+const notInserted = /^$|^[*$](MODEL|PAPER)_SPACE/i;
+/** Notes of what is shown after all. */
+const doubts: ReadonlySet<DxfNoteCode> = new Set(["code_page", "not_utf8", "utf8", "tilted", "coarse"]);
+/** Of a drawing that is refused, the message names so many kinds of objects. */
+const mostNamed = 5;
 const plain = (bytes: Uint8Array): string => String.fromCharCode(...bytes.subarray(0, 1024));
 
 /** Whether the file begins with these characters. */
@@ -58,7 +65,7 @@ class Reader {
   private header: Header = { version: null, page: null, unit: null, measurement: null };
 
   constructor(
-    bytes: Uint8Array,
+    private readonly bytes: Uint8Array,
     private readonly begin: number,
     private readonly limits: DxfLimits,
     private readonly share: number,
@@ -77,19 +84,24 @@ class Reader {
     linkBlocks(model, this.blocks, limits, notes);
     if (this.share !== shares[0]) notes.add("coarse", null, lines.pieces(2 * Math.PI));
     const assembled = assemble(model, lines, this.layers, limits, notes);
-    if (assembled.layers.length === 0) throw new DxfError("empty", { paper: notes.count("paper_space") });
+    if (assembled.layers.length === 0) this.refuse();
     const { version, unit, measurement } = this.header;
     return { version: version ?? oldest, ...assembled, unit, measurement, notes: notes.list() };
+  }
+
+  /** Nothing is shown. */
+  private refuse(): never {
+    const { notes, model } = this;
+    const missing = notes.list().filter(({ code }) => !doubts.has(code));
+    if (model.objects === 0 || missing.length === 0) throw new DxfError("empty", { paper: notes.count("paper_space") });
+    throw new DxfError("unshown", {}, missing.sort((a, b) => b.count - a.count).slice(0, mostNamed));
   }
 
   /** Texts are decoded as the header says, which comes first. */
   private decode(): void {
     const { version, page } = this.header;
-    const { notes } = this;
-    const hasMark = this.begin > 0;
-    const charset = charsetOf(hasMark ? unicode : (version ?? oldest), page, () => notes.add("not_utf8"));
-    if (!charset.isKnown) notes.add("code_page", page);
-    this.groups.decodeBy(charset.decode);
+    const stated = this.begin > 0 ? unicode : (version ?? oldest);
+    this.groups.decodeBy(charsetOf(stated, page, this.bytes, (code) => this.notes.add(code, page)));
   }
 
   /** Ends at the last group of the section. */
@@ -129,9 +141,9 @@ class Reader {
     entity.read(groups, true);
     const block = emptyBlock(entity.text(2));
     block.base = entity.point(10);
-    if ((entity.number(70) & 4) !== 0) this.notes.add("xref", entity.text(1) || block.name);
+    if ((entity.number(70) & 4) !== 0) this.notes.add("xref", characters(entity.text(1)) || block.name);
     this.contents.read(block, blockEnds);
-    this.blocks.set(block.name.toUpperCase(), block);
+    if (!notInserted.test(block.name)) this.blocks.set(block.name.toUpperCase(), block);
   }
 }
 

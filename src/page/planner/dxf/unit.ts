@@ -8,6 +8,8 @@ export interface ProposedUnit {
   unit: string;
   /** The header names it, and the size of the building is plausible; texts are in feet; or the size fits best. */
   why: "header" | "texts" | "size";
+  /** The system of $MEASUREMENT, if the unit that the header names is of the other one. */
+  contradiction: "metric" | "imperial" | null;
 }
 
 interface Unit {
@@ -25,6 +27,8 @@ const units: ReadonlyMap<string, Unit> = new Map([
 ]);
 
 const [smallest, usual, largest] = [3, 40, 1000];
+/** Where the header contradicts itself, the size has to tell more. */
+const [smallestShop, largestShop] = [5, 200];
 const feetAndInches = /^\d+'(-|\s|\d|$)/;
 /** So many texts are no accident. */
 const fewestTexts = 3;
@@ -37,14 +41,20 @@ function sizeOf({ segments }: DxfDrawing): number {
 
 export function proposedUnit(drawing: DxfDrawing): ProposedUnit {
   const size = sizeOf(drawing);
-  const isPlausible = (factor: number) => size * factor >= smallest && size * factor <= largest;
-  const isInFeet = drawing.texts.filter(({ text }) => feetAndInches.test(text.trim())).length >= fewestTexts;
+  // A long text may stand in many places.
+  const isInFeet =
+    drawing.texts.filter(({ text }) => feetAndInches.test(text.slice(0, 40).trim())).length >= fewestTexts;
   const { unit: named, measurement } = drawing;
-  const known = named === null ? undefined : units.get(named);
   const factor = drawingUnits.get(named ?? "");
-  const isContradicted = isInFeet && known?.isImperial === false;
-  if (named !== null && factor !== undefined && isPlausible(factor) && !isContradicted)
-    return { unit: named, why: "header" };
+  const isNamedImperial = /^(in|ft|yd)$/.test(named ?? "");
+  const denies = (system: typeof measurement) =>
+    factor !== undefined && system !== null && isNamedImperial !== (system === "imperial");
+  const contradiction = denies(measurement) ? measurement : null;
+  const [least, most] = contradiction ? [smallestShop, largestShop] : [smallest, largest];
+  const isPlausible = (factor: number) => size * factor >= least && size * factor <= most;
+  const isDenied = contradiction !== null || denies(isInFeet ? "imperial" : null);
+  if (named !== null && factor !== undefined && isPlausible(factor) && !isDenied)
+    return { unit: named, why: "header", contradiction };
 
   const system = isInFeet ? "imperial" : measurement;
   const misfit = (name: string): number => {
@@ -55,5 +65,5 @@ export function proposedUnit(drawing: DxfDrawing): ProposedUnit {
     return distance + rarity + (isOther ? 3 : 0) + (isPlausible(factor) ? 0 : 10);
   };
   const [unit] = [...units.keys()].sort((a, b) => misfit(a) - misfit(b));
-  return { unit, why: isInFeet && units.get(unit)?.isImperial ? "texts" : "size" };
+  return { unit, why: isInFeet && units.get(unit)?.isImperial ? "texts" : "size", contradiction };
 }

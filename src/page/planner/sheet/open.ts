@@ -2,6 +2,7 @@
 
 import { grouped } from "../../data/format";
 import type { Drawing } from "../backdrop/drawing";
+import type { DxfNote } from "../dxf/drawing";
 import { DxfFault, DxfSheet } from "../dxf/show/sheet";
 import { say, text } from "../text";
 import type { Sheet } from "./sheet";
@@ -12,10 +13,14 @@ export class Unreadable extends Error {}
 type PdfModule = typeof import("../pdf/pdf");
 export type PdfFile = Awaited<ReturnType<PdfModule["openPdf"]>>;
 
+export const noteText = ({ code, name, count }: DxfNote): string =>
+  say(text.dxf.notes[code], name ?? text.dxf.others, count);
+
 /** What the modules say, in words: throws Unreadable, or the error itself. */
 export function worded(error: unknown): never {
   if (error instanceof DxfFault) {
-    const { fault, values } = error.given;
+    const { fault, values, notes } = error.given;
+    if (notes && notes.length > 0) throw new Unreadable(say(text.dxf.faults[fault], notes.map(noteText).join(". ")));
     const shown = Object.values(values).map((value) => (typeof value === "number" ? grouped(value) : value));
     throw new Unreadable(say(text.dxf.faults[fault], ...shown));
   }

@@ -4,9 +4,9 @@
 import { button, element } from "../../panel/dom";
 import { openDialog } from "../access/dialog";
 import type { DxfFacts } from "../dxf/show/messages";
-import type { DxfNote } from "../dxf/drawing";
 import { drawingUnits, factorOf } from "../geometry/units";
 import { say, text } from "../text";
+import { noteText } from "./open";
 
 const sizeIn = ([width, height]: readonly number[], unit: string): string => {
   const [x, y] = [width, height].map((length) => (length * factorOf(unit)).toPrecision(3));
@@ -14,8 +14,6 @@ const sizeIn = ([width, height]: readonly number[], unit: string): string => {
 };
 
 const nameOf = (unit: string): string => (text.dxf.units as Record<string, string>)[unit] ?? unit;
-
-const noteText = ({ code, name, count }: DxfNote): string => say(text.dxf.notes[code], name ?? text.dxf.others, count);
 
 /** Null: the drawing is not wanted. */
 export function chooseUnit(facts: DxfFacts, name: string): Promise<string | null> {
@@ -40,12 +38,16 @@ export function chooseUnit(facts: DxfFacts, name: string): Promise<string | null
       },
       { autofocus: true, "data-key": "unit-take" },
     );
-    const isOther = named !== null && named !== proposal.unit;
+    const { contradiction } = proposal;
+    const doubts: string[] = [];
+    if (named !== null && contradiction)
+      doubts.push(say(text.dxf.contradictory, nameOf(named), text.dxf.systems[contradiction], sizeIn(bulk, named)));
+    else if (named !== null && named !== proposal.unit) doubts.push(say(text.dxf.doubted, nameOf(named)));
     const dialog = openDialog(
       say(text.dxf.title, name),
       "unit",
       element("p", { text: say(text.dxf.why[proposal.why], nameOf(proposal.unit)) }),
-      ...(isOther ? [element("p", { class: "problem", text: say(text.dxf.doubted, nameOf(named)) })] : []),
+      ...doubts.map((doubt) => element("p", { class: "problem", text: doubt })),
       element("p", { class: "choice" }, choice, take),
       ...(notes.length > 0
         ? [

@@ -1,12 +1,17 @@
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
+import { gunzipSync } from "node:zlib";
 
 import fc from "fast-check";
 
 import { colourOfIndex, luminance, onWhite } from "../../../../src/page/planner/dxf/palette";
 import { readDxf } from "../../../../src/page/planner/dxf/reader";
 import { plainParagraphs, plainText } from "../../../../src/page/planner/dxf/text";
+import { DxfFault, DxfSheet } from "../../../../src/page/planner/dxf/show/sheet";
 import { proposedUnit } from "../../../../src/page/planner/dxf/unit";
+import { worded } from "../../../../src/page/planner/sheet/open";
+import { mutantOf } from "../../../data/dxf_mutants.mjs";
 import { rejects } from "./snap_shop.mjs";
 
 const bytesOf = (text) => new TextEncoder().encode(text);
@@ -20,6 +25,9 @@ const block = (name, ...content) =>
 const drawn = (...content) => readDxf(bytesOf(fileOf(section("ENTITIES", ...content))));
 const inserted = (blocks, ...content) =>
   readDxf(bytesOf(fileOf(section("BLOCKS", ...blocks), section("ENTITIES", ...content))));
+
+const data = `${process.env.EXAMPLES}/../test/data/field4`;
+const stored = (name) => readDxf(readFileSync(`${data}/${name}`));
 
 /** In the coordinates of the drawing. */
 const linesOf = ({ segments, origin }) =>
@@ -133,6 +141,84 @@ test("outlines are closed polylines, circles, and polylines that end where they 
   assert.equal(layers[0].outlines, 3);
 });
 
+/** The corners of each outline, rounded. */
+const cornersOf = ({ outlines, origin }) =>
+  outlines.map(({ points }) => points.map((point) => point.map((value, axis) => Math.round(value + origin[axis]))));
+const ring = (x, y, u, v) => [
+  [x, y],
+  [u, y],
+  [u, v],
+  [x, v],
+];
+/** Whether outlines have the same corners, in any order. */
+const sameCorners = (found, expected) => {
+  const sorted = (outlines) => outlines.map((points) => points.map(String).sort().join(" ")).sort();
+  assert.deepEqual(sorted(found), sorted(expected));
+};
+
+test("polylines with a width are areas with mitres", () => {
+  const walls = stored("wide_walls.dxf");
+  sameCorners(cornersOf(walls), [ring(150, 150, 19850, 13850), ring(-150, -150, 20150, 14150)]);
+  assert.equal(lengthOf(walls), 2 * (20300 + 14300 + 19700 + 13700) + 22000);
+  sameCorners(cornersOf(stored("wide_taper.dxf")), [
+    [
+      [0, 150],
+      [0, -150],
+      [20151, -150],
+      [20050, 14000],
+      [19950, 14000],
+      [19851, 150],
+    ],
+  ]);
+  // The width of a polyline is that of vertices that have none; a hairline follows.
+  const vertex = (x, y, ...more) => entity("VERTEX", 10, x, 20, y, ...more);
+  const old = drawn(
+    entity("POLYLINE", 66, 1, 10, 0, 20, 0, 70, 0, 40, 2, 41, 2) +
+      vertex(0, 0) +
+      vertex(10, 0, 40, 0, 41, 0) +
+      vertex(30, 0, 40, 0, 41, 6) +
+      vertex(30, 10, 40, 0, 41, 0) +
+      entity("SEQEND"),
+  );
+  sameCorners(cornersOf(old), [
+    ring(0, -1, 10, 1),
+    [
+      [30, 0],
+      [27, 10],
+      [33, 10],
+    ],
+  ]);
+  assert.ok(linesOf(old).some((one) => String(one) === "10,0,30,0"));
+  // In a block, with its scales and turned.
+  const path = entity("LWPOLYLINE", 70, 0, 43, 2) + tags(10, 0, 20, 0, 10, 10, 20, 0);
+  const scaled = inserted([block("W", path)], entity("INSERT", 2, "W", 10, 0, 20, 0, 41, 2, 42, 3, 50, 90));
+  sameCorners(cornersOf(scaled), [ring(-3, 0, 3, 20)]);
+  // Negative control: without a width, the same lines are as before.
+  const thin = drawn(path.replace("43\n2", "43\n0"));
+  assert.deepEqual([linesOf(thin), thin.outlines], [[[0, 0, 10, 0]], []]);
+});
+
+test("polylines with a width have round edges, and no mitres that are too long", () => {
+  const circle = (r, width) => entity("LWPOLYLINE", 70, 1, 43, width) + tags(10, -r, 20, 0, 42, 1, 10, r, 20, 0, 42, 1);
+  isNear(lengthOf(drawn(circle(5, 2))), 2 * Math.PI * (4 + 6));
+  const disc = drawn(circle(5, 10));
+  isNear(lengthOf(disc), 2 * Math.PI * 10, 1e-3);
+  assert.equal(drawn(circle(5, 2)).outlines.length, 2);
+  const bent = (...points) => drawn(entity("LWPOLYLINE", 70, 0, 43, 2) + tags(...points.flat()));
+  // A wall with an arc that runs on, one with an arc that does not, and a sharp angle.
+  const on = bent([10, 0, 20, 0, 10, 10, 20, 0, 42, 1], [10, 10, 20, 8], [10, 0, 20, 8]);
+  assert.equal(on.outlines.length, 1);
+  isNear(lengthOf(on), 4 * 10 + Math.PI * (3 + 5) + 2 * 2);
+  assert.equal(bent([10, 0, 20, 0, 10, 10, 20, 0, 42, -1], [10, 10, 20, 8]).outlines.length, 2);
+  sameCorners(cornersOf(bent([10, 0, 20, 0], [10, 30, 20, 0], [10, 0, 20, 0])), [
+    ring(0, -1, 30, 1),
+    ring(0, -1, 30, 1),
+  ]);
+  // Shorter than its width: the mitres on the inner side would cross.
+  const step = bent([10, 0, 20, 0], [10, 9, 20, 0], [10, 9, 20, 1], [10, 0, 20, 1]);
+  assert.equal(step.outlines.length, 3);
+});
+
 test("polylines of vertices leave out frames of curves, and meshes are only named", () => {
   const vertex = (x, y, flags = 0) => entity("VERTEX", 10, x, 20, y, 70, flags);
   const end = entity("SEQEND");
@@ -142,7 +228,7 @@ test("polylines of vertices leave out frames of curves, and meshes are only name
     polyline(64) + vertex(0, 0, 192) + vertex(5, 5, 192) + end,
   );
   assert.deepEqual(linesOf(drawing), [[0, 0, 2, 0]]);
-  assert.deepEqual(drawing.notes, [{ code: "unsupported", name: "POLYFACE", count: 1 }]);
+  assert.deepEqual(drawing.notes, [{ code: "solid", name: "POLYFACE", count: 1 }]);
 });
 
 test("texts stand where their anchor says, and turn and grow with their block", () => {
@@ -171,6 +257,192 @@ test("texts lose their formatting", () => {
     plainParagraphs("{\\fArial|b1;\\C3;Wide}\\P\\H2.5x;\\Lline\\l \\\\ \\{x\\}\\~y \\S1#2;"),
     "Wide\nline \\ {x}\u00a0y 1/2",
   );
+});
+
+const named = (page, version, ...words) =>
+  Buffer.concat([
+    bytesOf(
+      tags(0, "SECTION", 2, "HEADER", 9, "$ACADVER", 1, version, 9, "$DWGCODEPAGE", 3, page, 0, "ENDSEC") +
+        tags(0, "SECTION", 2, "ENTITIES"),
+    ),
+    ...words.flatMap((word) => [bytesOf("0\nLINE\n8\n"), word, bytesOf(tags("", 10, 0, 20, 0, 11, 1, 21, 1))]),
+    bytesOf(tags(0, "ENDSEC", 0, "EOF")),
+  ]);
+/** The names of layers, and the notes, of a file in which they are these bytes. */
+const layersIn = (...given) => {
+  const { layers, notes } = readDxf(named(...given.map((one, k) => (k < 2 ? one : Buffer.from(one, "hex")))));
+  return [layers.map(({ name }) => name), notes.map(({ code, name }) => [code, name])];
+};
+
+test("names are decoded as texts are", () => {
+  const namesOf = ({ layers }) => layers.map(({ name }) => name);
+  const escaped = stored("layer_escape.dxf");
+  assert.deepEqual([namesOf(escaped), escaped.texts[0].text], [["Türen", "Wände"], "Küche"]);
+  const { layers } = drawn(line(0, 0, 1, 1, "\\M+18341"), line(0, 0, 1, 1, "ア"), line(0, 0, 1, 1, "\\U+30A2"));
+  assert.deepEqual(
+    layers.map(({ name, lines }) => [name, lines]),
+    [["ア", 3]],
+  );
+  const part = block("T\\U+00FCr", line(0, 0, 2, 1));
+  assert.equal(inserted([part], entity("INSERT", 2, "TÜR")).segments.length, 4);
+  const outside = tags(0, "BLOCK", 8, "0", 2, "X", 70, 4, 1, "W\\U+00E4nde.dwg", 0, "ENDBLK");
+  assert.equal(inserted([outside], line(0, 0, 1, 1)).notes[0].name, "Wände.dwg");
+});
+
+test("a code page that the file contradicts is named", () => {
+  const wrong = stored("utf8_called_1252.dxf");
+  assert.deepEqual(
+    [wrong.layers.map(({ name }) => name), wrong.texts[0].text, wrong.notes],
+    [["Türen", "Wände"], "Kühlräume für Süßes", [{ code: "utf8", name: "ANSI_1252", count: 1 }]],
+  );
+  assert.deepEqual(layersIn("ANSI_936", "AC1015", "e5b9b3e99da2"), [["平面"], [["utf8", "ANSI_936"]]]);
+  assert.deepEqual(layersIn("no_page", "AC1015", "57c3a46e6465"), [["Wände"], [["utf8", "no_page"]]]);
+  assert.deepEqual(layersIn("no_page", "AC1015", "57e46e6465"), [["Wände"], [["code_page", "no_page"]]]);
+  assert.deepEqual(layersIn("UTF-8", "AC1015", "57c3a46e6465"), [["Wände"], []]);
+  // Negative controls: texts of these pages, some of which are UTF-8 by chance.
+  for (const [page, bytes, word] of [
+    ["ANSI_1252", "57e46e6465", "Wände"],
+    ["ANSI_1250", "da8e4c4142cd", "ÚŽLABÍ"],
+    ["ANSI_1251", "c2f1b8", "Всё"],
+    ["ANSI_936", "c4bfc2bc", "目录"],
+    ["ANSI_932", "94848fea835c955c", "売場ソ表"],
+    ["ANSI_874", "e1bcb9bcd1a7", "แผนผัง"],
+  ])
+    assert.deepEqual(layersIn(page, "AC1015", bytes), [[word], []], page);
+  // One text that is not UTF-8 shows that the page is right.
+  assert.deepEqual(layersIn("ANSI_1252", "AC1015", "c3a4", "57e46e6465")[0], ["Ã¤", "Wände"]);
+});
+
+test("dimensions without a block that draws them are named", () => {
+  const note = [{ code: "dimension", name: null, count: 1 }];
+  assert.deepEqual(stored("dims_model_space.dxf").notes, note);
+  const box = line(0, 0, 1, 1);
+  const dimension = (...more) => entity("DIMENSION", 70, 32, ...more);
+  const notesOf = (...more) => inserted([block("*D1", box), block("*D2")], box, dimension(...more)).notes;
+  for (const name of ["*D9", "*PAPER_SPACE0", "$MODEL_SPACE", "*D2", ""])
+    assert.deepEqual(notesOf(2, name), note, name);
+  assert.deepEqual(notesOf(), note);
+  assert.deepEqual(notesOf(2, "*D1"), []);
+});
+
+test("a model space of objects that are not shown is refused with their names and a remedy", () => {
+  const refused = (read) => {
+    try {
+      read();
+    } catch (error) {
+      assert.equal(error.name, "DxfError");
+      const { code: fault, values, notes } = error;
+      const { message } = rejectionOf(() => worded(new DxfFault({ fault, values, notes })));
+      return [fault, notes.map(({ code, name, count }) => [code, name, count]), message];
+    }
+    throw new Error("is read");
+  };
+  const rejectionOf = (call) => {
+    try {
+      return call();
+    } catch (error) {
+      return error;
+    }
+  };
+  const [fault, notes, message] = refused(() => stored("aec_only.dxf"));
+  assert.deepEqual([fault, notes], ["unshown", [["aec", "AEC_WALL", 12]]]);
+  assert.match(message, /AEC_WALL.*12.*EXPORTTOAUTOCAD/);
+  const solids = refused(() => stored("solids_only.dxf"));
+  assert.deepEqual(solids.slice(0, 2), ["unshown", [["solid", "3DSOLID", 8]]]);
+  assert.match(solids[2], /3DSOLID.*8.*FLATSHOT/);
+  assert.deepEqual(refused(() => stored("dims_alone.dxf")).slice(0, 2), ["unshown", [["dimension", null, 2]]]);
+  const proxy = entity("ACAD_PROXY_ENTITY", 90, 498, 91, 501);
+  const classes = section("CLASSES", tags(0, "CLASS", 1, "OTHER"), tags(0, "CLASS", 1, "AEC_DOOR"));
+  const many = () => {
+    const content = [entity("BODY"), entity("REGION"), entity("PLANESURFACE"), proxy, proxy, entity("WIPEOUT")];
+    readDxf(bytesOf(fileOf(classes, section("ENTITIES", ...content))));
+  };
+  assert.deepEqual(refused(many)[1], [
+    ["aec", "AEC_DOOR", 2],
+    ["solid", "BODY", 1],
+    ["solid", "REGION", 1],
+    ["solid", "PLANESURFACE", 1],
+    ["unsupported", "WIPEOUT", 1],
+  ]);
+  assert.equal(refused(() => drawn(entity("INSERT", 2, "GONE")))[1][0][0], "missing_block");
+  // Negative controls: the objects of paper space and of blocks that stand nowhere are not those of model space.
+  const paper = entity("AEC_WALL", 67, 1);
+  assert.deepEqual(refused(() => drawn(paper)).slice(0, 2), ["empty", []]);
+  assert.deepEqual(refused(() => inserted([block("B", entity("AEC_WALL"))], paper)).slice(0, 2), ["empty", []]);
+  assert.deepEqual(drawn(line(0, 0, 1, 1), entity("AEC_WALL")).notes, [{ code: "aec", name: "AEC_WALL", count: 1 }]);
+});
+
+/** Seconds of the processor. */
+function secondsOf(work) {
+  const before = process.cpuUsage();
+  work();
+  const { user, system } = process.cpuUsage(before);
+  return (user + system) / 1e6;
+}
+
+test("texts that repeat a command are read in a time that their size requires", () => {
+  const commands = ["\\pxq", "\\f", "\\S1", "\\M+18341", "\\U+00e4", "\\\\", "\\p\\\\", "{\\H", "%%", "^", "{"];
+  for (const command of commands)
+    for (const type of ["MTEXT", "TEXT"]) {
+      const text = command.repeat(320e3 / command.length);
+      const seconds = secondsOf(() => drawn(line(0, 0, 1, 1), entity(type, 10, 0, 20, 0, 40, 1, 1, text)));
+      assert.ok(seconds < 1, `${command} in ${type}: ${seconds} s`);
+    }
+});
+
+test("a drawing that takes a minute is given up", async () => {
+  const workers = [];
+  const { Worker, setTimeout, clearTimeout } = globalThis;
+  let now = 0;
+  const timers = new Map();
+  globalThis.setTimeout = (call, delay) => timers.set(timers.size, { call, at: now + delay }).size - 1;
+  globalThis.clearTimeout = (timer) => timers.set(timer, { call: () => {}, at: Infinity });
+  const tick = (delay) => {
+    now += delay;
+    for (const [timer, { call, at }] of timers)
+      if (at <= now) {
+        globalThis.clearTimeout(timer);
+        call();
+      }
+  };
+  globalThis.Worker = class {
+    constructor() {
+      workers.push(this);
+    }
+    postMessage(request) {
+      this.request = request;
+    }
+    terminate() {
+      this.isEnded = true;
+    }
+  };
+  const settled = () => new Promise((done) => setImmediate(done));
+  try {
+    const late = DxfSheet.open(new ArrayBuffer(1), "").catch((error) => error);
+    await settled();
+    tick(59_000);
+    await settled();
+    assert.equal(workers[0].isEnded, undefined);
+    tick(1_000);
+    assert.equal((await late).given.fault, "slow");
+    assert.ok(workers[0].isEnded);
+    // The time of each step counts; after one that takes too long, none waits.
+    const opened = DxfSheet.open(new ArrayBuffer(1), "");
+    await settled();
+    tick(59_000);
+    workers[1].onmessage({ data: { facts: { size: [1, 1], layers: [] } } });
+    const sheet = await opened;
+    const steps = [sheet.lines(), sheet.lines()].map((step) => step.catch((error) => error.given.fault));
+    await settled();
+    tick(59_000);
+    await settled();
+    assert.equal(workers[1].isEnded, undefined);
+    tick(1_000);
+    assert.deepEqual(await Promise.all(steps), ["slow", "slow"]);
+    assert.ok(workers[1].isEnded);
+  } finally {
+    Object.assign(globalThis, { Worker, setTimeout, clearTimeout });
+  }
 });
 
 test("layer colours can be told from white", () => {
@@ -251,8 +523,32 @@ test("the size of a drawing that names no unit tells it", () => {
     ["m", "mm", "mm", "cm"],
   );
   assert.equal(proposedUnit({ ...shop(60), unit: "m" }).why, "header");
-  assert.deepEqual(proposedUnit({ ...shop(700), unit: "mm", measurement: "imperial" }), { unit: "in", why: "size" });
+  assert.deepEqual(proposedUnit({ ...shop(700), unit: "mm", measurement: "imperial" }), {
+    unit: "in",
+    why: "size",
+    contradiction: "imperial",
+  });
   assert.equal(proposedUnit({ ...shop(200), measurement: "imperial" }).unit, "ft");
+});
+
+test("a unit that $MEASUREMENT contradicts is named, and the size of a shop decides", () => {
+  const shop = (size) => drawn(line(0, 0, size, 0), line(size, 0, size, size / 2), line(size, size / 2, 0, 0));
+  const proposal = (unit, measurement, size) => Object.values(proposedUnit({ ...shop(size), unit, measurement }));
+  assert.deepEqual(Object.values(proposedUnit(stored("inches_in_name_only.dxf"))), ["cm", "size", "metric"]);
+  for (const [unit, measurement, size, ...expected] of [
+    ["in", "metric", 20_000, "mm", "size", "metric"],
+    ["ft", "metric", 30, "m", "size", "metric"],
+    ["mm", "imperial", 20_000, "mm", "size", "imperial"],
+    ["mm", "imperial", 3_000, "in", "size", "imperial"],
+    // Negative controls.
+    ["in", "imperial", 2_000, "in", "header", null],
+    ["in", null, 2_000, "in", "header", null],
+    ["mm", "metric", 20_000, "mm", "header", null],
+    ["dm", "metric", 200, "dm", "header", null],
+    [null, "metric", 2_000, "cm", "size", null],
+    ["au", "imperial", 2_000, "in", "size", null],
+  ])
+    assert.deepEqual(proposal(unit, measurement, size), expected, `${unit} ${measurement} ${size}`);
 });
 
 const sample = fileOf(
@@ -373,4 +669,15 @@ test("whatever a file is, it is read or refused", () => {
     });
   fc.assert(fc.property(spoilt, readsOrRefuses), { numRuns: 5000 });
   rejects(() => fc.assert(fc.property(random, (bytes) => readsOrRefuses(bytes.buffer.x.y))));
+});
+
+// All 500: DXF_MUTANTS=500, or the slow test (dxf_corpus.mjs).
+test("damaged versions of a foreign drawing are read or refused", () => {
+  const house = gunzipSync(readFileSync(`${data}/house.dxf.gz`));
+  assert.equal(readDxf(house).layers.length, 17);
+  for (let key = 0; key < Number(process.env.DXF_MUTANTS ?? 40); ++key) {
+    const mutant = mutantOf(house, key);
+    const seconds = secondsOf(() => readsOrRefuses(mutant));
+    assert.ok(seconds < 3, `mutant ${key} takes ${seconds} s`);
+  }
 });

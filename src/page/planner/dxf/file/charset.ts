@@ -43,31 +43,53 @@ function ascii(bytes: Uint8Array): string | null {
   return String.fromCharCode(...bytes);
 }
 
-export interface Charset {
-  decode: Decode;
-  /** False if there is no decoder for the code page. */
-  isKnown: boolean;
+const chunk = 65_536;
+
+/** Whether a file is UTF-8 with at least so many bytes that are not the first ones of their characters. */
+function isUtf8(file: Uint8Array, least: number): boolean {
+  const strict = new TextDecoder("utf-8", { fatal: true });
+  let more = file.length;
+  try {
+    for (let at = 0; at < file.length; at += chunk)
+      more -= strict.decode(file.subarray(at, at + chunk), { stream: true }).length;
+    return more - strict.decode().length >= least;
+  } catch {
+    return false;
+  }
 }
 
-/** `page`: as the header names it. `onInvalid` is called for each text that should be UTF-8 and is not. */
-export function charsetOf(version: string, page: string | null, onInvalid: () => void): Charset {
+/** `page`: as the header names it. `note` is called for what is doubtful about a text that is not ASCII. */
+export function charsetOf(
+  version: string,
+  page: string | null,
+  file: Uint8Array,
+  note: (code: "not_utf8" | "code_page" | "utf8") => void,
+): Decode {
   const declared = page === null ? null : decoderOf(page);
   const single = declared ?? new TextDecoder("windows-1252");
   const strict = new TextDecoder("utf-8", { fatal: true });
-  const isUnicode = version >= unicode;
-  // Many programs that write old versions name no code page, and write UTF-8.
-  const triesUnicode = isUnicode || page === null;
-  const decode = (bytes: Uint8Array): string => {
+  const isUnicode = version >= unicode || declared?.encoding === "utf-8";
+  let isMistaken: boolean | null = null;
+  /** Many programs write UTF-8 and name a code page. All texts of a file in that page are hardly UTF-8 by chance. */
+  const isPageMistaken = (): boolean => {
+    if (isMistaken !== null) return isMistaken;
+    // A few characters of two bytes may be.
+    isMistaken = isUtf8(file, /^windows-125/.test(single.encoding) ? 1 : 4);
+    if (isMistaken) note("utf8");
+    else if (!declared) note("code_page");
+    return isMistaken;
+  };
+  return (bytes) => {
     const plain = ascii(bytes);
     if (plain !== null) return plain;
-    if (triesUnicode)
+    // Others that write old versions name no code page.
+    if (isUnicode || page === null || isPageMistaken())
       try {
         return strict.decode(bytes);
       } catch {
-        if (isUnicode) onInvalid();
+        if (isUnicode) note("not_utf8");
       }
     const text = single.decode(bytes);
     return single.encoding === "windows-1252" ? western(text) : text;
   };
-  return { decode, isKnown: isUnicode || page === null || declared !== null };
 }

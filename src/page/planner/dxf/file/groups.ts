@@ -2,6 +2,7 @@
 // because large drawings have millions.
 
 import { DxfError } from "../error";
+import { characters } from "../text";
 import type { Decode } from "./charset";
 
 const [tab, newline, carriageReturn, space, plus, minus, dot] = [9, 10, 13, 32, 43, 45, 46];
@@ -69,7 +70,7 @@ export class Groups {
     return this.code === 0 && this.name() === type;
   }
 
-  /** The value without blanks around it. Equal values are one string. */
+  /** The value without blanks around it, and with the characters that its code page lacks. Equal values are one string. */
   name(): string {
     let { start, end } = this;
     const { bytes } = this;
@@ -79,7 +80,7 @@ export class Groups {
     for (let at = start; at < end; ++at) hash = Math.imul(hash ^ bytes[at], 0x01000193);
     const known = this.names.get(hash);
     if (known && this.isSame(known, start, end)) return known.name;
-    const name = this.decode(bytes.subarray(start, end));
+    const name = characters(this.decode(bytes.subarray(start, end)));
     this.names.set(hash, { start, end, name });
     return name;
   }

@@ -25,4 +25,9 @@ export type Answer =
   | { facts: DxfFacts }
   | { bitmap: ImageBitmap }
   | { lines: Lines }
-  | { fault: DxfErrorCode | "memory" | "slow" | "stopped"; values: Readonly<Record<string, string | number>> };
+  | {
+      fault: DxfErrorCode | "memory" | "slow" | "stopped";
+      values: Readonly<Record<string, string | number>>;
+      /** Of what is not shown. */
+      notes?: readonly DxfNote[];
+    };

@@ -90,7 +90,9 @@ scope.onmessage = ({ data }) => {
   try {
     scope.postMessage(...answerTo(data));
   } catch (error) {
-    if (error instanceof DxfError) scope.postMessage({ fault: error.code, values: error.values }, []);
-    else scope.postMessage({ fault: error instanceof RangeError ? "memory" : "stopped", values: {} }, []);
+    if (error instanceof DxfError) {
+      const { code: fault, values, notes } = error;
+      scope.postMessage({ fault, values, notes }, []);
+    } else scope.postMessage({ fault: error instanceof RangeError ? "memory" : "stopped", values: {} }, []);
   }
 };
