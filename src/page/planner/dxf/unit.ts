@@ -52,7 +52,8 @@ export function proposedUnit(drawing: DxfDrawing): ProposedUnit {
   const contradiction = denies(measurement) ? measurement : null;
   const [least, most] = contradiction ? [smallestShop, largestShop] : [smallest, largest];
   const isPlausible = (factor: number) => size * factor >= least && size * factor <= most;
-  const isDenied = contradiction !== null || denies(isInFeet ? "imperial" : null);
+  // Inches are what many programs name unasked; a metric unit is rarely named so.
+  const isDenied = contradiction === "metric" || denies(isInFeet ? "imperial" : null);
   if (named !== null && factor !== undefined && isPlausible(factor) && !isDenied)
     return { unit: named, why: "header", contradiction };
 

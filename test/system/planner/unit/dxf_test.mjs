@@ -193,6 +193,8 @@ test("polylines with a width are areas with mitres", () => {
   const path = entity("LWPOLYLINE", 70, 0, 43, 2) + tags(10, 0, 20, 0, 10, 10, 20, 0);
   const scaled = inserted([block("W", path)], entity("INSERT", 2, "W", 10, 0, 20, 0, 41, 2, 42, 3, 50, 90));
   sameCorners(cornersOf(scaled), [ring(-3, 0, 3, 20)]);
+  // Some programs write -1 for none.
+  assert.equal(drawn(path.replace("43\n2", "43\n-1.0")).segments.length, 4);
   // Negative control: without a width, the same lines are as before.
   const thin = drawn(path.replace("43\n2", "43\n0"));
   assert.deepEqual([linesOf(thin), thin.outlines], [[[0, 0, 10, 0]], []]);
@@ -298,7 +300,7 @@ test("a code page that the file contradicts is named", () => {
   assert.deepEqual(layersIn("ANSI_936", "AC1015", "e5b9b3e99da2"), [["平面"], [["utf8", "ANSI_936"]]]);
   assert.deepEqual(layersIn("no_page", "AC1015", "57c3a46e6465"), [["Wände"], [["utf8", "no_page"]]]);
   assert.deepEqual(layersIn("no_page", "AC1015", "57e46e6465"), [["Wände"], [["code_page", "no_page"]]]);
-  assert.deepEqual(layersIn("UTF-8", "AC1015", "57c3a46e6465"), [["Wände"], []]);
+  assert.deepEqual(layersIn("UTF8", "AC1015", "57c3a46e6465"), [["Wände"], []]);
   // Negative controls: texts of these pages, some of which are UTF-8 by chance.
   for (const [page, bytes, word] of [
     ["ANSI_1252", "57e46e6465", "Wände"],
@@ -535,10 +537,15 @@ test("a unit that $MEASUREMENT contradicts is named, and the size of a shop deci
   const shop = (size) => drawn(line(0, 0, size, 0), line(size, 0, size, size / 2), line(size, size / 2, 0, 0));
   const proposal = (unit, measurement, size) => Object.values(proposedUnit({ ...shop(size), unit, measurement }));
   assert.deepEqual(Object.values(proposedUnit(stored("inches_in_name_only.dxf"))), ["cm", "size", "metric"]);
+  // Texts in feet and inches tell more than $MEASUREMENT.
+  const texts = ["12'-6\"", "7'", "3' 4\""].map((text) => ({ text }));
+  const inches = proposedUnit({ ...shop(2_000), unit: "in", measurement: "metric", texts });
+  assert.deepEqual(Object.values(inches), ["in", "texts", "metric"]);
   for (const [unit, measurement, size, ...expected] of [
     ["in", "metric", 20_000, "mm", "size", "metric"],
     ["ft", "metric", 30, "m", "size", "metric"],
-    ["mm", "imperial", 20_000, "mm", "size", "imperial"],
+    ["mm", "imperial", 20_000, "mm", "header", "imperial"],
+    ["mm", "imperial", 6_000, "mm", "header", "imperial"],
     ["mm", "imperial", 3_000, "in", "size", "imperial"],
     // Negative controls.
     ["in", "imperial", 2_000, "in", "header", null],
