@@ -63,7 +63,8 @@ class PdfSheet implements Sheet {
     const [list, layers] = await within(
       Promise.all([this.page.getOperatorList({ annotationMode: reader.AnnotationMode.DISABLE }), this.file.layers()]),
     );
-    return linesOf(list, reader.OPS as unknown as Operations, this.frame.transform as unknown as Matrix, (layer) =>
+    const frame = { page: this.frame.transform as unknown as Matrix, size: this.size };
+    return linesOf(list, reader.OPS as unknown as Operations, frame, (layer) =>
       layers.isVisible(layer as Parameters<typeof layers.isVisible>[0]),
     );
   }
@@ -111,6 +112,7 @@ export async function openPdf(data: Uint8Array, address: string): Promise<PdfFil
   const task = reader.getDocument({
     data,
     wasmUrl: address,
+    cMapUrl: address,
     standardFontDataUrl: address,
     enableXfa: false,
     stopAtErrors: false,
