@@ -54,12 +54,16 @@ function(shelfbeam_page viewer_cpp planner_cpp)
     list(APPEND sources ${page}/bundle.mjs ${root}/src/shelfbeam/report/text/english.json ${root}/src/shelfbeam/report/page/colours.css
       ${root}/data/store.schema.json ${out}/installed.txt)
     set(bundle ${SHELFBEAM_NODE} ${page}/bundle.mjs ${SHELFBEAM_VIEWER_PACKAGES} ${out})
+    set(cmaps ${SHELFBEAM_VIEWER_PACKAGES}/pdfjs-dist/cmaps)
+    file(GLOB maps RELATIVE ${cmaps} ${cmaps}/*.bcmap) # the character maps that bundle.mjs copies
+    list(FILTER maps EXCLUDE REGEX "UTF(8|32)")
+    list(TRANSFORM maps PREPEND pdf/)
     set(files index.html icon.svg planner.js style.css dxf/worker.js table/table.js
       pdf/pdf.js pdf/worker.js pdf/jbig2.wasm pdf/openjpeg.wasm pdf/qcms_bg.wasm
       pdf/FoxitDingbats.pfb pdf/FoxitFixed.pfb pdf/FoxitFixedBold.pfb pdf/FoxitFixedBoldItalic.pfb
       pdf/FoxitFixedItalic.pfb pdf/FoxitSerif.pfb pdf/FoxitSerifBold.pfb pdf/FoxitSerifBoldItalic.pfb
       pdf/FoxitSerifItalic.pfb pdf/FoxitSymbol.pfb pdf/LiberationSans-Regular.ttf pdf/LiberationSans-Bold.ttf
-      pdf/LiberationSans-Italic.ttf pdf/LiberationSans-BoldItalic.ttf)
+      pdf/LiberationSans-Italic.ttf pdf/LiberationSans-BoldItalic.ttf ${maps})
   else()
     set(sources "")
     file(WRITE ${out}/none "")

@@ -58,6 +58,7 @@ copyFileSync(join(reader, "legacy/build/pdf.worker.min.mjs"), join(folder, "pdf/
 for (const [from, kind] of [
   ["wasm", /^(jbig2|openjpeg|qcms_bg)\.wasm$/],
   ["standard_fonts", /\.(pfb|ttf)$/],
+  ["cmaps", /^(?!.*UTF(8|32)).*\.bcmap$/], // PDF does not know encodings in UTF-8 and UTF-32
 ])
   for (const name of readdirSync(join(reader, from)).filter((name) => kind.test(name)))
     copyFileSync(join(reader, from, name), join(folder, "pdf", name));
