@@ -108,7 +108,7 @@ export class Arrivals {
         sheet.close();
         return null;
       }
-      this.planner.picture.offer(stored, sheet);
+      this.planner.picture.offer({ file: stored.file, size }, sheet);
       return { file: stored.file, size, unit, origin: facts.origin };
     } catch (error) {
       sheet.close();
@@ -139,8 +139,14 @@ export class Arrivals {
     if (before) {
       const { layers } = planner.look.now;
       planner.look.set({ layers: { ...layers, [made.file]: planner.look.layersOf(before.file) } });
-      void editDrawing(planner, text.edits.replace_picture, replacedBy(before, made, planner.document.unit));
-      planner.say(say(text.picture.replaced, made.file));
+      const after = replacedBy(before, made, planner.document.unit);
+      void editDrawing(planner, text.edits.replace_picture, after);
+      planner.say(
+        say(
+          before.check && !after.check && after.scale ? text.picture.replaced_unchecked : text.picture.replaced,
+          made.file,
+        ),
+      );
       return;
     }
     const { file, page, unit, origin, size } = made;

@@ -1,16 +1,15 @@
-// A note in the line below the plan while the scale of the picture is unknown or unchecked. A click starts the missing step.
+// A note in the line below the plan while the scale of the picture is unknown or unchecked, or the picture cannot be shown.
+// A click starts the missing step, or shows the reason.
 
 import { button } from "../../panel/dom";
-import type { Commands } from "../access/commands";
+import type { CommandId, Commands } from "../access/commands";
 import type { Planner } from "../planner";
 import { text } from "../text";
 import { comparisonOf } from "./transform";
 
 export class ScaleChip {
-  readonly root = button("", () => this.commands.run(this.planner.drawing?.scale ? "check_scale" : "scale"), {
-    class: "scale-state",
-    hidden: true,
-  });
+  readonly root = button("", () => this.commands.run(this.step), { class: "scale-state", hidden: true });
+  private step: CommandId = "scale";
 
   constructor(
     private readonly planner: Planner,
@@ -18,10 +17,14 @@ export class ScaleChip {
   ) {}
 
   update(): void {
-    const { drawing, isPlan } = this.planner;
+    const { drawing, isPlan, picture } = this.planner;
     const isConfirmed =
       drawing && (drawing.scale ? comparisonOf(drawing)?.agrees === true : drawing.unit !== undefined);
-    this.root.hidden = !isPlan || drawing === null || isConfirmed === true;
-    this.root.textContent = drawing?.scale ? text.picture.unchecked : text.picture.no_scale;
+    const isLost = picture.state.kind === "failed";
+    this.root.hidden = !isPlan || drawing === null || (isConfirmed === true && !isLost);
+    const isScaled = drawing?.scale !== undefined;
+    this.step = isConfirmed ? "picture" : isScaled ? "check_scale" : "scale";
+    const { not_shown, unchecked, no_scale } = text.picture;
+    this.root.textContent = isConfirmed ? not_shown : isScaled ? unchecked : no_scale;
   }
 }

@@ -54,10 +54,12 @@ export function nameFor(name: string, kind: Kind): string {
 
 /** Whether the browser turns the picture by a right angle, as the camera has noted. */
 async function isTurned(file: Blob, [width, height]: Point): Promise<boolean> {
-  const bitmap = await createImageBitmap(file, { resizeWidth: 256 });
-  const isWide = bitmap.width > bitmap.height;
+  // Browsers round the other side upwards, so that a small copy of an almost square picture is a square.
+  const isAlmostSquare = Math.abs(width - height) < 0.02 * width;
+  const bitmap = await createImageBitmap(file, isAlmostSquare ? {} : { resizeWidth: 256 });
+  const isOther = bitmap.width > bitmap.height !== width > height;
   bitmap.close();
-  return isWide !== width > height;
+  return isOther;
 }
 
 export interface Given {

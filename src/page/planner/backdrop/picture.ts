@@ -5,6 +5,7 @@ import { DetailView } from "../sheet/detail";
 import { LineIndex } from "../sheet/line_index";
 import { openSheet, Unreadable, worded } from "../sheet/open";
 import { wholeOf, type Sheet } from "../sheet/sheet";
+import type { Point } from "../document/messages";
 import { say, text } from "../text";
 import { hasLines, type Drawing } from "./drawing";
 import type { Look } from "./look";
@@ -22,6 +23,9 @@ type State =
   | { kind: "failed"; why: string; isLost: boolean }
   | { kind: "shown"; levels: Levels; page: Page | null };
 
+/** Relative difference of sizes that are the same. */
+const slack = 0.001;
+
 /** The same picture in decreasing sizes. */
 type Levels = readonly ImageBitmap[];
 
@@ -36,13 +40,27 @@ interface Page {
 /** There is no picture to fetch; the message says why. */
 class Unusable extends Error {}
 
-function decoded(blob: Blob, { file, size: [width, height] }: Drawing): Promise<ImageBitmap> {
+/**
+ * The store's size gives the scale: a file that has changed since then must not be stretched to it. `step`: to which the
+ * size is known. Throws Unusable.
+ */
+function requireSize({ file, size }: Drawing, found: Point, step = 0): void {
+  if (found.every((length, axis) => Math.abs(length - size[axis]) <= Math.max(slack * size[axis], step))) return;
+  const [width, height] = found.map((length) => Number(length.toPrecision(6)));
+  throw new Unusable(say(text.picture.changed, file, width, height, ...size));
+}
+
+async function decoded(blob: Blob, drawing: Drawing): Promise<ImageBitmap> {
+  const [width, height] = drawing.size;
   const factor = Math.sqrt(mostPixels / (width * height));
   const options: ImageBitmapOptions =
     factor < 1 ? { resizeWidth: Math.floor(factor * width), resizeQuality: "high" } : {};
-  return createImageBitmap(blob, options).catch(() => {
-    throw new Unusable(say(text.picture.unreadable, file));
+  const bitmap = await createImageBitmap(blob, options).catch(() => {
+    throw new Unusable(say(text.picture.unreadable, drawing.file));
   });
+  const step = width / (options.resizeWidth ?? width);
+  requireSize(drawing, [step * bitmap.width, step * bitmap.height], step === 1 ? 0 : step);
+  return bitmap;
 }
 
 async function levelsOf(finest: ImageBitmap): Promise<Levels> {
@@ -99,7 +117,14 @@ export class Picture {
     if (!answer.ok) throw new Unusable(say(text.picture.missing, drawing.file));
     if (!hasLines(drawing.file))
       return { kind: "shown", levels: await levelsOf(await decoded(await answer.blob(), drawing)), page: null };
-    return this.opened(await openSheet(await answer.arrayBuffer(), drawing, this.address));
+    const sheet = await openSheet(await answer.arrayBuffer(), drawing, this.address);
+    try {
+      requireSize(drawing, sheet.size);
+    } catch (error) {
+      sheet.close();
+      throw error;
+    }
+    return this.opened(sheet);
   }
 
   private async opened(sheet: Sheet): Promise<State> {
@@ -127,7 +152,7 @@ export class Picture {
   }
 
   /** A drawing that is open already, before the store names it. */
-  offer(drawing: Pick<Drawing, "file" | "page">, sheet: Sheet): void {
+  offer(drawing: Pick<Drawing, "file" | "page" | "size">, sheet: Sheet): void {
     this.offered?.sheet.close();
     this.offered = { key: keyOf(drawing), sheet };
   }
@@ -187,8 +212,8 @@ export class Picture {
   }
 }
 
-const keyOf = (drawing: Pick<Drawing, "file" | "page"> | null): string =>
-  drawing ? `${drawing.file}#${drawing.page ?? 1}` : "";
+const keyOf = (drawing: Pick<Drawing, "file" | "page" | "size"> | null): string =>
+  drawing ? [drawing.file, drawing.page ?? 1, ...drawing.size].join("#") : "";
 
 function drawn(sheet: Sheet): Promise<Levels> {
   const [width, height] = sheet.size;

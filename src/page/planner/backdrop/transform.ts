@@ -148,9 +148,26 @@ function newVersion(drawing: Drawing, next: Source, of: LengthUnit): Drawing | n
   return shifted({ ...drawing, ...next, crop: undefined }, of, [c * x - s * y, s * x + c * y]);
 }
 
-/** Another picture at the place of this one: its lower left corner and its width stay, or the coordinates of its file. */
+/**
+ * Another picture at the place of this one: the coordinates of its file stay, or else its lower left corner and its scale.
+ * A check stays with a file of the same size and page only: nobody has confirmed that another one has the same scale.
+ */
 export function replacedBy(drawing: Drawing, next: Source, unit: LengthUnit): Drawing {
-  return newVersion(drawing, next, unit) ?? asWide(drawing, next, unit);
+  return newVersion(drawing, next, unit) ?? atCorner(drawing, next, unit);
+}
+
+const endingOf = (file: string): string => (hasLines(file) ? file.slice(-4).toLowerCase() : "");
+
+/**
+ * How many pixels of the next picture are one of this: one, so that m per pixel, or per point of the paper, stay with
+ * whatever is added at the sides. Pictures of the same proportions are taken as the same one with another resolution, and
+ * pixels are no points: these keep the width.
+ */
+function enlargement({ file, size: [width, height] }: Drawing, next: Source): number {
+  const factor = next.size[0] / width;
+  const isSameShape = Math.abs(next.size[1] - factor * height) <= Math.max(factor, 1); // sizes are whole pixels
+  const isPicture = !hasLines(file) && isSameShape;
+  return isPicture || endingOf(file) !== endingOf(next.file) ? factor : 1;
 }
 
 /** The scale of a drawing whose unit is known. */
@@ -159,18 +176,19 @@ function scaleOfUnit({ unit, size: [width, height] }: Drawing, { factor }: Lengt
   return { from: [0, height], to: [width, height], length: (width * factorOf(unit)) / factor };
 }
 
-function asWide(drawing: Drawing, next: Source, unit: LengthUnit): Drawing {
-  const { file, size } = next;
+function atCorner(drawing: Drawing, next: Source, unit: LengthUnit): Drawing {
+  const { file, size, page = 1 } = next;
   // A drawing with a unit is straight.
   const exact = { page: undefined, scale: undefined, check: undefined, crop: undefined, rotation_deg: undefined };
   if (next.unit !== undefined) return { ...drawing, ...exact, ...next };
-  const factor = size[0] / drawing.size[0];
+  const factor = enlargement(drawing, next);
   const moved = ([x, y]: Point): Point =>
     roundPixel([factor * x, size[1] - factor * (drawing.size[1] - y)], { file, size });
-  const line = (old: Line | undefined): Line | undefined => old && { ...old, from: moved(old.from), to: moved(old.to) };
-  const { scale = scaleOfUnit(drawing, unit), check } = drawing;
+  const { scale = scaleOfUnit(drawing, unit), check, page: old = 1 } = drawing;
+  const isSame = page === old && endingOf(file) === endingOf(drawing.file) && distance(size, drawing.size) === 0;
   const unknown = { page: undefined, unit: undefined, origin: undefined };
-  const replaced = { ...drawing, ...unknown, ...next, scale: line(scale), check: line(check) };
+  const line = scale && { ...scale, from: moved(scale.from), to: moved(scale.to) };
+  const replaced = { ...drawing, ...unknown, ...next, scale: line, check: isSame ? check : undefined };
   if (!drawing.crop) return replaced;
   const [left, upper, right, lower] = drawing.crop;
   return { ...replaced, crop: cropBetween(replaced, moved([left, upper]), moved([right, lower])) };

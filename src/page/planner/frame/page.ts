@@ -227,7 +227,7 @@ export class Page {
     );
     changes.listen(["document", "selection", "tool", "status", "devices"], () => toolbar.update());
     changes.listen(["document", "status"], () => banner.update());
-    changes.listen(["document", "selection", "preview", "viewport", "tool", "status", "devices"], () =>
+    changes.listen(["document", "selection", "preview", "viewport", "tool", "status", "devices", "layers"], () =>
       status.update(),
     );
     onThemeChange(() => this.marks.recolour());
