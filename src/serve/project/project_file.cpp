@@ -27,6 +27,13 @@ struct Format {
   bool is_by_name = false;                             // the content alone does not show the format
 };
 
+// Readers of PDF files allow 1024 bytes before the mark: a byte order mark, the header of a transfer, a
+// warning of a script.
+bool is_pdf(std::string_view file) {
+  constexpr std::string_view mark = "%PDF-";
+  return file.substr(0, 1024 + mark.size()).find(mark) != std::string_view::npos;
+}
+
 // DXF as text begins with group 0, perhaps after comments of group 999.
 bool is_dxf(std::string_view file) {
   if (file.starts_with("\xef\xbb\xbf")) file.remove_prefix(3);
@@ -38,12 +45,15 @@ bool is_dxf(std::string_view file) {
   return code == "0" || code == "999";
 }
 
+constexpr std::string_view model_mark = "ISO-10303-21;";
+
 bool is_text(std::string_view content) {
   const auto is_control = [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte == 0x7f || (byte < 0x20 && c != '\t' && c != '\n' && c != '\r');
   };
-  return !content.empty() && std::ranges::none_of(content, is_control) && is_utf8(content);
+  const bool is_model = content.starts_with(model_mark);
+  return !content.empty() && !is_model && std::ranges::none_of(content, is_control) && is_utf8(content);
 }
 
 // Readers of the library check the rest.
@@ -70,11 +80,7 @@ const std::array<Format, 12>& formats() {
           return file.starts_with("RIFF") && file.size() >= 12 && file.substr(8, 4) == "WEBP";
         },
         size_of_webp},
-       {"a PDF file",
-        "application/pdf",
-        {".pdf"},
-        [](std::string_view file) { return file.starts_with("%PDF-"); },
-        nullptr},
+       {"a PDF file", "application/pdf", {".pdf"}, is_pdf, nullptr},
        {"a DXF file", "image/vnd.dxf", {".dxf"}, is_dxf, nullptr},
        {"a binary glTF file",
         "model/gltf-binary",
@@ -103,6 +109,18 @@ const Format* format_of(std::string_view name, std::string_view content) {
         std::ranges::find_if(formats(), [&](const Format& one) { return !one.is_by_name && matches(one); });
   return found == formats().end() ? nullptr : &*found;
 }
+
+// Formats that people try, by the beginning of the file.
+struct Foreign {
+  std::string_view mark, name, remedy;
+};
+constexpr std::array<Foreign, 5> foreign{
+    {{model_mark, "a model (IFC or STEP)", "export the floor plan from it as DXF or PDF"},
+     {"AutoCAD Binary DXF", "a binary DXF file", "save it as DXF in text form (ASCII)"},
+     {"AC10", "a DWG file", "save it as DXF in the drawing program"},
+     {"PK\x03\x04", "a ZIP archive or a spreadsheet", "unpack it, or save the table as CSV"},
+     {"\xd0\xcf\x11\xe0", "a document or a spreadsheet",
+      "export the floor plan as PDF, or the table as CSV"}}};
 
 bool is_plain(std::string_view name) {
   constexpr std::string_view known = "-._0123456789abcdefghijklmnopqrstuvwxyz";
@@ -135,11 +153,14 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
   if (!is_plain(own))
     throw InputError("the name of the file", "is not of letters, digits, '.', '-' and '_'", "rename it");
   const Format* format = format_of(own, content);
-  if (format == nullptr)
+  if (format == nullptr) {
+    for (const auto& [mark, kind, remedy] : foreign)
+      if (content.starts_with(mark)) throw InputError(own, fmt::format("is {}", kind), std::string(remedy));
     throw InputError(
         own, "is no file that the planner can use",
         "choose a picture (PNG, JPEG, WEBP), a drawing (PDF, DXF), a table (CSV), an emission profile (IES, "
         "LDT) or a mesh (GLB, OBJ, STL, PLY)");
+  }
   if (!has_extension(*format, own))
     throw InputError(own, fmt::format("is {}", format->name),
                      fmt::format("rename it to {}{}", fs::path(own).stem().string(), format->extensions[0]));

@@ -1,10 +1,11 @@
 // Files that people drop: their formats, and their way to the program.
 
 import type { Point } from "../document/messages";
-import { isTable } from "../table/sniff";
+import { isTable, isTableName } from "../table/sniff";
 import { say, text } from "../text";
 import type { DeviceFacts } from "../importing/module";
 import type { Drawing } from "./drawing";
+import { foreignOf } from "./foreign";
 
 /** The file is not accepted; the message says why. */
 export class NotAccepted extends Error {}
@@ -21,22 +22,32 @@ export type Kind = "png" | "jpg" | "webp" | "pdf" | "dxf" | "csv" | DeviceKind |
 /** Emission profiles and meshes. */
 type DeviceKind = (typeof deviceKinds)[number];
 
+/** Readers of PDF files allow so many bytes before the mark. */
+const mostBefore = 1024;
+const sniffed = 4096; // bytes
+
+const beginningOf = (bytes: Uint8Array): string => String.fromCharCode(...bytes.subarray(0, sniffed));
+
 /**
  * By its first bytes, and by its name if the format has no mark there. Binary DXF and DWG files count as DXF, whose reader
  * names the remedy; `csv`: a table.
  */
 export function kindOf(bytes: Uint8Array, name = ""): Kind {
-  const words = String.fromCharCode(...bytes.subarray(0, 32));
+  const words = beginningOf(bytes);
   if (words.startsWith("\x89PNG\r\n\x1a\n")) return "png";
   if (words.startsWith("\xff\xd8\xff")) return "jpg";
   if (words.startsWith("RIFF") && words.startsWith("WEBP", 8)) return "webp";
-  if (words.startsWith("%PDF-") || /\.pdf$/i.test(name)) return "pdf";
-  if (/^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d)/.test(words) || /\.(dxf|dwg)$/i.test(name))
-    return "dxf";
+  if (words.startsWith("%PDF-")) return "pdf";
+  if (/^(\xef\xbb\xbf)?(\s*(0|999)\s*[\r\n]|AutoCAD Binary DXF|AC10\d\d(\0|$))/.test(words)) return "dxf";
   if (words.startsWith("glTF")) return "glb";
   if (words.startsWith("IESNA")) return "ies";
   const named = deviceKinds.find((kind) => name.toLowerCase().endsWith(`.${kind}`));
-  return named ?? (isTable(name, bytes) ? "csv" : "other");
+  if (named) return named;
+  const isPdf = words.lastIndexOf("%PDF-", mostBefore) >= 0;
+  if (isPdf && !isTableName(name)) return "pdf";
+  if (foreignOf(words, name)) return "other";
+  if (/\.(dxf|dwg)$/i.test(name)) return "dxf";
+  return isTable(name, bytes) ? "csv" : "other";
 }
 
 /** A name that is safe in every file system. */
@@ -74,9 +85,11 @@ export async function contentOf(file: File): Promise<Given> {
   const bytes = await file.arrayBuffer().catch(() => new ArrayBuffer(0));
   if (bytes.byteLength === 0) throw new NotAccepted(say(text.picture.empty, file.name));
   const kind = kindOf(new Uint8Array(bytes), file.name);
-  if (/\.(xlsx?|xlsm|ods|numbers)$/i.test(file.name)) throw new NotAccepted(say(text.planogram.spreadsheet, file.name));
-  if (kind === "other") throw new NotAccepted(say(text.picture.other, file.name));
-  return { name: file.name, kind, bytes };
+  if (kind !== "other") return { name: file.name, kind, bytes };
+  const foreign = foreignOf(beginningOf(new Uint8Array(bytes)), file.name);
+  throw new NotAccepted(
+    say(foreign ? text.picture.foreign[foreign.kind] : text.picture.other, file.name, foreign?.format ?? ""),
+  );
 }
 
 interface Stored extends DeviceFacts {

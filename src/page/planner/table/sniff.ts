@@ -2,8 +2,10 @@
 
 const sniffed = 4096; // bytes
 
+export const isTableName = (name: string): boolean => /\.(csv|tsv|tab|txt)$/i.test(name);
+
 export function isTable(name: string, bytes: Uint8Array): boolean {
-  if (/\.(csv|tsv|tab|txt)$/i.test(name)) return true;
+  if (isTableName(name)) return true;
   const isWide = bytes[0] + bytes[1] === 0xff + 0xfe && bytes[0] >= 0xfe;
   const encoding = isWide ? (bytes[0] === 0xff ? "utf-16le" : "utf-16be") : "windows-1252";
   return isTableText(new TextDecoder(encoding).decode(bytes.subarray(0, sniffed)));

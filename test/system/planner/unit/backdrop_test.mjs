@@ -270,7 +270,12 @@ test("files are recognised by their first bytes", () => {
     png: ["\x89PNG\r\n\x1a\n"],
     jpg: ["\xff\xd8\xff\xe0"],
     webp: ["RIFF\x10\0\0\0WEBPVP8 "],
-    pdf: ["%PDF-1.7"],
+    pdf: [
+      "%PDF-1.7",
+      "\xef\xbb\xbf%PDF-1.7",
+      "Content-Type: application/pdf\r\n\r\n%PDF-1.7",
+      `${"<br />".repeat(170)}%PDF-`,
+    ],
     dxf: [
       "\xef\xbb\xbf0\nSECTION",
       "0\rSECTION",
@@ -279,10 +284,56 @@ test("files are recognised by their first bytes", () => {
       "AutoCAD Binary DXF\r\n",
       "AC1032",
     ],
-    other: ["", "GIF89a", "RIFF\x10\0\0\0WAVE", "<svg>", "0123"],
+    other: ["", "GIF89a", "RIFF\x10\0\0\0WAVE", "<svg>", "0123", `${" ".repeat(1025)}%PDF-`],
   };
   for (const [kind, samples] of Object.entries(kinds))
     for (const sample of samples) assert.equal(kindOf(bytesOf(sample)), kind, sample);
+});
+
+test("formats of other programs are named, with what to export", async () => {
+  const model = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n";
+  const schema = (name) => `${model}FILE_SCHEMA(('${name}'));\nENDSEC;\n`;
+  const spreadsheet = "PK\x03\x04\x14\0\0\0\x08\0[Content_Types].xml";
+  const refused = [
+    ["plan.ifc", model, /^plan\.ifc is a model \(IFC\).* Export the floor plan from it as DXF or PDF/],
+    ["plan.step", model, /a model \(STEP\).*DXF/],
+    ["plan.stp", schema("AUTOMOTIVE_DESIGN"), /a model \(STP\)/],
+    ["plan.csv", schema("IFC4"), /a model \(IFC\)/],
+    ["plan", schema("CONFIG_CONTROL"), /a model \(STEP\)/],
+    ["plan.dxf", model, /a model \(STEP\)/],
+    ["shop.RVT", "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", /a model \(RVT\)/],
+    ["shop.skp", "\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p\0 \0M\0o\0d\0e\0l\0", /a model \(SKP\)/],
+    ["shop", "\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p\0;\0\n\0;\0", /a model \(SketchUp\)/],
+    ["plan.ifczip", "PK\x03\x04", /a model \(IFCZIP\)/],
+    ["plan.dgn", "\x08\x09\xfe\x02", /a model \(DGN\)/],
+    ["book.xlsx", spreadsheet, /is a spreadsheet\. Save it as CSV/],
+    ["book.ods", "PK\x03\x04", /is a spreadsheet/],
+    ["renamed.csv", spreadsheet, /is a spreadsheet/],
+    ["model.bcfzip", "PK\x03\x04", /is an archive \(BCFZIP\)\. Unpack it/],
+    ["project.zip", "PK\x03\x04", /is an archive \(ZIP\)/],
+    ["plan.docx", spreadsheet, /is a document \(DOCX\).*as PDF/],
+    ["plan.gif", "GIF89a", /is a picture of another format \(GIF\)\. Save it as PNG/],
+    ["photo.heic", "\0\0\0\x18ftypheic", /\(HEIC\)/],
+    ["photo", "\0\0\0\x18ftypheic", /\(HEIC or AVIF\)/],
+    ["shelf.gltf", '{"asset": {}}', /is a mesh of another format \(GLTF\)\. Export it as GLB/],
+    ["plan.pdf", "<html>404</html>", /^plan\.pdf is not a PDF file in spite of its name/],
+    ["notes", "hello", /is of no format that the planner reads/],
+  ];
+  for (const [name, content, words] of refused) {
+    const file = Object.assign(new Blob([bytesOf(content)]), { name });
+    await assert.rejects(contentOf(file), (error) => error instanceof NotAccepted && words.test(error.message), name);
+  }
+  const taken = {
+    "plan.ifc": ["%PDF-1.7", "pdf"], // the content says more than the name
+    "labels.csv": ["AC1032,10\nAC1033,20\n", "csv"],
+    "ifc.csv": ["ifc,step\n1,2\n", "csv"],
+    "table.csv": ["a,b\n%PDF-,1\n", "csv"],
+    export: ["a;b\n1;2\n", "csv"],
+    "plan.dwg": ["AC1032\0\0", "dxf"],
+    "plan.dxf": ["nonsense", "dxf"],
+    "mesh.obj": ["v 0 0 0\n", "obj"],
+  };
+  for (const [name, [content, kind]] of Object.entries(taken)) assert.equal(kindOf(bytesOf(content), name), kind, name);
 });
 
 test("names are safe, and end as the content says", () => {

@@ -92,6 +92,31 @@ TEST(ProjectFile, IsAPdf) {
   EXPECT_EQ(kept.name, "plan.PDF");
   EXPECT_EQ(kept.width, 0U);
   EXPECT_EQ(stored_file(folder.path(), "plan.PDF")->type, "application/pdf");
+  for (const std::string& before :
+       {std::string("\xef\xbb\xbf"), std::string("Content-Type: application/pdf\r\n\r\n"),
+        std::string(1024, '\n')}) {
+    const ProjectFile late = keep_file(folder.path(), "late.pdf", before + "%PDF-1.7");
+    EXPECT_EQ(stored_file(folder.path(), late.name)->type, "application/pdf");
+  }
+  EXPECT_THROW(keep_file(folder.path(), "later.pdf", std::string(1025, '\n') + "%PDF-1.7"), InputError);
+  EXPECT_EQ(keep_file(folder.path(), "table.csv", "a,%PDF-\n").name, "table.csv");
+}
+
+TEST(ProjectFile, IsNoModelUnderTheNameOfATable) {
+  const TempFolder folder;
+  const auto refused = [&](const char* name, const std::string& content, std::string_view reason) {
+    expect_input_error([&] { keep_file(folder.path(), name, content); }, reason);
+  };
+  const std::string model = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n";
+  for (const char* name : {"plan.ifc", "plan.csv"})
+    refused(name, model, "is a model (IFC or STEP); export the floor plan");
+  refused("plan.dwg", "AC1032", "plan.dwg: is a DWG file; save it as DXF");
+  refused("plan.dxf", "AutoCAD Binary DXF\r\n",
+          "plan.dxf: is a binary DXF file; save it as DXF in text form");
+  refused("table.csv", "PK\x03\x04", "table.csv: is a ZIP archive or a spreadsheet");
+  refused("table.xls", "\xd0\xcf\x11\xe0", "table.xls: is a document or a spreadsheet");
+  EXPECT_EQ(keep_file(folder.path(), "codes.csv", "AC1032,10\n").name, "codes.csv");
+  EXPECT_TRUE(stored_file(folder.path(), "codes.csv"));
 }
 
 TEST(ProjectFile, IsADxf) {
