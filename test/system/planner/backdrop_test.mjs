@@ -1,10 +1,13 @@
 // Tests the picture of the floor plan.
 
+import { readFileSync } from "node:fs";
+
 import { check, equal, near, says } from "../viewer/check.mjs";
 import { clickPixel, colourAt, drop, pasteFile, pixelAt, serveFiles, shown, wallsOf } from "./floor_plan.mjs";
 import { testPlanner } from "./opened.mjs";
 
 const plan = wallsOf(1200, 800);
+const field = (name) => readFileSync(new URL(`../../data/field4/${name}`, import.meta.url));
 
 const scopeOf = (tab) => tab.page.evaluate(() => document.querySelector(".surface").dataset.scope);
 const toolOf = (tab) => tab.page.evaluate(() => document.querySelector(".plan").dataset.tool);
@@ -201,13 +204,74 @@ testPlanner("picture: another file replaces it, or starts anew", {}, async (tab)
   await tab.press("Escape");
 });
 
+testPlanner("picture: a scale stays per pixel, and is unchecked with another size", { keeps: true }, async (tab) => {
+  const files = await serveFiles(tab);
+  const replace = async (name, body, steps) => {
+    await drop(tab, name, body);
+    await tab.page.click(".question button:not(.close)");
+    await tab.steps(steps);
+    await shown(tab);
+  };
+  const step = ({ from, to, length }) => length / Math.hypot(to[0] - from[0], to[1] - from[1]);
+  await drop(tab, "plan_800.png", field("plan_800.png"));
+  await tab.steps(1);
+  await shown(tab);
+  for (const [to, length, steps] of [
+    [[700, 550], "12", 2],
+    [[100, 50], "10", 3],
+  ]) {
+    await clickPixel(tab, 100, 550);
+    await clickPixel(tab, ...to);
+    await tab.page.keyboard.type(length);
+    await tab.press("Enter");
+    await tab.steps(steps);
+  }
+  const { drawing } = tab.json;
+  near(step(drawing.scale), 0.02, 1e-4, "m per pixel");
+  equal(await chip(tab), "");
+  await replace("same.png", field("plan_800.png"), 4);
+  equal([await chip(tab), tab.json.drawing.check], ["", drawing.check], "a version of the same size");
+  await replace("plan_title_block.png", field("plan_title_block.png"), 5);
+  await notice(tab, "plan_title_block.png takes the place", "check the scale again");
+  equal([await chip(tab), tab.json.drawing.check], ["Scale not checked", undefined]);
+  near(step(tab.json.drawing.scale), step(drawing.scale), 1e-9, "m per pixel");
+  equal([tab.json.drawing.size, tab.json.drawing.at], [[1100, 600], drawing.at]);
+  await tab.press("Escape", "Control+z");
+  await tab.steps(4);
+  equal(await chip(tab), "", "the old version with its check");
+  // A file that changes in the folder is not stretched to the old size.
+  files.set("same.png", field("plan_title_block.png"));
+  await tab.page.reload();
+  await tab.until(() => window.shelfbeamPlanner?.planner.picture.state.kind === "failed");
+  await tab.settle();
+  equal(await chip(tab), "Floor plan not shown");
+  await tab.push(".scale-state");
+  says(await tab.text(".properties .problem"), "same.png has changed: its size is now 1100 × 600 instead of 800 × 600");
+  await replace("same.png", field("plan_title_block.png"), 5);
+  equal([await chip(tab), tab.json.drawing.size], ["Scale not checked", [1100, 600]]);
+});
+
+testPlanner("picture: almost square ones keep their sides", {}, async (tab) => {
+  for (const name of ["near_square.png", "camera_square.jpg"]) {
+    await drop(tab, name, field(name));
+    await tab.steps(1);
+    await shown(tab);
+    equal(tab.json.drawing.size, [1000, 998], name);
+    await tab.press("Escape", "Control+z");
+    await tab.steps(0);
+  }
+});
+
 testPlanner("picture: wrong files are refused with a reason", {}, async (tab) => {
   const sentence = "plan.png has more than 100 megapixels; export it smaller.";
   await serveFiles(tab, { status: 413, contentType: "text/plain", body: sentence });
   await drop(tab, "plan.dwg", Buffer.from("AC1032"));
   await notice(tab, "plan.dwg: The file is a DWG file");
   await drop(tab, "plan.gif", Buffer.from("GIF89a"));
-  await notice(tab, "plan.gif is of no format that the planner reads.");
+  await notice(tab, "plan.gif is a picture of another format (GIF)");
+  await drop(tab, "plan.ifc", field("plan.ifc"));
+  await notice(tab, "plan.ifc is a model (IFC)", "as DXF or PDF");
+  equal(await tab.page.$("dialog[open]"), null, "no dialog for labels");
   await drop(tab, "plan.png", plan);
   await notice(tab, sentence);
   check(await tab.isUntouched(), "the store is untouched");

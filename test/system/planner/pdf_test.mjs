@@ -163,6 +163,74 @@ testPlanner("pdf: scripts, attachments, layers and far pages do no harm", { stor
   await shown(tab);
 });
 
+const field = (name) => readFileSync(new URL(`../../data/field4/${name}`, import.meta.url));
+
+/** The numbers of lines and outlines. */
+const counts = (tab) =>
+  tab.page.evaluate(() => {
+    const { count, lines } = window.shelfbeamPlanner.planner.picture.lines;
+    return [count, lines.firsts.length - 1];
+  });
+
+testPlanner("pdf: only visible lines, and files behind other bytes", { store: null, keeps: true }, async (tab) => {
+  const files = {
+    clip: [6, 1], // four walls, and a line of two parts
+    white_cover: [5, 1],
+    junk_mark: [5, 1],
+    junk_head: [5, 1],
+    junk_html: [5, 1],
+    text_japan: [5, 1],
+  };
+  for (const [name, expected] of Object.entries(files)) {
+    await showsAndGoes(tab, `${name}.pdf`, field(`${name}.pdf`));
+    await lines(tab);
+    equal(await counts(tab), expected, name);
+    if (name === "text_japan") {
+      const dark = await tab.page.evaluate(() => {
+        const canvas = document.createElement("canvas");
+        [canvas.width, canvas.height] = [120, 80];
+        const [bitmap] = window.shelfbeamPlanner.planner.picture.state.levels;
+        const [x, y] = [bitmap.width / 1000, bitmap.height / 700];
+        const context = canvas.getContext("2d");
+        context.drawImage(bitmap, 195 * x, 425 * y, 120 * x, 80 * y, 0, 0, 120, 80);
+        return context.getImageData(0, 0, 120, 80).data.filter((value, k) => k % 4 === 0 && value < 128).length;
+      });
+      check(dark > 50, `${dark} dark pixels of the text`);
+    }
+    await removed(tab);
+  }
+});
+
+testPlanner("pdf: a larger sheet keeps m per point, and is not checked", { store: null, keeps: true }, async (tab) => {
+  const chip = () => tab.page.evaluate(() => document.querySelector(".scale-state:not([hidden])")?.textContent ?? "");
+  await drop(tab, "sheet_a.pdf", field("sheet_a.pdf"));
+  await tab.steps(1);
+  await shown(tab);
+  await lines(tab);
+  const person = new Tracer(tab, ([x, y]) => [100 + 50 * x, 600 - 50 * y]);
+  for (const [to, length, steps] of [
+    [[16, 0], "16", 2],
+    [[0, 10], "10", 3],
+  ]) {
+    await person.click([0, 0]);
+    await person.click(to);
+    await person.type(length, "Enter");
+    await tab.steps(steps);
+  }
+  equal(await chip(), "");
+  const { scale, check: checked } = tab.json.drawing;
+  check(checked !== undefined, "the check is stored");
+  await drop(tab, "sheet_b.pdf", field("sheet_b.pdf"));
+  await tab.page.click(".question button:not(.close)");
+  await tab.steps(4);
+  await shown(tab);
+  const { size, scale: after, check: again } = tab.json.drawing;
+  equal([size, again, await chip()], [[1400, 900], undefined, "Scale not checked"]);
+  const step = ({ from, to, length }) => length / Math.hypot(to[0] - from[0], to[1] - from[1]);
+  equal(step(after).toFixed(6), step(scale).toFixed(6), "m per point");
+  equal(step(after).toFixed(4), "0.0200");
+});
+
 testPlanner(
   "pdf: broken, encrypted and endless files are refused by name",
   { store: null, keeps: true },
