@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -393,7 +394,9 @@ class FixtureList {
 void read_fixtures(const JsonCursor& section, const StoreNames& names, const StoreFolder& folder,
                    Presets& presets, Store& store, Problems& problems) {
   FixtureList list(names, folder, presets, store, problems);
-  for (const JsonCursor& cursor : section.elements()) list.read(cursor);
+  const std::vector<JsonCursor> fixtures = section.elements();
+  for (const JsonCursor& fixture : fixtures) presets.take(fixture);  // all, before any takes its time
+  for (const JsonCursor& fixture : fixtures) list.read(fixture);
 }
 
 }  // namespace shelfbeam

@@ -1,8 +1,10 @@
 #include "shelfbeam/scene/store/presets.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,27 +43,73 @@ void drop_alternatives(Json& whole, const JsonCursor& layer, const std::string& 
     }
 }
 
+// The members of an object. ordered_json looks through all of them for one key.
+class Members {
+ public:
+  Members(Json& object, std::size_t more) : all_(object.get_ref<Json::object_t&>()) {
+    constexpr std::size_t few = 50;
+    all_.reserve(all_.size() + more);  // so that the table may refer to members
+    if (all_.size() + more <= few) return;
+    table_.emplace();
+    for (auto& [key, value] : all_) table_->emplace(key, &value);
+  }
+
+  Json* find(const std::string& key) {
+    if (table_) {
+      const auto found = table_->find(key);
+      return found == table_->end() ? nullptr : found->second;
+    }
+    const auto found = all_.find(key);
+    return found == all_.end() ? nullptr : &found->second;
+  }
+
+  /// Precondition: there is none with this key.
+  Json& add(const std::string& key) {
+    auto& [name, value] = all_.emplace_back(key, Json());
+    if (table_) table_->emplace(name, &value);
+    return value;
+  }
+
+  void remove_discarded() {
+    Json::object_t kept;
+    for (auto& [key, value] : all_)
+      if (!value.is_discarded()) kept.emplace_back(key, std::move(value));
+    all_ = std::move(kept);
+  }
+
+ private:
+  Json::object_t& all_;
+  std::optional<std::unordered_map<std::string_view, Json*>> table_;  // if they are many
+};
+
 // Adds the keys of a fixture or preset, which replace those of the presets that it refers to.
 void lay_over(Json& whole, JsonCursor::Origins& origins, const JsonCursor& layer,
               const JsonCursor::Origin& origin, const std::string& path) {
   origins[path] = origin;
   drop_alternatives(whole, layer, path);
-  for (const auto& [key, value] : layer.members()) {
+  const auto given = layer.members();
+  Members members(whole, given.size());
+  bool removes = false;
+  for (const auto& [key, value] : given) {
     const std::string part = path.empty() ? key : fmt::format("{}.{}", path, key);
     if (part == "preset") continue;
+    Json* below = members.find(key);
     if (value.is_null()) {
-      if (whole.erase(key) == 0) value.fail("removes a key that no preset of the fixture has", "remove it");
+      if (below == nullptr) value.fail("removes a key that no preset of the fixture has", "remove it");
+      *below = Json::value_t::discarded;
+      removes = true;
       continue;
     }
-    Json& below = whole[key];
+    if (below == nullptr) below = &members.add(key);
     if (value.is_object()) {
-      if (!below.is_object()) below = Json::object();
-      lay_over(below, origins, value, origin, part);
+      if (!below->is_object()) *below = Json::object();
+      lay_over(*below, origins, value, origin, part);
     } else {
-      below = value.value();
+      *below = value.value();
       origins[part] = origin;
     }
   }
+  if (removes) members.remove_discarded();
 }
 
 }  // namespace
@@ -98,7 +146,11 @@ std::vector<std::string> Presets::names() const {
 void Presets::check(Problems& problems) {
   problems_ = &problems;
   for (const auto& [name, preset] : presets_)
-    if (!problems.collect([&, &name = name, &preset = preset] { chain_of(preset, &name); }))
+    if (!problems.collect([&, &name = name, &preset = preset] {
+          std::size_t taken = sizes_.at(name);
+          for (const auto& [other, below] : chain_of(preset, &name)) taken += sizes_.at(other);
+          taken_.emplace(name, taken);
+        }))
       problems.mark("preset " + name);
 }
 
@@ -135,18 +187,25 @@ std::vector<Presets::Named> Presets::chain_of(const JsonCursor& json, const std:
   return chain;
 }
 
-JsonCursor Presets::complete(const JsonCursor& fixture) {
+void Presets::take(const JsonCursor& fixture) {
+  constexpr std::size_t most = 5'000'000;
+  const auto reference = fixture.is_object() ? fixture.find("preset") : std::nullopt;
+  if (!reference || !reference->is_string()) return;
+  const auto found = taken_.find(reference->text());
+  if (found == taken_.end()) return;  // `complete` says why
+  copied_ += found->second;
+  if (copied_ > most)
+    reference->fail(fmt::format("takes more than {} values from presets, together with the fixtures before",
+                                grouped(most)),
+                    "shorten the lists in presets, or use 'repeat'");
+}
+
+JsonCursor Presets::complete(const JsonCursor& fixture) const {
   const auto reference = fixture.find("preset");
   if (!reference) return fixture;
   if (problems_ != nullptr && reference->is_string())
     problems_->expect_complete("preset " + reference->text());
   const std::vector<Named> chain = chain_of(fixture);
-  constexpr std::size_t most = 5'000'000;
-  for (const auto& [name, preset] : chain) copied_ += sizes_.at(name);
-  if (copied_ > most)
-    reference->fail(fmt::format("takes more than {} values from presets, together with the fixtures before",
-                                grouped(most)),
-                    "shorten the lists in presets, or use 'repeat'");
   const auto note = [&](const Named& preset) {
     const std::string& file = preset.second.file();
     return fmt::format("preset {}{}", in_quotes(preset.first),

@@ -23,10 +23,14 @@ class Presets {
   /// Collects problems of presets that refer to an unknown preset or to themselves. Requires all presets.
   void check(Problems& problems);
 
+  /// Counts the values that a fixture will take from its preset. Throws InputError if all fixtures so far take
+  /// too many: copying them would need much time and memory.
+  void take(const JsonCursor& fixture);
+
   /// The fixture with the keys of its preset that it lacks; objects within it are completed in the same way.
   /// Errors in a key of a preset name the preset. A fixture without "preset" is returned unchanged. Throws
-  /// InputError for an unknown preset, and if all fixtures so far take too many values from presets.
-  JsonCursor complete(const JsonCursor& fixture);
+  /// InputError for an unknown preset.
+  JsonCursor complete(const JsonCursor& fixture) const;
 
  private:
   using Named = std::pair<std::string, JsonCursor>;
@@ -37,6 +41,7 @@ class Presets {
 
   std::map<std::string, JsonCursor, std::less<>> presets_;
   std::map<std::string, std::size_t, std::less<>> sizes_;  ///< number of values, by preset
+  std::map<std::string, std::size_t, std::less<>> taken_;  ///< the same with those of its chain
   Problems* problems_ = nullptr;                           ///< of the last call with problems
   std::size_t copied_ = 0;                                 ///< values, into all fixtures
 };

@@ -272,6 +272,7 @@ class Completer {
   std::vector<std::string> names() const { return presets_.names(); }
 
   FixtureKeys complete(const JsonCursor& fixture) {
+    presets_.take(fixture);
     const JsonCursor whole = presets_.complete(fixture);
     FixtureKeys keys{whole.value(), {}};
     for (const auto& [key, value] : whole.members())
