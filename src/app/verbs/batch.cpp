@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "shelfbeam/base/cores.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/memory.hpp"
@@ -133,8 +133,7 @@ BatchOptions batch_options(const BatchArguments& options) {
   batch.plan.overwrite = true;
   batch.plan.reports_progress = false;
   batch.seed = options.common.seed;
-  batch.threads = options.common.threads != 0 ? options.common.threads
-                                              : std::clamp(std::thread::hardware_concurrency(), 1U, 256U);
+  batch.threads = options.common.threads != 0 ? options.common.threads : std::min(core_count(), 256U);
   batch.memory = options.memory != 0 ? options.memory : memory_limit();
   batch.jobs = options.jobs != 0 ? options.jobs : batch.threads;
   batch.jobs =

@@ -15,6 +15,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/text.hpp"
 
 #include "app/options/arguments.hpp"
@@ -101,6 +102,7 @@ int run_serve(const ServeArguments& options) {
                      "Node.js or its packages",
                      "install nodejs and npm, and build it with SHELFBEAM_VIEWER=ON");
   const CancelToken& cancel = cancel_on_signal();  // before anybody knows the address
+  const ThreadLimit allowed(0);
   const ProjectFolder folder(options);
   serve::http::Options http;
   http.address = options.address;

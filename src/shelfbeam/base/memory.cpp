@@ -5,10 +5,11 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <string>
 
 #include <sys/resource.h>
 #include <unistd.h>
+
+#include "shelfbeam/base/files/control_groups.hpp"
 
 namespace shelfbeam {
 namespace fs = std::filesystem;
@@ -28,28 +29,11 @@ std::uint64_t number_in(const fs::path& file) {
   return std::ifstream(file) >> number ? number : unlimited;
 }
 
-// The lowest limit of a group and of the groups that contain it.
-std::uint64_t limit_of_groups(const fs::path& root, fs::path group, const char* name) {
-  std::uint64_t limit = number_in(root / name);
-  for (group = group.relative_path(); !group.empty(); group = group.parent_path())
-    limit = std::min(limit, number_in(root / group / name));
-  return limit;
-}
-
-// /proc/self/cgroup has a line "ID:CONTROLLERS:/GROUP" per hierarchy; without controllers it is version 2.
 std::uint64_t limit_of_control_groups() {
   std::uint64_t limit = unlimited;
-  std::ifstream list("/proc/self/cgroup");
-  for (std::string line; std::getline(list, line);) {
-    const auto first = line.find(':'), second = line.find(':', first + 1);
-    if (second == std::string::npos) continue;
-    const std::string controllers = line.substr(first + 1, second - first - 1);
-    const fs::path group = line.substr(second + 1);
-    if (controllers.empty())
-      limit = std::min(limit, limit_of_groups("/sys/fs/cgroup", group, "memory.max"));
-    else if (("," + controllers + ",").find(",memory,") != std::string::npos)
-      limit = std::min(limit, limit_of_groups("/sys/fs/cgroup/memory", group, "memory.limit_in_bytes"));
-  }
+  for (const ControlGroup& group : control_groups("memory"))
+    limit = std::min(limit,
+                     number_in(group.folder / (group.version == 2 ? "memory.max" : "memory.limit_in_bytes")));
   return limit;
 }
 

@@ -9,6 +9,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "shelfbeam/base/cores.hpp"
+
 namespace shelfbeam {
 
 /// Calls body(first, last) in parallel for parts of the range [0, count), in the current arena. The oneTBB
@@ -41,19 +43,19 @@ void for_each_task(std::size_t count, Body body) {
   parallel_for_ranges(count, part, tbb::simple_partitioner());
 }
 
-/// Calls body() in an arena with this number of threads (0: one per core).
+/// Calls body() in an arena with this number of threads (0: `core_count`).
 template <class Body>
 auto with_threads(unsigned threads, const Body& body) {
-  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+  tbb::task_arena arena(static_cast<int>(threads == 0 ? core_count() : threads));
   return arena.execute(body);
 }
 
-/// Makes oneTBB create this number of threads (0: one per core), even if there are fewer cores.
+/// Makes oneTBB create this number of threads (0: `core_count`), even if there are fewer cores.
 class ThreadLimit {
  public:
   explicit ThreadLimit(unsigned threads)
       : limit_(tbb::global_control::max_allowed_parallelism,
-               threads == 0 ? static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) : threads) {}
+               threads == 0 ? core_count() : threads) {}
 
  private:
   tbb::global_control limit_;

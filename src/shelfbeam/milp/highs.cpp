@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <thread>
 #include <vector>
 
 #include <Highs.h>
 
+#include "shelfbeam/base/cores.hpp"
 #include "shelfbeam/base/deadline.hpp"
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/milp/backend.hpp"
@@ -191,7 +191,7 @@ Result solve_highs(const Model& model, const SolveOptions& options, const RunCon
   const SchedulerGuard guard;
   const double scale = objective_scale(model.columns);
   // HiGHS's workers busy-wait, so more of them than cores only slow each other down.
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned cores = core_count();
   const unsigned threads = control.threads != 0 ? std::min(control.threads, cores) : cores;
 
   Highs highs;
