@@ -1,5 +1,6 @@
 #include "serve/project/history_file.hpp"
 
+#include <cerrno>
 #include <string>
 
 #include <fcntl.h>
@@ -7,10 +8,18 @@
 
 #include "shelfbeam/base/file.hpp"
 
+#include "serve/project/regular_file.hpp"
+
 namespace shelfbeam::serve {
 
 void HistoryFile::open(std::uint64_t size) {
   file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+  if (!file_.is_open() && errno == EACCES) {
+    // Another user of the folder wrote it, and only lets others read it: a copy takes its place.
+    auto found = read_regular_file(path_, max_text_file);
+    if (found && found->content.size() >= size) return replace(found->content.substr(0, size));
+    errno = EACCES;
+  }
   if (!file_.is_open()) cannot_write(path_, system_reason());
   const auto end = ::lseek(file_.number(), 0, SEEK_END);
   size_ = size_before_ = size;

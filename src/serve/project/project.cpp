@@ -4,10 +4,14 @@
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/files/access.hpp"
+#include "shelfbeam/base/files/descriptor.hpp"
 #include "shelfbeam/base/files/file_time.hpp"
 #include "shelfbeam/base/files/open_file.hpp"
 #include "shelfbeam/base/provenance.hpp"
@@ -34,6 +38,27 @@ std::vector<std::string> paths_of(const std::vector<EditOp>& ops) {
   return paths;
 }
 
+fs::path folder_or_here(const fs::path& folder) {
+  return folder.empty() ? "." : folder;
+}
+
+// Opens the new folder `own` to those to whom the folder around it is open, so that a group can share a project,
+// but not to those who may not read the store: the history has its texts. Earlier versions made it private.
+void open_like(const fs::path& own, const fs::path& store) {
+  struct stat now = {}, around = {}, file = {};
+  const Descriptor opened(::open(own.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  if (::fstat(opened.number(), &now) != 0 || now.st_uid != ::geteuid() || (now.st_mode & 0777) != S_IRWXU ||
+      ::stat(folder_or_here(store.parent_path()).c_str(), &around) != 0)
+    return;
+  take_access(opened.number(), around);
+  mode_t mode = ::fstat(opened.number(), &now) == 0 ? now.st_mode & 0777 : 0;
+  if (::lstat(store.c_str(), &file) == 0)
+    for (const mode_t readers : {mode_t{S_IRGRP}, mode_t{S_IROTH}})
+      if ((file.st_mode & readers) == 0) mode &= ~(readers | readers >> 1 | readers >> 2);
+  if ((mode & S_IWGRP) != 0) mode |= S_ISGID;  // its files get its group
+  ::fchmod(opened.number(), mode | S_IRWXU);
+}
+
 }  // namespace
 
 Project::Project(const fs::path& folder, ProjectOptions options)
@@ -52,12 +77,15 @@ Project::Project(const fs::path& folder, ProjectOptions options)
 
 void Project::take_own_folder() {
   const fs::path own = history_path().parent_path();
-  // The history has texts that the permissions of store.json may hide.
   if (::mkdir(own.c_str(), S_IRWXU) != 0 && errno != EEXIST) cannot_write(own, system_reason());
   std::error_code error;
   if (!fs::is_directory(fs::symlink_status(own, error)))
     throw InputError(own.string(), "is not a folder", "move it elsewhere");
-  own_.emplace(history_path(), fs::weakly_canonical(folder_).string(),
+  open_like(own, file_.path());
+  if (::access(own.c_str(), R_OK | W_OK | X_OK) != 0)
+    cannot_write(own, system_reason(),
+                 "let its owner make it readable and writable for you, e.g. with 'chmod -R g+rwX'");
+  own_.emplace(history_path(), fs::weakly_canonical(folder_or_here(folder_)).string(),
                "use the page of the other, or end it");
 }
 

@@ -51,9 +51,6 @@ void StoreFile::expect_valid(const std::string& text, const Json& value) const {
 std::optional<FileStamp> StoreFile::put(const std::string& text, const std::string* old) const {
   AtomicFile file(path_);
   file.write(text);
-  std::error_code missing;
-  const fs::file_status status = fs::symlink_status(path_, missing);
-  if (fs::is_regular_file(status)) fs::permissions(file.temporary(), status.permissions(), missing);
   const auto stamp = stamp_of(file.temporary());
   if (!old)
     file.commit();

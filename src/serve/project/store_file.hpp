@@ -34,8 +34,8 @@ class StoreFile {
   void expect_valid(const std::string& text) const;
   void expect_valid(const std::string& text, const Json& value) const;
 
-  /// Writes the text, with the permissions of the present file, and returns the new stamp. If `old` is given
-  /// and the file has another text, returns nothing, and the file stays. Throws OutputError.
+  /// Writes the text and returns the new stamp. If `old` is given and the file has another text, returns
+  /// nothing, and the file stays. Throws OutputError.
   std::optional<FileStamp> put(const std::string& text, const std::string* old = nullptr) const;
 
   /// Gives what has the place of the file the first free name out of `store.json.outside-1`, ... A regular

@@ -13,6 +13,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "shelfbeam/base/files/access.hpp"
 #include "shelfbeam/base/files/descriptor.hpp"
 #include "shelfbeam/base/files/open_file.hpp"
 #include "shelfbeam/base/memory.hpp"
@@ -250,6 +251,11 @@ void AtomicFile::write(std::string_view content) {
 }
 
 void AtomicFile::flush() {
+  struct stat old = {};
+  if (::stat(target_.c_str(), &old) == 0)
+    take_access(descriptor_, old);
+  else
+    share_with_group(descriptor_, folder_of(target_));
   if (::fsync(descriptor_) != 0) cannot_write(target_, system_reason());
 }
 
@@ -325,7 +331,7 @@ OutputLock::OutputLock(const fs::path& output, const std::string& name, const ch
   for (;;) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
     const int reason = errno;
-    // Another user's lock can only be read.
+    // Another user's lock can only be read, but in a folder that both may change also removed.
     const bool is_foreign = descriptor_ < 0 && reason == EACCES;
     if (is_foreign) descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
     const bool is_locked = descriptor_ >= 0 && lock(descriptor_, F_OFD_SETLK, is_foreign ? F_RDLCK : F_WRLCK);
@@ -335,7 +341,9 @@ OutputLock::OutputLock(const fs::path& output, const std::string& name, const ch
       throw InputError(name, fmt::format("is in use by another run of shelfbeam{}", owner), remedy);
     }
     if (is_foreign && descriptor_ >= 0) {
+      const bool is_removed = is_locked && names(path_, descriptor_) && ::unlink(path_.c_str()) == 0;
       ::close(descriptor_);
+      if (is_removed) continue;
       cannot_write(path_, "another user's run left it", "delete it, or choose another output");
     }
     errno = reason;
@@ -380,7 +388,13 @@ std::optional<fs::path> keep_elsewhere(const std::function<void(const fs::path&)
 
 void make_output_folder(const fs::path& folder) {
   std::error_code error;
+  std::vector<fs::path> made;
+  for (fs::path level = folder; !level.empty() && !fs::exists(level, error); level = level.parent_path())
+    made.push_back(level);
   fs::create_directories(folder, error);
+  for (auto level = made.rbegin(); level != made.rend(); ++level)
+    if (const Descriptor opened(::open(level->c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); opened.is_open())
+      share_with_group(opened.number(), folder_of(*level));
   if (error || !is_folder(folder))
     cannot_write(folder, error ? error.message() : "it is a file", "choose another folder");
   if (::access(folder.c_str(), R_OK | W_OK | X_OK) != 0) cannot_write(folder, system_reason());
