@@ -55,7 +55,7 @@ constexpr auto tick = std::chrono::milliseconds(100);
 constexpr auto look_interval = std::chrono::seconds(1);
 
 // The folder, with a shop.
-const fs::path& with_store(const fs::path& folder) {
+fs::path with_store(fs::path folder) {
   start_project(folder);
   return folder;
 }
@@ -72,18 +72,18 @@ ProjectOptions project_options() {
 }  // namespace
 
 struct Planner::State {
-  State(const fs::path& given, http::Options options, const CancelToken& token,
+  State(const std::function<fs::path()>& make_folder, http::Options options, const CancelToken& token,
         std::function<void(std::string_view)> log, bool has_light, const std::vector<fs::path>& catalogues)
       : cancel(token),
-        folder(with_store(given)),
+        server(with_page(std::move(options)), handlers(std::move(log))),
+        folder(with_store(make_folder())),
         folder_name(fs::weakly_canonical(folder).filename().string()),
         project(folder, project_options()),
         shop((folder / "store.json").lexically_normal(), &token),
         warnings((folder / "store.json").lexically_normal()),
         light(folder, has_light),
         planning(folder),
-        errands(folder),
-        server(with_page(std::move(options)), handlers(std::move(log))) {
+        errands(folder) {
     for (const fs::path& catalogue : catalogues) add_catalogue(catalogue, folder, project);
     resolve();
     steps = project.steps();
@@ -357,6 +357,7 @@ struct Planner::State {
   }
 
   const CancelToken& cancel;
+  http::Server server;
   const fs::path folder;
   std::string folder_name;
   Project project;
@@ -378,17 +379,16 @@ struct Planner::State {
   std::shared_ptr<const std::string> scene;  // with surfaces, of a revision
   std::uint64_t scene_revision = 0;
   bool is_previewing = false;
-  http::Server server;
 };
 
 bool has_page() {
   return !embedded::planner_files.empty();
 }
 
-Planner::Planner(const fs::path& folder, http::Options options, const CancelToken& cancel,
+Planner::Planner(const std::function<fs::path()>& make_folder, http::Options options, const CancelToken& cancel,
                  std::function<void(std::string_view)> log, bool has_light,
                  const std::vector<fs::path>& catalogues)
-    : state_(std::make_unique<State>(folder, std::move(options), cancel, std::move(log), has_light,
+    : state_(std::make_unique<State>(make_folder, std::move(options), cancel, std::move(log), has_light,
                                      catalogues)) {}
 
 Planner::~Planner() = default;

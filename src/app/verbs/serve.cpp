@@ -15,8 +15,10 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/json.hpp"
 #include "shelfbeam/base/parallel.hpp"
 #include "shelfbeam/base/text.hpp"
+#include "shelfbeam/scene/store/store.hpp"
 
 #include "app/options/arguments.hpp"
 #include "app/text/browser.hpp"
@@ -56,27 +58,32 @@ fs::path project_folder(const fs::path& given) {
 // The folder of the project; of a demo without a folder a temporary one, which is removed at the end.
 class ProjectFolder {
  public:
-  explicit ProjectFolder(const ServeArguments& options) : path_(project_folder(options.folder)) {
-    if (options.demo && options.folder.empty()) {
+  explicit ProjectFolder(const ServeArguments& options)
+      : path_(project_folder(options.folder)), is_demo_(options.demo), is_named_(!options.folder.empty()) {}
+  ~ProjectFolder() {
+    std::error_code ignored;
+    if (is_temporary()) fs::remove_all(temporary_, ignored);
+  }
+  ProjectFolder(const ProjectFolder&) = delete;
+  ProjectFolder& operator=(const ProjectFolder&) = delete;
+
+  void make() {
+    if (is_demo_ && !is_named_) {
       std::string pattern = (fs::temp_directory_path() / "shelfbeam-demo-XXXXXX").string();
       if (::mkdtemp(pattern.data()) == nullptr) cannot_write(pattern, system_reason());
       temporary_ = pattern;
       path_ = temporary_ / "grocery-demo";
     }
-    if (options.demo) write_template("grocery", path_);
+    if (is_demo_) write_template("grocery", path_);
+    make_output_folder(path_);
   }
-  ~ProjectFolder() {
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
-  }
-  ProjectFolder(const ProjectFolder&) = delete;
-  ProjectFolder& operator=(const ProjectFolder&) = delete;
 
   const fs::path& path() const { return path_; }
   bool is_temporary() const { return !temporary_.empty(); }
 
  private:
   fs::path path_, temporary_;
+  bool is_demo_, is_named_;
 };
 
 void print_addresses(const serve::Planner& planner, const ServeArguments& options, bool is_temporary) {
@@ -103,18 +110,24 @@ int run_serve(const ServeArguments& options) {
                      "install nodejs and npm, and build it with SHELFBEAM_VIEWER=ON");
   const CancelToken& cancel = cancel_on_signal();  // before anybody knows the address
   const ThreadLimit allowed(0);
-  const ProjectFolder folder(options);
+  ProjectFolder folder(options);
   serve::http::Options http;
   http.address = options.address;
   http.port = options.port;
   http.hosts = options.hosts;
   std::vector<fs::path> catalogues;
-  for (const fs::path& catalogue : options.catalogues) catalogues.push_back(fs::absolute(catalogue));
-  // Names of files in messages are then relative to the folder, which other programs may rename.
-  make_output_folder(folder.path());
-  fs::current_path(folder.path());
+  for (const fs::path& catalogue : options.catalogues) {
+    expect_catalogue(JsonCursor::parse_file(catalogue));  // before a folder is made
+    catalogues.push_back(fs::absolute(catalogue));
+  }
+  const auto make_folder = [&]() -> fs::path {
+    folder.make();
+    // Names of files in messages are then relative to the folder, which other programs may rename.
+    fs::current_path(folder.path());
+    return ".";
+  };
   serve::Planner planner(
-      ".", std::move(http), cancel,
+      make_folder, std::move(http), cancel,
       [](std::string_view what) { print_message("internal error: {}\n", one_line(what)); }, !options.no_light,
       catalogues);
   if (!options.address.starts_with("127.") && options.address != "::1")
@@ -142,7 +155,8 @@ void add_serve(CLI::App& app, ChosenVerb& chosen) {
       "--demo", options->demo,
       "Work on a copy of the example grocery, which is removed at the end unless a FOLDER is given");
   first.add("--catalogue", options->catalogues, a_path("FILE"),
-            "Catalogue with products of a vendor, which is copied into the project and remembered there");
+            "Catalogue with products of a vendor, which is copied into the project and remembered there")
+      ->allow_extra_args(false);
   first.add_flag("--no-light", options->no_light,
                  "Compute no signals while the shop is drawn, for slow computers");
   const OptionGroup network(*verb, "Network");
@@ -151,8 +165,11 @@ void add_serve(CLI::App& app, ChosenVerb& chosen) {
   network.add("--listen", options->address, a_path("ADDRESS"),
               "Listen on this address, or with 0.0.0.0 on all, which other computers may reach; default "
               "127.0.0.1");
-  network.add("--allow-host", options->hosts, a_path("NAME"),
-              "Accept requests to this name of the computer, too");
+  // Or the parser takes the brackets of "[::1]" for those of a list.
+  network
+      .add("--allow-host", options->hosts, a_path("NAME"),
+           "Accept requests to this name of the computer, too")
+      ->allow_extra_args(false);
   finish_verb(*verb, chosen, options, run_serve,
               "Examples:\n"
               "  shelfbeam serve --demo\n"

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <system_error>
 #include <utility>
+
+#include <sys/stat.h>
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/parallel.hpp"
@@ -173,8 +174,7 @@ LoadedLight::Source LiveLight::source(LightStage stage) const {
 }
 
 void LiveLight::start() {
-  std::error_code ignored;
-  fs::create_directory(keep_, ignored);
+  ::mkdir(keep_.c_str(), S_IRWXU);
   jobs::LightJob job{.generation = generation_, .text = text_, .folder = folder_, .keep = keep_};
   for (const Unit& unit : units_)
     if (const auto found = columns_.find(unit.key); found != columns_.end())

@@ -235,6 +235,7 @@ void PlanRuns::look() {
   constexpr auto longest_look = std::chrono::milliseconds(50);
   bool has_found = false;
   std::error_code error;
+  if (!fs::exists(folder_ / ".shelfbeam", error)) return;  // the folder itself may be gone for a while
   for (const auto& entry : fs::directory_iterator(folder_, error)) {
     if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
     const std::string name = entry.path().filename().string();

@@ -63,6 +63,7 @@ void open_like(const fs::path& own, const fs::path& store) {
 
 Project::Project(const fs::path& folder, ProjectOptions options)
     : folder_((folder / "store.json").lexically_normal().parent_path()),  // empty rather than "."
+      home_(fs::weakly_canonical(folder_or_here(folder_))),
       options_(std::move(options)),
       file_((folder / "store.json").lexically_normal(), options_.check) {
   // A folder without a store stays as it is.
@@ -85,8 +86,7 @@ void Project::take_own_folder() {
   if (::access(own.c_str(), R_OK | W_OK | X_OK) != 0)
     cannot_write(own, system_reason(),
                  "let its owner make it readable and writable for you, e.g. with 'chmod -R g+rwX'");
-  own_.emplace(history_path(), fs::weakly_canonical(folder_or_here(folder_)).string(),
-               "use the page of the other, or end it");
+  own_.emplace(history_path(), home_.string(), "use the page of the other, or end it");
 }
 
 std::string Project::read_valid() const {
@@ -111,7 +111,34 @@ void Project::start(std::optional<HistoryTexts> texts, bool may_be_one_behind) {
   file_.expect_valid(text_);  // the history may come from elsewhere
 }
 
+bool Project::is_gone() const {
+  struct stat here = {};
+  std::error_code error;
+  if (!folder_.empty()) return false;
+  return fs::current_path(error).empty() || error || ::stat(".", &here) != 0;
+}
+
+InputError Project::gone() const {
+  return {home_.string(), "was removed, or its drive is gone",
+          "put the folder back with the same store.json, and the planner goes on; for another shop, start it "
+          "again"};
+}
+
+// The mount point of a drive that is gone is another, empty folder.
+bool Project::returns() {
+  const auto found = read_regular_file(home_ / file_.path(), max_store_text);
+  if (!found || found->content != text_ || ::chdir(home_.c_str()) != 0) return false;
+  own_history();
+  return true;
+}
+
 bool Project::look(bool by_content) {
+  try {
+    if (is_gone() && !returns()) throw gone();
+  } catch (const InputError& error) {
+    known_.reset();
+    return lock(error.what());
+  }
   const auto stamp = stamp_of(file_.path());
   if (!by_content && stamp == known_ && is_settled_) return false;
   std::optional<FileContent> found;
@@ -154,16 +181,20 @@ bool Project::take_in(const std::string& text) {
 }
 
 void Project::expect_unlocked() const {
+  if (is_gone()) throw gone();
   if (locked_)
     throw InputError("the project", "is locked: " + *locked_,
                      "correct the file, or restore the last valid one");
 }
 
+void Project::own_history() {
+  if (history_->is_in_place()) return;
+  take_own_folder();  // the folder was removed, and the lock with it
+  history_->restore(text_);
+}
+
 void Project::record(const Record& record) {
-  if (!history_->is_in_place()) {  // the folder was removed, and the lock with it
-    take_own_folder();
-    history_->restore(text_);
-  }
+  own_history();
   history_->write(record);
 }
 
@@ -250,6 +281,7 @@ std::vector<Step> Project::steps() const {
 
 void Project::restore_mine() {
   look(true);
+  if (is_gone()) throw gone();
   if (!locked_) return;
   if (stamp_of(file_.path())) file_.set_aside();
   known_ = file_.put(text_);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
 
 #include "serve/project/history.hpp"
@@ -38,7 +39,8 @@ struct ProjectOptions {
 /// between, the next project finishes the change. A change from outside is never overwritten: it becomes a
 /// step of the history, after which an edit must still fit. While the file is invalid or gone, or its change
 /// cannot be written to the history, the project keeps the last valid text, and is locked: it cannot be
-/// changed.
+/// changed. The same holds while the present folder of the process, if it is that of the project, is gone: the
+/// project goes on when it is back in its place with the same text.
 ///
 /// A function that throws OutputError (disk full, no permission) has changed nothing. For one thread.
 class Project {
@@ -92,7 +94,11 @@ class Project {
 
   std::filesystem::path history_path() const { return folder_ / ".shelfbeam" / "history.jsonl"; }
   std::string read_valid() const;
+  bool is_gone() const;
+  InputError gone() const;
+  bool returns();
   void take_own_folder();
+  void own_history();
   void start(std::optional<HistoryTexts> texts, bool may_be_one_behind);
   bool look(bool by_content);
   bool lock(std::string reason);
@@ -101,7 +107,7 @@ class Project {
   void record(const Record& record);
   bool write(const Record& change, const std::string& text);
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder_, home_;  ///< as given, empty for the present one; and its absolute path
   ProjectOptions options_;
   StoreFile file_;
   std::optional<OutputLock> own_;
