@@ -7,6 +7,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/text.hpp"
 
 #include "app/batch/own_files.hpp"
 #include "jobs/child.hpp"
@@ -41,6 +42,21 @@ std::string log_path(const std::filesystem::path& folder) {
   return pattern;
 }
 
+// The options behind the value that sbatch refuses.
+std::string remedy(std::string_view reason) {
+  const auto mentions = [&](std::string_view word) {
+    return lower_case(reason).find(word) != std::string::npos;
+  };
+  if (mentions("job array")) return "reduce '--tasks': 'scontrol show config' lists the limit MaxArraySize";
+  if (mentions("submit")) return "reduce '--tasks' or '--task-time', or wait until other jobs have ended";
+  if (mentions("time limit") || mentions("--time")) return "correct '--task-time'";
+  if (mentions("memory")) return "reduce '--memory'";
+  if (mentions("cpu") || mentions("processors")) return "reduce '--threads'";
+  if (mentions("node configuration")) return "reduce '--threads' or '--memory'";
+  if (mentions("contact") || mentions("socket")) return "try again when the controller of Slurm answers";
+  return "add or correct options of sbatch, e.g. '--sbatch=--partition=NAME'";
+}
+
 // Returns the id of the job.
 std::string sbatch(std::vector<std::string> options, const std::filesystem::path& script) {
   std::vector<std::string> words{"sbatch", "--parsable"};
@@ -51,10 +67,10 @@ std::string sbatch(std::vector<std::string> options, const std::filesystem::path
   while (!child.has_ended(end)) wait_for_children(1);
   if (end.exit_code == 127)
     throw InputError("sbatch", "cannot be run", "run this command on a login node of a Slurm cluster");
-  if (end.exit_code != 0)
-    throw InputError(script.string(),
-                     fmt::format("is not accepted by Slurm ({})", end.err.substr(0, end.err.find('\n'))),
-                     "correct the options");
+  if (end.exit_code != 0) {
+    const std::string reason = end.err.substr(0, end.err.find('\n'));
+    throw InputError(script.string(), fmt::format("is not accepted by Slurm ({})", reason), remedy(end.err));
+  }
   return end.out.substr(0, end.out.find_first_of(";\n"));
 }
 

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -165,6 +166,27 @@ class OwnFiles(unittest.TestCase):
         self.batch("--collect", code=1)  # does not write it
         self.batch("--slurm", "--overwrite", *QUICK, **path)
         self.assertNotEqual((self.results / "slurm/plan.sh").read_bytes(), edited)
+
+    def test_a_refusal_of_slurm_names_the_option(self):
+        (self.folder / "bin").mkdir()
+        sbatch = self.folder / "bin/sbatch"
+        path = {"env": {**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}"}}
+        for reason, option in (
+            ("Batch job submission failed: Invalid job array specification", "--tasks"),
+            (
+                "Batch job submission failed: Requested time limit is invalid (missing or exceeds some limit)",
+                "--task-time",
+            ),
+            ("Memory specification can not be satisfied", "--memory"),
+            ("CPU count per node can not be satisfied", "--threads"),
+            ("invalid partition specified: lnog", "--sbatch"),
+        ):
+            sbatch.write_text(f"#!/bin/sh\necho 'sbatch: error: {reason}' >&2\nexit 1\n", encoding="utf-8")
+            sbatch.chmod(0o755)
+            error = self.batch("--slurm", "--resume", *QUICK, code=2, **path).stderr
+            self.assertIn(reason, error)
+            named = re.findall(r"'(--[a-z-]+)", error)
+            self.assertEqual(named, [option], error)
 
     def test_a_signal_before_the_program_of_a_task_handles_it(self):
         (self.folder / "bin").mkdir()
