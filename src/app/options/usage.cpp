@@ -1,9 +1,11 @@
 #include "app/options/usage.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -143,6 +145,17 @@ std::string problem_of(const CLI::App* verb, const CLI::ParseError& error) {
                                 : fmt::format("{}: {} is missing", name, option->get_option_text());
 }
 
+// The first file among the arguments that does not exist.
+std::string missing_file(const CLI::App& verb) {
+  std::error_code unknown;
+  for (const CLI::Option* option : verb.get_options())
+    if (const std::string& kind = option->get_option_text();
+        option->get_positional() && (kind.starts_with("PATH") || kind.starts_with("FILE")))
+      for (const std::string& path : option->results())
+        if (!std::filesystem::exists(path, unknown)) return path;
+  return {};
+}
+
 std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, const Words& arguments) {
   const CLI::App* verb = chosen_verb(app);
   const bool is_required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
@@ -150,6 +163,9 @@ std::string usage_problem(const CLI::App& app, const CLI::ParseError& error, con
     if (auto problem = unknown_argument(app, arguments)) return *problem;
   std::string problem = problem_of(verb, error);
   if (problem.ends_with('?')) return problem;  // a suggestion is remedy enough
+  if (verb != nullptr && is_required)
+    if (const std::string path = missing_file(*verb); !path.empty())
+      problem = fmt::format("{}: does not exist, and {}", path, problem);
   return problem + (verb != nullptr && is_required ? example_of(*verb) : "") + see_help(verb);
 }
 
