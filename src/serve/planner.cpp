@@ -16,6 +16,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/files/open_file.hpp"
 #include "shelfbeam/base/provenance.hpp"
 
 #include "serve/errands/errands.hpp"
@@ -113,6 +114,12 @@ struct Planner::State {
                   light.release(tab, LiveLight::Clock::now());
                 },
             .get = [this](std::string_view file) { return document(file); },
+            .spool =
+                [this] {
+                  Descriptor file = open_unnamed(folder / ".shelfbeam");
+                  if (!file.is_open()) cannot_write("the file", system_reason());
+                  return file;
+                },
             .put = [this](std::string_view file, std::string_view content) { return keep(file, content); },
             .tick = [this] { or_stop([&] { look(); }); },
             .failed = std::move(log)};
@@ -385,8 +392,8 @@ bool has_page() {
   return !embedded::planner_files.empty();
 }
 
-Planner::Planner(const std::function<fs::path()>& make_folder, http::Options options, const CancelToken& cancel,
-                 std::function<void(std::string_view)> log, bool has_light,
+Planner::Planner(const std::function<fs::path()>& make_folder, http::Options options,
+                 const CancelToken& cancel, std::function<void(std::string_view)> log, bool has_light,
                  const std::vector<fs::path>& catalogues)
     : state_(std::make_unique<State>(make_folder, std::move(options), cancel, std::move(log), has_light,
                                      catalogues)) {}

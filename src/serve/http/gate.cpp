@@ -105,7 +105,9 @@ Verdict Gate::judge(const Request& request) const {
     const auto size = body_size(request);
     if (!size) return refused(411);
     if (*size == 0 || *size > max_upload_) {
-      verdict.why = "the file is empty or too large";
+      verdict.why = *size == 0 ? "the file is empty"
+                               : fmt::format("the file has {} bytes; the maximum is {} MiB", grouped(*size),
+                                             max_upload_ >> 20);
       return refused(413);
     }
     verdict.upload = *size;

@@ -16,12 +16,12 @@ inline constexpr std::string_view file_names = "files/";
 
 /// What the gate says of a request.
 struct Verdict {
-  unsigned refusal = 0;       ///< status of the answer that refuses it (403, 404, 405, ...); 0: let in
-  std::string_view why = {};  ///< for the user, if it may be no attack
-  bool has_token = false;     ///< it has shown host and token, whether or not it is let in
-  bool is_socket = false;     ///< it opens the WebSocket
-  std::string name = {};      ///< what it asks for or brings, below the token
-  std::uint64_t upload = 0;   ///< bytes of the file that it brings; 0: none
+  unsigned refusal = 0;      ///< status of the answer that refuses it (403, 404, 405, ...); 0: let in
+  std::string why = {};      ///< for the user, if it may be no attack
+  bool has_token = false;    ///< it has shown host and token, whether or not it is let in
+  bool is_socket = false;    ///< it opens the WebSocket
+  std::string name = {};     ///< what it asks for or brings, below the token
+  std::uint64_t upload = 0;  ///< bytes of the file that it brings; 0: none
 };
 
 /// Decides by its head who may talk to the server. Any website that the user visits can send requests to a

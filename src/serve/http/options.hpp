@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "shelfbeam/base/files/descriptor.hpp"
+
 #include "serve/http/asset.hpp"
 #include "serve/http/message.hpp"
 
@@ -27,7 +29,7 @@ struct Limits {
   Time silence = std::chrono::seconds(120);   ///< of a page, which is sent a ping after half of it
   Time farewell = std::chrono::seconds(2);    ///< in which a client takes the end of a connection
   std::size_t message = 1 << 20;              ///< bytes of a message of a page, in all fragments together
-  std::uint64_t upload = 64 << 20;            ///< bytes of a file that a page brings
+  std::uint64_t upload = 64 << 20;            ///< bytes of the files that pages bring at a time
   std::size_t queue = 8 << 20;                ///< bytes that wait for a page (`Outbox`)
 };
 
@@ -68,7 +70,10 @@ struct Handlers {
   std::function<void(TabId)> closed = {};                  ///< once for each opened one
   /// A GET or HEAD of a name below the token that is no asset; nothing: there is none.
   std::function<std::optional<Document>(std::string_view name)> get = {};
-  /// A PUT of a name below the token that begins with `file_names`.
+  /// Opens an empty file for the bytes of a PUT, which is gone when it is closed (`open_unnamed`). Throws
+  /// OutputError.
+  std::function<Descriptor()> spool = {};
+  /// A PUT of a name below the token that begins with `file_names`. The content is that of the file.
   std::function<Receipt(std::string_view name, std::string_view content)> put = {};
   std::function<void()> tick = {};
   std::function<void(std::string_view what)> failed = {};  ///< what(), for the log

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 #include "shelfbeam/base/error.hpp"
+#include "shelfbeam/base/file.hpp"
 #include "shelfbeam/base/text.hpp"
 
 #include "serve/http/gate.hpp"
@@ -38,6 +40,24 @@ Milliseconds interval(const Limits& limits) {
   const Milliseconds shortest = std::min({limits.head_time, limits.idle, limits.write, limits.farewell});
   return std::clamp(shortest / 4, Milliseconds(1), Milliseconds(1000));
 }
+
+// The bytes of a file, which need no memory.
+class Mapping {
+ public:
+  Mapping(const Descriptor& file, std::uint64_t size)
+      : size_(size), start_(::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file.number(), 0)) {
+    if (start_ == MAP_FAILED) throw OutputError("the file", "cannot be kept (" + system_reason() + ")");
+  }
+  ~Mapping() { ::munmap(start_, size_); }
+  Mapping(const Mapping&) = delete;
+  Mapping& operator=(const Mapping&) = delete;
+
+  std::string_view bytes() const { return {static_cast<const char*>(start_), size_}; }
+
+ private:
+  std::size_t size_;
+  void* start_;
+};
 
 }  // namespace
 
@@ -78,14 +98,26 @@ struct Server::State final : SessionHost {
     return reply;
   }
 
-  Reply receive(const std::string& name, std::string_view content) override {
+  std::optional<Reply> spool(std::uint64_t size, Descriptor& file) override {
+    if (!handlers.put || !handlers.spool) return refusal(405);
+    for (const auto& [id, session] : sessions) size += session->upload();
+    if (size > options.limits.upload)
+      return refusal(413, fmt::format("files of more than {} MiB in total would arrive at a time; try again "
+                                      "when the others have arrived",
+                                      options.limits.upload >> 20));
+    try {
+      file = handlers.spool();
+      return {};
+    } catch (const std::exception& error) {
+      return refusal(422, error.what());
+    }
+  }
+
+  Reply receive(const std::string& name, const Descriptor& file, std::uint64_t size) override {
     Reply reply = refusal(500);
     attempt([&] {
-      if (!handlers.put) {
-        reply = refusal(405);
-        return;
-      }
-      const Receipt receipt = handlers.put(name, content);
+      const Mapping content(file, size);
+      const Receipt receipt = handlers.put(name, content.bytes());
       reply = {.status = receipt.is_kept ? 201U : 422U,
                .type = receipt.is_kept ? "application/json" : "text/plain; charset=utf-8",
                .body = std::make_shared<const std::string>(receipt.text)};

@@ -16,7 +16,11 @@
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/websocket/stream.hpp>
+#include <fmt/format.h>
 #include <sys/socket.h>
+
+#include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/files/open_file.hpp"
 
 #include "serve/http/outbox.hpp"
 
@@ -82,6 +86,8 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   Clock::time_point deadline() const override { return deadline_; }
 
+  std::uint64_t upload() const override { return file_size_; }
+
   void send(Message message) override {
     if (!is_open_ || is_closing_ || is_over_) return;
     if (!outbox_.push(std::move(message))) {
@@ -142,9 +148,10 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     } else if (verdict.is_socket) {
       open_socket();
     } else if (verdict.upload > 0) {
+      if (const auto refused = host_.spool(verdict.upload, file_)) return answer(*refused, false);
       file_name_ = verdict.name;
-      file_.clear();
-      file_size_ = static_cast<std::size_t>(verdict.upload);
+      file_size_ = verdict.upload;
+      received_ = 0;
       read_file();
     } else {
       answer(host_.reply(request, verdict), parser_->get().keep_alive());
@@ -153,21 +160,26 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
 
   // Takes bytes that have come, and waits for the rest.
   void read_file() {
-    const std::size_t size = std::min(file_size_ - file_.size(), buffer_.size());
+    const std::size_t size = std::min<std::uint64_t>(file_size_ - received_, buffer_.size());
     const auto bytes = buffer_.cdata();
-    file_.append(static_cast<const char*>(bytes.data()), size);
+    if (!write_at(file_.number(), {static_cast<const char*>(bytes.data()), size}, received_))
+      return end_file(refusal(422, fmt::format("the file cannot be kept ({})", system_reason())), false);
+    received_ += size;
     buffer_.consume(size);
-    if (file_.size() == file_size_) {
-      const Reply reply = host_.receive(file_name_, file_);
-      file_ = std::string();
-      return answer(reply, parser_->get().keep_alive());
-    }
+    if (received_ == file_size_)
+      return end_file(host_.receive(file_name_, file_, file_size_), parser_->get().keep_alive());
     allow(limits_.write);
-    const std::size_t next = std::min(file_size_ - file_.size(), limits_.head);
+    const std::size_t next = std::min<std::uint64_t>(file_size_ - received_, limits_.head);
     stream_.async_read_some(buffer_.prepare(next), after([this](error_code error, std::size_t read) {
                               buffer_.commit(read);
                               error ? abort() : read_file();
                             }));
+  }
+
+  void end_file(const Reply& reply, bool keep_alive) {
+    file_ = Descriptor();
+    file_size_ = 0;
+    answer(reply, keep_alive);
   }
 
   void answer(const Reply& reply, bool keep_alive) {
@@ -206,11 +218,13 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     stream_.async_wait(Stream::wait_read, after([this](error_code error) { error ? abort() : read_head(); }));
   }
 
-  // To close a socket with unread bytes would take the answer away from the client.
+  // To close a socket with unread bytes would take the answer away from the client. A page may be sending a
+  // file that is too large.
   void drain(std::size_t drained) {
-    if (drained > most_drained) return abort();
+    if (drained > most_drained && !has_token_) return abort();
     buffer_.clear();
-    stream_.async_read_some(buffer_.prepare(4096), after([this, drained](error_code error, std::size_t size) {
+    stream_.async_read_some(buffer_.prepare(limits_.head),
+                            after([this, drained](error_code error, std::size_t size) {
                               error ? abort() : drain(drained + size);
                             }));
   }
@@ -284,8 +298,9 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
   Bytes body_;
   std::size_t sent_ = 0;  // of head and body together
   bool keep_alive_ = false;
-  std::string file_name_, file_;  // that is being received
-  std::size_t file_size_ = 0;
+  std::string file_name_;  // that is being received
+  Descriptor file_;
+  std::uint64_t file_size_ = 0, received_ = 0;
 
   std::optional<WebSocket> socket_;  // has taken the stream
   beast::flat_buffer messages_{limits_.message + 1024};

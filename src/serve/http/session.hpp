@@ -3,6 +3,8 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "shelfbeam/base/files/descriptor.hpp"
@@ -27,8 +29,10 @@ class SessionHost {
   virtual Verdict judge(const Request& request) = 0;
   /// The answer to a request that was let in and does not open the WebSocket.
   virtual Reply reply(const Request& request, const Verdict& verdict) = 0;
-  /// The answer to a file.
-  virtual Reply receive(const std::string& name, std::string_view content) = 0;
+  /// Opens a file for the bytes of an upload; otherwise the answer says why there is none.
+  virtual std::optional<Reply> spool(std::uint64_t size, Descriptor& file) = 0;
+  /// The answer to an upload whose bytes are in the file.
+  virtual Reply receive(const std::string& name, const Descriptor& file, std::uint64_t size) = 0;
   /// These two return false if the page is to be closed because its handler failed.
   virtual bool opened(TabId id) = 0;
   virtual bool text(TabId id, std::string_view message) = 0;
@@ -62,6 +66,8 @@ class Session {
   virtual Standing standing() const = 0;
   /// When the client must have done what is next.
   virtual Clock::time_point deadline() const = 0;
+  /// Bytes of the file that is being received.
+  virtual std::uint64_t upload() const = 0;
   /// Queues a message for an open page. A page that does not take its messages is closed.
   virtual void send(Message message) = 0;
   /// Closes the WebSocket with a code; ends any other connection at once.

@@ -8,6 +8,7 @@
 
 #include "shelfbeam/base/error.hpp"
 #include "shelfbeam/base/file.hpp"
+#include "shelfbeam/base/files/open_file.hpp"
 #include "shelfbeam/base/text.hpp"
 
 #include "serve/project/image_size.hpp"
@@ -170,8 +171,7 @@ ProjectFile keep_file(const fs::path& folder, std::string_view name, std::string
     const fs::path path = folder / free;
     const bool is_new = !stamp_of(path);
     if (!is_new) {
-      const auto known = stored_file(folder, free);
-      if (!known || known->content != content) continue;
+      if (!shelfbeam::has_content(path, content)) continue;
     } else {
       write_file(path, content);
     }

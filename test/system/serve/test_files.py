@@ -4,6 +4,7 @@ import gzip
 import http.client
 import json
 import os
+import resource
 import time
 import urllib.parse
 
@@ -81,6 +82,73 @@ class Files(ServeTest):
         told.append(json.dumps(tab.ask("find", text="SECRET")["hits"]).encode())
         told.append(self.get(server, "scene")[1])
         return b"\n".join(told)
+
+    def bring(self, server, name, size, content=b""):
+        """A connection on which a page brings a file, or its beginning."""
+        url = urllib.parse.urlsplit(server.address)
+        connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
+        self.addCleanup(connection.close)
+        connection.putrequest("PUT", f"{url.path}files/{name}")
+        for field, value in (("Origin", f"http://{url.netloc}"), ("Content-Length", str(size))):
+            connection.putheader(field, value)
+        connection.endheaders()
+        connection.send(content)
+        return connection
+
+    def test_uploads_need_no_memory(self):
+        self.write()
+        server = self.start()
+        self.open(server)
+        size, part = 40 << 20, b"id,x\n" * (4 << 20)  # half of the file
+        before = server.status("VmHWM"), sorted(self.folder.iterdir())
+        connections = [self.bring(server, f"{k}.csv", size, part) for k in range(3)]
+        connections[0].send(part[: size - len(part)])
+        reply = connections[0].getresponse()
+        self.assertEqual((reply.status, json.loads(reply.read())), (201, {"file": "0.csv"}))
+        self.assertEqual((self.folder / "0.csv").stat().st_size, size)
+        anonymous = server.status("RssAnon")
+        self.assertLess(anonymous, before[0] + (10 << 20))
+        for connection in connections[1:]:
+            connection.close()
+        self.assertEqual(sorted(self.folder.iterdir()), sorted([*before[1], self.folder / "0.csv"]))
+        kept = {path.name for path in (self.folder / ".shelfbeam").iterdir()}
+        self.assertFalse([name for name in kept if "shelfbeam-" in name and not name.endswith("locked")], kept)
+        # The same content keeps its name, and another gets a number.
+        for content, name in ((b"id\n", "1.csv"), (b"id\n", "1.csv"), (b"ib\n", "1-2.csv")):
+            reply = self.bring(server, "1.csv", 3, content).getresponse()
+            self.assertEqual(json.loads(reply.read())["file"], name)
+
+    def test_uploads_have_one_limit(self):
+        self.write()
+        server = self.start()
+        self.open(server)
+        limit = 200 << 20
+        for size, words in ((limit + 1, "209,715,201 bytes; the maximum is 200 MiB"), (0, "is empty")):
+            reply = self.bring(server, "a.csv", size).getresponse()
+            self.assertEqual(reply.status, 413)
+            self.assertIn(words, reply.read().decode())
+        first = self.bring(server, "a.csv", limit, b"id")
+        refused = self.bring(server, "b.csv", 3).getresponse()
+        self.assertEqual(refused.status, 413)
+        self.assertIn("200 MiB in total", refused.read().decode())
+        first.close()
+        for _ in range(50):  # until the server notices
+            reply = self.bring(server, "b.csv", 3, b"id\n").getresponse()
+            if reply.status == 201:
+                break
+            time.sleep(0.1)
+        self.assertEqual(reply.status, 201)
+
+    def test_an_upload_to_a_full_disk_leaves_nothing(self):
+        self.write()
+        server = self.start()
+        self.open(server)
+        resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE, (1 << 20, resource.RLIM_INFINITY))
+        before = sorted(self.folder.rglob("*"))
+        reply = self.bring(server, "a.csv", 2 << 20, b"x" * (2 << 20)).getresponse()
+        self.assertEqual(reply.status, 422)
+        self.assertIn("cannot be kept (File too large)", reply.read().decode())
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
 
     def get(self, server, name):
         url = urllib.parse.urlsplit(server.address)

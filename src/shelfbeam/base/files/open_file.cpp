@@ -1,14 +1,24 @@
 #include "shelfbeam/base/files/open_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdlib>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "shelfbeam/base/files/found_file.hpp"
 
 namespace shelfbeam {
+
+Descriptor open_unnamed(const std::filesystem::path& folder) {
+  std::string name = folder / ".shelfbeam-XXXXXX";
+  Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+  if (file.is_open()) ::unlink(name.c_str());
+  return file;
+}
 
 std::optional<std::string> read_open(int descriptor, std::uint64_t size) {
   std::string bytes(size, '\0');
@@ -26,8 +36,18 @@ std::optional<std::string> read_open(int descriptor, std::uint64_t size) {
 
 bool has_content(const std::filesystem::path& path, std::string_view content) {
   const FoundFile found = find_file_itself(path);
-  return found.file.is_open() && static_cast<std::uint64_t>(found.state.st_size) == content.size() &&
-         read_open(found.file.number(), content.size()) == content;
+  if (!found.file.is_open() || static_cast<std::uint64_t>(found.state.st_size) != content.size())
+    return false;
+  std::array<char, 1 << 16> part{};
+  while (!content.empty()) {
+    const off_t at = found.state.st_size - static_cast<off_t>(content.size());
+    const ssize_t got = ::pread(found.file.number(), part.data(), std::min(part.size(), content.size()), at);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0 || !content.starts_with(std::string_view(part.data(), static_cast<std::size_t>(got))))
+      return false;
+    content.remove_prefix(static_cast<std::size_t>(got));
+  }
+  return true;
 }
 
 bool names(const std::filesystem::path& path, int descriptor) {

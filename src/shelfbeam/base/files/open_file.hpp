@@ -6,7 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "shelfbeam/base/files/descriptor.hpp"
+
 namespace shelfbeam {
+
+/// Opens an empty file in the folder that has no name, so that it is gone when it is closed, even if the
+/// process is killed. Not open if it cannot be made, with the reason in `errno`.
+Descriptor open_unnamed(const std::filesystem::path& folder);
 
 /// The first `size` bytes of the open file, or as many as it has; nothing if they cannot be read.
 std::optional<std::string> read_open(int descriptor, std::uint64_t size);
