@@ -326,7 +326,24 @@ ROWS = [
             )
         ),
         refused(".preset: takes more than 5,000,000 values from presets"),
-        is_slow=True,
+    ),
+    Row(
+        "keys of presets times fixtures",
+        "refused",
+        inspected(
+            lambda: small_room(
+                presets={
+                    "p": {
+                        "type": "mesh",
+                        "at": [1, 1, 0],
+                        "file": "none.obj",
+                        "materials": {str(k): "w" for k in range(10_000)},
+                    }
+                },
+                fixtures=[{"preset": "p", "id": str(k)} for k in range(100)],
+            )
+        ),
+        refused("'none.obj' does not exist"),
     ),
     Row(
         "pattern against a long id",

@@ -23,8 +23,8 @@ class Presets {
   /// Collects problems of presets that refer to an unknown preset or to themselves. Requires all presets.
   void check(Problems& problems);
 
-  /// Counts the values that a fixture will take from its preset. Throws InputError if all fixtures so far take
-  /// too many: copying them would need much time and memory.
+  /// Counts the values that a fixture will take from its preset. Throws InputError if all fixtures so far
+  /// take too many: copying them would need much time and memory.
   void take(const JsonCursor& fixture);
 
   /// The fixture with the keys of its preset that it lacks; objects within it are completed in the same way.
