@@ -5,7 +5,8 @@
 namespace shelfbeam {
 
 /// The number of threads that can run at once, at least 1: one per core on which this process may run, and
-/// not more than the processor time that its control groups (containers) may use. Results do not depend on it.
+/// not more than the processor time that its control groups (containers) may use. Results do not depend on
+/// it.
 unsigned core_count();
 
 namespace detail {

@@ -346,8 +346,12 @@ OutputLock::OutputLock(const fs::path& output, const std::string& name, const ch
       if (is_removed) continue;
       cannot_write(path_, "another user's run left it", "delete it, or choose another output");
     }
-    errno = reason;
-    if (descriptor_ < 0) cannot_write(name, system_reason());
+    if (descriptor_ < 0) {
+      std::error_code unknown;
+      const bool is_there = fs::exists(fs::symlink_status(path_, unknown));
+      cannot_write(is_there ? path_ : fs::path(name), std::generic_category().message(reason));
+    }
+    share_with_group(descriptor_, folder_of(path_));
     // The previous owner removes the file when it ends.
     if (!is_locked || !is_unlinked(descriptor_)) break;
     ::close(descriptor_);

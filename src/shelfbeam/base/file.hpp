@@ -66,8 +66,8 @@ void expect_format_version(const std::string& where, std::int64_t found, std::in
 /// A file that appears under its name only when it is complete: write to `temporary()`, then `commit()`.
 /// Without a commit, the destructor removes the temporary file, and an older file of that name is unchanged.
 ///
-/// A file in the place of an older one keeps its owner, group and mode where possible; a new one in a folder in
-/// which a group works is open to the group (files/access.hpp).
+/// A file in the place of an older one keeps its owner, group and mode where possible; a new one in a folder
+/// in which a group works is open to the group (files/access.hpp).
 ///
 /// Temporary files are called `.NAME.shelfbeam-XXXXXX` and are locked while their writer runs. The next
 /// writer of that name therefore recognises and removes the files of killed writers.

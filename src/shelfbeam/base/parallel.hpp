@@ -54,8 +54,7 @@ auto with_threads(unsigned threads, const Body& body) {
 class ThreadLimit {
  public:
   explicit ThreadLimit(unsigned threads)
-      : limit_(tbb::global_control::max_allowed_parallelism,
-               threads == 0 ? core_count() : threads) {}
+      : limit_(tbb::global_control::max_allowed_parallelism, threads == 0 ? core_count() : threads) {}
 
  private:
   tbb::global_control limit_;

@@ -57,6 +57,37 @@ TEST(AtomicFile, AppearsOnlyWhenCommitted) {
   EXPECT_EQ(folder.count(), 1);
 }
 
+mode_t mode_of(const std::filesystem::path& path) {
+  struct stat state = {};
+  return ::stat(path.c_str(), &state) == 0 ? state.st_mode & 07777 : 0;
+}
+
+TEST(AtomicFile, KeepsTheModeOfTheFileInItsPlace) {
+  const TempFolder folder;
+  const std::filesystem::path file = folder.write("out.txt", "old");
+  for (const mode_t mode : {0600U, 0640U, 0666U, 0444U}) {
+    ::chmod(file.c_str(), mode);
+    write_file(file, "new");
+    EXPECT_EQ(mode_of(file), mode);
+  }
+}
+
+TEST(OutputFolder, IsOpenToItsGroup) {
+  const TempFolder folder;
+  const mode_t mask = ::umask(077);
+  for (const mode_t mode : {02770U, 02750U, 0770U}) {
+    ::chmod(folder.path().c_str(), mode);
+    const std::filesystem::path made = folder / std::to_string(mode);
+    make_output_folder(made / "deep");
+    write_file(made / "deep/file", "content");
+    const bool is_shared = mode == 02770;
+    EXPECT_EQ(mode_of(made) & 0777, is_shared ? 0770u : 0700u) << mode;
+    EXPECT_EQ(mode_of(made / "deep") & 0777, is_shared ? 0770u : 0700u) << mode;
+    EXPECT_EQ(mode_of(made / "deep/file"), is_shared ? 0660u : 0600u) << mode;
+  }
+  ::umask(mask);
+}
+
 TEST(AtomicFile, KeepsTheOldFileWithoutCommit) {
   const TempFolder folder;
   const auto path = folder.write("out.txt", "old");

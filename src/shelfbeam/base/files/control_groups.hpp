@@ -12,8 +12,8 @@ struct ControlGroup {
   int version = 2;
 };
 
-/// The control groups of the process for a controller ("memory", "cpu"), and those that contain them. `system`
-/// has the folders proc and sys.
+/// The control groups of the process for a controller ("memory", "cpu"), and those that contain them.
+/// `system` has the folders proc and sys.
 std::vector<ControlGroup> control_groups(std::string_view controller,
                                          const std::filesystem::path& system = "/");
 
