@@ -20,13 +20,13 @@ bool has_page();
 /// the folder's store.json (docs/formats/planner.md).
 class Planner {
  public:
-  /// `make_folder` is called when the server has its address, so that nothing is left behind if it cannot have
-  /// it, and returns the folder. Creates a shop in an empty one. `cancel` ends it, and must outlive it. `log` is told of errors of the
-  /// program while it serves. `has_light`: signals are computed while the shop is drawn. `catalogues` are
-  /// added to the project (add_catalogue). Throws InputError, for example if another planner uses the folder,
-  /// OutputError, and Interrupted.
-  Planner(const std::function<std::filesystem::path()>& make_folder, http::Options options, const CancelToken& cancel,
-          std::function<void(std::string_view)> log = {}, bool has_light = true,
+  /// `make_folder` is called when the server has its address, so that nothing is left behind if it cannot
+  /// have it, and returns the folder. Creates a shop in an empty one. `cancel` ends it, and must outlive it.
+  /// `log` is told of errors of the program while it serves. `has_light`: signals are computed while the shop
+  /// is drawn. `catalogues` are added to the project (add_catalogue). Throws InputError, for example if
+  /// another planner uses the folder, OutputError, and Interrupted.
+  Planner(const std::function<std::filesystem::path()>& make_folder, http::Options options,
+          const CancelToken& cancel, std::function<void(std::string_view)> log = {}, bool has_light = true,
           const std::vector<std::filesystem::path>& catalogues = {});
   ~Planner();
   Planner(const Planner&) = delete;

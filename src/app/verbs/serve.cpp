@@ -154,8 +154,9 @@ void add_serve(CLI::App& app, ChosenVerb& chosen) {
   first.add_flag(
       "--demo", options->demo,
       "Work on a copy of the example grocery, which is removed at the end unless a FOLDER is given");
-  first.add("--catalogue", options->catalogues, a_path("FILE"),
-            "Catalogue with products of a vendor, which is copied into the project and remembered there")
+  first
+      .add("--catalogue", options->catalogues, a_path("FILE"),
+           "Catalogue with products of a vendor, which is copied into the project and remembered there")
       ->allow_extra_args(false);
   first.add_flag("--no-light", options->no_light,
                  "Compute no signals while the shop is drawn, for slow computers");

@@ -42,8 +42,9 @@ fs::path folder_or_here(const fs::path& folder) {
   return folder.empty() ? "." : folder;
 }
 
-// Opens the new folder `own` to those to whom the folder around it is open, so that a group can share a project,
-// but not to those who may not read the store: the history has its texts. Earlier versions made it private.
+// Opens the new folder `own` to those to whom the folder around it is open, so that a group can share a
+// project, but not to those who may not read the store: the history has its texts. Earlier versions made it
+// private.
 void open_like(const fs::path& own, const fs::path& store) {
   struct stat now = {}, around = {}, file = {};
   const Descriptor opened(::open(own.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));

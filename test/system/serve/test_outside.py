@@ -1,8 +1,10 @@
 """Other programs that change store.json while pages are open."""
 
 import json
+import shutil
+import time
 
-from planner import STORE, ServeTest, plain_store
+from planner import STORE, NotStarted, ServeTest, plain_store
 
 
 class Outside(ServeTest):
@@ -65,6 +67,37 @@ class Outside(ServeTest):
         self.assertNotIn("error", self.tabs[0].ask("restore"))
         self.changed()
         self.assertEqual(self.store.read_bytes(), before)
+
+    def test_a_removed_folder_comes_back(self):
+        self.tabs[0].set("/name", "Nave")
+        self.changed()
+        before = self.store.read_text(encoding="utf-8")
+        shutil.rmtree(self.folder)
+        self.assertIn(f"{self.folder}: was removed", self.changed()["locked"]["message"])
+        for empty in (False, True):  # as the place of a drive that is gone
+            if empty:
+                self.folder.mkdir()
+            for answer in (self.tabs[0].set("/name", "Lost"), self.tabs[0].ask("undo"), self.tabs[0].ask("restore")):
+                self.assertIn(f"{self.folder}: was removed", answer["error"]["message"])
+            self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"] * empty)
+        self.write(STORE.replace("Aisle", "Other"))
+        time.sleep(1.5)
+        self.assertIn("was removed", self.tabs[0].set("/name", "Lost")["error"]["message"])
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["store.json"], "of another shop")
+        self.write(before)
+        self.assertIsNone(self.changed()["locked"])
+        self.assertNotIn("error", self.tabs[1].set("/name", "Apse"))
+        self.assertEqual(self.document()["name"], "Apse")
+        with self.assertRaisesRegex(NotStarted, "is in use"):
+            self.start()
+        self.server.kill()
+        steps = self.open(self.start()).history["steps"]
+        self.assertEqual(len(steps), 2, steps)
+
+    def test_a_folder_that_moves_is_followed(self):
+        moved = self.folder.rename(self.scratch / "moved")
+        self.assertNotIn("error", self.tabs[0].set("/name", "Nave"))
+        self.assertIn("Nave", (moved / "store.json").read_text(encoding="utf-8"))
 
     def test_a_restored_file_keeps_the_other(self):
         self.write("{")

@@ -87,7 +87,9 @@ class Start(ServeTest):
 
     def run_plainly(self, *options, **process):
         """A server that prints for people."""
-        arguments = [command("")[0], "serve", *options, "--no-browser"]
+        return self.run_with([command("")[0], "serve", *options, "--no-browser"], **process)
+
+    def run_with(self, arguments, **process):
         process = subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True, **process)
         self.addCleanup(process.wait)
         self.addCleanup(process.stdout.close)
@@ -103,17 +105,53 @@ class Start(ServeTest):
         with socket.create_server(("127.0.0.1", 0)) as other:
             port = other.getsockname()[1]
             line = self.refused("--port", str(port))
+            for folder in (self.scratch / "new/shop", self.folder):
+                self.refused("--port", str(port), folder=folder)
+                self.refused("--demo", "--port", str(port), folder=folder)
         self.assertIn(str(port), line)
         self.assertIn("in use", line)
-        self.assertEqual(self.content()["store.json"].decode(), STORE)
+        self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
+        self.assertEqual({name: text.decode() for name, text in self.content().items()}, {"store.json": STORE})
         self.open(self.start("--port", str(free_port())))
+
+    def test_refused_options_leave_nothing(self):
+        broken = self.folder / "broken.json"
+        broken.write_text("{", encoding="utf-8")
+        for option, word in (
+            (("--listen", "shop.example"), "shop.example"),
+            (("--allow-host", "a b"), "a b"),
+            (("--catalogue", "none.json"), "none.json"),
+            (("--catalogue", str(broken)), "broken.json"),
+        ):
+            self.assertIn(word, self.refused(*option, folder=self.scratch / "new"))
+        self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
+        self.start(folder=self.scratch / "new")  # negative control: without them it makes the folder
+        self.assertTrue((self.scratch / "new/store.json").exists())
+
+    def test_an_address_in_brackets_is_allowed(self):
+        def status(server, host):
+            url = urllib.parse.urlsplit(server.address)
+            connection = http.client.HTTPConnection(url.hostname, url.port, timeout=20)
+            connection.request("GET", url.path, headers={"Host": host.format(url.port)})
+            reply = connection.getresponse()
+            connection.close()
+            return reply.status
+
+        allowing, plain = self.start("--allow-host", "[::1]"), self.start(folder=self.scratch / "other")
+        self.assertEqual([status(one, "[::1]:{}") for one in (allowing, plain)], [200, 403])
+        for host in ("attacker.example:{}", "::1", "::1:{}", "[::1]:1", "[::2]:{}", "[::1].attacker.example:{}"):
+            self.assertEqual(status(allowing, host), 403, host)
+        # The folder may follow the option.
+        arguments = [command("")[0], "serve", "--no-browser", "--json", "--allow-host", "[::1]", self.scratch / "last"]
+        self.assertEqual(self.run_with(arguments).stdout.readline(), "{\n")
+        self.assertTrue((self.scratch / "last/store.json").exists())
 
     def test_a_folder_in_use(self):
         self.write()
         server = self.start()
         before = self.content()
         line = self.refused()
-        self.assertIn(f"in use by another run of shelfbeam (process {server.process.pid})", line)
+        self.assertIn(f"{self.folder}: is in use by another run of shelfbeam (process {server.process.pid})", line)
         self.assertEqual(self.content(), before)
         self.assertNotIn("error", self.open(server).set("/name", "Nave"))
         server.kill()
@@ -150,6 +188,55 @@ class Start(ServeTest):
         self.assertEqual(list(self.content()), ["store.json"])
         self.assertIn("Permission denied", self.refused(folder=self.scratch / "new", user=NOBODY, group=NOBODY))
         self.assertEqual([path.name for path in self.scratch.iterdir()], ["shop"])
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can run the program as another user")
+    def test_a_group_shares_a_folder(self):
+        first, second, group, stranger = 2001, 2002, 3000, 3001
+
+        def own_group(user, **more):
+            return {"user": user, "group": user, "extra_groups": [group], **more}
+
+        self.scratch.chmod(0o755)
+        for mode, umask in ((0o2775, 0o022), (0o2770, 0o077), (0o775, 0o022), (0o2775, 0o002)):
+            folder = self.scratch / f"{mode:o}-{umask:o}"
+            folder.mkdir()
+            os.chown(folder, first, group)
+            folder.chmod(mode)
+            store = folder / "store.json"
+            store.write_text(STORE, encoding="utf-8")
+            os.chown(store, first, group)
+            store.chmod(0o660)
+            for k, user in enumerate((second, first, second)):
+                server = self.start(folder=folder, **own_group(user, umask=umask))
+                tab = self.open(server)
+                self.assertEqual(len(tab.history["steps"]), k, "the history goes on")
+                self.assertNotIn("error", tab.set("/name", f"Shop {k}"))
+                self.assertIn(f"Shop {k}", store.read_text(encoding="utf-8"))
+                # A lock of a process that was killed is left behind.
+                server.kill() if k == 0 else server.end(signal.SIGTERM)
+                status = store.stat()
+                self.assertEqual((status.st_gid, status.st_mode & 0o777), (group, 0o660))
+            hidden = (folder / ".shelfbeam").stat()
+            # Others may not read the store, and its texts are in the history.
+            self.assertEqual((hidden.st_gid, hidden.st_mode & 0o7777), (group, 0o2770))
+            with self.assertRaises(NotStarted):
+                self.start(folder=folder, user=stranger, group=stranger, extra_groups=[])
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can run the program as another user")
+    def test_a_hidden_folder_of_an_earlier_version(self):
+        self.write()
+        self.scratch.chmod(0o755)
+        hidden = self.folder / ".shelfbeam"
+        for path in (self.folder, self.store):
+            os.chown(path, 2001, 3000)
+        self.folder.chmod(0o2775)
+        self.start(user=2001, group=3000, extra_groups=[]).kill()
+        self.assertEqual(hidden.stat().st_mode & 0o7777, 0o2775, "as its folder")
+        hidden.chmod(0o2700)
+        second = {"user": 2002, "group": 2002, "extra_groups": [3000]}
+        self.assertRegex(self.refused(**second), r"error: \.shelfbeam: cannot be written \(Permission denied\); let")
+        self.start(user=2001, group=3000, extra_groups=[]).kill()
+        self.open(self.start(**second))
 
     def limit(self, process, size):
         """The files of a process then grow to this size only."""
