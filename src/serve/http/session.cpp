@@ -218,10 +218,11 @@ class SocketSession final : public Session, public std::enable_shared_from_this<
     stream_.async_wait(Stream::wait_read, after([this](error_code error) { error ? abort() : read_head(); }));
   }
 
-  // To close a socket with unread bytes would take the answer away from the client. A page may be sending a
-  // file that is too large.
+  // To close a socket with unread bytes would take the answer away from the client. A page that sends a file
+  // which is refused may use the whole time.
   void drain(std::size_t drained) {
-    if (drained > most_drained && !has_token_) return abort();
+    const bool is_file = has_token_ && parser_->get().method() == beast::http::verb::put;
+    if (drained > most_drained && !is_file) return abort();
     buffer_.clear();
     stream_.async_read_some(buffer_.prepare(limits_.head),
                             after([this, drained](error_code error, std::size_t size) {

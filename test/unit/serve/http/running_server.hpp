@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -12,6 +13,8 @@
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "shelfbeam/base/files/open_file.hpp"
 
 #include "serve/http/server.hpp"
 #include "unit/serve/http/client.hpp"
@@ -98,6 +101,7 @@ class RunningServer {
               if (name != "made") return std::nullopt;
               return serve::http::Document{"application/json", std::make_shared<const std::string>("{}")};
             },
+            .spool = [] { return open_unnamed(std::filesystem::temp_directory_path()); },
             .put =
                 [](std::string_view name, std::string_view content) {
                   return name == "files/bad.png"
